@@ -1,0 +1,16 @@
+# Installs the headers and the files that find_package(CGAL_Reeb_graph) reads.
+include(CMakePackageConfigHelpers)
+
+set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/CGAL_Reeb_graph)
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+install(TARGETS CGAL_Reeb_graph EXPORT CGAL_Reeb_graph_targets)
+install(EXPORT CGAL_Reeb_graph_targets NAMESPACE CGAL:: DESTINATION ${package_dir})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/CGAL_Reeb_graphConfig.cmake.in
+                              ${PROJECT_BINARY_DIR}/CGAL_Reeb_graphConfig.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/CGAL_Reeb_graphConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES ${PROJECT_BINARY_DIR}/CGAL_Reeb_graphConfig.cmake
+              ${PROJECT_BINARY_DIR}/CGAL_Reeb_graphConfigVersion.cmake DESTINATION ${package_dir})

@@ -1,0 +1,58 @@
+/*!
+\ingroup PkgReebGraphConcepts
+\cgalConcept
+
+The concept `ReebGraphTraits` describes the types of a Reeb graph, and the predicates by which
+`CGAL::compute_reeb_graph()` orders the scalar values. Nothing else is ever asked of a scalar value: there is no
+arithmetic, and no conversion to a floating point number.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Reeb_graph_traits}
+\cgalHasModelsEnd
+*/
+class ReebGraphTraits
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// The type of the mesh, a model of `FaceListGraph`.
+  typedef unspecified_type Triangle_mesh;
+
+  /// The type of the scalar field, a model of `ReadablePropertyMap` with the vertex descriptors of `Triangle_mesh` as
+  /// key type, and a value type that converts to `Scalar`.
+  typedef unspecified_type Scalar_map;
+
+  /// The type of a scalar value: default constructible, copyable, ordered by `Less_scalar`.
+  typedef unspecified_type Scalar;
+
+  /// The property of a node, with the members `vertex`, `value` and `kind` of `CGAL::Reeb_graph::Node`.
+  typedef unspecified_type Node;
+
+  /// The property of an arc, with the member `chain` of `CGAL::Reeb_graph::Arc`.
+  typedef unspecified_type Arc;
+
+  /// The Reeb graph: a `boost::adjacency_list<boost::vecS, boost::vecS, boost::bidirectionalS, Node, Arc>`.
+  typedef unspecified_type Graph;
+
+  /// A function object with `bool operator()(const Scalar& a, const Scalar& b) const`, a strict weak order of the
+  /// values for which `Is_ordered` holds.
+  typedef unspecified_type Less_scalar;
+
+  /// A function object with `bool operator()(const Scalar& a) const` that returns `false` for a value that has no
+  /// place in the order, such as NaN.
+  typedef unspecified_type Is_ordered;
+
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /// returns the order.
+  Less_scalar less_scalar_object() const;
+
+  /// returns the test.
+  Is_ordered is_ordered_object() const;
+
+  /// @}
+};

@@ -1,0 +1,139 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_EXCEPTIONS_H
+#define CGAL_REEB_GRAPH_EXCEPTIONS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief base of all exceptions that the package throws.
+///
+/// They are thrown whatever the build type: checking the input does not depend on `NDEBUG`.
+/// Faces and vertices are named by their position in `faces(mesh)` and `vertices(mesh)`, from 0.
+class Error : public std::runtime_error
+{
+public:
+  /// constructs the exception from a message.
+  explicit Error(const std::string& message) : std::runtime_error(message) {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a face that has not exactly three vertices.
+class Non_triangular_face_error : public Error
+{
+public:
+  /// constructs the exception for the face at position `face`.
+  explicit Non_triangular_face_error(std::size_t face)
+    : Error("face " + std::to_string(face) + " is not a triangle"), face_(face) {}
+
+  /// the position of the face in `faces(mesh)`.
+  std::size_t face() const { return face_; }
+
+private:
+  std::size_t face_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a triangle that has the same vertex at two of its corners.
+class Degenerate_face_error : public Error
+{
+public:
+  /// constructs the exception for the face at position `face`.
+  explicit Degenerate_face_error(std::size_t face)
+    : Error("face " + std::to_string(face) + " has one vertex at two of its corners"), face_(face) {}
+
+  /// the position of the face in `faces(mesh)`.
+  std::size_t face() const { return face_; }
+
+private:
+  std::size_t face_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a vertex whose faces form more than one fan.
+class Non_manifold_vertex_error : public Error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`.
+  explicit Non_manifold_vertex_error(std::size_t vertex)
+    : Error("vertex " + std::to_string(vertex) + " is not manifold: its faces form more than one fan"),
+      vertex_(vertex) {}
+
+  /// the position of the vertex in `vertices(mesh)`.
+  std::size_t vertex() const { return vertex_; }
+
+private:
+  std::size_t vertex_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a scalar value that the order does not place, such as NaN.
+class Unordered_scalar_error : public Error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`.
+  explicit Unordered_scalar_error(std::size_t vertex)
+    : Error("the scalar value of vertex " + std::to_string(vertex) + " is not a number (NaN)"),
+      vertex_(vertex) {}
+
+  /// the position of the vertex in `vertices(mesh)`.
+  std::size_t vertex() const { return vertex_; }
+
+private:
+  std::size_t vertex_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for an index map that does not number vertices or faces one to one by non-negative integers.
+class Invalid_index_map_error : public Error
+{
+public:
+  /// constructs the exception for an index map over `simplices` (`"vertices"` or `"faces"`).
+  explicit Invalid_index_map_error(const std::string& simplices)
+    : Error("the index map of the " + simplices + " is negative, or the same for two of them") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a range of scalar values that is not as long as the range of vertices.
+class Scalar_count_error : public Error
+{
+public:
+  /// constructs the exception from the two lengths.
+  Scalar_count_error(std::size_t scalars, std::size_t vertices)
+    : Error(std::to_string(scalars) + " scalar values given for " + std::to_string(vertices) + " vertices") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a mesh of more than 2<sup>32</sup> - 2 vertices or face corners.
+class Mesh_size_error : public Error
+{
+public:
+  /// constructs the exception.
+  Mesh_size_error() : Error("the mesh has more vertices or face corners than 32-bit indices can number") {}
+};
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_EXCEPTIONS_H

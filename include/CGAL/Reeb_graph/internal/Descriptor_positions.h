@@ -1,0 +1,121 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_DESCRIPTOR_POSITIONS_H
+#define CGAL_REEB_GRAPH_INTERNAL_DESCRIPTOR_POSITIONS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/property_map.h>
+
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The position of each vertex (or face) in the sequence given at construction, found through an index map, which
+// can have holes, such as the one of a Surface_mesh with removed elements.
+template <class IndexMap>
+class Descriptor_positions
+{
+public:
+  template <class Descriptor>
+  Descriptor_positions(const IndexMap& index_map, const std::vector<Descriptor>& descriptors, const char* name)
+    : index_map_(index_map)
+  {
+    positions_.reserve(descriptors.size());
+    Index position = 0;
+    for(const Descriptor& d : descriptors)
+    {
+      const auto i = get(index_map_, d);
+      if(i < 0 || static_cast<std::size_t>(i) >= no_index)
+        throw Invalid_index_map_error(name);
+      const std::size_t index = static_cast<std::size_t>(i);
+      if(index >= positions_.size())
+        positions_.resize(index + 1, no_index);
+      if(positions_[index] != no_index)
+        throw Invalid_index_map_error(name);
+      positions_[index] = position++;
+    }
+  }
+
+  template <class Descriptor>
+  Index operator[](const Descriptor& d) const
+  {
+    return positions_[static_cast<std::size_t>(get(index_map_, d))];
+  }
+
+private:
+  IndexMap index_map_;
+  std::vector<Index> positions_;
+};
+
+// Whether the mesh has indices that cannot be written. Writable ones, such as the ids of a Polyhedron_3, may never
+// have been set, and setting them here would change the mesh.
+template <class Graph, class IndexTag, bool has_index = graph_has_property<Graph, IndexTag>::value>
+struct Has_constant_index : std::false_type
+{
+};
+
+template <class Graph, class IndexTag>
+struct Has_constant_index<Graph, IndexTag, true>
+  : std::bool_constant<
+      !CGAL::internal::Is_writable_property_map<typename boost::property_map<Graph, IndexTag>::const_type>::value>
+{
+};
+
+template <class IndexTag, class DynamicTag, class Graph, class Descriptor, class IndexParameter>
+auto make_descriptor_positions(const Graph& mesh,
+                               const std::vector<Descriptor>& descriptors,
+                               const IndexParameter& index_parameter,
+                               const char* name)
+{
+  if constexpr(!std::is_same_v<IndexParameter, internal_np::Param_not_found>)
+    return Descriptor_positions<IndexParameter>(index_parameter, descriptors, name);
+  else if constexpr(Has_constant_index<Graph, IndexTag>::value)
+  {
+    typedef typename boost::property_map<Graph, IndexTag>::const_type Index_map;
+    return Descriptor_positions<Index_map>(get(IndexTag(), mesh), descriptors, name);
+  }
+  else
+  {
+    auto index_map = get(DynamicTag(), mesh);
+    Index position = 0;
+    for(const Descriptor& d : descriptors)
+      put(index_map, d, position++);
+    return Descriptor_positions<decltype(index_map)>(index_map, descriptors, name);
+  }
+}
+
+template <class Graph, class Descriptor, class NamedParameters>
+auto make_vertex_positions(const Graph& mesh, const std::vector<Descriptor>& vertices, const NamedParameters& np)
+{
+  return make_descriptor_positions<boost::vertex_index_t, dynamic_vertex_property_t<Index>>(
+    mesh, vertices, parameters::get_parameter(np, internal_np::vertex_index), "vertices");
+}
+
+template <class Graph, class Descriptor, class NamedParameters>
+auto make_face_positions(const Graph& mesh, const std::vector<Descriptor>& faces, const NamedParameters& np)
+{
+  return make_descriptor_positions<boost::face_index_t, dynamic_face_property_t<Index>>(
+    mesh, faces, parameters::get_parameter(np, internal_np::face_index), "faces");
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_DESCRIPTOR_POSITIONS_H

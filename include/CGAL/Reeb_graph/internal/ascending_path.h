@@ -1,0 +1,43 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_ASCENDING_PATH_H
+#define CGAL_REEB_GRAPH_INTERNAL_ASCENDING_PATH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// A step of an ascending path: the edge that the corner `edge` faces, up to its higher end `target`.
+struct Ascending_step
+{
+  Index edge;
+  Index target;
+};
+
+// The step from `vertex`, which is no maximum, to its highest neighbor.
+template <class Order>
+Ascending_step steepest_step(const Triangle_complex& complex, const Order& order, Index vertex)
+{
+  Ascending_step step = {no_index, vertex};
+  complex.for_each_edge_around(vertex, [&](Index neighbor, Index corner) {
+    if(order(step.target, neighbor))
+      step = {corner, neighbor};
+  });
+  return step;
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_ASCENDING_PATH_H

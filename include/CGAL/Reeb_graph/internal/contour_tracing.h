@@ -1,0 +1,56 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TRACING_H
+#define CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TRACING_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Follows a contour from the edge that `start` faces into the triangle of that corner, and calls visit(corner) for
+// each further crossing edge, until it is back or at the border. Returns whether it came back.
+//
+// All along a contour the source of the entered edge stays on the same side of the level, so that one comparison
+// per triangle tells the way: the contour keeps its apex on the side of that end which it does not separate from it.
+template <class IsBelow, class Visit>
+bool follow_contour(const Triangle_complex& complex, Index start, const IsBelow& is_below, const Visit& visit)
+{
+  const bool is_source_below = is_below(complex.edge_source(start));
+  Index entered = start;
+  do
+  {
+    const bool is_apex_below = is_below(complex.vertex(entered));
+    const Index left =
+      is_apex_below == is_source_below ? Triangle_complex::next(entered) : Triangle_complex::previous(entered);
+    entered = complex.opposite(left);
+    if(entered != start)
+      visit(left);
+  } while(entered != start && entered != no_index);
+  return entered == start;
+}
+
+// Calls visit(corner) once for each edge of the contour that crosses the edge faced by `start`.
+template <class IsBelow, class Visit>
+void trace_contour(const Triangle_complex& complex, Index start, const IsBelow& is_below, const Visit& visit)
+{
+  visit(start);
+  const bool is_closed = follow_contour(complex, start, is_below, visit);
+  if(!is_closed && complex.opposite(start) != no_index)
+    follow_contour(complex, complex.opposite(start), is_below, visit);
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TRACING_H

@@ -1,0 +1,120 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CRITICAL_SETS_ENGINE_H
+#define CGAL_REEB_GRAPH_INTERNAL_CRITICAL_SETS_ENGINE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/Critical_arc.h>
+#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/ascending_path.h>
+#include <CGAL/Reeb_graph/internal/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/contour_tracing.h>
+#include <CGAL/Reeb_graph/internal/link_sectors.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Critical sets and ascending paths (the paper, Sections 4.1 to 4.5): the contours just below each critical vertex
+// are registered at the edges that they cross; then a path climbs from each upper sector of each critical vertex to
+// the first edge where a contour is registered, which names the upper end of the arc. Each such contour ends one
+// arc. Cost: the lengths of the registered contours, and of the paths; those of different arcs do not overlap.
+template <class Order>
+class Critical_sets_engine
+{
+public:
+  Critical_sets_engine(const Triangle_complex& complex,
+                       const Order& order,
+                       const Critical_vertices& critical_vertices)
+    : complex_(complex),
+      order_(order),
+      critical_vertices_(critical_vertices),
+      contour_at_edge_(complex.number_of_corners(), no_index) {}
+
+  std::vector<Critical_arc> operator()()
+  {
+    // An edge keeps the contour of the lowest level: that is where an ascending path meets it first.
+    for(Index i = critical_vertices_.size(); i-- != 0;)
+      register_lower_contours(i);
+    for(Index i = 0; i != critical_vertices_.size(); ++i)
+      climb_from(i);
+    return std::move(arcs_);
+  }
+
+private:
+  void register_lower_contours(Index critical)
+  {
+    const Index vertex = critical_vertices_.vertex(critical);
+    const auto is_below = [&](Index u) { return order_(u, vertex); };
+    const Index first_contour = static_cast<Index>(arcs_.size());
+    for(const Link_sector& sector : critical_vertices_.sectors(critical))
+    {
+      // A contour can pass several sectors of the vertex; then the earlier trace has been here.
+      const Index registered = contour_at_edge_[sector.edge];
+      if(sector.is_upper || (registered != no_index && registered >= first_contour))
+        continue;
+      const Index contour = static_cast<Index>(arcs_.size());
+      arcs_.push_back({no_index, critical, {no_index, no_index}});
+      trace_contour(complex_, sector.edge, is_below, [&](Index corner) { register_contour(contour, corner); });
+    }
+  }
+
+  void register_contour(Index contour, Index corner)
+  {
+    contour_at_edge_[corner] = contour;
+    if(complex_.opposite(corner) != no_index)
+      contour_at_edge_[complex_.opposite(corner)] = contour;
+  }
+
+  void climb_from(Index critical)
+  {
+    for(const Link_sector& sector : critical_vertices_.sectors(critical))
+    {
+      if(!sector.is_upper)
+        continue;
+      const Ascending_step first_step = {sector.edge, sector.extreme_neighbor};
+      Critical_arc& arc = arcs_[contour_above(first_step)];
+      // Several sectors can lead to one arc, whose chain begins in the highest one.
+      if(arc.lower == no_index || order_(arc.first_step.target, first_step.target))
+        arc.first_step = first_step;
+      arc.lower = critical;
+    }
+  }
+
+  Index contour_above(Ascending_step step) const
+  {
+    while(contour_at_edge_[step.edge] == no_index)
+      step = steepest_step(complex_, order_, step.target);
+    return contour_at_edge_[step.edge];
+  }
+
+  const Triangle_complex& complex_;
+  const Order& order_;
+  const Critical_vertices& critical_vertices_;
+  std::vector<Index> contour_at_edge_; // by corner; a contour has the number of the arc that ends there
+  std::vector<Critical_arc> arcs_;
+};
+
+template <class Order>
+std::vector<Critical_arc> find_arcs_by_critical_sets(const Triangle_complex& complex,
+                                                     const Order& order,
+                                                     const Critical_vertices& critical_vertices)
+{
+  return Critical_sets_engine<Order>(complex, order, critical_vertices)();
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_CRITICAL_SETS_ENGINE_H

@@ -1,0 +1,79 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_WRITE_GRAPH_H
+#define CGAL_REEB_GRAPH_INTERNAL_WRITE_GRAPH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Halfedge_chain.h>
+#include <CGAL/Reeb_graph/internal/arc_chains.h>
+#include <CGAL/Reeb_graph/internal/flatten.h>
+#include <CGAL/Reeb_graph/internal/merge_arcs.h>
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The halfedges of the mesh that the steps of the chains stand for.
+template <class FaceListGraph, class Scalar>
+auto chain_halfedges(const FaceListGraph& mesh,
+                     const Flat_surface<FaceListGraph, Scalar>& surface,
+                     const Flat_chains& chains)
+{
+  typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
+  std::vector<halfedge_descriptor> halfedges;
+  halfedges.reserve(chains.steps.size());
+  for(const Ascending_step& step : chains.steps)
+  {
+    const halfedge_descriptor h = halfedge_facing_corner(mesh, surface.faces, step.edge);
+    halfedges.push_back(surface.complex.edge_target(step.edge) == step.target ? h : opposite(h, mesh));
+  }
+  return std::make_shared<const std::vector<halfedge_descriptor>>(std::move(halfedges));
+}
+
+// Replaces the content of `graph` by the Reeb graph.
+template <class FaceListGraph, class Scalar, class ReebGraph>
+void write_graph(const FaceListGraph& mesh,
+                 const Flat_surface<FaceListGraph, Scalar>& surface,
+                 const Flat_graph& flat_graph,
+                 const Flat_chains& chains,
+                 ReebGraph& graph)
+{
+  typedef typename boost::vertex_bundle_type<ReebGraph>::type Node;
+  typedef typename boost::edge_bundle_type<ReebGraph>::type Arc;
+
+  const auto halfedges = chain_halfedges(mesh, surface, chains);
+  graph.clear();
+  for(const Flat_node& flat_node : flat_graph.nodes)
+  {
+    Node node;
+    node.vertex = surface.vertices[flat_node.vertex];
+    node.value = surface.values[flat_node.vertex];
+    node.kind = flat_node.kind;
+    add_vertex(node, graph);
+  }
+  for(std::size_t i = 0; i != flat_graph.arcs.size(); ++i)
+  {
+    const std::size_t first = chains.first_steps[i], size = chains.first_steps[i + 1] - first;
+    Arc arc;
+    arc.chain = {halfedges, first, size};
+    add_edge(flat_graph.arcs[i].lower, flat_graph.arcs[i].upper, arc, graph);
+  }
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_WRITE_GRAPH_H

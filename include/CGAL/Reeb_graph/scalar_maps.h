@@ -1,0 +1,76 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SCALAR_MAPS_H
+#define CGAL_REEB_GRAPH_SCALAR_MAPS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/range/size.hpp>
+#include <boost/range/value_type.hpp>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphScalarMaps
+///
+/// \brief makes a scalar map from a range of values, one per vertex in the order of `vertices(mesh)`.
+///
+/// For meshes without property maps of their own, such as `Polyhedron_3`, and for values that come from elsewhere.
+/// The map is a dynamic property map of \cgal that holds a copy of the values; nothing is stored in the mesh,
+/// which has to outlive the map.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`
+/// \tparam ScalarRange a model of `ForwardRange`
+///
+/// \returns a model of `ReadablePropertyMap` with the vertex descriptors as key type and the values of the range as
+///          value type.
+///
+/// \exception Scalar_count_error if the range is not as long as the range of vertices
+template <class FaceListGraph, class ScalarRange>
+auto make_scalar_map(const FaceListGraph& mesh, const ScalarRange& values)
+{
+  typedef typename boost::range_value<const ScalarRange>::type Scalar;
+  auto scalar_map = get(dynamic_vertex_property_t<Scalar>(), mesh);
+  const auto vertex_range = vertices(mesh);
+  const std::size_t number_of_vertices = std::distance(vertex_range.first, vertex_range.second);
+  const std::size_t number_of_values = std::distance(std::begin(values), std::end(values));
+  if(number_of_values != number_of_vertices)
+    throw Scalar_count_error(number_of_values, number_of_vertices);
+  auto value = std::begin(values);
+  for(auto v = vertex_range.first; v != vertex_range.second; ++v, ++value)
+    put(scalar_map, *v, *value);
+  return scalar_map;
+}
+
+/// \ingroup PkgReebGraphScalarMaps
+///
+/// \brief makes a scalar map from a function object that is called with a vertex of `mesh`.
+///
+/// The function object is copied into the map and called each time a value is read.
+///
+/// \returns a model of `ReadablePropertyMap` with the vertex descriptors as key type and the result of the function
+///          as value type.
+template <class FaceListGraph, class VertexFunction>
+auto make_scalar_map_from_function(const FaceListGraph&, const VertexFunction& function)
+{
+  typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
+  return boost::make_function_property_map<vertex_descriptor>(function);
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_SCALAR_MAPS_H

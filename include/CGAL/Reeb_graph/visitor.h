@@ -1,0 +1,64 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_VISITOR_H
+#define CGAL_REEB_GRAPH_VISITOR_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <cstddef>
+#include <map>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief the stages of `compute_reeb_graph()`, in the order in which they run.
+enum class Stage
+{
+  FLATTEN,  ///< the mesh and the scalar map are copied into flat arrays, and checked
+  CLASSIFY, ///< critical vertices are found and sorted
+  ARCS,     ///< the arcs between critical vertices are found
+  CHAINS,   ///< the halfedge chains of the arcs are walked
+  WRITE     ///< nodes and arcs are written to the graph
+};
+
+/// \ingroup PkgReebGraphRef
+///
+/// \brief the number of critical vertices of each kind: a property of the field, not of its Reeb graph.
+///
+/// With \f$ m \f$ the multiplicity, the number of lower link sectors minus one, a closed surface has Euler
+/// characteristic \f$ minima - \sum m + maxima \f$.
+struct Critical_vertex_counts
+{
+  std::size_t isolated = 0; ///< vertices without a face
+  std::size_t minima = 0;   ///< vertices whose link is all above, border vertices included
+  std::size_t maxima = 0;   ///< vertices whose link is all below, border vertices included
+  /// interior vertices with at least two lower link sectors, by multiplicity
+  std::map<std::size_t, std::size_t> saddles;
+  std::size_t border_saddles = 0; ///< border vertices with at least two lower or two upper link sectors
+};
+
+/// \ingroup PkgReebGraphRef
+///
+/// \brief a visitor of `compute_reeb_graph()` that does nothing; derive from it to hide one or more members.
+///
+/// \cgalModels{ReebGraphVisitor}
+struct Default_visitor
+{
+  void begin_stage(Stage) {} ///< called before a stage
+  void end_stage(Stage) {}   ///< called after a stage
+  /// called once in the stage `Stage::CLASSIFY`.
+  void critical_vertices(const Critical_vertex_counts&) {}
+};
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_VISITOR_H

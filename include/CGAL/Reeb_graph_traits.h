@@ -1,0 +1,131 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_TRAITS_H
+#define CGAL_REEB_GRAPH_TRAITS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Halfedge_chain.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <limits>
+#include <type_traits>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief what happens to the contours at a node of the Reeb graph.
+enum class Node_kind
+{
+  ISOLATED,  ///< no contour below and none above: a vertex of the mesh without a face
+  MINIMUM,   ///< a contour is born: no arc below
+  SADDLE,    ///< contours join, split, or both: at least three arcs
+  MAXIMUM,   ///< a contour dies: no arc above
+  DEGREE_TWO ///< a critical vertex that is touched by one contour below and by one above; kept on request only
+};
+
+/// \ingroup PkgReebGraphRef
+///
+/// \brief the bundled property of a node of the Reeb graph.
+///
+/// \tparam VertexDescriptor a vertex descriptor of the mesh
+/// \tparam Scalar_ a scalar type
+template <class VertexDescriptor, class Scalar_>
+struct Node
+{
+  VertexDescriptor vertex = VertexDescriptor(); ///< the vertex of the mesh
+  Scalar_ value = Scalar_();                    ///< the scalar value at the vertex
+  Node_kind kind = Node_kind::ISOLATED;         ///< what happens to the contours there
+};
+
+/// \ingroup PkgReebGraphRef
+///
+/// \brief the bundled property of an arc of the Reeb graph.
+///
+/// The chain leads from the graph back to the mesh: `get(&Arc::chain, graph)` is a property map from the arcs
+/// to their chains.
+///
+/// \tparam HalfedgeDescriptor a halfedge descriptor of the mesh
+template <class HalfedgeDescriptor>
+struct Arc
+{
+  /// ascending halfedges from the vertex of the lower node to the first one that crosses the level just below
+  /// the upper node.
+  Halfedge_chain<HalfedgeDescriptor> chain;
+};
+
+} // namespace Reeb_graph
+
+/// \ingroup PkgReebGraphRef
+///
+/// \brief the types and predicates of a Reeb graph of a scalar field on a triangle mesh.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of `FaceListGraph` as key
+///         type, and with a value type that has `operator<` as strict weak order: built-in numbers, number types
+///         of \cgal, or a type of the user. To order by another function object, derive from this class.
+///
+/// \cgalModels{ReebGraphTraits}
+template <class FaceListGraph, class ScalarMap>
+class Reeb_graph_traits
+{
+public:
+  /// the type of the mesh
+  typedef FaceListGraph Triangle_mesh;
+  /// the type of the scalar field
+  typedef ScalarMap Scalar_map;
+  /// the type of a scalar value
+  typedef std::remove_cv_t<std::remove_reference_t<typename boost::property_traits<ScalarMap>::value_type>> Scalar;
+
+  /// the vertex descriptor of the mesh
+  typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
+  /// the halfedge descriptor of the mesh
+  typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
+
+  /// the property of a node
+  typedef Reeb_graph::Node<vertex_descriptor, Scalar> Node;
+  /// the property of an arc
+  typedef Reeb_graph::Arc<halfedge_descriptor> Arc;
+  /// the Reeb graph. Arcs are directed from the lower to the upper node, and can be parallel.
+  typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::bidirectionalS, Node, Arc> Graph;
+
+  /// the strict weak order of the scalar values
+  struct Less_scalar
+  {
+    /// returns `true` if `a` is lower than `b`.
+    bool operator()(const Scalar& a, const Scalar& b) const { return a < b; }
+  };
+
+  /// the test that a value has a place in the order
+  struct Is_ordered
+  {
+    /// returns `false` for NaN, `true` for any other value, infinities included.
+    bool operator()(const Scalar& a) const
+    {
+      if constexpr(std::numeric_limits<Scalar>::has_quiet_NaN)
+        return a == a;
+      else
+        return true;
+    }
+  };
+
+  /// returns the order.
+  Less_scalar less_scalar_object() const { return Less_scalar(); }
+  /// returns the test.
+  Is_ordered is_ordered_object() const { return Is_ordered(); }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_TRAITS_H

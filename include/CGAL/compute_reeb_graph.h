@@ -1,0 +1,148 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_COMPUTE_REEB_GRAPH_H
+#define CGAL_COMPUTE_REEB_GRAPH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph_traits.h>
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/scalar_maps.h>
+#include <CGAL/Reeb_graph/visitor.h>
+#include <CGAL/Reeb_graph/internal/arc_chains.h>
+#include <CGAL/Reeb_graph/internal/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/critical_sets_engine.h>
+#include <CGAL/Reeb_graph/internal/flatten.h>
+#include <CGAL/Reeb_graph/internal/merge_arcs.h>
+#include <CGAL/Reeb_graph/internal/Vertex_order.h>
+#include <CGAL/Reeb_graph/internal/write_graph.h>
+
+namespace CGAL {
+
+/// \ingroup PkgReebGraphRef
+///
+/// \brief computes the augmented Reeb graph of a scalar field on a triangulated surface.
+///
+/// The surface is the piecewise linear one of `mesh`: orientable, of any genus, with or without border, of any
+/// number of components, isolated vertices included. The field is linear on each face. The graph is exact: only
+/// comparisons of scalar values decide it. Vertices of equal value are ordered by their position in
+/// `vertices(mesh)` (simulation of simplicity), so constant parts of a field need no care.
+///
+/// A node is a vertex at which the contours, the connected components of the level sets, are born, die, join or
+/// split. An arc is a maximal family of contours in between, directed from its lower to its upper node. Each arc
+/// carries a chain of ascending mesh halfedges, from which every contour of the arc can be reached.
+/// Nodes are numbered in the order of their vertices, arcs are sorted by lower node, upper node, and the second
+/// vertex of their chain. The same input gives the same graph, whatever the type of the mesh.
+///
+/// The method follows M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020,
+/// Sections 4.1 to 4.5: critical sets and ascending paths. With \f$ n \f$ vertices and faces, \f$ c \f$ critical
+/// vertices, and \f$ l \f$ the number of edges on the contours just below critical vertices and on ascending paths, it
+/// takes \f$ O(n + c \log c + l) \f$ time and \f$ O(n) \f$ memory.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. The value
+///         type is the scalar type of the traits class
+/// \tparam ReebGraph the type `Graph` of the traits class
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the triangulated surface; it is only read
+/// \param scalar_map the scalar field
+/// \param graph the result; whatever it held before is cleared
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{keep_degree_two_nodes}
+///     \cgalParamDescription{whether critical vertices that are touched by one contour just below and by one just
+///                           above become nodes of degree 2. They are none in the Reeb graph proper.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{use the functions `parameters::keep_degree_two_nodes()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_index_map}
+///     \cgalParamDescription{a property map that gives each vertex a different non-negative integer, used to find
+///                           vertices fast. It has no influence on the result.}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type and an integer type
+///                    as value type}
+///     \cgalParamDefault{the index that the mesh has for its vertices, if it has a constant one, else a dynamic
+///                       property map}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_index_map}
+///     \cgalParamDescription{the same for faces}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptors as key type and an integer type as
+///                    value type}
+///     \cgalParamDefault{as for vertices}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object}
+///     \cgalParamType{a model of `ReebGraphTraits`}
+///     \cgalParamDefault{`Reeb_graph_traits<FaceListGraph, ScalarMap>`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told of the beginning and the end of each stage, and of the critical vertices}
+///     \cgalParamType{a model of `ReebGraphVisitor`, by value or as `std::reference_wrapper`}
+///     \cgalParamDefault{`Reeb_graph::Default_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \exception Reeb_graph::Non_triangular_face_error if a face is not a triangle
+/// \exception Reeb_graph::Degenerate_face_error if a face has one vertex at two corners
+/// \exception Reeb_graph::Non_manifold_vertex_error if the faces of a vertex form more than one fan
+/// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN
+/// \exception Reeb_graph::Invalid_index_map_error if an index map is not one to one
+/// \exception Reeb_graph::Mesh_size_error if there are too many vertices or faces for 32-bit indices
+///
+/// When one of these is thrown, `graph` is as it was before.
+template <class FaceListGraph,
+          class ScalarMap,
+          class ReebGraph,
+          class NamedParameters = parameters::Default_named_parameters>
+void compute_reeb_graph(const FaceListGraph& mesh,
+                        ScalarMap scalar_map,
+                        ReebGraph& graph,
+                        const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Reeb_graph::Stage;
+  namespace stages = Reeb_graph::internal;
+
+  typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Default_traits;
+  const auto traits = choose_parameter<Default_traits>(get_parameter(np, internal_np::geom_traits));
+  auto visitor_parameter = choose_parameter<Reeb_graph::Default_visitor>(get_parameter(np, internal_np::visitor));
+  auto& visitor = stages::unwrap_reference(visitor_parameter);
+  const bool are_degree_two_nodes_kept = choose_parameter(get_parameter(np, stages::keep_degree_two_nodes), false);
+
+  visitor.begin_stage(Stage::FLATTEN);
+  const auto surface = stages::flatten(mesh, scalar_map, traits, np);
+  const stages::Vertex_order order(surface.values, traits.less_scalar_object());
+  visitor.end_stage(Stage::FLATTEN);
+
+  visitor.begin_stage(Stage::CLASSIFY);
+  const auto critical_vertices = stages::classify_vertices(surface.complex, order);
+  visitor.critical_vertices(stages::count_critical_vertices(surface.complex, critical_vertices));
+  visitor.end_stage(Stage::CLASSIFY);
+
+  visitor.begin_stage(Stage::ARCS);
+  const auto critical_arcs = stages::find_arcs_by_critical_sets(surface.complex, order, critical_vertices);
+  const auto flat_graph = stages::merge_arcs(order, critical_vertices, critical_arcs, are_degree_two_nodes_kept);
+  visitor.end_stage(Stage::ARCS);
+
+  visitor.begin_stage(Stage::CHAINS);
+  const auto chains = stages::find_arc_chains(surface.complex, order, flat_graph);
+  visitor.end_stage(Stage::CHAINS);
+
+  visitor.begin_stage(Stage::WRITE);
+  stages::write_graph(mesh, surface, flat_graph, chains, graph);
+  visitor.end_stage(Stage::WRITE);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_COMPUTE_REEB_GRAPH_H

@@ -1,0 +1,30 @@
+# shellcheck shell=bash disable=SC2034
+# What the scripts share; they source it. It changes to the top folder of the project.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+# install_packages PACKAGE...: installs those of the Debian packages that are missing; no network if all are there.
+install_packages() {
+  local package missing=() as_root=()
+  for package in "$@"; do
+    [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null)" == installed ]] || missing+=("$package")
+  done
+  [[ ${#missing[@]} -gt 0 ]] || return 0
+  echo "Installing ${missing[*]}"
+  [[ $EUID -eq 0 ]] || as_root=(sudo)
+  "${as_root[@]}" apt-get update --quiet=2
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install --yes --quiet=2 --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# number_of_jobs: one per core, as long as each has the memory that compiling with CGAL takes.
+number_of_jobs() {
+  local cores memory_in_kb jobs
+  cores=$(nproc)
+  memory_in_kb=$(awk '/^MemAvailable/ { print $2 }' /proc/meminfo)
+  jobs=$((memory_in_kb / 1500000))
+  echo $((jobs < 1 ? 1 : jobs < cores ? jobs : cores))
+}
+
+packages_of_program=(g++ cmake make libcgal-dev libboost-dev libboost-test-dev libcli11-dev nlohmann-json3-dev graphviz)
+packages_of_tests=("${packages_of_program[@]}" doxygen)

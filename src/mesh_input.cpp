@@ -1,0 +1,173 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "mesh_input.h"
+
+#include "input_error.h"
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+namespace reeb_graph_program {
+namespace {
+std::string read_characters(std::ifstream& file, std::size_t first, std::size_t number)
+{
+  std::string characters(number, '\0');
+  file.clear();
+  file.seekg(static_cast<std::streamoff>(first));
+  file.read(characters.data(), static_cast<std::streamsize>(number));
+  characters.resize(static_cast<std::size_t>(file.gcount()));
+  return characters;
+}
+
+// The STL reader takes a file that breaks off, or that is no STL file at all, for a smaller mesh.
+bool is_complete_stl(std::ifstream& file, std::size_t file_size)
+{
+  const std::size_t header_size = 84, facet_size = 50;
+  const std::string header = read_characters(file, 0, header_size);
+  std::size_t number_of_facets = 0;
+  for(std::size_t i = header.size(); i > 80; --i)
+    number_of_facets = 256 * number_of_facets + static_cast<unsigned char>(header[i - 1]);
+  if(header.size() == header_size && file_size == header_size + facet_size * number_of_facets)
+    return true;
+  const std::size_t tail_size = std::min<std::size_t>(file_size, 256);
+  return read_characters(file, file_size - tail_size, tail_size).find("endsolid") != std::string::npos;
+}
+
+Polygon_soup read_soup(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if(!file || !std::filesystem::is_regular_file(path))
+    throw Input_error(path, "the file cannot be read");
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  bool is_read = extension != ".stl" || is_complete_stl(file, static_cast<std::size_t>(file.tellg()));
+
+  Polygon_soup soup;
+  try
+  {
+    is_read = is_read && CGAL::IO::read_polygon_soup(path, soup.points, soup.polygons);
+  }
+  catch(const std::exception&)
+  {
+    is_read = false;
+  }
+  if(!is_read)
+    throw Input_error(path, "not a valid OFF, OBJ, PLY, STL, or TS file, or its extension does not say which of them");
+  return soup;
+}
+
+void check_polygons(const std::string& path, const Polygon_soup& soup, bool are_faces_triangulated)
+{
+  Polygon sorted;
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+  {
+    const Polygon& polygon = soup.polygons[i];
+    const std::string face = "face " + std::to_string(i);
+    for(const std::size_t v : polygon)
+      if(v >= soup.points.size())
+        throw Input_error(path, face + " has a vertex that does not exist");
+    if(polygon.size() < 3)
+      throw Input_error(path, face + " has fewer than three vertices");
+    if(polygon.size() > 3 && !are_faces_triangulated)
+      throw Input_error(path, face + " has " + std::to_string(polygon.size())
+                                + " vertices and is not a triangle; --triangulate cuts such faces into triangles");
+    sorted = polygon;
+    std::sort(sorted.begin(), sorted.end());
+    const auto repeated = std::adjacent_find(sorted.begin(), sorted.end());
+    if(repeated != sorted.end())
+      throw Input_error(path, face + " has vertex " + std::to_string(*repeated) + " at two of its corners");
+  }
+}
+
+// Notes the first place at which CGAL cannot orient the faces without cutting the surface open. CGAL copies the
+// visitor, hence the pointer.
+struct Obstacle_finder : PMP::Default_orientation_visitor
+{
+  explicit Obstacle_finder(std::optional<std::string>& obstacle) : obstacle(&obstacle) {}
+
+  void non_manifold_edge(std::size_t u, std::size_t v, std::size_t number_of_faces)
+  {
+    if(!*obstacle)
+      *obstacle = "the edge between the vertices " + std::to_string(u) + " and " + std::to_string(v) + " has "
+                + std::to_string(number_of_faces) + " faces";
+  }
+  void duplicated_vertex(std::size_t v, std::size_t)
+  {
+    if(!*obstacle)
+      *obstacle = "the surface is not manifold, or not orientable, at vertex " + std::to_string(v);
+  }
+
+  std::optional<std::string>* obstacle;
+};
+
+void orient(const std::string& path, Polygon_soup& soup)
+{
+  std::optional<std::string> obstacle;
+  if(!PMP::orient_polygon_soup(soup.points, soup.polygons, CGAL::parameters::visitor(Obstacle_finder(obstacle))))
+    throw Input_error(path, obstacle.value_or("the surface is not manifold, or not orientable"));
+}
+
+void triangulate(const std::string& path, Surface& surface)
+{
+  PMP::triangulate_faces(surface);
+  for(const Surface::Face_index f : surface.faces())
+    if(surface.degree(f) != 3)
+      throw Input_error(path, "face " + std::to_string(f.idx()) + " cannot be cut into triangles");
+}
+
+} // namespace
+
+bool assemble(const Polygon_soup& soup, Surface& surface)
+{
+  surface.clear();
+  surface.reserve(static_cast<Surface::size_type>(soup.points.size()),
+                  static_cast<Surface::size_type>(soup.points.size() + soup.polygons.size()),
+                  static_cast<Surface::size_type>(soup.polygons.size()));
+  for(const Point& point : soup.points)
+    surface.add_vertex(point);
+  std::vector<Surface::Vertex_index> face;
+  for(const Polygon& polygon : soup.polygons)
+  {
+    face.clear();
+    for(const std::size_t v : polygon)
+      face.emplace_back(static_cast<Surface::size_type>(v));
+    if(CGAL::Euler::add_face(face, surface) == Surface::null_face())
+      return false;
+  }
+  return true;
+}
+
+Surface read_surface(const std::string& path, bool are_faces_triangulated)
+{
+  Polygon_soup soup = read_soup(path);
+  check_polygons(path, soup, are_faces_triangulated);
+  Surface surface;
+  if(!assemble(soup, surface))
+  {
+    orient(path, soup);
+    if(!assemble(soup, surface))
+      throw Input_error(path, "the faces do not form a manifold surface");
+  }
+  if(are_faces_triangulated)
+    triangulate(path, surface);
+  return surface;
+}
+
+} // namespace reeb_graph_program

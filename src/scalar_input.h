@@ -1,0 +1,22 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_SCALAR_INPUT_H
+#define CGAL_REEB_GRAPH_SRC_SCALAR_INPUT_H
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace reeb_graph_program {
+// Reads one number per line, whatever the locale. Throws Input_error unless there are as many as vertices.
+std::vector<double> read_scalars(const std::string& path, std::size_t number_of_vertices);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_SCALAR_INPUT_H

@@ -1,0 +1,181 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "brute_force_oracle.h"
+#include "known_meshes.h"
+#include "random_fields.h"
+#include "random_meshes.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+// The tests' own tools: the oracle on cases done by hand and on identities, and the random meshes.
+
+using brute_force_oracle::Oracle;
+using random_meshes::Combinatorial_mesh;
+using random_meshes::Field_class;
+using random_meshes::Mesh_class;
+using random_meshes::Random;
+
+typedef std::vector<std::pair<std::size_t, std::size_t>> Arcs;
+
+namespace
+{
+Oracle oracle(const Combinatorial_mesh& mesh, const std::vector<double>& values, bool keeps_degree_two_nodes = false)
+{
+  return Oracle(mesh.number_of_vertices, brute_force_oracle::make_triangles(mesh.triangles), values,
+                keeps_degree_two_nodes);
+}
+
+Arcs sorted_arcs(const Oracle& graph)
+{
+  Arcs arcs;
+  for(const auto& arc : graph.arcs)
+    arcs.emplace_back(arc.lower, arc.upper);
+  std::sort(arcs.begin(), arcs.end());
+  return arcs;
+}
+
+std::size_t number_of_nodes(const Oracle& graph)
+{
+  std::size_t nodes = 0;
+  for(std::size_t v : graph.order)
+    nodes += graph.is_node(v) ? 1 : 0;
+  return nodes;
+}
+
+long euler_characteristic(const Combinatorial_mesh& mesh)
+{
+  const auto edges = random_meshes::directed_edges(mesh);
+  std::size_t number_of_edges = 0;
+  for(const auto& edge : edges)
+    if(edge.first.first < edge.first.second || edges.count({edge.first.second, edge.first.first}) == 0)
+      ++number_of_edges;
+  return static_cast<long>(mesh.number_of_vertices) - static_cast<long>(number_of_edges)
+         + static_cast<long>(mesh.triangles.size());
+}
+
+bool is_on_border(const random_meshes::Directed_edges& edges, std::size_t v)
+{
+  for(auto e = edges.lower_bound({v, 0}); e != edges.end() && e->first.first == v; ++e)
+    if(edges.count({e->first.second, v}) == 0)
+      return true;
+  return false;
+}
+
+// Of the lower link: a circle if all of an interior link is below, else disjoint paths.
+long euler_characteristic_of_lower_link(const Oracle& graph, bool is_interior, std::size_t v)
+{
+  const bool is_circle = is_interior && graph.upper_link_sectors[v] == 0;
+  return is_circle ? 0 : static_cast<long>(graph.lower_link_sectors[v]);
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_tetrahedron_has_one_arc)
+{
+  BOOST_TEST((sorted_arcs(oracle(random_meshes::tetrahedron(), {3, 1, 0, 2})) == Arcs{{2, 0}}));
+  BOOST_TEST((sorted_arcs(oracle(random_meshes::tetrahedron(), {5, 5, 5, 5})) == Arcs{{0, 3}}));
+}
+
+BOOST_AUTO_TEST_CASE(isolated_vertices_are_nodes)
+{
+  const Oracle graph = oracle({5, {{1, 2, 3}}}, {0, 1, 2, 3, 4});
+  BOOST_TEST((sorted_arcs(graph) == Arcs{{1, 3}}));
+  BOOST_TEST(graph.is_node(0));
+  BOOST_TEST(graph.is_node(4));
+  BOOST_TEST(!graph.is_node(2));
+  BOOST_TEST(number_of_nodes(oracle({0, {}}, {})) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_bipyramid_with_a_zigzag_field_has_a_multi_saddle)
+{
+  // pole 0 lies between the vertices around it, which are alternately minima and maxima; pole 1 is the top
+  const Combinatorial_mesh mesh = random_meshes::bipyramid(6);
+  const Oracle graph = oracle(mesh, {0, 9, -1, 1, -2, 2, -3, 3});
+  BOOST_TEST(graph.lower_link_sectors[0] == 3);
+  BOOST_TEST(graph.upper_link_sectors[0] == 3);
+  BOOST_TEST((sorted_arcs(graph) == Arcs{{0, 1}, {2, 0}, {4, 0}, {6, 0}}));
+}
+
+BOOST_AUTO_TEST_CASE(contours_that_share_a_lower_vertex_are_two)
+{
+  const Combinatorial_mesh mesh = known_meshes::nine_vertex_torus();
+  const Oracle graph = oracle(mesh, {0, 1, 2, 3, 4, 5, 6, 7, 8});
+  BOOST_TEST((sorted_arcs(graph) == Arcs{{0, 3}, {3, 4}, {3, 4}, {4, 8}}));
+}
+
+BOOST_AUTO_TEST_CASE(contours_of_a_cylinder_close_and_open_without_a_node)
+{
+  // both rings have one height: at vertex 2 the contour becomes a circle, at vertex 3 a path again
+  const Combinatorial_mesh mesh = random_meshes::cylinder(3, 2);
+  BOOST_TEST((sorted_arcs(oracle(mesh, {0, 0, 0, 1, 1, 1})) == Arcs{{0, 5}}));
+  BOOST_TEST((sorted_arcs(oracle(mesh, {0, 0, 0, 1, 1, 1}, true)) == Arcs{{0, 2}, {2, 3}, {3, 5}}));
+}
+
+BOOST_AUTO_TEST_CASE(an_annulus_across_has_a_loop)
+{
+  const Oracle graph = oracle(known_meshes::seven_vertex_annulus(), {0, 1, 2, 3, 4, 5, 6});
+  BOOST_TEST((graph.arcs.size() == number_of_nodes(graph)));
+}
+
+BOOST_AUTO_TEST_CASE(random_meshes_are_oriented_manifold_and_of_the_wanted_genus)
+{
+  for(std::size_t seed = 0; seed < 300; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      const unsigned genus = static_cast<unsigned>(seed % 6);
+      BOOST_TEST(euler_characteristic(random_meshes::random_closed_surface(genus, 5, random)) == 2 - 2 * long(genus));
+      for(int c = 0; c < static_cast<int>(Mesh_class::NUMBER_OF_CLASSES); ++c)
+      {
+        const Combinatorial_mesh mesh = random_meshes::random_mesh(static_cast<Mesh_class>(c), random);
+        BOOST_TEST(random_meshes::directed_edges(mesh).size() == 3 * mesh.triangles.size());
+        for(std::size_t v = 0; v < mesh.number_of_vertices; ++v)
+          BOOST_TEST(random_meshes::number_of_fans(mesh, v) <= 1);
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(lower_links_sum_up_to_the_euler_characteristic)
+{
+  for(std::size_t seed = 0; seed < 1000; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      const auto mesh_class = static_cast<Mesh_class>(seed % static_cast<int>(Mesh_class::NUMBER_OF_CLASSES));
+      const auto field_class = static_cast<Field_class>(random.below(static_cast<int>(Field_class::NUMBER_OF_CLASSES)));
+      const Combinatorial_mesh mesh = random_meshes::random_mesh(mesh_class, random);
+      const Oracle graph = oracle(mesh, random_meshes::random_field(mesh, field_class, random));
+      const auto edges = random_meshes::directed_edges(mesh);
+      long sum = 0;
+      for(std::size_t v = 0; v < mesh.number_of_vertices; ++v)
+        sum += 1 - euler_characteristic_of_lower_link(graph, !is_on_border(edges, v), v);
+      BOOST_TEST(sum == euler_characteristic(mesh));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(kept_nodes_of_degree_two_only_subdivide_arcs)
+{
+  std::size_t number_of_kept_nodes = 0;
+  for(std::size_t seed = 0; seed < 300; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      const Combinatorial_mesh mesh = random_meshes::random_mesh(Mesh_class::HIGH_DEGREE, random);
+      const auto values = random_meshes::random_field(mesh, Field_class::HUB, random);
+      const Oracle strict = oracle(mesh, values), kept = oracle(mesh, values, true);
+      const std::size_t difference = number_of_nodes(kept) - number_of_nodes(strict);
+      BOOST_TEST(kept.arcs.size() - strict.arcs.size() == difference);
+      number_of_kept_nodes += difference;
+    }
+  BOOST_TEST(number_of_kept_nodes > 0);
+}

@@ -1,0 +1,252 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "graph_checks.h"
+#include "mesh_builders.h"
+#include "random_meshes.h"
+
+#include <boost/mpl/list.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <list>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+// Bad input gets an exception that names the place, whatever the build type, and leaves the graph as it was.
+
+using namespace CGAL::Reeb_graph;
+using mesh_builders::Polyhedron;
+using mesh_builders::Surface_mesh;
+
+typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
+
+namespace
+{
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <class Mesh>
+Mesh make_mesh(const random_meshes::Combinatorial_mesh& mesh)
+{
+  Mesh result;
+  mesh_builders::build(result, mesh_builders::make_soup(mesh));
+  return result;
+}
+
+std::vector<double> ascending_values(std::size_t size)
+{
+  std::vector<double> values(size);
+  for(std::size_t i = 0; i < size; ++i)
+    values[i] = static_cast<double>(i);
+  return values;
+}
+
+template <class Range>
+auto element(const Range& range, std::size_t position)
+{
+  return *std::next(range.begin(), position);
+}
+
+// Computes a graph, expects Exception, and that the graph has not been touched; is_right tests the exception.
+template <class Exception, class Mesh, class Is_right, class NamedParameters>
+void expect(const Mesh& mesh, const std::vector<double>& values, const Is_right& is_right, const NamedParameters& np)
+{
+  graph_checks::Graph_of<Mesh> graph;
+  add_vertex(graph);
+  add_vertex(graph);
+  add_edge(0, 1, graph);
+  graph[0].value = 17;
+  const auto scalar_map = make_scalar_map(mesh, values);
+  BOOST_CHECK_EXCEPTION(CGAL::compute_reeb_graph(mesh, scalar_map, graph, np), Exception, is_right);
+  BOOST_TEST(num_vertices(graph) == 2u);
+  BOOST_TEST(num_edges(graph) == 1u);
+  BOOST_TEST(graph[0].value == 17);
+}
+
+template <class Exception, class Mesh, class Is_right>
+void expect(const Mesh& mesh, const std::vector<double>& values, const Is_right& is_right)
+{
+  expect<Exception>(mesh, values, is_right, CGAL::parameters::default_values());
+}
+
+bool mentions(const Error& error, const std::string& text)
+{
+  return std::string(error.what()).find(text) != std::string::npos;
+}
+
+// Lets all halfedges that end at u end at v. Where the two had a fan each, v has both, and its halfedge sees one.
+template <class Mesh, class Vertex>
+void merge_vertices(Mesh& mesh, Vertex u, Vertex v)
+{
+  for(const auto h : halfedges(mesh))
+    if(target(h, mesh) == u)
+      set_target(h, v, mesh);
+  remove_vertex(u, mesh);
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(all_exceptions_are_errors_and_runtime_errors)
+{
+  BOOST_TEST((std::is_base_of_v<std::runtime_error, Error>));
+  BOOST_TEST((std::is_base_of_v<Error, Non_triangular_face_error>));
+  BOOST_TEST((std::is_base_of_v<Error, Degenerate_face_error>));
+  BOOST_TEST((std::is_base_of_v<Error, Non_manifold_vertex_error>));
+  BOOST_TEST((std::is_base_of_v<Error, Unordered_scalar_error>));
+  BOOST_TEST((std::is_base_of_v<Error, Invalid_index_map_error>));
+  BOOST_TEST((std::is_base_of_v<Error, Scalar_count_error>));
+  BOOST_TEST((std::is_base_of_v<Error, Mesh_size_error>));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_quadrilateral_is_refused, Mesh, Meshes)
+{
+  auto mesh = make_mesh<Mesh>({6, {{0, 1, 2}, {3, 4, 5}}});
+  typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+  const std::array<vertex_descriptor, 4> corners = {element(vertices(mesh), 1), element(vertices(mesh), 0),
+                                                    element(vertices(mesh), 3), element(vertices(mesh), 5)};
+  CGAL::Euler::add_face(corners, mesh);
+  expect<Non_triangular_face_error>(mesh, ascending_values(6), [](const Non_triangular_face_error& error) {
+    return error.face() == 2 && mentions(error, "face 2 ");
+  });
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_triangle_with_a_vertex_twice_is_refused, Mesh, Meshes)
+{
+  auto mesh = make_mesh<Mesh>({9, {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
+  set_target(halfedge(element(faces(mesh), 1), mesh), element(vertices(mesh), 3), mesh);
+  set_target(next(halfedge(element(faces(mesh), 1), mesh), mesh), element(vertices(mesh), 3), mesh);
+  expect<Degenerate_face_error>(mesh, ascending_values(9), [](const Degenerate_face_error& error) {
+    return error.face() == 1 && mentions(error, "face 1 ");
+  });
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(two_surfaces_that_touch_at_a_vertex_are_refused, Mesh, Meshes)
+{
+  const random_meshes::Combinatorial_mesh tetrahedron = random_meshes::tetrahedron();
+  auto mesh = make_mesh<Mesh>(disjoint_union(tetrahedron, tetrahedron));
+  merge_vertices(mesh, element(vertices(mesh), 7), element(vertices(mesh), 2));
+  expect<Non_manifold_vertex_error>(mesh, ascending_values(7), [](const Non_manifold_vertex_error& error) {
+    return error.vertex() == 2 && mentions(error, "vertex 2 ");
+  });
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_surface_that_touches_itself_at_a_vertex_is_refused, Mesh, Meshes)
+{
+  auto mesh = make_mesh<Mesh>(random_meshes::bipyramid(5));
+  merge_vertices(mesh, element(vertices(mesh), 1), element(vertices(mesh), 0));
+  expect<Non_manifold_vertex_error>(mesh, ascending_values(6), [](const Non_manifold_vertex_error& error) {
+    return error.vertex() == 0;
+  });
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(two_triangles_that_share_only_a_vertex_are_refused, Mesh, Meshes)
+{
+  const auto mesh = make_mesh<Mesh>({5, {{0, 1, 4}, {4, 2, 3}}});
+  expect<Non_manifold_vertex_error>(mesh, ascending_values(5), [](const Non_manifold_vertex_error& error) {
+    return error.vertex() == 4;
+  });
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_border_that_touches_a_closed_fan_is_refused, Mesh, Meshes)
+{
+  for(const bool is_disk_first : {false, true})
+  {
+    const random_meshes::Combinatorial_mesh triangle = {3, {{0, 1, 2}}}, closed = random_meshes::tetrahedron();
+    auto mesh = make_mesh<Mesh>(is_disk_first ? disjoint_union(triangle, closed) : disjoint_union(closed, triangle));
+    merge_vertices(mesh, element(vertices(mesh), 6), element(vertices(mesh), 1));
+    expect<Non_manifold_vertex_error>(mesh, ascending_values(6), [](const Non_manifold_vertex_error& error) {
+      return error.vertex() == 1;
+    });
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(nan_is_refused_everywhere, Mesh, Meshes)
+{
+  auto combinatorial_mesh = random_meshes::tetrahedron();
+  ++combinatorial_mesh.number_of_vertices; // an isolated one
+  const auto mesh = make_mesh<Mesh>(combinatorial_mesh);
+  for(std::size_t v = 0; v < 5; ++v)
+  {
+    auto values = ascending_values(5);
+    values[v] = not_a_number;
+    expect<Unordered_scalar_error>(mesh, values, [v](const Unordered_scalar_error& error) {
+      return error.vertex() == v && mentions(error, "vertex " + std::to_string(v) + " ");
+    });
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(infinities_are_accepted, Mesh, Meshes)
+{
+  const auto mesh = make_mesh<Mesh>(random_meshes::tetrahedron());
+  const std::vector<double> values = {0, infinity, -infinity, infinity};
+  const auto graph = graph_checks::compute_plain(mesh, values);
+  BOOST_TEST(graph.arcs.size() == 1u);
+  BOOST_TEST(graph.arcs.front().lower == 2u);
+  BOOST_TEST(graph.arcs.front().upper == 3u);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(wrong_index_maps_are_refused, Mesh, Meshes)
+{
+  typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<Mesh>::face_descriptor face_descriptor;
+  const auto mesh = make_mesh<Mesh>(random_meshes::tetrahedron());
+  for(const long first_index : {-1, 3, 100})
+  {
+    // three of four indices are 1, 2 and 3
+    const bool is_right = first_index == 100;
+    const auto index = [first_index](const auto& range, const auto& element) {
+      const auto found = std::find(range.begin(), range.end(), element);
+      const long position = static_cast<long>(std::distance(range.begin(), found));
+      return position == 0 ? first_index : position;
+    };
+    const auto vertex_index_map = boost::make_function_property_map<vertex_descriptor>(
+      [&](vertex_descriptor v) { return index(vertices(mesh), v); });
+    const auto face_index_map =
+      boost::make_function_property_map<face_descriptor>([&](face_descriptor f) { return index(faces(mesh), f); });
+    const auto values = ascending_values(4);
+    const auto names = [](const std::string& name) {
+      return [name](const Invalid_index_map_error& error) { return mentions(error, name); };
+    };
+    if(is_right)
+    {
+      graph_checks::Graph_of<Mesh> graph;
+      CGAL::compute_reeb_graph(mesh, make_scalar_map(mesh, values), graph,
+                               CGAL::parameters::vertex_index_map(vertex_index_map).face_index_map(face_index_map));
+      BOOST_TEST(num_edges(graph) == 1u);
+      continue;
+    }
+    expect<Invalid_index_map_error>(mesh, values, names("vertices"),
+                                    CGAL::parameters::vertex_index_map(vertex_index_map));
+    expect<Invalid_index_map_error>(mesh, values, names("faces"), CGAL::parameters::face_index_map(face_index_map));
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_wrong_number_of_scalars_is_refused, Mesh, Meshes)
+{
+  const auto mesh = make_mesh<Mesh>(random_meshes::tetrahedron());
+  const auto is_right = [](const Scalar_count_error& error) { return mentions(error, "4 vertices"); };
+  for(std::size_t size : {0, 3, 5})
+    BOOST_CHECK_EXCEPTION(make_scalar_map(mesh, ascending_values(size)), Scalar_count_error, is_right);
+  BOOST_CHECK_NO_THROW(make_scalar_map(mesh, std::list<float>(4, 1.f)));
+}
+
+BOOST_AUTO_TEST_CASE(more_vertices_than_32_bit_indices_are_refused)
+{
+  // the mesh would be too large for a test: only the check that every count of the flat arrays goes through
+  BOOST_CHECK_THROW(internal::checked_index(std::size_t(1) << 32), Mesh_size_error);
+  BOOST_CHECK_THROW(internal::checked_index((std::size_t(1) << 32) - 1), Mesh_size_error);
+  BOOST_TEST(internal::checked_index((std::size_t(1) << 32) - 2) == 4294967294u);
+}

@@ -1,0 +1,21 @@
+# Configures, builds, and runs the project in consumer/, which finds the package in the way that USAGE says.
+cmake_minimum_required(VERSION 3.21)
+
+file(REMOVE_RECURSE ${FOLDER})
+set(options -D CMAKE_BUILD_TYPE=Release -D CGAL_DIR=${CGAL_DIR} -D CMAKE_CXX_COMPILER=${COMPILER}
+            -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
+if(USAGE STREQUAL "installed")
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_FOLDER} -B ${FOLDER}/package ${options}
+                          -D CGAL_REEB_GRAPH_BUILD_PROGRAM=OFF -D CGAL_REEB_GRAPH_BUILD_TESTS=OFF
+                          -D CGAL_REEB_GRAPH_BUILD_EXAMPLES=OFF -D CGAL_REEB_GRAPH_BUILD_DOC=OFF
+                  COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${CMAKE_COMMAND} --install ${FOLDER}/package --prefix ${FOLDER}/prefix
+                  COMMAND_ERROR_IS_FATAL ANY)
+  list(APPEND options -D CMAKE_PREFIX_PATH=${FOLDER}/prefix)
+else()
+  list(APPEND options -D REEB_GRAPH_SOURCE_FOLDER=${SOURCE_FOLDER})
+endif()
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${FOLDER}/build ${options}
+                COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${FOLDER}/build COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${FOLDER}/build/consumer COMMAND_ERROR_IS_FATAL ANY)

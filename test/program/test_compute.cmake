@@ -1,0 +1,58 @@
+# The fields, and the files of the graph.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+
+file(WRITE ${FOLDER}/tetrahedron.off "${tetrahedron_off}")
+file(WRITE ${FOLDER}/z.txt "0\n0.25\n0.5\n1\n")
+file(WRITE ${FOLDER}/z_written_otherwise.txt " +0e0\r\n25E-2\t\r\n.5\r\n1.\r\n\r\n\n")
+expect_success(compute tetrahedron.off --field height --graph height.graphml)
+expect_success(compute tetrahedron.off --field z --graph z.graphml)
+expect_success(compute tetrahedron.off --scalars z.txt --graph scalars.graphml)
+expect_success(compute tetrahedron.off --scalars z_written_otherwise.txt --graph otherwise.graphml)
+expect_success(compute tetrahedron.off --field x --graph x.graphml)
+expect_success(compute tetrahedron.off --field y --graph y.graphml)
+foreach(name z scalars otherwise)
+  expect_same_file(height.graphml ${name}.graphml)
+endforeach()
+
+function(expect_vertices graph vertices)
+  file(READ ${FOLDER}/${graph} content)
+  string(REGEX MATCHALL "\"key2\">[0-9]+" matches "${content}")
+  string(REPLACE "\"key2\">" "" matches "${matches}")
+  expect_equal("${matches}" "${vertices}")
+endfunction()
+expect_vertices(z.graphml "0;3")
+expect_vertices(x.graphml "0;1")
+expect_vertices(y.graphml "0;2")
+
+file(READ ${FOLDER}/z.graphml content)
+foreach(name vertex value kind)
+  expect_match("${content}" "for=\"node\" attr.name=\"${name}\"")
+endforeach()
+expect_match("${content}" "<edge id=\"e0\" source=\"n0\" target=\"n1\">")
+
+# values are written with all digits; infinite ones are values as well
+file(WRITE ${FOLDER}/digits.txt "-inf\n0.1\n0.2\n0.30000000000000004\n")
+expect_success(compute tetrahedron.off --scalars digits.txt --graph digits.graphml)
+file(READ ${FOLDER}/digits.graphml content)
+expect_match("${content}" ">minimum</data>[^/]*>-inf<")
+expect_match("${content}" ">maximum</data>[^/]*>0.30000000000000004<")
+
+# a constant field
+file(WRITE ${FOLDER}/constant.txt "7\n7\n7\n7\n")
+expect_success(compute tetrahedron.off --scalars constant.txt --graph constant.graphml)
+expect_vertices(constant.graphml "0;3")
+
+# The torus of seven vertices less one face: one of its saddles joins a contour to itself, a node on request only.
+set(torus "OFF\n7 13 0\n0 0 0\n0 0 1\n0 0 2\n0 0 3\n0 0 4\n0 0 5\n0 0 6\n3 0 3 2\n")
+foreach(i RANGE 1 6)
+  math(EXPR a "(${i} + 1) % 7")
+  math(EXPR b "(${i} + 2) % 7")
+  math(EXPR c "(${i} + 3) % 7")
+  string(APPEND torus "3 ${i} ${a} ${c}\n3 ${i} ${c} ${b}\n")
+endforeach()
+file(WRITE ${FOLDER}/torus_with_border.off "${torus}")
+expect_json(4 nodes ARGUMENTS torus_with_border.off --field z)
+expect_json(5 nodes ARGUMENTS torus_with_border.off --field z --keep-degree-2)
+expect_success(compute torus_with_border.off --field z --keep-degree-2 --graph kept.graphml)
+file(READ ${FOLDER}/kept.graphml content)
+expect_match("${content}" ">degree-two<")

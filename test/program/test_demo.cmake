@@ -1,0 +1,32 @@
+# The demo writes its files, and they say the same as what the command compute makes of them.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+
+expect_success(demo --out files)
+expect_match("${output}" "genus 3")
+expect_match("${output}" "8 nodes, 10 arcs, 3 loops")
+find_program(DOT dot)
+set(expected_files graph.dot graph.graphml scalars.txt surface.off surface_coloured.ply)
+if(DOT)
+  list(APPEND expected_files graph.svg)
+  list(SORT expected_files)
+endif()
+file(GLOB files RELATIVE ${FOLDER}/files ${FOLDER}/files/*)
+expect_equal("${files}" "${expected_files}")
+if(DOT)
+  file(READ ${FOLDER}/files/graph.svg drawing)
+  expect_match("${drawing}" "<svg")
+endif()
+
+expect_success(compute files/surface.off --scalars files/scalars.txt --graph graph.graphml)
+expect_same_file(graph.graphml files/graph.graphml)
+expect_success(compute files/surface_coloured.ply --scalars files/scalars.txt --graph coloured.graphml)
+expect_same_file(coloured.graphml files/graph.graphml)
+
+# without Graphviz
+set(ENV{PATH} "")
+expect_success(demo --out without_graphviz)
+expect_match("${output}" "install Graphviz")
+if(EXISTS ${FOLDER}/without_graphviz/graph.svg)
+  message(SEND_ERROR "a drawing without Graphviz")
+endif()
+expect_same_file(without_graphviz/graph.graphml files/graph.graphml)

@@ -1,0 +1,58 @@
+# The report as JSON, on surfaces whose counts are known.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+
+file(WRITE ${FOLDER}/tetrahedron.off "${tetrahedron_off}")
+set(tetrahedron ARGUMENTS tetrahedron.off --field z)
+foreach(row "vertices=4" "edges=6" "faces=4" "components=1" "border_loops=0" "euler_characteristic=2" "genus=0"
+            "minima=1" "saddles={}" "maxima=1" "isolated=0" "border_saddles=0" "nodes=2" "arcs=1" "loops=0")
+  string(REPLACE "=" ";" row "${row}")
+  list(GET row 0 key)
+  list(GET row 1 value)
+  expect_json("${value}" ${key} ${tetrahedron})
+endforeach()
+
+# the times and the memory
+expect_success(compute tetrahedron.off --field z --json --graph graph.dot)
+foreach(key read compute flatten classify arcs chains write output)
+  string(JSON seconds GET "${output}" seconds ${key})
+  expect_match("${seconds}" "^[0-9]")
+endforeach()
+string(JSON memory GET "${output}" peak_memory_bytes)
+if(memory LESS 1000000)
+  message(SEND_ERROR "a peak memory of ${memory} bytes")
+endif()
+
+# the torus of seven vertices, which has a loop
+set(torus "OFF\n7 14 0\n0 0 0\n1 0 1\n2 1 2\n1 2 3\n3 1 4\n2 3 5\n4 4 6\n")
+foreach(i RANGE 6)
+  math(EXPR a "(${i} + 1) % 7")
+  math(EXPR b "(${i} + 2) % 7")
+  math(EXPR c "(${i} + 3) % 7")
+  string(APPEND torus "3 ${i} ${a} ${c}\n3 ${i} ${c} ${b}\n")
+endforeach()
+file(WRITE ${FOLDER}/torus.off "${torus}")
+expect_json(1 genus ARGUMENTS torus.off --field z)
+expect_json(1 loops ARGUMENTS torus.off --field z)
+
+# saddles are counted by multiplicity: a monkey saddle in the middle of a disk
+file(WRITE ${FOLDER}/monkey_saddle.off "OFF\n7 6 0\n0 0 0\n2 0 1\n1 2 -1\n-1 2 2\n-2 0 -2\n-1 -2 3\n1 -2 -3\n"
+     "3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 5\n3 0 5 6\n3 0 6 1\n")
+expect_json(1 saddles 2 ARGUMENTS monkey_saddle.off --field z)
+expect_json(3 minima ARGUMENTS monkey_saddle.off --field z)
+expect_json(3 maxima ARGUMENTS monkey_saddle.off --field z)
+expect_json(1 border_loops ARGUMENTS monkey_saddle.off --field z)
+expect_json(0 genus ARGUMENTS monkey_saddle.off --field z)
+
+# several components have no genus
+file(WRITE ${FOLDER}/two_components.off
+     "OFF\n7 2 0\n0 0 0\n1 0 1\n0 1 2\n5 0 0\n6 0 1\n5 1 2\n9 9 9\n3 0 1 2\n3 3 4 5\n")
+expect_json("" genus ARGUMENTS two_components.off --field z)
+expect_json(3 components ARGUMENTS two_components.off --field z)
+expect_json(0 loops ARGUMENTS two_components.off --field z)
+expect_json(5 nodes ARGUMENTS two_components.off --field z)
+
+# the same for a person
+expect_success(compute monkey_saddle.off --field z)
+expect_match("${output}" "7 vertices, 12 edges, 6 faces")
+expect_match("${output}" "3 minima, 1 saddle [(]1 of multiplicity 2[)], 3 maxima")
+expect_match("${output}" "7 nodes, 6 arcs, 0 loops")
