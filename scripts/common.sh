@@ -7,7 +7,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 install_packages() {
   local package missing=() as_root=()
   for package in "$@"; do
-    [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null)" == installed ]] || missing+=("$package")
+    [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null)" == installed ]] ||
+      missing+=("$package")
   done
   [[ ${#missing[@]} -gt 0 ]] || return 0
   echo "Installing ${missing[*]}"

@@ -182,9 +182,9 @@ struct Throwing_visitor : CGAL::Reeb_graph::Default_visitor
 struct Counting_visitor
 {
   std::size_t* number_of_stages;
-  void begin_stage(CGAL::Reeb_graph::Stage) const {}
-  void end_stage(CGAL::Reeb_graph::Stage) const { ++*number_of_stages; }
-  void critical_vertices(const CGAL::Reeb_graph::Critical_vertex_counts&) const {}
+  void begin_stage(CGAL::Reeb_graph::Stage) {}
+  void end_stage(CGAL::Reeb_graph::Stage) { ++*number_of_stages; }
+  void critical_vertices(const CGAL::Reeb_graph::Critical_vertex_counts&) {}
 };
 
 template <class Scalar>

@@ -24,7 +24,8 @@ file(WRITE ${FOLDER}/text.stl "This is no mesh.\n")
 file(WRITE ${FOLDER}/mesh.unknown "${tetrahedron_off}")
 file(WRITE ${FOLDER}/mesh "${tetrahedron_off}")
 file(WRITE ${FOLDER}/truncated.stl "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n")
-foreach(name missing.off empty.off text.off truncated.off no_faces_left.off text.ply text.obj text.stl truncated.stl mesh.unknown mesh .)
+foreach(name missing.off empty.off text.off truncated.off no_faces_left.off text.ply text.obj text.stl truncated.stl
+             mesh.unknown mesh .)
   expect_error("${name}" compute ${name} --field z ${graph})
 endforeach()
 

@@ -5,7 +5,8 @@ file(WRITE ${FOLDER}/tetrahedron.off "${tetrahedron_off}")
 file(MAKE_DIRECTORY ${FOLDER}/folder.dot)
 expect_error("[.]graphml or [.]dot" compute tetrahedron.off --field z --graph graph.txt)
 expect_error("[.]graphml or [.]dot" compute missing.off --field z --graph graph)
-expect_error("missing/graph.dot: the file cannot be written" compute tetrahedron.off --field z --graph missing/graph.dot)
+expect_error("missing/graph.dot: the file cannot be written" compute tetrahedron.off --field z
+             --graph missing/graph.dot)
 expect_error("folder.dot: the file cannot be written" compute tetrahedron.off --field z --graph folder.dot)
 
 file(WRITE ${FOLDER}/graph.dot "from before")
