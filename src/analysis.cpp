@@ -68,16 +68,13 @@ Surface_counts count_surface(const Surface& surface, std::size_t number_of_isola
 
 } // namespace
 
-Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, bool are_degree_two_nodes_kept, Report& report)
+Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report)
 {
-  namespace parameters = CGAL::parameters;
   Graph graph;
   Report_visitor visitor(report);
   const Stopwatch stopwatch;
   const std::size_t place_of_total = report.seconds.size();
-  CGAL::compute_reeb_graph(
-    surface, scalar_map, graph,
-    parameters::keep_degree_two_nodes(are_degree_two_nodes_kept, parameters::visitor(std::ref(visitor))));
+  CGAL::compute_reeb_graph(surface, scalar_map, graph, named_parameters(options).visitor(std::ref(visitor)));
   const auto total = std::make_pair(std::string("compute"), stopwatch.seconds());
   report.seconds.insert(report.seconds.begin() + place_of_total, total);
   return graph;

@@ -9,12 +9,13 @@
 #ifndef CGAL_REEB_GRAPH_SRC_ANALYSIS_H
 #define CGAL_REEB_GRAPH_SRC_ANALYSIS_H
 
+#include "options.h"
 #include "report.h"
 #include "surface.h"
 
 namespace reeb_graph_program {
 // Computes the Reeb graph, and adds what it took to the report.
-Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, bool are_degree_two_nodes_kept, Report& report);
+Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report);
 
 // Counts what the report tells of the surface and of the graph.
 void count_all(const Surface& surface, const Graph& graph, Report& report);

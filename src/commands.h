@@ -9,19 +9,31 @@
 #ifndef CGAL_REEB_GRAPH_SRC_COMMANDS_H
 #define CGAL_REEB_GRAPH_SRC_COMMANDS_H
 
+#include "options.h"
+
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace reeb_graph_program {
 struct Compute_options
 {
-  std::string mesh_path;
-  std::string scalars_path; // empty if the field is a coordinate
-  std::string field;        // height, x, y, or z
-  std::string graph_path;   // empty if no graph is written
-  bool are_degree_two_nodes_kept = false;
+  Input_options input;
+  Graph_options graph;
+  std::string graph_path;       // empty if no graph is written
+  std::string vertex_arcs_path; // empty if they are not written
   bool is_report_json = false;
-  bool are_faces_triangulated = false;
+};
+
+struct Contour_options
+{
+  Input_options input;
+  Graph_options graph;
+  std::optional<std::size_t> arc; // if not given, all contours at the level
+  double t = 0;
+  double level = 0;
+  std::string output_path;
 };
 
 struct Demo_options
@@ -29,8 +41,9 @@ struct Demo_options
   std::filesystem::path folder = "reeb_graph_demo";
 };
 
-// Both print to std::cout and throw an exception derived from std::exception for any error.
+// They print to std::cout and throw an exception derived from std::exception for any error.
 void run_compute(const Compute_options& options);
+void run_contour(const Contour_options& options);
 void run_demo(const Demo_options& options);
 
 } // namespace reeb_graph_program

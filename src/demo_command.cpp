@@ -99,7 +99,7 @@ void run_demo(const Demo_options& options)
   Surface surface = generate_surface();
   const Scalar_map scalar_map = add_tilted_height(surface);
   report.seconds.emplace_back("generate", stopwatch.seconds());
-  const Graph graph = compute_and_time(surface, scalar_map, false, report);
+  const Graph graph = compute_and_time(surface, scalar_map, Graph_options(), report);
   count_all(surface, graph, report);
 
   write_surface(folder / "surface.off", surface);

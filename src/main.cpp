@@ -14,27 +14,81 @@
 #include <exception>
 #include <iostream>
 #include <stdexcept>
+#include <string>
 
 namespace {
 using reeb_graph_program::Compute_options;
+using reeb_graph_program::Contour_options;
 using reeb_graph_program::Demo_options;
+using reeb_graph_program::Graph_options;
+using reeb_graph_program::Input_options;
 
-void add_compute_command(CLI::App& app, Compute_options& options)
+void add_input_options(CLI::App& command, Input_options& options)
 {
-  CLI::App* command = app.add_subcommand("compute", "Compute the Reeb graph of a scalar field on a triangle mesh");
-  command->add_option("MESH", options.mesh_path, "Mesh: OFF, OBJ, PLY, STL, or TS file")->required();
-  CLI::Option_group* field = command->add_option_group("Field", "The scalar field, one of");
+  command.add_option("MESH", options.mesh_path, "Mesh: OFF, OBJ, PLY, STL, or TS file")->required();
+  CLI::Option_group* field = command.add_option_group("Field", "The scalar field, one of");
   field->add_option("--scalars", options.scalars_path,
                     "File of one number per line, in the vertex order of the mesh file");
   field->add_option("--field", options.field, "A coordinate of the vertices: height, x, y, or z; height is z")
     ->check(CLI::IsMember({"height", "x", "y", "z"}));
   field->require_option(1);
+  command.add_flag("--triangulate", options.are_faces_triangulated, "Cut faces that are not triangles into triangles");
+}
+
+void add_graph_options(CLI::App& command, Graph_options& options)
+{
+  using CGAL::Reeb_graph::Method;
+  using CGAL::Reeb_graph::Ties;
+  command.add_flag("--keep-degree-2", options.are_degree_two_nodes_kept,
+                   "Keep critical vertices with one arc below and one above as nodes");
+  const auto set_ties = [&options](const std::string& name) {
+    options.ties = name == "contract" ? Ties::CONTRACT : Ties::PERTURB;
+  };
+  command
+    .add_option_function<std::string>("--ties", set_ties,
+                                      "Order vertices of equal value by their numbers (perturb, the default), or "
+                                      "contract arcs of length zero (contract)")
+    ->check(CLI::IsMember({"perturb", "contract"}));
+  const auto set_method = [&options](const std::string& name) {
+    options.method = name == "critical-sets" ? Method::CRITICAL_SETS
+                   : name == "contour-trees" ? Method::CONTOUR_TREES
+                                             : Method::AUTOMATIC;
+  };
+  command
+    .add_option_function<std::string>("--method", set_method,
+                                      "How the arcs are found: auto (the default), critical-sets, or "
+                                      "contour-trees; the graph is the same")
+    ->check(CLI::IsMember({"auto", "critical-sets", "contour-trees"}));
+}
+
+void add_compute_command(CLI::App& app, Compute_options& options)
+{
+  CLI::App* command = app.add_subcommand("compute", "Compute the Reeb graph of a scalar field on a triangle mesh");
+  add_input_options(*command, options.input);
+  add_graph_options(*command, options.graph);
   command->add_option("--graph", options.graph_path, "Write the graph to this file, .graphml or .dot");
-  command->add_flag("--keep-degree-2", options.are_degree_two_nodes_kept,
-                    "Keep critical vertices with one arc below and one above as nodes");
+  command->add_option("--vertex-arcs", options.vertex_arcs_path,
+                      "Write to this file, for each vertex on a line, the arc or node of the graph that it belongs to");
   command->add_flag("--json", options.is_report_json, "Print the report as one JSON object");
-  command->add_flag("--triangulate", options.are_faces_triangulated, "Cut faces that are not triangles into triangles");
   command->callback([&options] { run_compute(options); });
+}
+
+void add_contour_command(CLI::App& app, Contour_options& options)
+{
+  CLI::App* command = app.add_subcommand("contour", "Write contours, the components of the level sets, as polylines");
+  add_input_options(*command, options.input);
+  add_graph_options(*command, options.graph);
+  CLI::Option_group* place = command->add_option_group("Place", "Which contours, one of");
+  CLI::Option* arc =
+    place->add_option("--arc", options.arc, "The one of this arc, numbered from 0 in the order of the graph file")
+      ->check(CLI::NonNegativeNumber);
+  place->add_option("--level", options.level, "All those just above this value");
+  place->require_option(1);
+  CLI::Option* t = command->add_option("--t", options.t, "The place on the arc, between 0 (low) and 1 (high)");
+  arc->needs(t);
+  t->needs(arc);
+  command->add_option("--output", options.output_path, "Write the contours to this file, .polylines.txt")->required();
+  command->callback([&options] { run_contour(options); });
 }
 
 void add_demo_command(CLI::App& app, Demo_options& options)
@@ -57,8 +111,10 @@ int main(int argc, char** argv)
   CLI::App app("Exact Reeb graphs of scalar fields on triangle meshes", "reeb_graph");
   app.require_subcommand(1);
   Compute_options compute_options;
+  Contour_options contour_options;
   Demo_options demo_options;
   add_compute_command(app, compute_options);
+  add_contour_command(app, contour_options);
   add_demo_command(app, demo_options);
   try
   {

@@ -44,7 +44,7 @@ enum class Node_kind
 template <class VertexDescriptor, class Scalar_>
 struct Node
 {
-  VertexDescriptor vertex = VertexDescriptor(); ///< the vertex of the mesh
+  VertexDescriptor vertex = VertexDescriptor(); ///< the vertex of the mesh; the first of them if ties are contracted
   Scalar_ value = Scalar_();                    ///< the scalar value at the vertex
   Node_kind kind = Node_kind::ISOLATED;         ///< what happens to the contours there
 };
@@ -61,7 +61,8 @@ template <class HalfedgeDescriptor>
 struct Arc
 {
   /// ascending halfedges from the vertex of the lower node to the first one that crosses the level just below
-  /// the upper node.
+  /// the upper node. With `Ties::CONTRACT` the chain begins at a vertex of the lower node, and in several pieces where
+  /// the arc passes a plateau: each but the first begins at the vertex of the plateau from which the arc goes on.
   Halfedge_chain<HalfedgeDescriptor> chain;
 };
 

@@ -18,7 +18,7 @@
 #include <CGAL/Reeb_graph/visitor.h>
 #include <CGAL/Reeb_graph/internal/arc_chains.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
-#include <CGAL/Reeb_graph/internal/critical_sets_engine.h>
+#include <CGAL/Reeb_graph/internal/find_critical_arcs.h>
 #include <CGAL/Reeb_graph/internal/flatten.h>
 #include <CGAL/Reeb_graph/internal/merge_arcs.h>
 #include <CGAL/Reeb_graph/internal/Vertex_order.h>
@@ -41,10 +41,12 @@ namespace CGAL {
 /// Nodes are numbered in the order of their vertices, arcs are sorted by lower node, upper node, and the second
 /// vertex of their chain. The same input gives the same graph, whatever the type of the mesh.
 ///
-/// The method follows M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020,
-/// Sections 4.1 to 4.5: critical sets and ascending paths. With \f$ n \f$ vertices and faces, \f$ c \f$ critical
-/// vertices, and \f$ l \f$ the number of edges on the contours just below critical vertices and on ascending paths, it
-/// takes \f$ O(n + c \log c + l) \f$ time and \f$ O(n) \f$ memory.
+/// The method follows M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, and
+/// for noise Y. Chiang, T. Lenz, X. Lu, G. Rote, *Simple and optimal output-sensitive construction of contour trees
+/// using monotone paths*, 2005, after the surface is cut along one contour per loop of the graph. With \f$ n \f$
+/// vertices and faces, \f$ c \f$ critical vertices, and \f$ l \f$ the length of the contours at the vertices
+/// where loops close, it takes \f$ O(n + c \log c + l \log l) \f$ time, up to the inverse Ackermann function, and
+/// \f$ O(n + l) \f$ memory. On a closed surface of genus \f$ g \f$ there are at most \f$ 2g \f$ such vertices.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. The value
@@ -64,6 +66,18 @@ namespace CGAL {
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///     \cgalParamExtra{use the functions `parameters::keep_degree_two_nodes()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{ties}
+///     \cgalParamDescription{what becomes of vertices of equal value}
+///     \cgalParamType{`Reeb_graph::Ties`}
+///     \cgalParamDefault{`Reeb_graph::Ties::PERTURB`}
+///     \cgalParamExtra{use the functions `parameters::ties()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{method}
+///     \cgalParamDescription{how the arcs are found. It has no influence on the result.}
+///     \cgalParamType{`Reeb_graph::Method`}
+///     \cgalParamDefault{`Reeb_graph::Method::AUTOMATIC`}
+///     \cgalParamExtra{use the functions `parameters::method()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_index_map}
 ///     \cgalParamDescription{a property map that gives each vertex a different non-negative integer, used to find
@@ -117,6 +131,8 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   const auto traits = choose_parameter<Default_traits>(get_parameter(np, internal_np::geom_traits));
   auto visitor_parameter = choose_parameter<Reeb_graph::Default_visitor>(get_parameter(np, internal_np::visitor));
   auto& visitor = stages::unwrap_reference(visitor_parameter);
+  const auto ties = choose_parameter(get_parameter(np, stages::ties), Reeb_graph::Ties::PERTURB);
+  const auto method = choose_parameter(get_parameter(np, stages::method), Reeb_graph::Method::AUTOMATIC);
   const bool are_degree_two_nodes_kept = choose_parameter(get_parameter(np, stages::keep_degree_two_nodes), false);
 
   visitor.begin_stage(Stage::FLATTEN);
@@ -130,8 +146,9 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   visitor.end_stage(Stage::CLASSIFY);
 
   visitor.begin_stage(Stage::ARCS);
-  const auto critical_arcs = stages::find_arcs_by_critical_sets(surface.complex, order, critical_vertices);
-  const auto flat_graph = stages::merge_arcs(order, critical_vertices, critical_arcs, are_degree_two_nodes_kept);
+  const auto critical_arcs =
+    stages::find_critical_arcs<Sequential_tag>(surface.complex, order, critical_vertices, method);
+  const auto flat_graph = stages::merge_arcs(order, critical_vertices, critical_arcs, ties, are_degree_two_nodes_kept);
   visitor.end_stage(Stage::ARCS);
 
   visitor.begin_stage(Stage::CHAINS);

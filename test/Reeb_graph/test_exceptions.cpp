@@ -12,6 +12,8 @@
 #include "mesh_builders.h"
 #include "random_meshes.h"
 
+#include <CGAL/Reeb_graph/Augmentation.h>
+
 #include <boost/mpl/list.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
@@ -109,6 +111,11 @@ BOOST_AUTO_TEST_CASE(all_exceptions_are_errors_and_runtime_errors)
   BOOST_TEST((std::is_base_of_v<Error, Invalid_index_map_error>));
   BOOST_TEST((std::is_base_of_v<Error, Scalar_count_error>));
   BOOST_TEST((std::is_base_of_v<Error, Mesh_size_error>));
+  BOOST_TEST((std::is_base_of_v<Error, Graph_mismatch_error>));
+  BOOST_TEST((std::is_base_of_v<Error, Unknown_arc_error>));
+  BOOST_TEST((std::is_base_of_v<Error, Unknown_node_error>));
+  BOOST_TEST((std::is_base_of_v<Error, Parameter_error>));
+  BOOST_TEST((std::is_base_of_v<Error, Level_error>));
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_quadrilateral_is_refused, Mesh, Meshes)
@@ -241,6 +248,102 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_wrong_number_of_scalars_is_refused, Mesh, Meshes
   for(std::size_t size : {0, 3, 5})
     BOOST_CHECK_EXCEPTION(make_scalar_map(mesh, ascending_values(size)), Scalar_count_error, is_right);
   BOOST_CHECK_NO_THROW(make_scalar_map(mesh, std::list<float>(4, 1.f)));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(places_outside_of_an_arc_are_refused, Mesh, Meshes)
+{
+  const auto mesh = make_mesh<Mesh>(random_meshes::tetrahedron());
+  const auto scalar_map = make_scalar_map(mesh, ascending_values(4));
+  const auto graph = graph_checks::compute(mesh, ascending_values(4));
+  const Augmentation augmentation(mesh, scalar_map, graph);
+  const auto arc = *edges(graph).first;
+  for(const double t : {0., 1., -1., 2., infinity, -infinity, not_a_number})
+  {
+    BOOST_CHECK_THROW(augmentation.contour(arc, t), Parameter_error);
+    BOOST_CHECK_THROW(augmentation.contour(arc, t, scalar_map), Parameter_error);
+  }
+  BOOST_CHECK_EXCEPTION(augmentation.contour(arc, 2), Parameter_error,
+                        [](const Parameter_error& error) { return mentions(error, "2.0"); });
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(levels_at_which_an_arc_has_no_contour_are_refused, Mesh, Meshes)
+{
+  const auto mesh = make_mesh<Mesh>(random_meshes::tetrahedron());
+  const auto scalar_map = make_scalar_map(mesh, ascending_values(4));
+  const auto graph = graph_checks::compute(mesh, ascending_values(4));
+  const Augmentation augmentation(mesh, scalar_map, graph);
+  const auto arc = *edges(graph).first;
+  for(const double value : {-0.5, 3., 3.5, infinity, -infinity, not_a_number})
+  {
+    BOOST_CHECK_THROW(augmentation.contour_at_value(arc, value), Level_error);
+    BOOST_TEST(augmentation.contours_at_value(value).empty());
+  }
+  for(const double value : {0., 0.5, 2.9})
+    BOOST_CHECK_NO_THROW(augmentation.contour_at_value(arc, value));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(arcs_and_nodes_of_another_graph_are_refused, Mesh, Meshes)
+{
+  const auto mesh = make_mesh<Mesh>(random_meshes::tetrahedron());
+  const auto scalar_map = make_scalar_map(mesh, ascending_values(4));
+  const auto graph = graph_checks::compute(mesh, ascending_values(4)), copy = graph;
+  const Augmentation augmentation(mesh, scalar_map, graph);
+  const auto foreign_arc = *edges(copy).first;
+  BOOST_CHECK_THROW(augmentation.contour(foreign_arc, 0.5), Unknown_arc_error);
+  BOOST_CHECK_THROW(augmentation.contour(foreign_arc, 0.5, scalar_map), Unknown_arc_error);
+  BOOST_CHECK_THROW(augmentation.contour_at_value(foreign_arc, 0.5), Unknown_arc_error);
+
+  const auto larger_mesh = make_mesh<Mesh>(disjoint_union(random_meshes::tetrahedron(), random_meshes::tetrahedron()));
+  const auto larger_graph = graph_checks::compute(larger_mesh, ascending_values(8));
+  for(const auto arc : CGAL::make_range(edges(larger_graph)))
+    BOOST_CHECK_THROW(augmentation.contour(arc, 0.5), Unknown_arc_error);
+  BOOST_CHECK_THROW(augmentation.critical_set(2), Unknown_node_error);
+  BOOST_CHECK_NO_THROW(augmentation.critical_set(1));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(graphs_of_other_fields_and_meshes_are_refused, Mesh, Meshes)
+{
+  typedef graph_checks::Scalar_map_of<Mesh> Scalar_map;
+  typedef Augmentation<Mesh, Scalar_map> Augmentation_of_mesh;
+  const auto mesh = make_mesh<Mesh>(random_meshes::seven_vertex_torus());
+  const auto values = ascending_values(7);
+  auto other_values = values;
+  std::reverse(other_values.begin(), other_values.end());
+  const auto scalar_map = make_scalar_map(mesh, values);
+  auto graph = graph_checks::compute(mesh, values);
+  const auto graph_of_other_field = graph_checks::compute(mesh, other_values);
+  BOOST_CHECK_THROW(Augmentation_of_mesh(mesh, scalar_map, graph_of_other_field), Graph_mismatch_error);
+
+  const auto other_mesh = make_mesh<Mesh>(disjoint_union(random_meshes::tetrahedron(), random_meshes::tetrahedron()));
+  const auto other_graph = graph_checks::compute(other_mesh, ascending_values(8));
+  BOOST_CHECK_THROW(Augmentation_of_mesh(mesh, scalar_map, other_graph), Graph_mismatch_error);
+
+  add_edge(0, 1, graph);
+  const Augmentation_of_mesh with_another_arc(mesh, scalar_map, graph);
+  BOOST_CHECK_THROW(with_another_arc.locate_vertices(), Graph_mismatch_error);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(other_named_parameters_than_those_of_the_graph_are_refused, Mesh, Meshes)
+{
+  namespace parameters = CGAL::parameters;
+  const auto mesh = make_mesh<Mesh>(random_meshes::seven_vertex_torus());
+  const auto is_refused = [&](const std::vector<double>& values, const auto& np, const auto& other_np) {
+    const auto scalar_map = make_scalar_map(mesh, values);
+    graph_checks::Graph_of<Mesh> graph, other_graph;
+    CGAL::compute_reeb_graph(mesh, scalar_map, graph, np);
+    CGAL::compute_reeb_graph(mesh, scalar_map, other_graph, other_np);
+    BOOST_TEST_REQUIRE(num_vertices(graph) != num_vertices(other_graph));
+    const Augmentation augmentation(mesh, scalar_map, graph, np), other(mesh, scalar_map, graph, other_np);
+    BOOST_CHECK_NO_THROW(augmentation.locate_vertices());
+    BOOST_CHECK_THROW(other.locate_vertices(), Graph_mismatch_error);
+  };
+  const std::vector<double> constant(7, 1);
+  is_refused(constant, parameters::ties(Ties::PERTURB), parameters::ties(Ties::CONTRACT));
+  is_refused(constant, parameters::ties(Ties::CONTRACT), parameters::ties(Ties::PERTURB));
+  // three lower sectors at vertex 0, but one contour just below it and one just above
+  const std::vector<double> with_multiple_saddle = {3, 0, 1, 4, 2, 6, 5};
+  is_refused(with_multiple_saddle, parameters::keep_degree_two_nodes(true), parameters::keep_degree_two_nodes(false));
+  is_refused(with_multiple_saddle, parameters::keep_degree_two_nodes(false), parameters::keep_degree_two_nodes(true));
 }
 
 BOOST_AUTO_TEST_CASE(more_vertices_than_32_bit_indices_are_refused)

@@ -21,7 +21,7 @@ namespace Reeb_graph {
 
 /// \ingroup PkgReebGraphRef
 ///
-/// \brief an immutable sequence of halfedges, each of which starts where the one before ends.
+/// \brief an immutable sequence of ascending halfedges; see `Arc::chain`.
 ///
 /// All chains of a graph share one block of memory, which lives as long as one of them: a chain costs 24 bytes
 /// and the size of its halfedges, and copying one copies no halfedge.
@@ -46,15 +46,17 @@ public:
 
   /// constructs the chain of the elements `first` to `first + size - 1` of `storage`.
   Halfedge_chain(const std::shared_ptr<const std::vector<HalfedgeDescriptor>>& storage, size_type first, size_type size)
-    : first_(storage, storage->data() + first), size_(size) {}
+    : first_(storage, storage->data() + first),
+      size_(size)
+  {}
 
-  const_iterator begin() const { return first_.get(); }         ///< the first halfedge
-  const_iterator end() const { return first_.get() + size_; }   ///< past the last halfedge
-  size_type size() const { return size_; }                      ///< the number of halfedges
-  bool empty() const { return size_ == 0; }                     ///< whether there is no halfedge
+  const_iterator begin() const { return first_.get(); }          ///< the first halfedge
+  const_iterator end() const { return first_.get() + size_; }    ///< past the last halfedge
+  size_type size() const { return size_; }                       ///< the number of halfedges
+  bool empty() const { return size_ == 0; }                      ///< whether there is no halfedge
   reference operator[](size_type i) const { return begin()[i]; } ///< the halfedge number `i`
-  reference front() const { return *begin(); }                  ///< the first halfedge
-  reference back() const { return end()[-1]; }                  ///< the last halfedge
+  reference front() const { return *begin(); }                   ///< the first halfedge
+  reference back() const { return end()[-1]; }                   ///< the last halfedge
 
   /// returns `true` if both chains are the same sequence of halfedges.
   friend bool operator==(const Halfedge_chain& a, const Halfedge_chain& b)

@@ -39,7 +39,9 @@ class Non_triangular_face_error : public Error
 public:
   /// constructs the exception for the face at position `face`.
   explicit Non_triangular_face_error(std::size_t face)
-    : Error("face " + std::to_string(face) + " is not a triangle"), face_(face) {}
+    : Error("face " + std::to_string(face) + " is not a triangle"),
+      face_(face)
+  {}
 
   /// the position of the face in `faces(mesh)`.
   std::size_t face() const { return face_; }
@@ -56,7 +58,9 @@ class Degenerate_face_error : public Error
 public:
   /// constructs the exception for the face at position `face`.
   explicit Degenerate_face_error(std::size_t face)
-    : Error("face " + std::to_string(face) + " has one vertex at two of its corners"), face_(face) {}
+    : Error("face " + std::to_string(face) + " has one vertex at two of its corners"),
+      face_(face)
+  {}
 
   /// the position of the face in `faces(mesh)`.
   std::size_t face() const { return face_; }
@@ -74,7 +78,8 @@ public:
   /// constructs the exception for the vertex at position `vertex`.
   explicit Non_manifold_vertex_error(std::size_t vertex)
     : Error("vertex " + std::to_string(vertex) + " is not manifold: its faces form more than one fan"),
-      vertex_(vertex) {}
+      vertex_(vertex)
+  {}
 
   /// the position of the vertex in `vertices(mesh)`.
   std::size_t vertex() const { return vertex_; }
@@ -92,7 +97,8 @@ public:
   /// constructs the exception for the vertex at position `vertex`.
   explicit Unordered_scalar_error(std::size_t vertex)
     : Error("the scalar value of vertex " + std::to_string(vertex) + " is not a number (NaN)"),
-      vertex_(vertex) {}
+      vertex_(vertex)
+  {}
 
   /// the position of the vertex in `vertices(mesh)`.
   std::size_t vertex() const { return vertex_; }
@@ -109,7 +115,8 @@ class Invalid_index_map_error : public Error
 public:
   /// constructs the exception for an index map over `simplices` (`"vertices"` or `"faces"`).
   explicit Invalid_index_map_error(const std::string& simplices)
-    : Error("the index map of the " + simplices + " is negative, or the same for two of them") {}
+    : Error("the index map of the " + simplices + " is negative, or the same for two of them")
+  {}
 };
 
 /// \ingroup PkgReebGraphExceptions
@@ -120,7 +127,8 @@ class Scalar_count_error : public Error
 public:
   /// constructs the exception from the two lengths.
   Scalar_count_error(std::size_t scalars, std::size_t vertices)
-    : Error(std::to_string(scalars) + " scalar values given for " + std::to_string(vertices) + " vertices") {}
+    : Error(std::to_string(scalars) + " scalar values given for " + std::to_string(vertices) + " vertices")
+  {}
 };
 
 /// \ingroup PkgReebGraphExceptions
@@ -131,6 +139,56 @@ class Mesh_size_error : public Error
 public:
   /// constructs the exception.
   Mesh_size_error() : Error("the mesh has more vertices or face corners than 32-bit indices can number") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a graph that is not the Reeb graph of the mesh and the field that it is used with.
+class Graph_mismatch_error : public Error
+{
+public:
+  /// constructs the exception.
+  Graph_mismatch_error() : Error("the graph is not the one that these mesh, scalar map and named parameters give") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for an arc descriptor that is none of the graph.
+class Unknown_arc_error : public Error
+{
+public:
+  /// constructs the exception.
+  Unknown_arc_error() : Error("the arc is not one of the graph") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a node descriptor that is none of the graph.
+class Unknown_node_error : public Error
+{
+public:
+  /// constructs the exception.
+  Unknown_node_error() : Error("the node is not one of the graph") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a place on an arc that is not between its ends.
+class Parameter_error : public Error
+{
+public:
+  /// constructs the exception for the parameter `t`.
+  explicit Parameter_error(double t) : Error("the place on an arc must be between 0 and 1, not " + std::to_string(t)) {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a level at which an arc has no contour.
+class Level_error : public Error
+{
+public:
+  /// constructs the exception.
+  Level_error() : Error("the arc has no contour at this level") {}
 };
 
 } // namespace Reeb_graph

@@ -18,10 +18,42 @@
 namespace CGAL {
 
 namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief what becomes of vertices of equal value.
+enum class Ties
+{
+  PERTURB, ///< they are ordered by their position in `vertices(mesh)`; arcs of length zero keep every handle
+  CONTRACT ///< arcs of length zero are contracted: the graph is that of the field as it is, where each connected
+           ///< component of a level set is one point
+};
+
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief how the arcs are found; the graph is the same.
+enum class Method
+{
+  AUTOMATIC,     ///< the same as `CONTOUR_TREES`, which is the faster one for smooth fields as well as for noise
+  CRITICAL_SETS, ///< critical sets and ascending paths: the method of the paper, quadratic for noise
+  CONTOUR_TREES  ///< contour trees joined by loop surgery: near-linear for any field
+};
+
 namespace internal {
 
 // The tags of the package's own parameters; everything else about them is CGAL's.
-enum keep_degree_two_nodes_t { keep_degree_two_nodes };
+enum keep_degree_two_nodes_t
+{
+  keep_degree_two_nodes
+};
+enum ties_t
+{
+  ties
+};
+enum method_t
+{
+  method
+};
 
 // A parameter that may be given by value or as std::reference_wrapper.
 template <class T>
@@ -57,6 +89,42 @@ auto keep_degree_two_nodes(bool is_kept, const Named_function_parameters<T, Tag,
 {
   return Named_function_parameters<bool, Reeb_graph::internal::keep_degree_two_nodes_t,
                                    Named_function_parameters<T, Tag, Base>>(is_kept, np);
+}
+
+/// \ingroup PkgReebGraphNamedParameters
+///
+/// \brief starts a pack of named parameters with `ties`, see `compute_reeb_graph()`.
+inline auto ties(Reeb_graph::Ties ties)
+{
+  return Named_function_parameters<Reeb_graph::Ties, Reeb_graph::internal::ties_t>(ties);
+}
+
+/// \ingroup PkgReebGraphNamedParameters
+///
+/// \brief appends `ties` to the pack `np`.
+template <class T, class Tag, class Base>
+auto ties(Reeb_graph::Ties ties, const Named_function_parameters<T, Tag, Base>& np)
+{
+  return Named_function_parameters<Reeb_graph::Ties, Reeb_graph::internal::ties_t,
+                                   Named_function_parameters<T, Tag, Base>>(ties, np);
+}
+
+/// \ingroup PkgReebGraphNamedParameters
+///
+/// \brief starts a pack of named parameters with `method`, see `compute_reeb_graph()`.
+inline auto method(Reeb_graph::Method method)
+{
+  return Named_function_parameters<Reeb_graph::Method, Reeb_graph::internal::method_t>(method);
+}
+
+/// \ingroup PkgReebGraphNamedParameters
+///
+/// \brief appends `method` to the pack `np`.
+template <class T, class Tag, class Base>
+auto method(Reeb_graph::Method method, const Named_function_parameters<T, Tag, Base>& np)
+{
+  return Named_function_parameters<Reeb_graph::Method, Reeb_graph::internal::method_t,
+                                   Named_function_parameters<T, Tag, Base>>(method, np);
 }
 
 } // namespace parameters

@@ -30,6 +30,7 @@
 namespace graph_checks
 {
 using brute_force_oracle::Oracle;
+using CGAL::Reeb_graph::Method;
 using CGAL::Reeb_graph::Node_kind;
 using mesh_builders::Mesh_numbers;
 
@@ -41,11 +42,13 @@ template <class Mesh, class Scalar = double>
 using Graph_of = typename CGAL::Reeb_graph_traits<Mesh, Scalar_map_of<Mesh, Scalar>>::Graph;
 
 template <class Mesh, class Scalar>
-Graph_of<Mesh, Scalar> compute(const Mesh& mesh, const std::vector<Scalar>& values, bool keeps_degree_two_nodes = false)
+Graph_of<Mesh, Scalar> compute(const Mesh& mesh, const std::vector<Scalar>& values, bool keeps_degree_two_nodes = false,
+                               Method method = Method::AUTOMATIC)
 {
+  namespace parameters = CGAL::parameters;
   Graph_of<Mesh, Scalar> graph;
   CGAL::compute_reeb_graph(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values), graph,
-                           CGAL::parameters::keep_degree_two_nodes(keeps_degree_two_nodes));
+                           parameters::method(method, parameters::keep_degree_two_nodes(keeps_degree_two_nodes)));
   return graph;
 }
 
@@ -215,19 +218,24 @@ std::string fault_of_chains(const Mesh_numbers<Mesh>& numbers, const Graph& grap
   return "";
 }
 
-// All of the above.
+// All of the above, for both methods.
 template <class Mesh, class Scalar>
 std::string fault_of_reeb_graph(const Mesh& mesh, const std::vector<Scalar>& values, bool keeps_degree_two_nodes)
 {
   const Mesh_numbers<Mesh> numbers(mesh);
   const Oracle oracle = make_oracle(numbers, values, keeps_degree_two_nodes);
-  const auto graph = compute(mesh, values, keeps_degree_two_nodes);
-  std::string fault = fault_of_nodes(numbers, graph, oracle, values);
-  if(fault.empty())
-    fault = fault_of_arcs(numbers, graph, oracle);
-  if(fault.empty())
-    fault = fault_of_chains(numbers, graph, oracle);
-  return fault;
+  for(const Method method : {Method::CRITICAL_SETS, Method::CONTOUR_TREES})
+  {
+    const auto graph = compute(mesh, values, keeps_degree_two_nodes, method);
+    std::string fault = fault_of_nodes(numbers, graph, oracle, values);
+    if(fault.empty())
+      fault = fault_of_arcs(numbers, graph, oracle);
+    if(fault.empty())
+      fault = fault_of_chains(numbers, graph, oracle);
+    if(!fault.empty())
+      return (method == Method::CRITICAL_SETS ? "critical sets: " : "contour trees: ") + fault;
+  }
+  return "";
 }
 
 } // namespace graph_checks

@@ -36,7 +36,7 @@ public:
   Descriptor_positions(const IndexMap& index_map, const std::vector<Descriptor>& descriptors, const char* name)
     : index_map_(index_map)
   {
-    positions_.reserve(descriptors.size());
+    positions_.assign(descriptors.size(), no_index);
     Index position = 0;
     for(const Descriptor& d : descriptors)
     {
@@ -56,6 +56,14 @@ public:
   Index operator[](const Descriptor& d) const
   {
     return positions_[static_cast<std::size_t>(get(index_map_, d))];
+  }
+
+  // The same for descriptors that may be unknown, which have no_index.
+  template <class Descriptor>
+  Index operator()(const Descriptor& d) const
+  {
+    const std::size_t index = static_cast<std::size_t>(get(index_map_, d));
+    return index < positions_.size() ? positions_[index] : no_index;
   }
 
 private:

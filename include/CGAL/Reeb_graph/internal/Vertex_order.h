@@ -25,6 +25,13 @@ template <class Scalar, class Less>
 class Vertex_order
 {
 public:
+  // A vertex with its value, to be sorted without access to the array of all values.
+  struct Key
+  {
+    Scalar value;
+    Index vertex;
+  };
+
   Vertex_order(const std::vector<Scalar>& values, const Less& less) : values_(&values), less_(less) {}
 
   // Whether vertex u is lower than vertex v.
@@ -34,6 +41,23 @@ public:
     const Scalar& value_v = (*values_)[v];
     return less_(value_u, value_v) || (!less_(value_v, value_u) && u < v);
   }
+
+  Key key(Index v) const { return {(*values_)[v], v}; }
+
+  bool operator()(const Key& a, const Key& b) const
+  {
+    return less_(a.value, b.value) || (!less_(b.value, a.value) && a.vertex < b.vertex);
+  }
+
+  // Whether the values are the same, so that only the indices order the vertices.
+  bool are_tied(Index u, Index v) const
+  {
+    return !less_((*values_)[u], (*values_)[v]) && !less_((*values_)[v], (*values_)[u]);
+  }
+
+  // Whether the value of vertex u is lower than `value`, or `value` lower than that of u.
+  bool is_lower(Index u, const Scalar& value) const { return less_((*values_)[u], value); }
+  bool is_higher(Index u, const Scalar& value) const { return less_(value, (*values_)[u]); }
 
 private:
   const std::vector<Scalar>* values_;

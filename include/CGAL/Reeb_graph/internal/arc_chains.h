@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
-#include <CGAL/Reeb_graph/internal/merge_arcs.h>
 
 #include <vector>
 
@@ -35,13 +35,16 @@ Flat_chains find_arc_chains(const Triangle_complex& complex, const Order& order,
 {
   Flat_chains chains;
   chains.first_steps.reserve(graph.arcs.size() + 1);
-  for(const Critical_arc& arc : graph.arcs)
+  for(const Flat_arc& arc : graph.arcs)
   {
     chains.first_steps.push_back(chains.steps.size());
-    const Index upper_vertex = graph.nodes[arc.upper].vertex;
-    chains.steps.push_back(arc.first_step);
-    while(order(chains.steps.back().target, upper_vertex))
-      chains.steps.push_back(steepest_step(complex, order, chains.steps.back().target));
+    for(std::size_t i = 0; i != arc.number_of_pieces; ++i)
+    {
+      const Chain_piece& piece = graph.pieces[arc.first_piece + i];
+      chains.steps.push_back(piece.first_step);
+      while(order(chains.steps.back().target, piece.upper_vertex))
+        chains.steps.push_back(steepest_step(complex, order, chains.steps.back().target));
+    }
   }
   chains.first_steps.push_back(chains.steps.size());
   return chains;

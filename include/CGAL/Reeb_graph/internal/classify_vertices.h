@@ -19,14 +19,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The vertices with link sectors other than one lower and one upper, in ascending order. Stages name a critical
-// vertex by its position here.
+// The vertices with link sectors other than one lower and one upper. Stages name a critical vertex by its position
+// here, which is that among the vertices of the mesh: what is near on the surface is then near in memory.
 class Critical_vertices
 {
 public:
@@ -40,6 +41,11 @@ public:
     return entries_[critical].number_of_sectors - entries_[critical].number_of_lower_sectors;
   }
 
+  bool is_critical(Index critical) const
+  {
+    return number_of_lower_sectors(critical) != 1 || number_of_upper_sectors(critical) != 1;
+  }
+
   // The link sectors in counterclockwise order; first_sector() is the position of the first one among all.
   Sectors sectors(Index critical) const
   {
@@ -49,27 +55,41 @@ public:
   std::size_t first_sector(Index critical) const { return entries_[critical].first_sector; }
   std::size_t total_number_of_sectors() const { return sectors_.size(); }
 
-  // Adds `vertex` if it is critical.
   template <class Order>
-  void test_and_add(const Triangle_complex& complex, const Order& order, Index vertex)
+  void add(const Triangle_complex& complex, const Order& order, Index vertex)
   {
     const std::size_t first = sectors_.size();
     append_link_sectors(complex, order, vertex, sectors_);
-    const Index number_of_sectors = static_cast<Index>(sectors_.size() - first);
-    const Index number_of_lower_sectors = static_cast<Index>(std::count_if(
-      sectors_.begin() + first, sectors_.end(), [](const Link_sector& sector) { return !sector.is_upper; }));
-    if(number_of_sectors == 2 && number_of_lower_sectors == 1)
-      sectors_.resize(first);
-    else
-      entries_.push_back({first, vertex, number_of_sectors, number_of_lower_sectors});
+    const auto number_of_lower_sectors = std::count_if(sectors_.begin() + first, sectors_.end(),
+                                                       [](const Link_sector& sector) { return !sector.is_upper; });
+    entries_.push_back(
+      {first, vertex, static_cast<Index>(sectors_.size() - first), static_cast<Index>(number_of_lower_sectors)});
   }
 
+  void remove_last()
+  {
+    sectors_.resize(entries_.back().first_sector);
+    entries_.pop_back();
+  }
+
+  // To be called after the last vertex has been added.
   template <class Order>
   void sort(const Order& order)
   {
-    std::sort(entries_.begin(), entries_.end(),
-              [&](const Entry& a, const Entry& b) { return order(a.vertex, b.vertex); });
+    typedef std::pair<typename Order::Key, Index> Key_and_name;
+    std::vector<Key_and_name> keys;
+    keys.reserve(entries_.size());
+    for(Index i = 0; i != size(); ++i)
+      keys.emplace_back(order.key(vertex(i)), i);
+    std::sort(keys.begin(), keys.end(),
+              [&](const Key_and_name& a, const Key_and_name& b) { return order(a.first, b.first); });
+    ascending_.reserve(keys.size());
+    for(const Key_and_name& key : keys)
+      ascending_.push_back(key.second);
   }
+
+  // All critical vertices, from the lowest to the highest.
+  const std::vector<Index>& ascending() const { return ascending_; }
 
 private:
   struct Entry
@@ -82,6 +102,7 @@ private:
 
   std::vector<Entry> entries_;
   std::vector<Link_sector> sectors_;
+  std::vector<Index> ascending_;
 };
 
 // For each vertex, the number of triangles in which it is the middle one: for an interior vertex twice the number
@@ -108,11 +129,25 @@ Critical_vertices classify_vertices(const Triangle_complex& complex, const Order
   Critical_vertices critical_vertices;
   for(Index v = 0; v != complex.number_of_vertices(); ++v)
   {
-    if(middle_corners[v] != 2 || complex.is_on_border(v))
-      critical_vertices.test_and_add(complex, order, v);
+    if(middle_corners[v] == 2 && !complex.is_on_border(v))
+      continue;
+    critical_vertices.add(complex, order, v);
+    if(!critical_vertices.is_critical(critical_vertices.size() - 1))
+      critical_vertices.remove_last();
   }
   critical_vertices.sort(order);
   return critical_vertices;
+}
+
+// All vertices in the place of the critical ones: with them, the engines find where each vertex is in the graph.
+template <class Order>
+Critical_vertices sort_all_vertices(const Triangle_complex& complex, const Order& order)
+{
+  Critical_vertices all_vertices;
+  for(Index v = 0; v != complex.number_of_vertices(); ++v)
+    all_vertices.add(complex, order, v);
+  all_vertices.sort(order);
+  return all_vertices;
 }
 
 inline Critical_vertex_counts count_critical_vertices(const Triangle_complex& complex,

@@ -13,6 +13,11 @@
 
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
@@ -47,6 +52,31 @@ void trace_contour(const Triangle_complex& complex, Index start, const IsBelow& 
   const bool is_closed = follow_contour(complex, start, is_below, visit);
   if(!is_closed && complex.opposite(start) != no_index)
     follow_contour(complex, complex.opposite(start), is_below, visit);
+}
+
+// Replaces the content of `crossed` by the edges of the contour that crosses the edge faced by `start`, in the order
+// in which they follow each other with the higher side on the left. Returns whether the contour is closed.
+template <class IsBelow>
+bool trace_oriented_contour(const Triangle_complex& complex,
+                            Index start,
+                            const IsBelow& is_below,
+                            std::vector<Index>& crossed)
+{
+  // Who enters a triangle over an edge has the source of that edge on the left.
+  Index forward = start, backward = complex.opposite(start);
+  if(is_below(complex.edge_source(start)))
+    std::swap(forward, backward);
+
+  crossed.clear();
+  const auto collect = [&](Index corner) { crossed.push_back(corner); };
+  const bool is_closed = forward != no_index && follow_contour(complex, forward, is_below, collect);
+  const std::size_t number_of_forward_edges = crossed.size();
+  if(!is_closed && backward != no_index)
+    follow_contour(complex, backward, is_below, collect);
+  std::reverse(crossed.begin() + number_of_forward_edges, crossed.end());
+  crossed.push_back(start);
+  std::rotate(crossed.begin(), crossed.begin() + number_of_forward_edges, crossed.end());
+  return is_closed;
 }
 
 } // namespace internal

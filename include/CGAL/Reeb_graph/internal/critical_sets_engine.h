@@ -33,19 +33,19 @@ template <class Order>
 class Critical_sets_engine
 {
 public:
-  Critical_sets_engine(const Triangle_complex& complex,
-                       const Order& order,
-                       const Critical_vertices& critical_vertices)
+  Critical_sets_engine(const Triangle_complex& complex, const Order& order, const Critical_vertices& critical_vertices)
     : complex_(complex),
       order_(order),
       critical_vertices_(critical_vertices),
-      contour_at_edge_(complex.number_of_corners(), no_index) {}
+      contour_at_edge_(complex.number_of_corners(), no_index)
+  {}
 
   std::vector<Critical_arc> operator()()
   {
     // An edge keeps the contour of the lowest level: that is where an ascending path meets it first.
-    for(Index i = critical_vertices_.size(); i-- != 0;)
-      register_lower_contours(i);
+    const std::vector<Index>& ascending = critical_vertices_.ascending();
+    for(auto critical = ascending.rbegin(); critical != ascending.rend(); ++critical)
+      register_lower_contours(*critical);
     for(Index i = 0; i != critical_vertices_.size(); ++i)
       climb_from(i);
     return std::move(arcs_);

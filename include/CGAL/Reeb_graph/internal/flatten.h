@@ -92,28 +92,33 @@ std::vector<Index> read_corner_vertices(const FaceListGraph& mesh,
   return corner_vertices;
 }
 
+// The corner of a triangle that faces its edge between the vertices u and v; no other edge of it joins them. Without
+// a branch, as none of the three could be predicted.
+inline Index corner_facing_edge(const std::vector<Index>& corner_vertices, Index triangle, Index u, Index v)
+{
+  const Index corner = 3 * triangle, first = corner_vertices[corner], second = corner_vertices[corner + 1];
+  const Index is_first_on_edge = (first == u) | (first == v), is_second_on_edge = (second == u) | (second == v);
+  return corner + is_first_on_edge + (is_first_on_edge & is_second_on_edge);
+}
+
 template <class FaceListGraph, class FaceDescriptor, class FacePositions>
 std::vector<Index> read_opposite_corners(const FaceListGraph& mesh,
                                          const std::vector<FaceDescriptor>& faces,
-                                         const FacePositions& face_positions)
+                                         const FacePositions& face_positions,
+                                         const std::vector<Index>& corner_vertices)
 {
-  std::vector<Index> opposite_corners;
-  opposite_corners.reserve(3 * faces.size());
+  std::vector<Index> opposite_corners(corner_vertices.size(), no_index);
+  Index corner = 0;
   for(const auto f : faces)
   {
     auto h = prev(halfedge(f, mesh), mesh);
-    for(int i = 0; i != 3; ++i, h = next(h, mesh))
+    for(int i = 0; i != 3; ++i, ++corner, h = next(h, mesh))
     {
-      const auto other = opposite(h, mesh);
-      const auto across = face(other, mesh);
-      if(across == boost::graph_traits<FaceListGraph>::null_face())
-      {
-        opposite_corners.push_back(no_index);
-        continue;
-      }
-      const auto first = halfedge(across, mesh);
-      const Index facing = other == first ? 1 : (other == next(first, mesh) ? 2 : 0);
-      opposite_corners.push_back(3 * face_positions[across] + facing);
+      const auto across = face(opposite(h, mesh), mesh);
+      if(across != boost::graph_traits<FaceListGraph>::null_face())
+        opposite_corners[corner] = corner_facing_edge(corner_vertices, face_positions[across],
+                                                      corner_vertices[Triangle_complex::next(corner)],
+                                                      corner_vertices[Triangle_complex::previous(corner)]);
     }
   }
   return opposite_corners;
@@ -137,7 +142,8 @@ Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph
 
   auto values = read_values(vertex_handles, scalar_map, traits);
   auto corner_vertices = read_corner_vertices(mesh, face_handles, make_vertex_positions(mesh, vertex_handles, np));
-  auto opposite_corners = read_opposite_corners(mesh, face_handles, make_face_positions(mesh, face_handles, np));
+  auto opposite_corners =
+    read_opposite_corners(mesh, face_handles, make_face_positions(mesh, face_handles, np), corner_vertices);
   return {Triangle_complex(std::move(corner_vertices), std::move(opposite_corners), number_of_vertices),
           std::move(values), std::move(vertex_handles), std::move(face_handles)};
 }

@@ -49,9 +49,8 @@ void append_link_sectors(const Triangle_complex& complex,
     else if(is_more_extreme(edge, sectors.back(), order))
       sectors.back() = edge;
   });
-  const bool is_split_by_the_start = sectors.size() > first + 1 &&
-                                     sectors[first].is_upper == sectors.back().is_upper &&
-                                     !complex.is_on_border(vertex);
+  const bool is_split_by_the_start =
+    sectors.size() > first + 1 && sectors[first].is_upper == sectors.back().is_upper && !complex.is_on_border(vertex);
   if(is_split_by_the_start)
   {
     if(is_more_extreme(sectors.back(), sectors[first], order))

@@ -12,29 +12,19 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/Critical_arc.h>
+#include <CGAL/Reeb_graph/internal/Flat_graph.h>
+#include <CGAL/Reeb_graph/internal/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
-#include <CGAL/Reeb_graph_traits.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <algorithm>
-#include <tuple>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
-
-struct Flat_node
-{
-  Index vertex;
-  Node_kind kind;
-};
-
-// The Reeb graph by indices: nodes in ascending order, arcs between positions of nodes, sorted.
-struct Flat_graph
-{
-  std::vector<Flat_node> nodes;
-  std::vector<Critical_arc> arcs;
-};
 
 inline Node_kind node_kind(Index in_degree, Index out_degree)
 {
@@ -45,49 +35,193 @@ inline Node_kind node_kind(Index in_degree, Index out_degree)
   return in_degree == 1 && out_degree == 1 ? Node_kind::DEGREE_TWO : Node_kind::SADDLE;
 }
 
-// Makes nodes of the critical vertices, and one arc of those that meet at a critical vertex that is no node.
+// Makes nodes and arcs of the critical vertices and the arcs between them. Critical vertices form groups: each one
+// alone, or those that arcs of length zero connect. A group is a node, unless one arc enters it and one leaves it.
+template <class Order>
+class Arc_merging
+{
+public:
+  Arc_merging(const Order& order,
+              const Critical_vertices& critical_vertices,
+              const std::vector<Critical_arc>& arcs,
+              Ties ties,
+              bool are_degree_two_nodes_kept)
+    : order_(order),
+      critical_vertices_(critical_vertices),
+      arcs_(arcs),
+      are_ties_contracted_(ties == Ties::CONTRACT),
+      are_degree_two_nodes_kept_(are_degree_two_nodes_kept),
+      groups_(critical_vertices.size()),
+      is_on_plateau_(critical_vertices.size(), false)
+  {}
+
+  Flat_graph operator()()
+  {
+    if(are_ties_contracted_)
+      group_ties();
+    count_degrees();
+    make_nodes();
+    make_arcs();
+    sort_arcs();
+    name_passing_arcs();
+    return std::move(graph_);
+  }
+
+private:
+  bool is_contracted(const Critical_arc& arc) const
+  {
+    return are_ties_contracted_
+        && order_.are_tied(critical_vertices_.vertex(arc.lower), critical_vertices_.vertex(arc.upper));
+  }
+
+  void group_ties()
+  {
+    for(const Critical_arc& arc : arcs_)
+    {
+      if(!is_contracted(arc))
+        continue;
+      groups_.unite(arc.lower, arc.upper);
+      is_on_plateau_[arc.lower] = is_on_plateau_[arc.upper] = true;
+    }
+  }
+
+  void count_degrees()
+  {
+    const Index size = critical_vertices_.size();
+    in_degrees_.assign(size, 0);
+    out_degrees_.assign(size, 0);
+    leaving_arcs_.assign(size, no_index);
+    for(Index i = 0; i != arcs_.size(); ++i)
+    {
+      if(is_contracted(arcs_[i]))
+        continue;
+      const Index lower = groups_.top(arcs_[i].lower);
+      ++out_degrees_[lower];
+      ++in_degrees_[groups_.top(arcs_[i].upper)];
+      leaving_arcs_[lower] = i;
+    }
+  }
+
+  // A node is at the lowest critical vertex of its group. Among the given vertices, regular ones can occur too.
+  void make_nodes()
+  {
+    const Index size = critical_vertices_.size();
+    std::vector<Index> node_of_group(size, no_index);
+    for(const Index i : critical_vertices_.ascending())
+    {
+      const Index group = groups_.top(i);
+      const Node_kind kind = node_kind(in_degrees_[group], out_degrees_[group]);
+      const bool is_node =
+        kind != Node_kind::DEGREE_TWO || (are_degree_two_nodes_kept_ && critical_vertices_.is_critical(i));
+      if(!is_node || node_of_group[group] != no_index || !critical_vertices_.is_critical(i))
+        continue;
+      node_of_group[group] = static_cast<Index>(graph_.nodes.size());
+      graph_.nodes.push_back({critical_vertices_.vertex(i), kind});
+    }
+    graph_.node_of_critical.resize(size);
+    for(Index i = 0; i != size; ++i)
+      graph_.node_of_critical[i] = node_of_group[groups_.top(i)];
+  }
+
+  void make_arcs()
+  {
+    first_piece_of_group_.assign(critical_vertices_.size(), no_index);
+    first_piece_of_arc_.assign(arcs_.size(), no_index);
+    for(Index i = 0; i != arcs_.size(); ++i)
+    {
+      if(graph_.node_of_critical[arcs_[i].lower] != no_index && !is_contracted(arcs_[i]))
+        make_arc(i);
+    }
+  }
+
+  // Follows the arc over the groups that are no nodes. At a single vertex every ascending path goes on inside the arc;
+  // on a plateau it can end, and a new piece of the chain begins where the arc leaves.
+  void make_arc(Index i)
+  {
+    const Index first_piece = static_cast<Index>(graph_.pieces.size());
+    Flat_arc flat_arc = {graph_.node_of_critical[arcs_[i].lower], no_index, first_piece, 1};
+    graph_.pieces.push_back({arcs_[i].first_step, no_index});
+    first_piece_of_arc_[i] = first_piece;
+    while(graph_.node_of_critical[arcs_[i].upper] == no_index)
+    {
+      const Index critical = arcs_[i].upper, group = groups_.top(critical);
+      i = leaving_arcs_[group];
+      first_piece_of_group_[group] = first_piece_of_arc_[i] = first_piece;
+      if(is_on_plateau_[critical])
+      {
+        graph_.pieces.back().upper_vertex = critical_vertices_.vertex(critical);
+        graph_.pieces.push_back({arcs_[i].first_step, no_index});
+        ++flat_arc.number_of_pieces;
+      }
+    }
+    graph_.pieces.back().upper_vertex = critical_vertices_.vertex(arcs_[i].upper);
+    flat_arc.upper = graph_.node_of_critical[arcs_[i].upper];
+    graph_.arcs.push_back(flat_arc);
+  }
+
+  // Arcs are first put in order by lower node, as most nodes have few of them.
+  void sort_arcs()
+  {
+    std::vector<std::size_t> ends(graph_.nodes.size() + 1, 0);
+    for(const Flat_arc& arc : graph_.arcs)
+      ++ends[arc.lower + 1];
+    for(std::size_t node = 1; node < ends.size(); ++node)
+      ends[node] += ends[node - 1];
+    std::vector<Flat_arc> sorted(graph_.arcs.size());
+    for(const Flat_arc& arc : graph_.arcs)
+      sorted[ends[arc.lower]++] = arc;
+    graph_.arcs.swap(sorted);
+
+    const auto is_before = [&](const Flat_arc& a, const Flat_arc& b) {
+      if(a.upper != b.upper)
+        return a.upper < b.upper;
+      const Ascending_step& step_a = graph_.pieces[a.first_piece].first_step;
+      const Ascending_step& step_b = graph_.pieces[b.first_piece].first_step;
+      return step_a.target != step_b.target ? order_(step_a.target, step_b.target) : step_a.edge < step_b.edge;
+    };
+    std::size_t begin = 0;
+    for(std::size_t node = 0; node != graph_.nodes.size(); begin = ends[node++])
+      std::sort(graph_.arcs.begin() + begin, graph_.arcs.begin() + ends[node], is_before);
+  }
+
+  // Sorting has moved the arcs, but each keeps its first piece.
+  void name_passing_arcs()
+  {
+    std::vector<Index> arc_of_first_piece(graph_.pieces.size(), no_index);
+    for(Index i = 0; i != graph_.arcs.size(); ++i)
+      arc_of_first_piece[graph_.arcs[i].first_piece] = i;
+    const auto arc_of = [&](Index first_piece) {
+      return first_piece == no_index ? no_index : arc_of_first_piece[first_piece];
+    };
+    for(Index i = 0; i != critical_vertices_.size(); ++i)
+      graph_.arc_of_critical.push_back(arc_of(first_piece_of_group_[groups_.top(i)]));
+    for(const Index first_piece : first_piece_of_arc_)
+      graph_.arc_of_critical_arc.push_back(arc_of(first_piece));
+  }
+
+  const Order& order_;
+  const Critical_vertices& critical_vertices_;
+  const std::vector<Critical_arc>& arcs_;
+  const bool are_ties_contracted_;
+  const bool are_degree_two_nodes_kept_;
+  Disjoint_sets groups_;
+  std::vector<bool> is_on_plateau_; // by critical vertex: whether its group has other ones
+  std::vector<Index> in_degrees_;   // by group
+  std::vector<Index> out_degrees_;
+  std::vector<Index> leaving_arcs_;         // the last one; the only one of a group that is no node
+  std::vector<Index> first_piece_of_group_; // by group: that of the arc that passes it
+  std::vector<Index> first_piece_of_arc_;   // by arc: that of the arc that it becomes part of
+  Flat_graph graph_;
+};
+
 template <class Order>
 Flat_graph merge_arcs(const Order& order,
                       const Critical_vertices& critical_vertices,
                       const std::vector<Critical_arc>& arcs,
+                      Ties ties,
                       bool are_degree_two_nodes_kept)
 {
-  const Index size = critical_vertices.size();
-  std::vector<Index> in_degrees(size, 0), out_degrees(size, 0), next_critical(size, no_index);
-  for(const Critical_arc& arc : arcs)
-  {
-    ++in_degrees[arc.upper];
-    ++out_degrees[arc.lower];
-    next_critical[arc.lower] = arc.upper;
-  }
-
-  Flat_graph graph;
-  std::vector<Index> node_of_critical(size, no_index);
-  for(Index i = 0; i != size; ++i)
-  {
-    const Node_kind kind = node_kind(in_degrees[i], out_degrees[i]);
-    if(kind == Node_kind::DEGREE_TWO && !are_degree_two_nodes_kept)
-      continue;
-    node_of_critical[i] = static_cast<Index>(graph.nodes.size());
-    graph.nodes.push_back({critical_vertices.vertex(i), kind});
-  }
-
-  for(const Critical_arc& arc : arcs)
-  {
-    if(node_of_critical[arc.lower] == no_index)
-      continue;
-    Index upper = arc.upper;
-    while(node_of_critical[upper] == no_index)
-      upper = next_critical[upper];
-    graph.arcs.push_back({node_of_critical[arc.lower], node_of_critical[upper], arc.first_step});
-  }
-  std::sort(graph.arcs.begin(), graph.arcs.end(), [&](const Critical_arc& a, const Critical_arc& b) {
-    if(a.lower != b.lower || a.upper != b.upper)
-      return std::tie(a.lower, a.upper) < std::tie(b.lower, b.upper);
-    const Ascending_step &step_a = a.first_step, &step_b = b.first_step;
-    return step_a.target != step_b.target ? order(step_a.target, step_b.target) : step_a.edge < step_b.edge;
-  });
-  return graph;
+  return Arc_merging<Order>(order, critical_vertices, arcs, ties, are_degree_two_nodes_kept)();
 }
 
 } // namespace internal

@@ -12,9 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Halfedge_chain.h>
+#include <CGAL/Reeb_graph/internal/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/arc_chains.h>
 #include <CGAL/Reeb_graph/internal/flatten.h>
-#include <CGAL/Reeb_graph/internal/merge_arcs.h>
 
 #include <boost/graph/adjacency_list.hpp>
 

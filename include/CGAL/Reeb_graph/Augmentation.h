@@ -1,0 +1,227 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_AUGMENTATION_H
+#define CGAL_REEB_GRAPH_AUGMENTATION_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Contour.h>
+#include <CGAL/Reeb_graph/Vertex_locations.h>
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/Augmentation_base.h>
+#include <CGAL/Reeb_graph/internal/parallel.h>
+#include <CGAL/Reeb_graph_traits.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphAugmentation
+///
+/// \brief the way from a Reeb graph back to the mesh: the contours of arcs, the critical sets of nodes, and the place
+/// of each vertex of the mesh in the graph.
+///
+/// It implements the map \f$ F: R(M, f) \to M \f$ of M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb
+/// Graph Algorithm*, 2020, Section 6. At construction it makes a flat copy of the surface, in linear time and memory.
+/// The mesh, the scalar map and the graph have to outlive it and must not change. All member functions can be called
+/// from several threads at a time.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type
+/// \tparam ReebGraph the type `Graph` of the traits class
+/// \tparam Traits a model of `ReebGraphTraits`
+template <class FaceListGraph,
+          class ScalarMap,
+          class ReebGraph = typename Reeb_graph_traits<FaceListGraph, ScalarMap>::Graph,
+          class Traits = Reeb_graph_traits<FaceListGraph, ScalarMap>>
+class Augmentation : private internal::Augmentation_base<FaceListGraph, ScalarMap, ReebGraph, Traits>
+{
+  typedef internal::Augmentation_base<FaceListGraph, ScalarMap, ReebGraph, Traits> Base;
+
+public:
+  /// a scalar value
+  typedef typename Traits::Scalar Scalar;
+  /// a vertex of the mesh
+  typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
+  /// a halfedge of the mesh
+  typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
+  /// a face of the mesh
+  typedef typename boost::graph_traits<FaceListGraph>::face_descriptor face_descriptor;
+  /// a node of the graph
+  typedef typename boost::graph_traits<ReebGraph>::vertex_descriptor node_descriptor;
+  /// an arc of the graph
+  typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor;
+
+  /// a contour
+  typedef Reeb_graph::Contour<arc_descriptor, halfedge_descriptor> Contour;
+  /// a critical set
+  typedef Reeb_graph::Critical_set<Contour, halfedge_descriptor, face_descriptor> Critical_set;
+  /// the places of all vertices
+  typedef Reeb_graph::Vertex_locations<vertex_descriptor, ReebGraph> Vertex_locations;
+
+  /// \brief prepares the way back from `graph` to `mesh`.
+  ///
+  /// \param mesh the mesh that the graph has been computed of
+  /// \param scalar_map the field that it has been computed of
+  /// \param graph the graph
+  /// \param np the named parameters that the graph has been computed with: `ties`, `keep_degree_two_nodes`,
+  ///        `vertex_index_map`, `face_index_map` and `geom_traits` count
+  ///
+  /// \exception Graph_mismatch_error if the graph is not one of this mesh and field
+  ///
+  /// and the exceptions of `compute_reeb_graph()`.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  Augmentation(const FaceListGraph& mesh,
+               ScalarMap scalar_map,
+               const ReebGraph& graph,
+               const NamedParameters& np = parameters::default_values())
+    : Base(mesh, scalar_map, graph, np)
+  {}
+
+  /// \brief returns the contour of an arc at a place between its ends.
+  ///
+  /// The values along the arc are parametrized linearly, `t` = 0 at the lower node and `t` = 1 at the upper one. The
+  /// contour is one of the arc for any `t`; where no value lies between those of the ends, the vertices of the chain
+  /// are counted instead. It takes time proportional to the length of the contour, and logarithmic in that of the
+  /// chain.
+  ///
+  /// \exception Parameter_error if `t` is not greater than 0 and less than 1
+  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
+  Contour contour(arc_descriptor arc, double t) const
+  {
+    this->check_arc(arc);
+    this->check_parameter(t);
+    return this->trace(arc, this->level_of_parameter(arc, t));
+  }
+
+  /// \brief returns the contour of an arc at a place between its ends, parametrized by another field.
+  ///
+  /// The absolute differences of the values of `parametrization` along the chain of the arc are added up: `t` is the
+  /// fraction of the whole sum. With a field of unit gradient and the same level sets, equal steps of `t` are equal
+  /// distances on the surface.
+  ///
+  /// \tparam ParametrizationMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type,
+  ///         and a value type that can be converted to `double`. Its time is linear in the length of the chain.
+  ///
+  /// \exception Parameter_error if `t` is not greater than 0 and less than 1
+  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
+  template <class ParametrizationMap>
+  Contour contour(arc_descriptor arc, double t, ParametrizationMap parametrization) const
+  {
+    this->check_arc(arc);
+    this->check_parameter(t);
+    return this->trace(arc, this->level_of_parameter(arc, t, parametrization));
+  }
+
+  /// \brief returns the contour of an arc at the level just above the last vertex of value at most `value`.
+  ///
+  /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher, and its upper
+  ///            node must be higher than `value`
+  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
+  Contour contour_at_value(arc_descriptor arc, const Scalar& value) const
+  {
+    this->check_arc(arc);
+    if(!this->is_alive_at(arc, value))
+      throw Level_error();
+    return this->trace(arc, this->level_of_value(value));
+  }
+
+  /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
+  /// connected components of a level set, in the order of the arcs.
+  ///
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether the contours are
+  ///         traced in parallel
+  template <class ConcurrencyTag = Sequential_tag>
+  std::vector<Contour> contours_at_value(const Scalar& value) const
+  {
+    const auto level = this->level_of_value(value);
+    std::vector<std::pair<arc_descriptor, internal::Index>> starts;
+    for(const arc_descriptor arc : this->arcs())
+    {
+      if(this->is_alive_at(arc, value))
+        starts.emplace_back(arc, this->find_start(arc, level.is_below));
+    }
+    std::vector<Contour> contours(starts.size());
+    internal::for_each_index<ConcurrencyTag>(
+      starts.size(), [&](std::size_t i) { contours[i] = this->trace_from(starts[i].first, starts[i].second, level); });
+    return contours;
+  }
+
+  /// \brief writes the point at which a contour crosses each of its halfedges, by linear interpolation.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` for the points of the mesh
+  ///
+  /// \param contour a contour of this object
+  /// \param points the output; the first point is not repeated at the end
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{vertex_point_map}
+  ///     \cgalParamDescription{the points of the vertices}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type}
+  ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
+  /// \returns the output iterator behind the last point.
+  template <class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+  OutputIterator points_of_contour(const Contour& contour,
+                                   OutputIterator points,
+                                   const NamedParameters& np = parameters::default_values()) const
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    const auto vertex_point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                                   get_const_property_map(vertex_point, this->mesh()));
+    for(const halfedge_descriptor h : contour.halfedges)
+    {
+      const auto& lower = get(vertex_point_map, source(h, this->mesh()));
+      const auto& upper = get(vertex_point_map, target(h, this->mesh()));
+      *points++ = lower + this->crossing_fraction(h, contour.value) * (upper - lower);
+    }
+    return points;
+  }
+
+  /// \brief returns what a node stands for: the contours just below and just above it that touch it, each with its
+  /// arc, its star, and the border loop that it collapses.
+  ///
+  /// \exception Unknown_node_error if `node` is not a node of the graph
+  Critical_set critical_set(node_descriptor node) const
+  {
+    this->check_node(node);
+    Critical_set result;
+    for(const arc_descriptor arc : CGAL::make_range(in_edges(node, this->graph())))
+      result.lower_contours.push_back(this->trace(arc, this->level_below_node(node)));
+    for(const arc_descriptor arc : CGAL::make_range(out_edges(node, this->graph())))
+      result.upper_contours.push_back(this->trace(arc, this->level_above_node(node)));
+    result.star = this->star(node);
+    result.border_loop = this->border_loop(node);
+    return result;
+  }
+
+  /// \brief finds the place of each vertex of the mesh in the graph: the segmentation of the mesh by the arcs.
+  ///
+  /// It takes as much time as sorting all vertices and computing the graph again, near-linear for any field.
+  ///
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`
+  ///
+  /// \exception Graph_mismatch_error if the graph is not the one that `compute_reeb_graph()` has made
+  template <class ConcurrencyTag = Sequential_tag>
+  Vertex_locations locate_vertices() const
+  {
+    return this->template make_vertex_locations<ConcurrencyTag>();
+  }
+};
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_AUGMENTATION_H

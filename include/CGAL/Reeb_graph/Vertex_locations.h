@@ -1,0 +1,122 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_VERTEX_LOCATIONS_H
+#define CGAL_REEB_GRAPH_VERTEX_LOCATIONS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+
+#include <CGAL/Iterator_range.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphAugmentation
+///
+/// \brief the place of each vertex of the mesh in the Reeb graph, and the vertices of each arc and node.
+///
+/// It is made by `Augmentation::locate_vertices()`, and holds copies of the arc descriptors: the graph must not lose
+/// arcs as long as it is used. `get(vertex_locations, v)` is the same as `vertex_locations[v]`.
+///
+/// \tparam VertexDescriptor a vertex descriptor of the mesh
+/// \tparam ReebGraph the type of the Reeb graph
+///
+/// \cgalModels{ReadablePropertyMap}
+template <class VertexDescriptor, class ReebGraph>
+class Vertex_locations
+{
+public:
+  typedef typename boost::graph_traits<ReebGraph>::vertex_descriptor node_descriptor; ///< a node of the graph
+  typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor;    ///< an arc of the graph
+
+  /// a node or an arc: `std::holds_alternative<arc_descriptor>(location)`, `std::get<arc_descriptor>(location)`
+  typedef std::variant<node_descriptor, arc_descriptor> Location;
+
+  typedef VertexDescriptor key_type;                            ///< the key type
+  typedef Location value_type;                                  ///< the value type
+  typedef Location reference;                                   ///< the same
+  typedef boost::readable_property_map_tag category;            ///< the category
+  typedef Iterator_range<const VertexDescriptor*> Vertex_range; ///< the type of a range of vertices
+
+  /// returns the place of the vertex `v`: the node that it belongs to, or the arc that passes it.
+  Location operator[](VertexDescriptor v) const
+  {
+    const std::size_t place = places_[position_(v)];
+    if(place < number_of_nodes_)
+      return node_descriptor(place);
+    return arcs_[place - number_of_nodes_];
+  }
+
+  /// returns the number of the place of the vertex `v`: nodes are numbered from 0 by their descriptors, arcs after the
+  /// last node, in the order of `edges(graph)`.
+  std::size_t index(VertexDescriptor v) const { return places_[position_(v)]; }
+
+  /// returns the vertices of a node in ascending order. It has more than one if ties are contracted.
+  Vertex_range vertices_of_node(node_descriptor node) const { return vertices_of_place(node); }
+
+  /// returns the vertices of the arc number `i`, in the order of `edges(graph)`, in ascending order.
+  Vertex_range vertices_of_arc(std::size_t i) const { return vertices_of_place(number_of_nodes_ + i); }
+
+  /// returns the place of `v`.
+  friend Location get(const Vertex_locations& locations, VertexDescriptor v) { return locations[v]; }
+
+#ifndef DOXYGEN_RUNNING
+  // `sorted_places` has the place of each vertex of `sorted_vertices`, which is in ascending order.
+  Vertex_locations(std::function<internal::Index(VertexDescriptor)> position,
+                   std::size_t number_of_nodes,
+                   std::vector<arc_descriptor> arcs,
+                   const std::vector<std::pair<VertexDescriptor, internal::Index>>& sorted_places)
+    : position_(std::move(position)),
+      number_of_nodes_(number_of_nodes),
+      arcs_(std::move(arcs)),
+      places_(sorted_places.size()),
+      first_vertices_(number_of_nodes_ + arcs_.size() + 1, 0),
+      vertices_(sorted_places.size())
+  {
+    for(const auto& [v, place] : sorted_places)
+    {
+      places_[position_(v)] = place;
+      ++first_vertices_[place + 1];
+    }
+    for(std::size_t i = 1; i < first_vertices_.size(); ++i)
+      first_vertices_[i] += first_vertices_[i - 1];
+    std::vector<std::size_t> next(first_vertices_);
+    for(const auto& [v, place] : sorted_places)
+      vertices_[next[place]++] = v;
+  }
+#endif
+
+private:
+  Vertex_range vertices_of_place(std::size_t place) const
+  {
+    return Vertex_range(vertices_.data() + first_vertices_[place], vertices_.data() + first_vertices_[place + 1]);
+  }
+
+  std::function<internal::Index(VertexDescriptor)> position_;
+  std::size_t number_of_nodes_;
+  std::vector<arc_descriptor> arcs_;
+  std::vector<internal::Index> places_;     // by position of the vertex
+  std::vector<std::size_t> first_vertices_; // by place, and one more
+  std::vector<VertexDescriptor> vertices_;  // by place, ascending
+};
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_VERTEX_LOCATIONS_H

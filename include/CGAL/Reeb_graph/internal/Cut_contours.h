@@ -1,0 +1,92 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CUT_CONTOURS_H
+#define CGAL_REEB_GRAPH_INTERNAL_CUT_CONTOURS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Contours along which the surface is cut, each just below a critical vertex that it touches. A cut adds two nodes
+// to the trees: one below it, a maximum joined to the lower ends of the crossed edges, and one above it, a minimum
+// joined to the upper ends.
+class Cut_contours
+{
+public:
+  explicit Cut_contours(Index number_of_critical_vertices) : number_of_critical_vertices_(number_of_critical_vertices)
+  {}
+
+  // Adds a contour just below the critical vertex `critical`, the top of whose sublevel component is
+  // `sublevel_class`. Critical vertices have to come in ascending order.
+  template <class CornerRange>
+  void add(const Triangle_complex& complex, Index critical, Index sublevel_class, const CornerRange& crossed_edges)
+  {
+    const Index cut = size();
+    critical_vertices_.push_back(critical);
+    sublevel_classes_.push_back(sublevel_class);
+    for(const Index corner : crossed_edges)
+    {
+      cuts_at_edges_.emplace_back(corner, cut);
+      if(complex.opposite(corner) != no_index)
+        cuts_at_edges_.emplace_back(complex.opposite(corner), cut);
+    }
+  }
+
+  // To be called after the last contour has been added.
+  void prepare_look_up(const Triangle_complex& complex)
+  {
+    std::sort(cuts_at_edges_.begin(), cuts_at_edges_.end());
+    is_cut_.assign(complex.number_of_corners(), false);
+    for(const auto& [corner, cut] : cuts_at_edges_)
+      is_cut_[corner] = true;
+  }
+
+  Index size() const { return static_cast<Index>(critical_vertices_.size()); }
+  Index number_of_nodes() const { return number_of_critical_vertices_ + 2 * size(); }
+  Index node_below(Index cut) const { return number_of_critical_vertices_ + 2 * cut; }
+  Index node_above(Index cut) const { return node_below(cut) + 1; }
+
+  bool is_node_below(Index node) const { return is_cut_node(node) && (node - number_of_critical_vertices_) % 2 == 0; }
+  bool is_node_above(Index node) const { return is_cut_node(node) && (node - number_of_critical_vertices_) % 2 == 1; }
+  Index cut_of_node(Index node) const { return (node - number_of_critical_vertices_) / 2; }
+
+  Index critical_vertex(Index cut) const { return critical_vertices_[cut]; }
+  Index sublevel_class(Index cut) const { return sublevel_classes_[cut]; }
+
+  // The lowest contour that crosses the edge faced by `corner`, no_index if there is none.
+  Index lowest_on_edge(Index corner) const
+  {
+    if(is_cut_.empty() || !is_cut_[corner])
+      return no_index;
+    return std::lower_bound(cuts_at_edges_.begin(), cuts_at_edges_.end(), std::make_pair(corner, Index(0)))->second;
+  }
+
+private:
+  bool is_cut_node(Index node) const { return node >= number_of_critical_vertices_; }
+
+  Index number_of_critical_vertices_;
+  std::vector<Index> critical_vertices_;
+  std::vector<Index> sublevel_classes_;
+  std::vector<std::pair<Index, Index>> cuts_at_edges_; // (corner, cut); cuts are numbered in ascending order
+  std::vector<bool> is_cut_;                           // by corner; empty as long as nothing is cut
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_CUT_CONTOURS_H

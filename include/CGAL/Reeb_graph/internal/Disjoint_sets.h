@@ -1,0 +1,49 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_DISJOINT_SETS_H
+#define CGAL_REEB_GRAPH_INTERNAL_DISJOINT_SETS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Disjoint sets of numbers. The top of a set is the one that was put on it last.
+class Disjoint_sets
+{
+public:
+  explicit Disjoint_sets(Index size) : parents_(size) { std::iota(parents_.begin(), parents_.end(), Index(0)); }
+
+  Index top(Index element)
+  {
+    while(parents_[element] != element)
+      element = parents_[element] = parents_[parents_[element]];
+    return element;
+  }
+
+  // Joins two sets, of which `old_top` and `top` are the tops; the latter is that of both then.
+  void put_on(Index old_top, Index top) { parents_[old_top] = top; }
+
+  void unite(Index a, Index b) { put_on(top(a), top(b)); }
+
+private:
+  std::vector<Index> parents_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_DISJOINT_SETS_H

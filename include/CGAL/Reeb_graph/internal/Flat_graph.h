@@ -1,0 +1,65 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_FLAT_GRAPH_H
+#define CGAL_REEB_GRAPH_INTERNAL_FLAT_GRAPH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/ascending_path.h>
+#include <CGAL/Reeb_graph_traits.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+struct Flat_node
+{
+  Index vertex;
+  Node_kind kind;
+};
+
+// A piece of a chain: steepest steps from the first one on, up to the level just below a vertex. An arc has one, and
+// one more for each plateau of several critical vertices that it passes.
+struct Chain_piece
+{
+  Ascending_step first_step;
+  Index upper_vertex;
+};
+
+struct Flat_arc
+{
+  Index lower; // positions of nodes
+  Index upper;
+  std::size_t first_piece;
+  std::size_t number_of_pieces;
+};
+
+// The Reeb graph by indices: nodes in ascending order, arcs sorted.
+struct Flat_graph
+{
+  std::vector<Flat_node> nodes;
+  std::vector<Flat_arc> arcs;
+  std::vector<Chain_piece> pieces;
+
+  // By critical vertex: the node that it is part of, or else the arc that passes it.
+  std::vector<Index> node_of_critical;
+  std::vector<Index> arc_of_critical;
+
+  // By arc between critical vertices: the arc that it is part of, no_index if it has been contracted.
+  std::vector<Index> arc_of_critical_arc;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_FLAT_GRAPH_H

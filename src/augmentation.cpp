@@ -1,0 +1,92 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "augmentation.h"
+
+#include "output_file.h"
+
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/compute_reeb_graph.h>
+
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+namespace reeb_graph_program {
+namespace {
+typedef CGAL::Reeb_graph::Augmentation<Surface, Scalar_map> Augmentation;
+
+Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options)
+{
+  Graph graph;
+  CGAL::compute_reeb_graph(surface, scalar_map, graph, named_parameters(options));
+  return graph;
+}
+
+Polyline make_polyline(const Augmentation& augmentation, const Augmentation::Contour& contour)
+{
+  Polyline polyline;
+  polyline.reserve(contour.halfedges.size() + 1);
+  augmentation.points_of_contour(contour, std::back_inserter(polyline));
+  if(contour.is_closed)
+    polyline.push_back(Point(polyline.front()));
+  return polyline;
+}
+
+} // namespace
+
+void write_vertex_arcs(const std::filesystem::path& path,
+                       const Surface& surface,
+                       Scalar_map scalar_map,
+                       const Graph& graph,
+                       const Graph_options& options)
+{
+  const Augmentation augmentation(surface, scalar_map, graph, named_parameters(options));
+  const auto locations = augmentation.locate_vertices<CGAL::Parallel_if_available_tag>();
+  const std::size_t number_of_nodes = num_vertices(graph);
+  write_file(path, [&](std::ostream& stream) {
+    for(const Surface::Vertex_index v : surface.vertices())
+    {
+      const std::size_t place = locations.index(v);
+      if(place < number_of_nodes)
+        stream << "node " << place << '\n';
+      else
+        stream << "arc " << place - number_of_nodes << '\n';
+    }
+  });
+}
+
+std::vector<Polyline> contour_of_arc(const Surface& surface,
+                                     Scalar_map scalar_map,
+                                     const Graph_options& options,
+                                     std::size_t arc,
+                                     double t)
+{
+  const Graph graph = compute_graph(surface, scalar_map, options);
+  if(arc >= num_edges(graph))
+    throw std::runtime_error("there is no arc " + std::to_string(arc) + ": the graph has "
+                             + std::to_string(num_edges(graph)) + ", numbered from 0");
+  const Augmentation augmentation(surface, scalar_map, graph, named_parameters(options));
+  const auto descriptor = *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(arc));
+  return {make_polyline(augmentation, augmentation.contour(descriptor, t))};
+}
+
+std::vector<Polyline> contours_at_level(const Surface& surface,
+                                        Scalar_map scalar_map,
+                                        const Graph_options& options,
+                                        double level)
+{
+  const Graph graph = compute_graph(surface, scalar_map, options);
+  const Augmentation augmentation(surface, scalar_map, graph, named_parameters(options));
+  std::vector<Polyline> polylines;
+  for(const auto& contour : augmentation.contours_at_value<CGAL::Parallel_if_available_tag>(level))
+    polylines.push_back(make_polyline(augmentation, contour));
+  return polylines;
+}
+
+} // namespace reeb_graph_program

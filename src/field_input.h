@@ -1,0 +1,24 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_FIELD_INPUT_H
+#define CGAL_REEB_GRAPH_SRC_FIELD_INPUT_H
+
+#include "options.h"
+#include "surface.h"
+
+namespace reeb_graph_program {
+// Reads the mesh. Throws Input_error.
+Surface read_surface(const Input_options& options);
+
+// Adds the field to the surface that has been read. Throws Input_error.
+Scalar_map add_field(const Input_options& options, Surface& surface);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_FIELD_INPUT_H

@@ -1,0 +1,43 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_OPTIONS_H
+#define CGAL_REEB_GRAPH_SRC_OPTIONS_H
+
+#include <CGAL/Reeb_graph/named_parameters.h>
+
+#include <string>
+
+namespace reeb_graph_program {
+// The mesh and the field that it carries.
+struct Input_options
+{
+  std::string mesh_path;
+  std::string scalars_path; // empty if the field is a coordinate
+  std::string field;        // height, x, y, or z
+  bool are_faces_triangulated = false;
+};
+
+// What decides the graph. The same options give the same numbers of nodes and arcs.
+struct Graph_options
+{
+  bool are_degree_two_nodes_kept = false;
+  CGAL::Reeb_graph::Ties ties = CGAL::Reeb_graph::Ties::PERTURB;
+  CGAL::Reeb_graph::Method method = CGAL::Reeb_graph::Method::AUTOMATIC;
+};
+
+inline auto named_parameters(const Graph_options& options)
+{
+  namespace parameters = CGAL::parameters;
+  const auto nodes = parameters::keep_degree_two_nodes(options.are_degree_two_nodes_kept);
+  return parameters::ties(options.ties, parameters::method(options.method, nodes));
+}
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_OPTIONS_H

@@ -1,0 +1,322 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "augmentation_checks.h"
+#include "known_meshes.h"
+#include "mesh_builders.h"
+#include "random_fields.h"
+#include "random_meshes.h"
+
+#include <boost/mpl/list.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+// From the graph back to the mesh, with ties broken: contours, critical sets and locations against the oracle.
+
+using namespace augmentation_checks;
+using generated_surfaces::Triangle_soup;
+using mesh_builders::Polyhedron;
+using mesh_builders::Surface_mesh;
+using random_meshes::Combinatorial_mesh;
+using random_meshes::Field_class;
+using random_meshes::Mesh_class;
+using random_meshes::Random;
+
+typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
+
+namespace
+{
+constexpr std::size_t number_of_mesh_classes = static_cast<std::size_t>(Mesh_class::NUMBER_OF_CLASSES);
+constexpr std::size_t number_of_field_classes = static_cast<std::size_t>(Field_class::NUMBER_OF_CLASSES);
+
+template <class Mesh>
+Mesh make_mesh(const Triangle_soup& soup)
+{
+  Mesh mesh;
+  mesh_builders::build(mesh, soup);
+  return mesh;
+}
+
+struct Sample
+{
+  Triangle_soup soup;
+  std::vector<double> values, other_values;
+};
+
+template <class Test>
+void for_each_sample(std::size_t number_of_seeds, const Test& test)
+{
+  for(std::size_t seed = 0; seed < number_of_seeds; ++seed)
+  {
+    Random random(300000 + seed);
+    const auto mesh = random_meshes::random_mesh(static_cast<Mesh_class>(seed % number_of_mesh_classes), random);
+    const auto field_class = static_cast<Field_class>(seed / number_of_mesh_classes % number_of_field_classes);
+    const auto values = random_meshes::random_field(mesh, field_class, random);
+    const auto other_values = seed % 3 == 0 ? std::vector<double>(values.size(), 2)
+                              : seed % 3 == 1 ? random_meshes::random_integers(values.size(), 3, random)
+                                              : random_meshes::smooth_field(mesh, random);
+    BOOST_TEST_CONTEXT("seed " << seed)
+      test(Sample{mesh_builders::make_soup(mesh), values, other_values});
+  }
+}
+
+template <class Mesh, class Scalar>
+void check_all(const Mesh& mesh, const std::vector<Scalar>& values, const std::vector<double>& other_values)
+{
+  for(const bool keeps_degree_two_nodes : {false, true})
+    BOOST_TEST_CONTEXT("degree two nodes kept: " << keeps_degree_two_nodes)
+    {
+      const Augmented_mesh<Mesh, Scalar> a(mesh, values, Ties::PERTURB, keeps_degree_two_nodes);
+      const Oracle oracle = graph_checks::make_oracle(a.numbers, values, keeps_degree_two_nodes);
+      const Oracle_contours contours(oracle);
+      BOOST_TEST(fault_of_contours(a, contours, other_values) == "");
+      BOOST_TEST(fault_of_level_sets(a, contours) == "");
+      BOOST_TEST(fault_of_locations(a, oracle) == "");
+      BOOST_TEST(fault_of_critical_sets(a, contours) == "");
+    }
+}
+
+// All that an augmentation says, by numbers.
+struct Plain_contour
+{
+  double value;
+  bool is_closed;
+  std::vector<std::size_t> vertices; // source and target of each halfedge
+
+  friend bool operator==(const Plain_contour& a, const Plain_contour& b)
+  {
+    return std::tie(a.value, a.is_closed, a.vertices) == std::tie(b.value, b.is_closed, b.vertices);
+  }
+};
+
+struct Plain_augmentation
+{
+  std::vector<Plain_contour> contours;
+  std::vector<std::vector<std::size_t>> border_loops; // vertices
+  std::vector<std::vector<std::size_t>> stars;        // faces
+  std::vector<std::size_t> locations;
+
+  friend bool operator==(const Plain_augmentation& a, const Plain_augmentation& b)
+  {
+    return std::tie(a.contours, a.border_loops, a.stars, a.locations)
+           == std::tie(b.contours, b.border_loops, b.stars, b.locations);
+  }
+};
+
+template <class A>
+Plain_contour plain(const A& a, const typename A::Contour& contour)
+{
+  Plain_contour result = {contour.value, contour.is_closed, {}};
+  for(const auto h : contour.halfedges)
+    result.vertices.insert(result.vertices.end(), {a.numbers.source_vertex(h), a.numbers.target_vertex(h)});
+  return result;
+}
+
+template <class Mesh>
+Plain_augmentation plain_augmentation(const Mesh& mesh, const Sample& sample, Ties ties)
+{
+  const Augmented_mesh<Mesh> a(mesh, sample.values, ties, false);
+  const auto other_map = CGAL::Reeb_graph::make_scalar_map(mesh, sample.other_values);
+  const auto locations = a.augmentation.locate_vertices();
+  std::map<typename boost::graph_traits<Mesh>::face_descriptor, std::size_t> face_numbers;
+  for(const auto f : faces(mesh))
+    face_numbers.emplace(f, face_numbers.size());
+
+  Plain_augmentation result;
+  for(const auto arc : a.arcs)
+    for(const double t : {1e-9, 0.3, 0.8})
+    {
+      result.contours.push_back(plain(a, a.augmentation.contour(arc, t)));
+      result.contours.push_back(plain(a, a.augmentation.contour(arc, t, other_map)));
+    }
+  for(const double value : sample.values)
+    for(const auto& contour : a.augmentation.contours_at_value(value))
+      result.contours.push_back(plain(a, contour));
+  for(std::size_t node = 0; node < num_vertices(a.graph); ++node)
+  {
+    const auto set = a.augmentation.critical_set(node);
+    for(const auto& contour : set.lower_contours)
+      result.contours.push_back(plain(a, contour));
+    for(const auto& contour : set.upper_contours)
+      result.contours.push_back(plain(a, contour));
+    result.border_loops.emplace_back();
+    for(const auto h : set.border_loop)
+      result.border_loops.back().push_back(a.numbers.target_vertex(h));
+    result.stars.emplace_back();
+    for(const auto f : set.star)
+      result.stars.back().push_back(face_numbers.at(f));
+  }
+  for(const auto v : vertices(mesh))
+    result.locations.push_back(locations.index(v));
+  return result;
+}
+
+template <class Scalar>
+std::vector<Scalar> converted(const std::vector<double>& values, Scalar offset)
+{
+  std::vector<Scalar> result;
+  for(const double value : values)
+    result.push_back(static_cast<Scalar>(value) + offset);
+  return result;
+}
+
+std::vector<double> coordinate_field(const Triangle_soup& soup, double x, double y, double z)
+{
+  std::vector<double> values;
+  for(const auto& p : soup.points)
+    values.push_back(x * p[0] + y * p[1] + z * p[2]);
+  return values;
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(random_small_meshes)
+{
+  for_each_sample(960, [](const Sample& sample) {
+    check_all(make_mesh<Surface_mesh>(sample.soup), sample.values, sample.other_values);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(other_types_of_meshes)
+{
+  for_each_sample(144, [](const Sample& sample) {
+    check_all(make_mesh<Polyhedron>(sample.soup), sample.values, sample.other_values);
+    Surface_mesh with_garbage;
+    mesh_builders::build_with_garbage(with_garbage, sample.soup);
+    check_all(with_garbage, sample.values, sample.other_values);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(all_types_of_meshes_give_the_same)
+{
+  for_each_sample(480, [](const Sample& sample) {
+    for(const Ties ties : {Ties::PERTURB, Ties::CONTRACT})
+    {
+      const auto expected = plain_augmentation(make_mesh<Surface_mesh>(sample.soup), sample, ties);
+      BOOST_TEST((plain_augmentation(make_mesh<Polyhedron>(sample.soup), sample, ties) == expected));
+      Surface_mesh with_garbage;
+      mesh_builders::build_with_garbage(with_garbage, sample.soup);
+      BOOST_TEST((plain_augmentation(with_garbage, sample, ties) == expected));
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(several_edges_between_two_vertices)
+{
+  for(std::size_t seed = 0; seed < 150; ++seed)
+  {
+    Random random(seed);
+    const auto combinatorial_mesh =
+      random_meshes::random_closed_surface(static_cast<unsigned>(random.below(4)), random.below(4), random);
+    auto mesh = make_mesh<Surface_mesh>(mesh_builders::make_soup(combinatorial_mesh));
+    mesh_builders::flip_edges_carelessly(mesh, 100, random);
+    const auto field_class = seed % 2 == 0 ? Field_class::PERMUTATION : Field_class::FEW_VALUES;
+    const auto values = random_meshes::random_field(combinatorial_mesh, field_class, random);
+    BOOST_TEST_CONTEXT("seed " << seed)
+      check_all(mesh, values, random_meshes::random_permutation(values.size(), random));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(known_surfaces)
+{
+  for(const auto& mesh : {known_meshes::nine_vertex_torus(), known_meshes::seven_vertex_annulus()})
+  {
+    std::vector<double> values;
+    for(std::size_t v = 0; v < mesh.number_of_vertices; ++v)
+      values.push_back(static_cast<double>(v));
+    check_all(make_mesh<Surface_mesh>(mesh_builders::make_soup(mesh)), values, values);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(integer_scalars)
+{
+  for(std::size_t seed = 0; seed < 200; ++seed)
+  {
+    Random random(400000 + seed);
+    const auto mesh = random_meshes::random_mesh(static_cast<Mesh_class>(seed % number_of_mesh_classes), random);
+    const auto values = random_meshes::random_integers(mesh.number_of_vertices, 30, random);
+    const auto surface_mesh = make_mesh<Surface_mesh>(mesh_builders::make_soup(mesh));
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      check_all(surface_mesh, converted<int>(values, -15), values);
+      // differences that double cannot tell
+      check_all(surface_mesh, converted<std::int64_t>(values, std::int64_t(1) << 60), values);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(some_generated_surfaces)
+{
+  for(const auto& soup : {generated_surfaces::closed_surface(3, 400), generated_surfaces::terrain(15, 12),
+                          generated_surfaces::torus(8, 20)})
+    check_all(make_mesh<Surface_mesh>(soup), coordinate_field(soup, 0.9, 0.3, 0.2), coordinate_field(soup, 0, 0, 1));
+}
+
+BOOST_AUTO_TEST_CASE(the_field_as_second_field_changes_nothing)
+{
+  std::size_t number_of_contours = 0;
+  for_each_sample(480, [&](const Sample& sample) {
+    const auto mesh = make_mesh<Surface_mesh>(sample.soup);
+    for(const Ties ties : {Ties::PERTURB, Ties::CONTRACT})
+    {
+      const Augmented_mesh<Surface_mesh> a(mesh, sample.values, ties, false);
+      for(const auto arc : a.arcs)
+      {
+        const double length = a.values[a.upper(arc)] - a.values[a.lower(arc)];
+        if(!std::isfinite(length) || length == 0)
+          continue;
+        for(const double t : {0.01, 0.123, 0.5, 0.789, 0.99})
+        {
+          const double expected = a.augmentation.contour(arc, t).value;
+          const double value = a.augmentation.contour(arc, t, a.scalar_map).value;
+          BOOST_REQUIRE_SMALL(value - expected, 1e-9 * (1 + length));
+          BOOST_REQUIRE_SMALL(expected - (a.values[a.lower(arc)] + t * length), 1e-9 * (1 + length));
+          ++number_of_contours;
+        }
+      }
+    }
+  });
+  BOOST_TEST(number_of_contours > 1000u);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_contours_lie_on_their_edges, Mesh, Meshes)
+{
+  const auto soup = generated_surfaces::closed_surface(3, 400);
+  const auto mesh = make_mesh<Mesh>(soup);
+  const Augmented_mesh<Mesh> a(mesh, coordinate_field(soup, 0.9, 0.3, 0.2), Ties::PERTURB, false);
+  const auto points_of_vertices = get(CGAL::vertex_point, mesh);
+  for(const auto arc : a.arcs)
+    for(const double t : {0.001, 0.5, 0.9})
+    {
+      const auto contour = a.augmentation.contour(arc, t);
+      std::vector<mesh_builders::Point> points, same_points;
+      a.augmentation.points_of_contour(contour, std::back_inserter(points));
+      a.augmentation.points_of_contour(contour, std::back_inserter(same_points),
+                                       CGAL::parameters::vertex_point_map(points_of_vertices));
+      BOOST_TEST((points == same_points));
+      BOOST_TEST_REQUIRE(points.size() == contour.halfedges.size());
+      for(std::size_t i = 0; i < points.size(); ++i)
+      {
+        const auto& p = points[i];
+        const auto& lower = get(points_of_vertices, source(contour.halfedges[i], mesh));
+        const auto& upper = get(points_of_vertices, target(contour.halfedges[i], mesh));
+        BOOST_TEST(std::abs(0.9 * p.x() + 0.3 * p.y() + 0.2 * p.z() - contour.value) < 1e-9);
+        const double detour = std::sqrt(CGAL::squared_distance(lower, p)) + std::sqrt(CGAL::squared_distance(p, upper))
+                              - std::sqrt(CGAL::squared_distance(lower, upper));
+        BOOST_TEST(std::abs(detour) < 1e-9);
+      }
+    }
+}

@@ -1,0 +1,326 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "graph_checks.h"
+#include "known_meshes.h"
+#include "mesh_builders.h"
+#include "random_fields.h"
+#include "random_meshes.h"
+
+#include <CGAL/Reeb_graph/internal/contour_trees_engine.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+// The two methods against each other, and what the near-linear one costs.
+
+using CGAL::Reeb_graph::Method;
+using CGAL::Reeb_graph::Ties;
+using mesh_builders::Surface_mesh;
+using random_meshes::Combinatorial_mesh;
+using random_meshes::Field_class;
+using random_meshes::Mesh_class;
+using random_meshes::Random;
+namespace stages = CGAL::Reeb_graph::internal;
+
+namespace
+{
+typedef graph_checks::Graph_of<Surface_mesh> Graph;
+typedef graph_checks::Scalar_map_of<Surface_mesh> Scalar_map;
+
+Surface_mesh make_surface_mesh(const generated_surfaces::Triangle_soup& soup)
+{
+  Surface_mesh mesh;
+  mesh_builders::build(mesh, soup);
+  return mesh;
+}
+
+Surface_mesh make_surface_mesh(const Combinatorial_mesh& mesh)
+{
+  return make_surface_mesh(mesh_builders::make_soup(mesh));
+}
+
+Graph compute(const Surface_mesh& mesh, const Scalar_map& scalar_map, Method method, Ties ties,
+              bool keeps_degree_two_nodes)
+{
+  namespace parameters = CGAL::parameters;
+  Graph graph;
+  CGAL::compute_reeb_graph(
+    mesh, scalar_map, graph,
+    parameters::method(method, parameters::ties(ties, parameters::keep_degree_two_nodes(keeps_degree_two_nodes))));
+  return graph;
+}
+
+bool have_same_nodes(const Graph& a, const Graph& b)
+{
+  bool are_same = num_vertices(a) == num_vertices(b);
+  for(std::size_t node = 0; are_same && node < num_vertices(a); ++node)
+    are_same = a[node].vertex == b[node].vertex && a[node].value == b[node].value && a[node].kind == b[node].kind;
+  return are_same;
+}
+
+bool have_same_arcs(const Graph& a, const Graph& b)
+{
+  if(num_edges(a) != num_edges(b))
+    return false;
+  const auto range = edges(a);
+  return std::equal(range.first, range.second, edges(b).first, [&](const auto& arc, const auto& other) {
+    return source(arc, a) == source(other, b) && target(arc, a) == target(other, b) && a[arc].chain == b[other].chain;
+  });
+}
+
+void compare_methods(const Surface_mesh& mesh, const std::vector<double>& values)
+{
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+  for(const Ties ties : {Ties::PERTURB, Ties::CONTRACT})
+    for(const bool keeps_degree_two_nodes : {false, true})
+    {
+      const Graph expected = compute(mesh, scalar_map, Method::CRITICAL_SETS, ties, keeps_degree_two_nodes);
+      const Graph graph = compute(mesh, scalar_map, Method::CONTOUR_TREES, ties, keeps_degree_two_nodes);
+      if(!have_same_nodes(expected, graph) || !have_same_arcs(expected, graph))
+        BOOST_ERROR("the methods differ; ties contracted: " << (ties == Ties::CONTRACT)
+                                                            << ", degree two nodes kept: " << keeps_degree_two_nodes);
+    }
+}
+
+template <class MeshFunction>
+void compare_methods_on_random_meshes(std::size_t number_of_seeds, const MeshFunction& random_mesh,
+                                      std::vector<Field_class> field_classes)
+{
+  for(std::size_t seed = 0; seed < number_of_seeds; ++seed)
+  {
+    Random random(seed);
+    const Combinatorial_mesh mesh = random_mesh(random);
+    const auto values = random_meshes::random_field(mesh, field_classes[seed % field_classes.size()], random);
+    BOOST_TEST_CONTEXT("seed " << seed)
+      compare_methods(make_surface_mesh(mesh), values);
+  }
+}
+
+Combinatorial_mesh surface_of_high_genus(Random& random)
+{
+  return random_meshes::random_closed_surface(static_cast<unsigned>(4 + random.below(9)), random.below(4), random);
+}
+
+// The total order, which counts how often it is asked.
+template <class Order>
+class Counting_order
+{
+public:
+  explicit Counting_order(const Order& order) : order_(order) {}
+
+  bool operator()(stages::Index u, stages::Index v) const
+  {
+    ++number_of_calls_;
+    return order_(u, v);
+  }
+
+  std::size_t number_of_calls() const { return number_of_calls_; }
+
+private:
+  const Order& order_;
+  mutable std::size_t number_of_calls_ = 0;
+};
+
+struct Surgery
+{
+  std::size_t number_of_cuts = 0;
+  std::size_t number_of_traced_edges = 0; // one comparison each, and one more for each contour
+  bool are_several_cuts_on_an_edge = false;
+};
+
+// Follows each cut from an edge on which it is the lowest one, and looks whether another one is lower elsewhere.
+template <class Order>
+bool are_several_cuts_on_an_edge(const stages::Triangle_complex& complex, const Order& order,
+                                 const stages::Critical_vertices& critical_vertices, const stages::Cut_contours& cuts)
+{
+  std::set<stages::Index> followed = {stages::no_index};
+  bool are_several = false;
+  for(stages::Index corner = 0; corner != complex.number_of_corners(); ++corner)
+  {
+    const stages::Index cut = cuts.lowest_on_edge(corner);
+    if(!followed.insert(cut).second)
+      continue;
+    const stages::Index vertex = critical_vertices.vertex(cuts.critical_vertex(cut));
+    stages::trace_contour(complex, corner, [&](stages::Index u) { return order(u, vertex); },
+                          [&](stages::Index crossed) { are_several |= cuts.lowest_on_edge(crossed) != cut; });
+  }
+  return are_several || followed.size() - 1 != cuts.size();
+}
+
+// runs the stages up to the cuts
+Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values)
+{
+  const CGAL::Reeb_graph_traits<Surface_mesh, Scalar_map> traits;
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+  const auto surface = stages::flatten(mesh, scalar_map, traits, CGAL::parameters::default_values());
+  const stages::Vertex_order order(surface.values, traits.less_scalar_object());
+  const auto critical_vertices = stages::classify_vertices(surface.complex, order);
+  const auto join_tree = stages::compute_join_tree(surface.complex, order, critical_vertices);
+  const auto split_tree = stages::compute_split_tree(surface.complex, order, critical_vertices,
+                                                     stages::Cut_contours(critical_vertices.size()));
+  const Counting_order counting_order(order);
+  const auto cuts = stages::Loop_surgery(surface.complex, counting_order, critical_vertices, join_tree, split_tree)();
+  return {cuts.size(), counting_order.number_of_calls(),
+          are_several_cuts_on_an_edge(surface.complex, order, critical_vertices, cuts)};
+}
+
+std::vector<double> noise(const Surface_mesh& mesh, std::size_t seed)
+{
+  Random random(seed);
+  return random_meshes::random_permutation(mesh.number_of_vertices(), random);
+}
+
+// the mean over some fields, as that of a single one depends much on chance
+double traced_edges_per_vertex(const Surface_mesh& mesh)
+{
+  constexpr std::size_t number_of_fields = 8;
+  std::size_t sum = 0;
+  for(std::size_t seed = 0; seed < number_of_fields; ++seed)
+    sum += cut_loops(mesh, noise(mesh, seed)).number_of_traced_edges;
+  return static_cast<double>(sum) / static_cast<double>(number_of_fields * mesh.number_of_vertices());
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(random_meshes_of_all_classes)
+{
+  constexpr std::size_t number_of_classes = static_cast<std::size_t>(Mesh_class::NUMBER_OF_CLASSES);
+  constexpr std::size_t number_of_field_classes = static_cast<std::size_t>(Field_class::NUMBER_OF_CLASSES);
+  for(std::size_t seed = 0; seed < 4800; ++seed)
+  {
+    Random random(100000 + seed);
+    const auto mesh = random_meshes::random_mesh(static_cast<Mesh_class>(seed % number_of_classes), random);
+    const auto field_class = static_cast<Field_class>(seed / number_of_classes % number_of_field_classes);
+    BOOST_TEST_CONTEXT("seed " << seed)
+      compare_methods(make_surface_mesh(mesh), random_meshes::random_field(mesh, field_class, random));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(high_genus_on_few_vertices)
+{
+  compare_methods_on_random_meshes(1500, surface_of_high_genus,
+                                   {Field_class::PERMUTATION, Field_class::FEW_VALUES, Field_class::HUB});
+}
+
+BOOST_AUTO_TEST_CASE(noise_on_surfaces_with_border)
+{
+  compare_methods_on_random_meshes(3000, random_meshes::random_bordered_surface,
+                                   {Field_class::PERMUTATION, Field_class::INTEGERS, Field_class::BORDER_LEVELS});
+}
+
+BOOST_AUTO_TEST_CASE(multiple_saddles)
+{
+  compare_methods_on_random_meshes(1500, random_meshes::random_hub, {Field_class::HUB});
+  Random random(0);
+  for(const auto& mesh : {random_meshes::bipyramid(600), random_meshes::disk(600), random_meshes::half_disk(600)})
+    compare_methods(make_surface_mesh(mesh), random_meshes::random_field(mesh, Field_class::HUB, random));
+}
+
+BOOST_AUTO_TEST_CASE(all_orders_of_an_annulus)
+{
+  const Surface_mesh mesh = make_surface_mesh(known_meshes::seven_vertex_annulus());
+  std::vector<double> values = {0, 1, 2, 3, 4, 5, 6};
+  do
+  {
+    BOOST_TEST_CONTEXT("order " << values[0] << values[1] << values[2] << values[3] << values[4] << values[5])
+      compare_methods(mesh, values);
+  } while(std::next_permutation(values.begin(), values.end()));
+}
+
+BOOST_AUTO_TEST_CASE(several_edges_between_two_vertices)
+{
+  for(std::size_t seed = 0; seed < 1500; ++seed)
+  {
+    Random random(seed);
+    const auto combinatorial_mesh =
+      random_meshes::random_closed_surface(static_cast<unsigned>(random.below(6)), random.below(4), random);
+    Surface_mesh mesh = make_surface_mesh(combinatorial_mesh);
+    mesh_builders::flip_edges_carelessly(mesh, 200, random);
+    const auto field_class = seed % 3 == 0 ? Field_class::FEW_VALUES : Field_class::PERMUTATION;
+    BOOST_TEST_CONTEXT("seed " << seed)
+      compare_methods(mesh, random_meshes::random_field(combinatorial_mesh, field_class, random));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(several_cuts_through_an_edge)
+{
+  std::size_t number_of_cases = 0;
+  for(std::size_t seed = 0; seed < 1000; ++seed)
+  {
+    Random random(200000 + seed);
+    const Surface_mesh mesh = make_surface_mesh(surface_of_high_genus(random));
+    const auto values = noise(mesh, seed);
+    if(!cut_loops(mesh, values).are_several_cuts_on_an_edge)
+      continue;
+    ++number_of_cases;
+    BOOST_TEST_CONTEXT("seed " << seed)
+      compare_methods(mesh, values);
+  }
+  BOOST_TEST_MESSAGE(number_of_cases << " cases");
+  BOOST_TEST(number_of_cases > 100u);
+}
+
+BOOST_AUTO_TEST_CASE(generated_surfaces_with_noise_and_ties)
+{
+  using generated_surfaces::closed_surface;
+  std::size_t seed = 0;
+  for(const auto& soup : {closed_surface(3, 4000), closed_surface(10, 4000), closed_surface(25, 4000),
+                          generated_surfaces::terrain(60, 60)})
+    BOOST_TEST_CONTEXT("surface " << seed)
+    {
+      const Surface_mesh mesh = make_surface_mesh(soup);
+      Random random(++seed);
+      std::vector<double> tilted_height, noisy_height;
+      for(const auto& p : soup.points)
+      {
+        tilted_height.push_back(0.9 * p[0] + 0.3 * p[1] + 0.2 * p[2]);
+        noisy_height.push_back(std::round(20 * tilted_height.back()) + static_cast<double>(random.below(3)));
+      }
+      compare_methods(mesh, tilted_height);
+      compare_methods(mesh, noisy_height);
+      compare_methods(mesh, noise(mesh, seed));
+      compare_methods(mesh, random_meshes::random_integers(soup.points.size(), 5, random));
+      compare_methods(mesh, std::vector<double>(soup.points.size(), 1));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(there_are_as_many_cuts_as_loops)
+{
+  for(unsigned genus = 0; genus <= 10; ++genus)
+    BOOST_TEST_CONTEXT("genus " << genus)
+    {
+      const Surface_mesh mesh = make_surface_mesh(generated_surfaces::closed_surface(genus, 1000));
+      const auto values = noise(mesh, genus);
+      const Graph graph = graph_checks::compute(mesh, values);
+      BOOST_TEST(cut_loops(mesh, values).number_of_cuts == num_edges(graph) + 1 - num_vertices(graph));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_traced_edges_of_noise_grow_linearly)
+{
+  const auto compare_sizes = [](const Surface_mesh& small, const Surface_mesh& large) {
+    const double before = traced_edges_per_vertex(small), after = traced_edges_per_vertex(large);
+    BOOST_TEST_MESSAGE(before << " and " << after << " traced edges per vertex");
+    BOOST_TEST(before < 4);
+    BOOST_TEST(after < 4);
+    BOOST_TEST(after < 2 * before + 0.5);
+  };
+  BOOST_TEST_CONTEXT("terrain")
+    compare_sizes(make_surface_mesh(generated_surfaces::terrain(50, 50)),
+                  make_surface_mesh(generated_surfaces::terrain(200, 200)));
+  BOOST_TEST_CONTEXT("genus 3")
+    compare_sizes(make_surface_mesh(generated_surfaces::closed_surface(3, 2500)),
+                  make_surface_mesh(generated_surfaces::closed_surface(3, 40000)));
+}
