@@ -128,7 +128,7 @@ void measure(const std::string& name, const generated_surfaces::Triangle_soup& s
     const double location =
       milliseconds([&] { CGAL::Reeb_graph::Augmentation(mesh, scalar_map, graph).locate_vertices(); });
     std::printf("%-10s %-8s %9zu %8zu %9.1f %9.1f %9.1f %8.2f %9.1f %10.1f\n", name.c_str(), field.c_str(),
-                mesh.number_of_vertices(), std::size_t(num_edges(graph)), sort, sweep, total, total / sort,
+                std::size_t(mesh.number_of_vertices()), std::size_t(num_edges(graph)), sort, sweep, total, total / sort,
                 location / sort, nanoseconds_per_crossed_edge(mesh, scalar_map, graph));
     std::fflush(stdout);
   }

@@ -238,7 +238,7 @@ protected:
   template <class ConcurrencyTag>
   Vertex_locations make_vertex_locations() const
   {
-    const Critical_vertices all_vertices = sort_all_vertices(surface_.complex, order_);
+    const Critical_vertices all_vertices = sort_all_vertices<ConcurrencyTag>(surface_.complex, order_);
     const Flat_graph all_arcs =
       merge_arcs(order_, all_vertices,
                  find_critical_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices, Method::CONTOUR_TREES),

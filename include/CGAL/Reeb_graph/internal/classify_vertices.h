@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/link_sectors.h>
+#include <CGAL/Reeb_graph/internal/parallel.h>
 #include <CGAL/Reeb_graph/visitor.h>
 
 #include <CGAL/Iterator_range.h>
@@ -73,7 +74,7 @@ public:
   }
 
   // To be called after the last vertex has been added.
-  template <class Order>
+  template <class ConcurrencyTag, class Order>
   void sort(const Order& order)
   {
     typedef std::pair<typename Order::Key, Index> Key_and_name;
@@ -81,8 +82,8 @@ public:
     keys.reserve(entries_.size());
     for(Index i = 0; i != size(); ++i)
       keys.emplace_back(order.key(vertex(i)), i);
-    std::sort(keys.begin(), keys.end(),
-              [&](const Key_and_name& a, const Key_and_name& b) { return order(a.first, b.first); });
+    internal::sort<ConcurrencyTag>(
+      keys.begin(), keys.end(), [&](const Key_and_name& a, const Key_and_name& b) { return order(a.first, b.first); });
     ascending_.reserve(keys.size());
     for(const Key_and_name& key : keys)
       ascending_.push_back(key.second);
@@ -135,18 +136,18 @@ Critical_vertices classify_vertices(const Triangle_complex& complex, const Order
     if(!critical_vertices.is_critical(critical_vertices.size() - 1))
       critical_vertices.remove_last();
   }
-  critical_vertices.sort(order);
+  critical_vertices.sort<Sequential_tag>(order);
   return critical_vertices;
 }
 
 // All vertices in the place of the critical ones: with them, the engines find where each vertex is in the graph.
-template <class Order>
+template <class ConcurrencyTag, class Order>
 Critical_vertices sort_all_vertices(const Triangle_complex& complex, const Order& order)
 {
   Critical_vertices all_vertices;
   for(Index v = 0; v != complex.number_of_vertices(); ++v)
     all_vertices.add(complex, order, v);
-  all_vertices.sort(order);
+  all_vertices.sort<ConcurrencyTag>(order);
   return all_vertices;
 }
 

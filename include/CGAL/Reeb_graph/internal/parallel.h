@@ -16,8 +16,10 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/parallel_sort.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 
@@ -52,6 +54,21 @@ void for_each_index(std::size_t size, const Function& function)
   static_cast<void>(is_parallel<ConcurrencyTag>());
   for(std::size_t i = 0; i != size; ++i)
     function(i);
+}
+
+// Sorts by an order without ties, so that the result is the same in any case.
+template <class ConcurrencyTag, class Iterator, class Less>
+void sort(Iterator first, Iterator last, const Less& less)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel<ConcurrencyTag>())
+  {
+    tbb::parallel_sort(first, last, less);
+    return;
+  }
+#endif
+  static_cast<void>(is_parallel<ConcurrencyTag>());
+  std::sort(first, last, less);
 }
 
 // Calls both functions.
