@@ -44,9 +44,12 @@ enum class Node_kind
 template <class VertexDescriptor, class Scalar_>
 struct Node
 {
-  VertexDescriptor vertex = VertexDescriptor(); ///< the vertex of the mesh; the first of them if ties are contracted
-  Scalar_ value = Scalar_();                    ///< the scalar value at the vertex
-  Node_kind kind = Node_kind::ISOLATED;         ///< what happens to the contours there
+  /// the vertex of the mesh; with `Ties::CONTRACT` the lowest critical one of those that the node stands for
+  VertexDescriptor vertex = VertexDescriptor();
+  /// the scalar value at the vertex
+  Scalar_ value = Scalar_();
+  /// what happens to the contours there
+  Node_kind kind = Node_kind::ISOLATED;
 };
 
 /// \ingroup PkgReebGraphRef

@@ -28,7 +28,8 @@ struct Contour
   /// the arc that the contour belongs to
   ArcDescriptor arc;
 
-  /// the value of the level. For a level that only the order of equal values tells apart, it is their value.
+  /// the value of the level. For a level that only the order of equal values tells apart, it is their value; for one
+  /// just below a node, that of the node.
   double value = 0;
 
   /// `true` if the contour is a closed curve, `false` if it leads from border to border
