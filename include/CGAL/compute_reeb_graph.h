@@ -136,7 +136,7 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   const bool are_degree_two_nodes_kept = choose_parameter(get_parameter(np, stages::keep_degree_two_nodes), false);
 
   visitor.begin_stage(Stage::FLATTEN);
-  const auto surface = stages::flatten(mesh, scalar_map, traits, np);
+  const auto surface = stages::flatten<Sequential_tag>(mesh, scalar_map, traits, np);
   const stages::Vertex_order order(surface.values, traits.less_scalar_object());
   visitor.end_stage(Stage::FLATTEN);
 

@@ -114,8 +114,10 @@ Combinatorial_mesh surface_of_high_genus(Random& random)
   return random_meshes::random_closed_surface(static_cast<unsigned>(4 + random.below(9)), random.below(4), random);
 }
 
+typedef CGAL::Reeb_graph_traits<Surface_mesh, Scalar_map> Traits;
+typedef stages::Vertex_order<double, Traits::Less_scalar> Order;
+
 // The total order, which counts how often it is asked.
-template <class Order>
 class Counting_order
 {
 public:
@@ -142,7 +144,6 @@ struct Surgery
 };
 
 // Follows each cut from an edge on which it is the lowest one, and looks whether another one is lower elsewhere.
-template <class Order>
 bool are_several_cuts_on_an_edge(const stages::Triangle_complex& complex, const Order& order,
                                  const stages::Critical_vertices& critical_vertices, const stages::Cut_contours& cuts)
 {
@@ -150,12 +151,12 @@ bool are_several_cuts_on_an_edge(const stages::Triangle_complex& complex, const 
   bool are_several = false;
   for(stages::Index corner = 0; corner != complex.number_of_corners(); ++corner)
   {
-    const stages::Index cut = cuts.lowest_on_edge(corner);
+    const stages::Index cut = cuts.lowest_at_edge(complex, corner);
     if(!followed.insert(cut).second)
       continue;
     const stages::Index vertex = critical_vertices.vertex(cuts.critical_vertex(cut));
     stages::trace_contour(complex, corner, [&](stages::Index u) { return order(u, vertex); },
-                          [&](stages::Index crossed) { are_several |= cuts.lowest_on_edge(crossed) != cut; });
+                          [&](stages::Index crossed) { are_several |= cuts.lowest_at_edge(complex, crossed) != cut; });
   }
   return are_several || followed.size() - 1 != cuts.size();
 }
@@ -163,18 +164,34 @@ bool are_several_cuts_on_an_edge(const stages::Triangle_complex& complex, const 
 // runs the stages up to the cuts
 Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values)
 {
-  const CGAL::Reeb_graph_traits<Surface_mesh, Scalar_map> traits;
+  const Traits traits;
   const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
-  const auto surface = stages::flatten(mesh, scalar_map, traits, CGAL::parameters::default_values());
-  const stages::Vertex_order order(surface.values, traits.less_scalar_object());
+  const auto surface =
+    stages::flatten<CGAL::Sequential_tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
+  const Order order(surface.values, traits.less_scalar_object());
   const auto critical_vertices = stages::classify_vertices(surface.complex, order);
-  const auto join_tree = stages::compute_join_tree(surface.complex, order, critical_vertices);
-  const auto split_tree = stages::compute_split_tree(surface.complex, order, critical_vertices,
-                                                     stages::Cut_contours(critical_vertices.size()));
+  const auto& ascending = critical_vertices.ascending();
+
+  stages::Sector_classes sector_classes(critical_vertices.total_number_of_sectors(), stages::no_index);
+  stages::Merge_tree_sweep<Order, false> upwards(surface.complex, order, critical_vertices, sector_classes);
+  auto path_ends = upwards.make_path_ends();
+  upwards.find_path_ends(path_ends);
+  std::for_each(ascending.begin(), ascending.end(), [&](stages::Index critical) { upwards.merge_at(critical); });
+
+  stages::Cutting_sweep<Order> downwards(surface.complex, order, critical_vertices, sector_classes);
+  downwards.find_path_ends();
   const Counting_order counting_order(order);
-  const auto cuts = stages::Loop_surgery(surface.complex, counting_order, critical_vertices, join_tree, split_tree)();
-  return {cuts.size(), counting_order.number_of_calls(),
-          are_several_cuts_on_an_edge(surface.complex, order, critical_vertices, cuts)};
+  stages::Loop_surgery<Counting_order> surgery(surface.complex, counting_order, critical_vertices, sector_classes,
+                                               upwards.tree(), downwards.tree());
+  std::for_each(ascending.rbegin(), ascending.rend(), [&](stages::Index critical) {
+    downwards.merge_at(critical);
+    if(surgery.can_close_loop(critical))
+      surgery.visit_loop_contours(critical, [&](stages::Index sublevel_class, const auto& crossed, bool has_border) {
+        downwards.cut(critical, sublevel_class, crossed, has_border);
+      });
+  });
+  return {downwards.cuts().size(), counting_order.number_of_calls(),
+          are_several_cuts_on_an_edge(surface.complex, order, critical_vertices, downwards.cuts())};
 }
 
 std::vector<double> noise(const Surface_mesh& mesh, std::size_t seed)

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Level.h>
 #include <CGAL/Reeb_graph/internal/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
@@ -70,7 +71,7 @@ protected:
       ties_(parameters::choose_parameter(parameters::get_parameter(np, ties), Ties::PERTURB)),
       are_degree_two_nodes_kept_(
         parameters::choose_parameter(parameters::get_parameter(np, keep_degree_two_nodes), false)),
-      surface_(flatten(mesh, scalar_map, traits_, np)),
+      surface_(flatten<Sequential_tag>(mesh, scalar_map, traits_, np)),
       order_(surface_.values, traits_.less_scalar_object()),
       position_(make_vertex_positions(mesh, surface_.vertices, np))
   {
@@ -181,7 +182,7 @@ protected:
     Contour contour;
     contour.arc = arc;
     contour.value = level.value;
-    std::vector<Index> crossed;
+    Large_vector<Index> crossed;
     contour.is_closed = trace_oriented_contour(surface_.complex, start, level.is_below, crossed);
     contour.halfedges.reserve(crossed.size());
     for(const Index corner : crossed)
@@ -244,7 +245,7 @@ protected:
                  find_critical_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices, Method::CONTOUR_TREES),
                  Ties::PERTURB, true);
     const Critical_vertices critical_vertices = classify_vertices(surface_.complex, order_);
-    std::vector<Critical_arc> critical_arcs;
+    Large_vector<Critical_arc> critical_arcs;
     for(const Flat_arc& arc : all_arcs.arcs)
       critical_arcs.push_back({critical_vertices.ascending()[arc.lower], critical_vertices.ascending()[arc.upper],
                                all_arcs.pieces[arc.first_piece].first_step});

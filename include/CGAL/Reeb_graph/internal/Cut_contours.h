@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 
-#include <algorithm>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -31,28 +31,20 @@ public:
   {}
 
   // Adds a contour just below the critical vertex `critical`, the top of whose sublevel component is
-  // `sublevel_class`. Critical vertices have to come in ascending order.
+  // `sublevel_class`. Critical vertices have to come in descending order: an edge keeps its lowest contour.
   template <class CornerRange>
   void add(const Triangle_complex& complex, Index critical, Index sublevel_class, const CornerRange& crossed_edges)
   {
     const Index cut = size();
     critical_vertices_.push_back(critical);
     sublevel_classes_.push_back(sublevel_class);
+    is_edge_cut_.resize(complex.number_of_corners(), false);
     for(const Index corner : crossed_edges)
     {
-      cuts_at_edges_.emplace_back(corner, cut);
-      if(complex.opposite(corner) != no_index)
-        cuts_at_edges_.emplace_back(complex.opposite(corner), cut);
+      const Index edge = complex.representative_of_edge(corner);
+      is_edge_cut_[edge] = true;
+      lowest_at_edge_[edge] = cut;
     }
-  }
-
-  // To be called after the last contour has been added.
-  void prepare_look_up(const Triangle_complex& complex)
-  {
-    std::sort(cuts_at_edges_.begin(), cuts_at_edges_.end());
-    is_cut_.assign(complex.number_of_corners(), false);
-    for(const auto& [corner, cut] : cuts_at_edges_)
-      is_cut_[corner] = true;
   }
 
   Index size() const { return static_cast<Index>(critical_vertices_.size()); }
@@ -68,21 +60,20 @@ public:
   Index sublevel_class(Index cut) const { return sublevel_classes_[cut]; }
 
   // The lowest contour that crosses the edge faced by `corner`, no_index if there is none.
-  Index lowest_on_edge(Index corner) const
+  Index lowest_at_edge(const Triangle_complex& complex, Index corner) const
   {
-    if(is_cut_.empty() || !is_cut_[corner])
-      return no_index;
-    return std::lower_bound(cuts_at_edges_.begin(), cuts_at_edges_.end(), std::make_pair(corner, Index(0)))->second;
+    const Index edge = complex.representative_of_edge(corner);
+    return is_edge_cut_.empty() || !is_edge_cut_[edge] ? no_index : lowest_at_edge_.find(edge)->second;
   }
 
 private:
   bool is_cut_node(Index node) const { return node >= number_of_critical_vertices_; }
 
   Index number_of_critical_vertices_;
-  std::vector<Index> critical_vertices_;
-  std::vector<Index> sublevel_classes_;
-  std::vector<std::pair<Index, Index>> cuts_at_edges_; // (corner, cut); cuts are numbered in ascending order
-  std::vector<bool> is_cut_;                           // by corner; empty as long as nothing is cut
+  Large_vector<Index> critical_vertices_;
+  Large_vector<Index> sublevel_classes_;
+  std::unordered_map<Index, Index> lowest_at_edge_; // by representative corner
+  std::vector<bool> is_edge_cut_;                   // the same, asked first; empty as long as nothing is cut
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -20,42 +21,37 @@
 
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
 // The position of each vertex (or face) in the sequence given at construction, found through an index map, which
-// can have holes, such as the one of a Surface_mesh with removed elements.
+// can have holes, such as the one of a Surface_mesh with removed elements. Without holes there is nothing to store.
 template <class IndexMap>
 class Descriptor_positions
 {
 public:
   template <class Descriptor>
-  Descriptor_positions(const IndexMap& index_map, const std::vector<Descriptor>& descriptors, const char* name)
+  Descriptor_positions(const IndexMap& index_map, const Large_vector<Descriptor>& descriptors, const char* name)
     : index_map_(index_map)
   {
+    while(number_of_equal_indices_ != descriptors.size()
+          && checked_index(descriptors[number_of_equal_indices_], name) == number_of_equal_indices_)
+      ++number_of_equal_indices_;
+    if(number_of_equal_indices_ == descriptors.size())
+      return;
+    number_of_equal_indices_ = 0;
     positions_.assign(descriptors.size(), no_index);
-    Index position = 0;
-    for(const Descriptor& d : descriptors)
-    {
-      const auto i = get(index_map_, d);
-      if(i < 0 || static_cast<std::size_t>(i) >= no_index)
-        throw Invalid_index_map_error(name);
-      const std::size_t index = static_cast<std::size_t>(i);
-      if(index >= positions_.size())
-        positions_.resize(index + 1, no_index);
-      if(positions_[index] != no_index)
-        throw Invalid_index_map_error(name);
-      positions_[index] = position++;
-    }
+    for(std::size_t position = 0; position != descriptors.size(); ++position)
+      store(checked_index(descriptors[position], name), static_cast<Index>(position), name);
   }
 
   template <class Descriptor>
   Index operator[](const Descriptor& d) const
   {
-    return positions_[static_cast<std::size_t>(get(index_map_, d))];
+    const std::size_t index = static_cast<std::size_t>(get(index_map_, d));
+    return positions_.empty() ? static_cast<Index>(index) : positions_[index];
   }
 
   // The same for descriptors that may be unknown, which have no_index.
@@ -63,12 +59,33 @@ public:
   Index operator()(const Descriptor& d) const
   {
     const std::size_t index = static_cast<std::size_t>(get(index_map_, d));
+    if(positions_.empty())
+      return index < number_of_equal_indices_ ? static_cast<Index>(index) : no_index;
     return index < positions_.size() ? positions_[index] : no_index;
   }
 
 private:
+  template <class Descriptor>
+  std::size_t checked_index(const Descriptor& d, const char* name) const
+  {
+    const auto i = get(index_map_, d);
+    if(i < 0 || static_cast<std::size_t>(i) >= no_index)
+      throw Invalid_index_map_error(name);
+    return static_cast<std::size_t>(i);
+  }
+
+  void store(std::size_t index, Index position, const char* name)
+  {
+    if(index >= positions_.size())
+      positions_.resize(index + 1, no_index);
+    if(positions_[index] != no_index)
+      throw Invalid_index_map_error(name);
+    positions_[index] = position;
+  }
+
   IndexMap index_map_;
-  std::vector<Index> positions_;
+  std::size_t number_of_equal_indices_ = 0; // all or none
+  Large_vector<Index> positions_;            // empty if the indices are the positions
 };
 
 // Whether the mesh has indices that cannot be written. Writable ones, such as the ids of a Polyhedron_3, may never
@@ -87,7 +104,7 @@ struct Has_constant_index<Graph, IndexTag, true>
 
 template <class IndexTag, class DynamicTag, class Graph, class Descriptor, class IndexParameter>
 auto make_descriptor_positions(const Graph& mesh,
-                               const std::vector<Descriptor>& descriptors,
+                               const Large_vector<Descriptor>& descriptors,
                                const IndexParameter& index_parameter,
                                const char* name)
 {
@@ -109,14 +126,14 @@ auto make_descriptor_positions(const Graph& mesh,
 }
 
 template <class Graph, class Descriptor, class NamedParameters>
-auto make_vertex_positions(const Graph& mesh, const std::vector<Descriptor>& vertices, const NamedParameters& np)
+auto make_vertex_positions(const Graph& mesh, const Large_vector<Descriptor>& vertices, const NamedParameters& np)
 {
   return make_descriptor_positions<boost::vertex_index_t, dynamic_vertex_property_t<Index>>(
     mesh, vertices, parameters::get_parameter(np, internal_np::vertex_index), "vertices");
 }
 
 template <class Graph, class Descriptor, class NamedParameters>
-auto make_face_positions(const Graph& mesh, const std::vector<Descriptor>& faces, const NamedParameters& np)
+auto make_face_positions(const Graph& mesh, const Large_vector<Descriptor>& faces, const NamedParameters& np)
 {
   return make_descriptor_positions<boost::face_index_t, dynamic_face_property_t<Index>>(
     mesh, faces, parameters::get_parameter(np, internal_np::face_index), "faces");

@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 
 #include <numeric>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -36,10 +36,13 @@ public:
   // Joins two sets, of which `old_top` and `top` are the tops; the latter is that of both then.
   void put_on(Index old_top, Index top) { parents_[old_top] = top; }
 
+  // Adds an element in a set of its own.
+  void add() { parents_.push_back(static_cast<Index>(parents_.size())); }
+
   void unite(Index a, Index b) { put_on(top(a), top(b)); }
 
 private:
-  std::vector<Index> parents_;
+  Large_vector<Index> parents_;
 };
 
 } // namespace internal

@@ -11,11 +11,11 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -46,16 +46,16 @@ struct Flat_arc
 // The Reeb graph by indices: nodes in ascending order, arcs sorted.
 struct Flat_graph
 {
-  std::vector<Flat_node> nodes;
-  std::vector<Flat_arc> arcs;
-  std::vector<Chain_piece> pieces;
+  Large_vector<Flat_node> nodes;
+  Large_vector<Flat_arc> arcs;
+  Large_vector<Chain_piece> pieces;
 
   // By critical vertex: the node that it is part of, or else the arc that passes it.
-  std::vector<Index> node_of_critical;
-  std::vector<Index> arc_of_critical;
+  Large_vector<Index> node_of_critical;
+  Large_vector<Index> arc_of_critical;
 
   // By arc between critical vertices: the arc that it is part of, no_index if it has been contracted.
-  std::vector<Index> arc_of_critical_arc;
+  Large_vector<Index> arc_of_critical_arc;
 };
 
 } // namespace internal

@@ -12,13 +12,13 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -41,7 +41,9 @@ inline Index checked_index(std::size_t i)
 class Triangle_complex
 {
 public:
-  Triangle_complex(std::vector<Index> corner_vertices, std::vector<Index> opposite_corners, Index number_of_vertices)
+  Triangle_complex(Large_vector<Index> corner_vertices,
+                   Large_vector<Index> opposite_corners,
+                   Index number_of_vertices)
     : corner_vertices_(std::move(corner_vertices)),
       opposite_corners_(std::move(opposite_corners)),
       first_corners_(number_of_vertices, no_index)
@@ -120,39 +122,52 @@ public:
   }
 
 private:
+  // Border edges come second, as the first corner at a border vertex is the one behind the border.
   void find_first_corners()
   {
     for(Index corner = 0; corner != number_of_corners(); ++corner)
+      first_corners_[vertex(corner)] = corner;
+    for(Index corner = 0; corner != number_of_corners(); ++corner)
     {
-      Index& first = first_corners_[vertex(corner)];
-      if(first == no_index || opposite(previous(corner)) == no_index)
-        first = corner;
+      if(opposite(corner) == no_index)
+        first_corners_[edge_source(corner)] = next(corner);
     }
+  }
+
+  // The number of corners of the fan that a vertex is connected to its faces by.
+  Index size_of_fan(Index v) const
+  {
+    Index size = 0;
+    for(Index corner = first_corner(v); corner != no_index; ++size)
+    {
+      corner = counterclockwise(corner);
+      if(corner == first_corner(v))
+        corner = no_index;
+    }
+    return size;
   }
 
   // A halfedge data structure reaches one fan of triangles per vertex only; here all corners are known.
   void check_fans() const
   {
-    std::vector<Index> unseen(number_of_vertices(), 0);
+    Index number_of_reached_corners = 0;
+    for(Index v = 0; v != number_of_vertices(); ++v)
+      number_of_reached_corners += size_of_fan(v);
+    if(number_of_reached_corners == number_of_corners())
+      return;
+    Large_vector<Index> degrees(number_of_vertices(), 0);
     for(const Index v : corner_vertices_)
-      ++unseen[v];
+      ++degrees[v];
     for(Index v = 0; v != number_of_vertices(); ++v)
     {
-      Index corner = first_corner(v);
-      for(; unseen[v] != 0 && corner != no_index; --unseen[v])
-      {
-        corner = counterclockwise(corner);
-        if(corner == first_corner(v))
-          corner = no_index;
-      }
-      if(unseen[v] != 0)
+      if(degrees[v] != size_of_fan(v))
         throw Non_manifold_vertex_error(v);
     }
   }
 
-  std::vector<Index> corner_vertices_;
-  std::vector<Index> opposite_corners_;
-  std::vector<Index> first_corners_;
+  Large_vector<Index> corner_vertices_;
+  Large_vector<Index> opposite_corners_;
+  Large_vector<Index> first_corners_;
 };
 
 } // namespace internal

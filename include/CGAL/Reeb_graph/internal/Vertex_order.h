@@ -11,9 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 
-#include <vector>
+#include <type_traits>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -32,21 +33,19 @@ public:
     Index vertex;
   };
 
-  Vertex_order(const std::vector<Scalar>& values, const Less& less) : values_(&values), less_(less) {}
+  Vertex_order(const Large_vector<Scalar>& values, const Less& less) : values_(&values), less_(less) {}
 
   // Whether vertex u is lower than vertex v.
   bool operator()(Index u, Index v) const
   {
-    const Scalar& value_u = (*values_)[u];
-    const Scalar& value_v = (*values_)[v];
-    return less_(value_u, value_v) || (!less_(value_v, value_u) && u < v);
+    return is_before((*values_)[u], u, (*values_)[v], v);
   }
 
   Key key(Index v) const { return {(*values_)[v], v}; }
 
   bool operator()(const Key& a, const Key& b) const
   {
-    return less_(a.value, b.value) || (!less_(b.value, a.value) && a.vertex < b.vertex);
+    return is_before(a.value, a.vertex, b.value, b.vertex);
   }
 
   // Whether the values are the same, so that only the indices order the vertices.
@@ -60,7 +59,16 @@ public:
   bool is_higher(Index u, const Scalar& value) const { return less_(value, (*values_)[u]); }
 
 private:
-  const std::vector<Scalar>* values_;
+  // Cheap comparisons are all done, as a branch on the first one could not be predicted.
+  bool is_before(const Scalar& value_u, Index u, const Scalar& value_v, Index v) const
+  {
+    if constexpr(std::is_arithmetic<Scalar>::value)
+      return bool(less_(value_u, value_v)) | (!less_(value_v, value_u) & (u < v));
+    else
+      return less_(value_u, value_v) || (!less_(value_v, value_u) && u < v);
+  }
+
+  const Large_vector<Scalar>* values_;
   Less less_;
 };
 

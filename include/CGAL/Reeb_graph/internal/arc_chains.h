@@ -12,10 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/Flat_graph.h>
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
-
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -24,8 +23,8 @@ namespace internal {
 // The chains of all arcs, one behind the other.
 struct Flat_chains
 {
-  std::vector<Ascending_step> steps;
-  std::vector<std::size_t> first_steps; // one more than there are arcs
+  Large_vector<Ascending_step> steps;
+  Large_vector<std::size_t> first_steps; // one more than there are arcs
 };
 
 // Walks the chain of each arc. A path that has entered an arc cannot leave it below the upper node, so comparisons

@@ -11,9 +11,11 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/link_sectors.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
+#include <CGAL/Reeb_graph/internal/prefetch.h>
 #include <CGAL/Reeb_graph/visitor.h>
 
 #include <CGAL/Iterator_range.h>
@@ -21,7 +23,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -36,10 +37,13 @@ public:
 
   Index size() const { return static_cast<Index>(entries_.size()); }
   Index vertex(Index critical) const { return entries_[critical].vertex; }
-  Index number_of_lower_sectors(Index critical) const { return entries_[critical].number_of_lower_sectors; }
-  Index number_of_upper_sectors(Index critical) const
+  Index number_of_lower_sectors(Index critical) const { return number_of_sectors(critical, false); }
+  Index number_of_upper_sectors(Index critical) const { return number_of_sectors(critical, true); }
+
+  Index number_of_sectors(Index critical, bool is_upper) const
   {
-    return entries_[critical].number_of_sectors - entries_[critical].number_of_lower_sectors;
+    const Entry& entry = entries_[critical];
+    return (entry.number_of_sectors + (entry.is_first_upper == is_upper ? 1 : 0)) / 2;
   }
 
   bool is_critical(Index critical) const
@@ -53,18 +57,26 @@ public:
     const Link_sector* first = sectors_.data() + first_sector(critical);
     return Sectors(first, first + entries_[critical].number_of_sectors);
   }
-  std::size_t first_sector(Index critical) const { return entries_[critical].first_sector; }
-  std::size_t total_number_of_sectors() const { return sectors_.size(); }
+  Index first_sector(Index critical) const { return entries_[critical].first_sector; }
+  Index total_number_of_sectors() const { return static_cast<Index>(sectors_.size()); }
+  const Link_sector& sector(Index position) const { return sectors_[position]; }
+
+  // The positions among all of the upper or of the lower sectors: every second one.
+  template <class Visit>
+  void for_each_sector(Index critical, bool is_upper, const Visit& visit) const
+  {
+    const Entry& entry = entries_[critical];
+    const Index end = entry.first_sector + entry.number_of_sectors;
+    for(Index i = entry.first_sector + (entry.is_first_upper == is_upper ? 0 : 1); i < end; i += 2)
+      visit(i);
+  }
 
   template <class Order>
   void add(const Triangle_complex& complex, const Order& order, Index vertex)
   {
-    const std::size_t first = sectors_.size();
-    append_link_sectors(complex, order, vertex, sectors_);
-    const auto number_of_lower_sectors = std::count_if(sectors_.begin() + first, sectors_.end(),
-                                                       [](const Link_sector& sector) { return !sector.is_upper; });
-    entries_.push_back(
-      {first, vertex, static_cast<Index>(sectors_.size() - first), static_cast<Index>(number_of_lower_sectors)});
+    const Index first = checked_index(sectors_.size());
+    const bool is_first_upper = append_link_sectors(complex, order, vertex, sectors_);
+    entries_.push_back({first, vertex, static_cast<Index>(sectors_.size() - first), is_first_upper});
   }
 
   void remove_last()
@@ -73,45 +85,45 @@ public:
     entries_.pop_back();
   }
 
-  // To be called after the last vertex has been added.
+  // To be called after the last vertex has been added. Ties are ordered by critical vertex as by vertex.
   template <class ConcurrencyTag, class Order>
   void sort(const Order& order)
   {
-    typedef std::pair<typename Order::Key, Index> Key_and_name;
-    std::vector<Key_and_name> keys;
+    Large_vector<typename Order::Key> keys;
     keys.reserve(entries_.size());
     for(Index i = 0; i != size(); ++i)
-      keys.emplace_back(order.key(vertex(i)), i);
-    internal::sort<ConcurrencyTag>(
-      keys.begin(), keys.end(), [&](const Key_and_name& a, const Key_and_name& b) { return order(a.first, b.first); });
+      keys.push_back({order.key(vertex(i)).value, i});
+    internal::sort<ConcurrencyTag>(keys.begin(), keys.end(), order);
     ascending_.reserve(keys.size());
-    for(const Key_and_name& key : keys)
-      ascending_.push_back(key.second);
+    for(const typename Order::Key& key : keys)
+      ascending_.push_back(key.vertex);
   }
 
   // All critical vertices, from the lowest to the highest.
-  const std::vector<Index>& ascending() const { return ascending_; }
+  const Large_vector<Index>& ascending() const { return ascending_; }
+
+  void prefetch(Index critical) const { internal::prefetch(&entries_[critical]); }
 
 private:
   struct Entry
   {
-    std::size_t first_sector;
+    Index first_sector;
     Index vertex;
     Index number_of_sectors;
-    Index number_of_lower_sectors;
+    Index is_first_upper;
   };
 
-  std::vector<Entry> entries_;
-  std::vector<Link_sector> sectors_;
-  std::vector<Index> ascending_;
+  Large_vector<Entry> entries_;
+  Large_vector<Link_sector> sectors_;
+  Large_vector<Index> ascending_;
 };
 
 // For each vertex, the number of triangles in which it is the middle one: for an interior vertex twice the number
 // of its lower sectors, and of its upper ones, except that an extremum has none.
 template <class Order>
-std::vector<Index> count_middle_corners(const Triangle_complex& complex, const Order& order)
+Large_vector<Index> count_middle_corners(const Triangle_complex& complex, const Order& order)
 {
-  std::vector<Index> counts(complex.number_of_vertices(), 0);
+  Large_vector<Index> counts(complex.number_of_vertices(), 0);
   for(Index corner = 0; corner != complex.number_of_corners(); corner += 3)
   {
     const Index a = complex.vertex(corner), b = complex.vertex(corner + 1), c = complex.vertex(corner + 2);
@@ -126,7 +138,7 @@ std::vector<Index> count_middle_corners(const Triangle_complex& complex, const O
 template <class Order>
 Critical_vertices classify_vertices(const Triangle_complex& complex, const Order& order)
 {
-  const std::vector<Index> middle_corners = count_middle_corners(complex, order);
+  const Large_vector<Index> middle_corners = count_middle_corners(complex, order);
   Critical_vertices critical_vertices;
   for(Index v = 0; v != complex.number_of_vertices(); ++v)
   {

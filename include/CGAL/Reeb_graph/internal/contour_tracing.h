@@ -11,12 +11,12 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -60,7 +60,7 @@ template <class IsBelow>
 bool trace_oriented_contour(const Triangle_complex& complex,
                             Index start,
                             const IsBelow& is_below,
-                            std::vector<Index>& crossed)
+                            Large_vector<Index>& crossed)
 {
   // Who enters a triangle over an edge has the source of that edge on the left.
   Index forward = start, backward = complex.opposite(start);

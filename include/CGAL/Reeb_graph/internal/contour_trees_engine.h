@@ -13,166 +13,158 @@
 
 #include <CGAL/Reeb_graph/internal/Critical_arc.h>
 #include <CGAL/Reeb_graph/internal/Cut_contours.h>
+#include <CGAL/Reeb_graph/internal/Cutting_sweep.h>
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/contour_tree_merge.h>
 #include <CGAL/Reeb_graph/internal/loop_surgery.h>
 #include <CGAL/Reeb_graph/internal/merge_trees.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// A rooted tree from which leaves and nodes with one child are taken away. The children of a node are known by their
-// number and by the exclusive or of their names, which is the name of the last one.
-class Shrinking_tree
+// Contour trees joined by loop surgery: near-linear for any field. The surface is cut along the few contours that
+// close loops; what is left has a tree as Reeb graph, which comes from its join tree and its split tree. The sweep for
+// the split tree comes down to a contour just below a vertex after all that is above: it can cut there and go on.
+template <class Order>
+class Contour_trees_engine
 {
 public:
-  explicit Shrinking_tree(std::vector<Index> parents)
-    : parents_(std::move(parents)),
-      child_counts_(parents_.size(), 0),
-      child_names_(parents_.size(), 0)
-  {
-    for(Index node = 0; node != parents_.size(); ++node)
-    {
-      if(parents_[node] == no_index)
-        continue;
-      ++child_counts_[parents_[node]];
-      child_names_[parents_[node]] ^= node;
-    }
-  }
-
-  Index parent(Index node) const { return parents_[node]; }
-  Index number_of_children(Index node) const { return child_counts_[node]; }
-  Index only_child(Index node) const { return child_names_[node]; }
-
-  void remove_leaf(Index node)
-  {
-    --child_counts_[parents_[node]];
-    child_names_[parents_[node]] ^= node;
-  }
-
-  // The only child takes the place of the node.
-  void remove_inner_node(Index node)
-  {
-    const Index child = only_child(node);
-    parents_[child] = parents_[node];
-    if(parents_[node] != no_index)
-      child_names_[parents_[node]] ^= node ^ child;
-    child_counts_[node] = 0;
-  }
-
-private:
-  std::vector<Index> parents_;
-  std::vector<Index> child_counts_;
-  std::vector<Index> child_names_;
-};
-
-// Merges a join tree and a split tree of the same nodes into the arcs of the contour tree, leaf by leaf. (H. Carr,
-// J. Snoeyink, U. Axen, Computing contour trees in all dimensions, 2003.)
-class Contour_tree_merge
-{
-public:
-  Contour_tree_merge(Merge_tree&& join_tree, Merge_tree&& split_tree)
-    : join_tree_(std::move(join_tree.parents)),
-      split_tree_(std::move(split_tree.parents)),
-      first_steps_(std::move(split_tree.first_steps))
+  Contour_trees_engine(const Triangle_complex& complex, const Order& order, const Critical_vertices& critical_vertices)
+    : complex_(complex),
+      order_(order),
+      critical_vertices_(critical_vertices),
+      sector_classes_(critical_vertices.total_number_of_sectors(), no_index),
+      cuts_(critical_vertices.size())
   {}
 
-  std::vector<Critical_arc> operator()()
+  template <class ConcurrencyTag>
+  Large_vector<Critical_arc> find_arcs()
   {
-    for(Index node = 0; node != first_steps_.size(); ++node)
-      take_leaves_from(node);
-    return std::move(arcs_);
+    sweep<ConcurrencyTag>();
+    insert_cuts_into_join_tree();
+    Large_vector<Critical_arc> arcs = Contour_tree_merge(join_tree_.parents, split_tree_.parents, find_first_steps())();
+    glue_cuts(arcs);
+    return arcs;
   }
 
 private:
-  bool is_lower_leaf(Index node) const
+  template <class ConcurrencyTag>
+  void sweep()
   {
-    return join_tree_.number_of_children(node) == 0 && split_tree_.number_of_children(node) == 1;
+    Cutting_sweep<Order> cutting_sweep(complex_, order_, critical_vertices_, sector_classes_);
+    invoke_both<ConcurrencyTag>([&] { sweep_upwards(); }, [&] { cutting_sweep.find_path_ends(); });
+    sweep_downwards(cutting_sweep);
+    split_tree_ = std::move(cutting_sweep.tree());
+    cuts_ = cutting_sweep.cuts();
   }
 
-  bool is_upper_leaf(Index node) const
+  // Calls visit(critical vertex) for positions in the order of the field, and lets the sweep know ahead.
+  template <class Sweep, class Iterator, class Visit>
+  void visit_in_order(const Sweep& sweep, Iterator begin, Iterator end, const Visit& visit) const
   {
-    return split_tree_.number_of_children(node) == 0 && join_tree_.number_of_children(node) == 1;
-  }
-
-  // Takes the node away if it is a leaf, and then its neighbor if that makes it one, and so on.
-  void take_leaves_from(Index node)
-  {
-    while(node != no_index)
+    constexpr std::ptrdiff_t far_ahead = 24, near_ahead = 12;
+    for(Iterator critical = begin; critical != end; ++critical)
     {
-      if(is_lower_leaf(node))
-        node = take_lower_leaf(node);
-      else if(is_upper_leaf(node))
-        node = take_upper_leaf(node);
-      else
-        node = no_index;
+      if(end - critical > far_ahead)
+        critical_vertices_.prefetch(critical[far_ahead]);
+      if(end - critical > near_ahead)
+        sweep.prefetch(critical[near_ahead]);
+      visit(*critical);
     }
   }
 
-  Index take_lower_leaf(Index node)
+  void sweep_upwards()
   {
-    const Index upper = join_tree_.parent(node), child = split_tree_.only_child(node);
-    arcs_.push_back({node, upper, first_steps_[child]});
-    first_steps_[child] = first_steps_[node];
-    join_tree_.remove_leaf(node);
-    split_tree_.remove_inner_node(node);
-    return upper;
+    Merge_tree_sweep<Order, false> sweep(complex_, order_, critical_vertices_, sector_classes_);
+    auto path_ends = sweep.make_path_ends();
+    sweep.find_path_ends(path_ends);
+    const Large_vector<Index>& ascending = critical_vertices_.ascending();
+    visit_in_order(sweep, ascending.begin(), ascending.end(), [&](Index critical) { sweep.merge_at(critical); });
+    join_tree_ = std::move(sweep.tree());
   }
 
-  Index take_upper_leaf(Index node)
+  void sweep_downwards(Cutting_sweep<Order>& sweep)
   {
-    const Index lower = split_tree_.parent(node);
-    arcs_.push_back({lower, node, first_steps_[node]});
-    split_tree_.remove_leaf(node);
-    join_tree_.remove_inner_node(node);
-    return lower;
+    Loop_surgery<Order> surgery(complex_, order_, critical_vertices_, sector_classes_, join_tree_, sweep.tree());
+    const Large_vector<Index>& ascending = critical_vertices_.ascending();
+    visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Index critical) {
+      sweep.merge_at(critical);
+      if(!surgery.can_close_loop(critical))
+        return;
+      surgery.visit_loop_contours(
+        critical, [&](Index sublevel_class, const Large_vector<Index>& crossed_edges, bool has_border) {
+          sweep.cut(critical, sublevel_class, crossed_edges, has_border);
+        });
+    });
   }
 
-  Shrinking_tree join_tree_;
-  Shrinking_tree split_tree_;
-  std::vector<Ascending_step> first_steps_;
-  std::vector<Critical_arc> arcs_;
+  // Cuts do not change the join tree but for their own nodes.
+  void insert_cuts_into_join_tree()
+  {
+    Large_vector<Index>& parents = join_tree_.parents;
+    parents.resize(cuts_.number_of_nodes(), no_index);
+    for(Index cut = 0; cut != cuts_.size(); ++cut)
+    {
+      Index& parent = parents[cuts_.sublevel_class(cut)];
+      parents[cuts_.node_below(cut)] = parent;
+      parents[cuts_.node_above(cut)] = cuts_.critical_vertex(cut);
+      parent = cuts_.node_below(cut);
+    }
+  }
+
+  // By node: the first step from its parent in the split tree towards it, in the highest of the sectors that lead there.
+  Large_vector<Ascending_step> find_first_steps() const
+  {
+    Large_vector<Ascending_step> first_steps(cuts_.number_of_nodes(), Ascending_step{no_index, no_index});
+    for(Index i = 0; i != critical_vertices_.size(); ++i)
+    {
+      critical_vertices_.for_each_sector(i, true, [&](Index position) {
+        const Link_sector& sector = critical_vertices_.sector(position);
+        Ascending_step& step = first_steps[sector_classes_[position]];
+        if(step.edge == no_index || order_(step.target, sector.extreme_neighbor))
+          step = {sector.edge, sector.extreme_neighbor};
+      });
+    }
+    return first_steps;
+  }
+
+  // Where an arc ends at a cut it goes on to the vertex just above, and the short arc from the cut to there is dropped.
+  void glue_cuts(Large_vector<Critical_arc>& arcs) const
+  {
+    if(cuts_.size() == 0)
+      return;
+    const auto begins_at_cut = [&](const Critical_arc& arc) { return cuts_.is_node_above(arc.lower); };
+    arcs.erase(std::remove_if(arcs.begin(), arcs.end(), begins_at_cut), arcs.end());
+    for(Critical_arc& arc : arcs)
+    {
+      if(cuts_.is_node_below(arc.upper))
+        arc.upper = cuts_.critical_vertex(cuts_.cut_of_node(arc.upper));
+    }
+  }
+
+  const Triangle_complex& complex_;
+  const Order& order_;
+  const Critical_vertices& critical_vertices_;
+  Sector_classes sector_classes_;
+  Cut_contours cuts_;
+  Merge_tree join_tree_;
+  Merge_tree split_tree_;
 };
 
-// Where an arc ends at a cut it goes on to the vertex just above, and the short arc from the cut to there is dropped.
-inline void glue_cuts(const Cut_contours& cuts, std::vector<Critical_arc>& arcs)
-{
-  arcs.erase(
-    std::remove_if(arcs.begin(), arcs.end(), [&](const Critical_arc& arc) { return cuts.is_node_above(arc.lower); }),
-    arcs.end());
-  for(Critical_arc& arc : arcs)
-  {
-    if(cuts.is_node_below(arc.upper))
-      arc.upper = cuts.critical_vertex(cuts.cut_of_node(arc.upper));
-  }
-}
-
-// Contour trees joined by loop surgery: near-linear for any field. The surface is cut along the few contours that
-// close loops; what is left has a tree as Reeb graph, which comes from its join tree and its split tree.
 template <class ConcurrencyTag, class Order>
-std::vector<Critical_arc> find_arcs_by_contour_trees(const Triangle_complex& complex,
+Large_vector<Critical_arc> find_arcs_by_contour_trees(const Triangle_complex& complex,
                                                      const Order& order,
                                                      const Critical_vertices& critical_vertices)
 {
-  const Cut_contours no_cuts(critical_vertices.size());
-  Merge_tree join_tree, split_tree;
-  invoke_both<ConcurrencyTag>([&] { join_tree = compute_join_tree(complex, order, critical_vertices); },
-                              [&] { split_tree = compute_split_tree(complex, order, critical_vertices, no_cuts); });
-  const Cut_contours cuts = Loop_surgery<Order>(complex, order, critical_vertices, join_tree, split_tree)();
-  if(cuts.size() != 0)
-  {
-    split_tree = compute_split_tree(complex, order, critical_vertices, cuts);
-    insert_cuts(cuts, join_tree);
-  }
-  std::vector<Critical_arc> arcs = Contour_tree_merge(std::move(join_tree), std::move(split_tree))();
-  glue_cuts(cuts, arcs);
-  return arcs;
+  return Contour_trees_engine<Order>(complex, order, critical_vertices).template find_arcs<ConcurrencyTag>();
 }
 
 } // namespace internal

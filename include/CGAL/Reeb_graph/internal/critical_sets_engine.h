@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/Critical_arc.h>
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
@@ -19,7 +20,6 @@
 #include <CGAL/Reeb_graph/internal/link_sectors.h>
 
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -40,10 +40,10 @@ public:
       contour_at_edge_(complex.number_of_corners(), no_index)
   {}
 
-  std::vector<Critical_arc> operator()()
+  Large_vector<Critical_arc> operator()()
   {
     // An edge keeps the contour of the lowest level: that is where an ascending path meets it first.
-    const std::vector<Index>& ascending = critical_vertices_.ascending();
+    const Large_vector<Index>& ascending = critical_vertices_.ascending();
     for(auto critical = ascending.rbegin(); critical != ascending.rend(); ++critical)
       register_lower_contours(*critical);
     for(Index i = 0; i != critical_vertices_.size(); ++i)
@@ -57,16 +57,15 @@ private:
     const Index vertex = critical_vertices_.vertex(critical);
     const auto is_below = [&](Index u) { return order_(u, vertex); };
     const Index first_contour = static_cast<Index>(arcs_.size());
-    for(const Link_sector& sector : critical_vertices_.sectors(critical))
-    {
+    critical_vertices_.for_each_sector(critical, false, [&](Index sector) {
       // A contour can pass several sectors of the vertex; then the earlier trace has been here.
-      const Index registered = contour_at_edge_[sector.edge];
-      if(sector.is_upper || (registered != no_index && registered >= first_contour))
-        continue;
+      const Index edge = critical_vertices_.sector(sector).edge, registered = contour_at_edge_[edge];
+      if(registered != no_index && registered >= first_contour)
+        return;
       const Index contour = static_cast<Index>(arcs_.size());
       arcs_.push_back({no_index, critical, {no_index, no_index}});
-      trace_contour(complex_, sector.edge, is_below, [&](Index corner) { register_contour(contour, corner); });
-    }
+      trace_contour(complex_, edge, is_below, [&](Index corner) { register_contour(contour, corner); });
+    });
   }
 
   void register_contour(Index contour, Index corner)
@@ -78,17 +77,15 @@ private:
 
   void climb_from(Index critical)
   {
-    for(const Link_sector& sector : critical_vertices_.sectors(critical))
-    {
-      if(!sector.is_upper)
-        continue;
+    critical_vertices_.for_each_sector(critical, true, [&](Index i) {
+      const Link_sector& sector = critical_vertices_.sector(i);
       const Ascending_step first_step = {sector.edge, sector.extreme_neighbor};
       Critical_arc& arc = arcs_[contour_above(first_step)];
       // Several sectors can lead to one arc, whose chain begins in the highest one.
       if(arc.lower == no_index || order_(arc.first_step.target, first_step.target))
         arc.first_step = first_step;
       arc.lower = critical;
-    }
+    });
   }
 
   Index contour_above(Ascending_step step) const
@@ -101,12 +98,12 @@ private:
   const Triangle_complex& complex_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
-  std::vector<Index> contour_at_edge_; // by corner; a contour has the number of the arc that ends there
-  std::vector<Critical_arc> arcs_;
+  Large_vector<Index> contour_at_edge_; // by corner; a contour has the number of the arc that ends there
+  Large_vector<Critical_arc> arcs_;
 };
 
 template <class Order>
-std::vector<Critical_arc> find_arcs_by_critical_sets(const Triangle_complex& complex,
+Large_vector<Critical_arc> find_arcs_by_critical_sets(const Triangle_complex& complex,
                                                      const Order& order,
                                                      const Critical_vertices& critical_vertices)
 {

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/contour_trees_engine.h>
 #include <CGAL/Reeb_graph/internal/critical_sets_engine.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -21,7 +22,7 @@ namespace internal {
 
 // Finds the arcs between critical vertices by one of the two engines. They return the same arcs, in any order.
 template <class ConcurrencyTag, class Order>
-std::vector<Critical_arc> find_critical_arcs(const Triangle_complex& complex,
+Large_vector<Critical_arc> find_critical_arcs(const Triangle_complex& complex,
                                              const Order& order,
                                              const Critical_vertices& critical_vertices,
                                              Method method)

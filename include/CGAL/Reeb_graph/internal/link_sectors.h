@@ -11,9 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
-
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -23,40 +22,43 @@ namespace internal {
 // one of an upper sector, the lowest one of a lower sector.
 struct Link_sector
 {
-  bool is_upper;
   Index extreme_neighbor;
   Index edge; // the corner that faces the edge to that neighbor
 };
 
-template <class Order>
-bool is_more_extreme(const Link_sector& a, const Link_sector& b, const Order& order)
-{
-  return a.is_upper ? order(b.extreme_neighbor, a.extreme_neighbor) : order(a.extreme_neighbor, b.extreme_neighbor);
-}
-
 // Appends the link sectors of `vertex` to `sectors`, in counterclockwise order. Upper and lower ones alternate.
+// Returns whether the first one is an upper one.
 template <class Order>
-void append_link_sectors(const Triangle_complex& complex,
+bool append_link_sectors(const Triangle_complex& complex,
                          const Order& order,
                          Index vertex,
-                         std::vector<Link_sector>& sectors)
+                         Large_vector<Link_sector>& sectors)
 {
+  const auto is_more_extreme = [&](const Link_sector& a, const Link_sector& b, bool is_upper) {
+    return is_upper ? order(b.extreme_neighbor, a.extreme_neighbor) : order(a.extreme_neighbor, b.extreme_neighbor);
+  };
   const std::size_t first = sectors.size();
+  bool is_first_upper = false, is_last_upper = false;
   complex.for_each_edge_around(vertex, [&](Index neighbor, Index corner) {
-    const Link_sector edge = {order(vertex, neighbor), neighbor, corner};
-    if(sectors.size() == first || sectors.back().is_upper != edge.is_upper)
+    const bool is_upper = order(vertex, neighbor);
+    const Link_sector edge = {neighbor, corner};
+    if(sectors.size() == first)
+      is_first_upper = is_upper;
+    if(sectors.size() == first || is_last_upper != is_upper)
       sectors.push_back(edge);
-    else if(is_more_extreme(edge, sectors.back(), order))
+    else if(is_more_extreme(edge, sectors.back(), is_upper))
       sectors.back() = edge;
+    is_last_upper = is_upper;
   });
   const bool is_split_by_the_start =
-    sectors.size() > first + 1 && sectors[first].is_upper == sectors.back().is_upper && !complex.is_on_border(vertex);
+    sectors.size() > first + 1 && is_first_upper == is_last_upper && !complex.is_on_border(vertex);
   if(is_split_by_the_start)
   {
-    if(is_more_extreme(sectors.back(), sectors[first], order))
+    if(is_more_extreme(sectors.back(), sectors[first], is_last_upper))
       sectors[first] = sectors.back();
     sectors.pop_back();
   }
+  return is_first_upper;
 }
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/Critical_arc.h>
 #include <CGAL/Reeb_graph/internal/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/Disjoint_sets.h>
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
@@ -43,7 +44,7 @@ class Arc_merging
 public:
   Arc_merging(const Order& order,
               const Critical_vertices& critical_vertices,
-              const std::vector<Critical_arc>& arcs,
+              const Large_vector<Critical_arc>& arcs,
               Ties ties,
               bool are_degree_two_nodes_kept)
     : order_(order),
@@ -106,7 +107,7 @@ private:
   void make_nodes()
   {
     const Index size = critical_vertices_.size();
-    std::vector<Index> node_of_group(size, no_index);
+    Large_vector<Index> node_of_group(size, no_index);
     for(const Index i : critical_vertices_.ascending())
     {
       const Index group = groups_.top(i);
@@ -162,12 +163,12 @@ private:
   // Arcs are first put in order by lower node, as most nodes have few of them.
   void sort_arcs()
   {
-    std::vector<std::size_t> ends(graph_.nodes.size() + 1, 0);
+    Large_vector<std::size_t> ends(graph_.nodes.size() + 1, 0);
     for(const Flat_arc& arc : graph_.arcs)
       ++ends[arc.lower + 1];
     for(std::size_t node = 1; node < ends.size(); ++node)
       ends[node] += ends[node - 1];
-    std::vector<Flat_arc> sorted(graph_.arcs.size());
+    Large_vector<Flat_arc> sorted(graph_.arcs.size());
     for(const Flat_arc& arc : graph_.arcs)
       sorted[ends[arc.lower]++] = arc;
     graph_.arcs.swap(sorted);
@@ -187,7 +188,7 @@ private:
   // Sorting has moved the arcs, but each keeps its first piece.
   void name_passing_arcs()
   {
-    std::vector<Index> arc_of_first_piece(graph_.pieces.size(), no_index);
+    Large_vector<Index> arc_of_first_piece(graph_.pieces.size(), no_index);
     for(Index i = 0; i != graph_.arcs.size(); ++i)
       arc_of_first_piece[graph_.arcs[i].first_piece] = i;
     const auto arc_of = [&](Index first_piece) {
@@ -201,23 +202,23 @@ private:
 
   const Order& order_;
   const Critical_vertices& critical_vertices_;
-  const std::vector<Critical_arc>& arcs_;
+  const Large_vector<Critical_arc>& arcs_;
   const bool are_ties_contracted_;
   const bool are_degree_two_nodes_kept_;
   Disjoint_sets groups_;
   std::vector<bool> is_on_plateau_; // by critical vertex: whether its group has other ones
-  std::vector<Index> in_degrees_;   // by group
-  std::vector<Index> out_degrees_;
-  std::vector<Index> leaving_arcs_;         // the last one; the only one of a group that is no node
-  std::vector<Index> first_piece_of_group_; // by group: that of the arc that passes it
-  std::vector<Index> first_piece_of_arc_;   // by arc: that of the arc that it becomes part of
+  Large_vector<Index> in_degrees_;   // by group
+  Large_vector<Index> out_degrees_;
+  Large_vector<Index> leaving_arcs_;         // the last one; the only one of a group that is no node
+  Large_vector<Index> first_piece_of_group_; // by group: that of the arc that passes it
+  Large_vector<Index> first_piece_of_arc_;   // by arc: that of the arc that it becomes part of
   Flat_graph graph_;
 };
 
 template <class Order>
 Flat_graph merge_arcs(const Order& order,
                       const Critical_vertices& critical_vertices,
-                      const std::vector<Critical_arc>& arcs,
+                      const Large_vector<Critical_arc>& arcs,
                       Ties ties,
                       bool are_degree_two_nodes_kept)
 {

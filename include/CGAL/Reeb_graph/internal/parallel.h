@@ -14,14 +14,20 @@
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
 #endif
 
+#include <boost/sort/pdqsort/pdqsort.hpp>
+
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -56,6 +62,60 @@ void for_each_index(std::size_t size, const Function& function)
     function(i);
 }
 
+// Calls function(begin, end) for blocks of the numbers from 0 to size - 1: for all of them at once if sequential.
+template <class ConcurrencyTag, class Function>
+void for_each_block(std::size_t size, const Function& function)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel<ConcurrencyTag>())
+  {
+    constexpr std::size_t smallest_block = 4096;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, smallest_block),
+                      [&](const tbb::blocked_range<std::size_t>& block) { function(block.begin(), block.end()); });
+    return;
+  }
+#endif
+  static_cast<void>(is_parallel<ConcurrencyTag>());
+  function(std::size_t(0), size);
+}
+
+// A value that the blocks of a parallel loop can exchange; a plain one if sequential.
+template <class ConcurrencyTag, class T>
+class Shared_value
+{
+public:
+  explicit Shared_value(T value = T()) : value_(value) {}
+  Shared_value(const Shared_value& other) : value_(other.get()) {}
+
+  T get() const { return value_; }
+  void set(T value) { value_ = value; }
+
+  T exchange(T value)
+  {
+    if constexpr(is_parallel<ConcurrencyTag>())
+      return value_.exchange(value);
+    else
+      return std::exchange(value_, value);
+  }
+
+  void add(T value) { value_ += value; }
+
+  void lower_to(T value)
+  {
+    if constexpr(is_parallel<ConcurrencyTag>())
+    {
+      T current = value_;
+      while(value < current && !value_.compare_exchange_weak(current, value))
+        ;
+    }
+    else
+      value_ = (std::min)(value_, value);
+  }
+
+private:
+  std::conditional_t<is_parallel<ConcurrencyTag>(), std::atomic<T>, T> value_;
+};
+
 // Sorts by an order without ties, so that the result is the same in any case.
 template <class ConcurrencyTag, class Iterator, class Less>
 void sort(Iterator first, Iterator last, const Less& less)
@@ -68,7 +128,7 @@ void sort(Iterator first, Iterator last, const Less& less)
   }
 #endif
   static_cast<void>(is_parallel<ConcurrencyTag>());
-  std::sort(first, last, less);
+  boost::sort::pdqsort_branchless(first, last, less);
 }
 
 // Calls both functions.

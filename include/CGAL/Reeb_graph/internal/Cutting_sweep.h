@@ -1,0 +1,128 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CUTTING_SWEEP_H
+#define CGAL_REEB_GRAPH_INTERNAL_CUTTING_SWEEP_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/Cut_contours.h>
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/merge_trees.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The sweep for the split tree of a surface that is cut on the way. A cut ends the paths of vertices further down, so
+// their ends, found before, have to be corrected.
+template <class Order>
+class Cutting_sweep
+{
+public:
+  Cutting_sweep(const Triangle_complex& complex,
+                const Order& order,
+                const Critical_vertices& critical_vertices,
+                Sector_classes& sector_classes)
+    : complex_(complex),
+      order_(order),
+      critical_vertices_(critical_vertices),
+      sweep_(complex, order, critical_vertices, sector_classes),
+      path_ends_(sweep_.make_path_ends()),
+      cuts_(critical_vertices.size())
+  {}
+
+  void find_path_ends() { sweep_.find_path_ends(path_ends_); }
+
+  void prefetch(Index critical) const { sweep_.prefetch(critical); }
+
+  void merge_at(Index critical)
+  {
+    if(cuts_.size() != 0 && (are_all_changed_ || is_changed_[critical_vertices_.vertex(critical)]))
+      sweep_.find_path_ends_at(critical, path_ends_, [&](Index edge) { return component_at(edge); });
+    sweep_.merge_at(critical);
+  }
+
+  // Cuts along a contour just below the critical vertex that has been merged at last; see Cut_contours.
+  void cut(Index critical, Index sublevel_class, const Large_vector<Index>& crossed_edges, bool has_border)
+  {
+    const Index cut = cuts_.size();
+    cuts_.add(complex_, critical, sublevel_class, crossed_edges);
+    sweep_.put_on_last(cuts_.node_above(cut));
+    components_of_cuts_.push_back(sweep_.add_component(cuts_.node_below(cut), has_border));
+    if(!are_all_changed_)
+      correct_path_ends(crossed_edges);
+  }
+
+  const Cut_contours& cuts() const { return cuts_; }
+  Merge_tree& tree() { return sweep_.tree(); }
+
+private:
+  Index component_at(Index edge) const
+  {
+    const Index cut = cuts_.lowest_at_edge(complex_, edge);
+    return cut == no_index ? no_index : components_of_cuts_[cut];
+  }
+
+  // Goes down against the paths from where they meet the last cut. If that gets more expensive than to walk all of them
+  // again, this is left to merge_at(); then no later cut, as it is further down, can change an end that is known.
+  void correct_path_ends(const Large_vector<Index>& crossed_edges)
+  {
+    is_changed_.resize(complex_.number_of_vertices(), false);
+    Large_vector<Index> corrected;
+    for(const Index edge : crossed_edges)
+    {
+      const Index source = complex_.edge_source(edge), target = complex_.edge_target(edge);
+      correct_path_end(order_(source, target) ? source : target, edge, corrected);
+    }
+    for(; !corrected.empty() && !are_all_changed_; ++number_of_corrections_)
+    {
+      const Index vertex = corrected.back();
+      corrected.pop_back();
+      complex_.for_each_edge_around(vertex, [&](Index neighbor, Index edge) {
+        if(order_(neighbor, vertex))
+          correct_path_end(neighbor, edge, corrected);
+      });
+      are_all_changed_ = number_of_corrections_ >= critical_vertices_.size();
+    }
+    if(are_all_changed_)
+      path_ends_ = sweep_.make_path_ends();
+  }
+
+  void correct_path_end(Index vertex, Index edge, Large_vector<Index>& corrected)
+  {
+    is_changed_[vertex] = true;
+    if(!path_ends_.is_known(vertex)
+       || complex_.representative_of_edge(path_ends_.step(vertex).edge) != complex_.representative_of_edge(edge))
+      return;
+    path_ends_.set_end(vertex, components_of_cuts_.back());
+    corrected.push_back(vertex);
+  }
+
+  const Triangle_complex& complex_;
+  const Order& order_;
+  const Critical_vertices& critical_vertices_;
+  Merge_tree_sweep<Order, true> sweep_;
+  typename Merge_tree_sweep<Order, true>::Path_ends path_ends_;
+  Cut_contours cuts_;
+  Large_vector<Index> components_of_cuts_;
+  std::vector<bool> is_changed_; // by vertex: whether a path that begins at it may meet a cut
+  bool are_all_changed_ = false;
+  std::size_t number_of_corrections_ = 0;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_CUTTING_SWEEP_H

@@ -1,0 +1,80 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_MONOTONE_PATHS_H
+#define CGAL_REEB_GRAPH_INTERNAL_MONOTONE_PATHS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/ascending_path.h>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Finds the extremum in which a monotone path ends: a minimum for the join tree, a maximum for the split tree.
+// A vertex is passed once: its end is kept.
+template <class Order, bool is_ascending>
+class Monotone_path_ends
+{
+public:
+  Monotone_path_ends(const Triangle_complex& complex, const Order& order)
+    : complex_(&complex),
+      order_(&order),
+      ends_(complex.number_of_vertices(), no_index)
+  {}
+
+  void set_end(Index vertex, Index end) { ends_[vertex] = end; }
+  bool is_known(Index vertex) const { return ends_[vertex] != no_index; }
+
+  // A path goes on to the first suitable neighbor.
+  Ascending_step step(Index vertex) const
+  {
+    Ascending_step step = {no_index, no_index};
+    complex_->visit_edges_around(vertex, [&](Index neighbor, Index corner) {
+      if(is_ascending ? !(*order_)(vertex, neighbor) : !(*order_)(neighbor, vertex))
+        return false;
+      step = {corner, neighbor};
+      return true;
+    });
+    return step;
+  }
+
+  // The end of the path that begins with `step`. An edge at which end_of_edge(edge) is not no_index ends the path.
+  template <class EndOfEdge>
+  Index operator()(Ascending_step step, const EndOfEdge& end_of_edge)
+  {
+    passed_.clear();
+    Index end = end_of_edge(step.edge);
+    while(end == no_index && !is_known(step.target))
+    {
+      passed_.push_back(step.target);
+      step = this->step(step.target);
+      end = end_of_edge(step.edge);
+    }
+    if(end == no_index)
+      end = ends_[step.target];
+    for(const Index vertex : passed_)
+      ends_[vertex] = end;
+    return end;
+  }
+
+private:
+  const Triangle_complex* complex_;
+  const Order* order_;
+  Large_vector<Index> ends_; // by vertex
+  Large_vector<Index> passed_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_MONOTONE_PATHS_H
