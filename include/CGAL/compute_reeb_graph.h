@@ -148,7 +148,8 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   visitor.begin_stage(Stage::ARCS);
   const auto critical_arcs =
     stages::find_critical_arcs<Sequential_tag>(surface.complex, order, critical_vertices, method);
-  const auto flat_graph = stages::merge_arcs(order, critical_vertices, critical_arcs, ties, are_degree_two_nodes_kept);
+  const auto flat_graph = stages::merge_arcs(order, critical_vertices, critical_arcs, ties,
+                                             are_degree_two_nodes_kept, false);
   visitor.end_stage(Stage::ARCS);
 
   visitor.begin_stage(Stage::CHAINS);

@@ -243,14 +243,14 @@ protected:
     const Flat_graph all_arcs =
       merge_arcs(order_, all_vertices,
                  find_critical_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices, Method::CONTOUR_TREES),
-                 Ties::PERTURB, true);
+                 Ties::PERTURB, true, true);
     const Critical_vertices critical_vertices = classify_vertices(surface_.complex, order_);
     Large_vector<Critical_arc> critical_arcs;
     for(const Flat_arc& arc : all_arcs.arcs)
       critical_arcs.push_back({critical_vertices.ascending()[arc.lower], critical_vertices.ascending()[arc.upper],
                                all_arcs.pieces[arc.first_piece].first_step});
     const Flat_graph flat_graph =
-      merge_arcs(order_, critical_vertices, critical_arcs, ties_, are_degree_two_nodes_kept_);
+      merge_arcs(order_, critical_vertices, critical_arcs, ties_, are_degree_two_nodes_kept_, true);
     check_same_graph(flat_graph);
 
     const auto place_of_critical = [&](Index critical) {

@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
 #include <CGAL/Reeb_graph_traits.h>
 
-#include <cstddef>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -39,8 +38,8 @@ struct Flat_arc
 {
   Index lower; // positions of nodes
   Index upper;
-  std::size_t first_piece;
-  std::size_t number_of_pieces;
+  Index first_piece;
+  Index number_of_pieces;
 };
 
 // The Reeb graph by indices: nodes in ascending order, arcs sorted.
@@ -50,11 +49,11 @@ struct Flat_graph
   Large_vector<Flat_arc> arcs;
   Large_vector<Chain_piece> pieces;
 
-  // By critical vertex: the node that it is part of, or else the arc that passes it.
+  // By critical vertex: the node that it is part of, or else, on request, the arc that passes it.
   Large_vector<Index> node_of_critical;
   Large_vector<Index> arc_of_critical;
 
-  // By arc between critical vertices: the arc that it is part of, no_index if it has been contracted.
+  // By arc between critical vertices, on request: the arc that it is part of, no_index if it has been contracted.
   Large_vector<Index> arc_of_critical_arc;
 };
 

@@ -16,16 +16,37 @@
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
 
+#include <cstddef>
+#include <numeric>
+
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The chains of all arcs, one behind the other.
+// The chains of all arcs, one behind the other, in the order of where they begin on the mesh.
 struct Flat_chains
 {
   Large_vector<Ascending_step> steps;
-  Large_vector<std::size_t> first_steps; // one more than there are arcs
+  Large_vector<std::size_t> first_steps; // by arc
+  Large_vector<Index> sizes;
 };
+
+// The arcs in an order in which those that begin near to each other on the mesh follow each other.
+inline Large_vector<Index> arcs_in_mesh_order(const Triangle_complex& complex, const Flat_graph& graph)
+{
+  constexpr Index corners_per_bucket = 64;
+  const auto bucket = [&](const Flat_arc& arc) {
+    return graph.pieces[arc.first_piece].first_step.edge / corners_per_bucket;
+  };
+  Large_vector<Index> begins(complex.number_of_corners() / corners_per_bucket + 2, 0);
+  for(const Flat_arc& arc : graph.arcs)
+    ++begins[bucket(arc) + 1];
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  Large_vector<Index> arcs(graph.arcs.size());
+  for(Index i = 0; i != arcs.size(); ++i)
+    arcs[begins[bucket(graph.arcs[i])]++] = i;
+  return arcs;
+}
 
 // Walks the chain of each arc. A path that has entered an arc cannot leave it below the upper node, so comparisons
 // tell the end, and the chain does not depend on how the arc was found.
@@ -33,19 +54,22 @@ template <class Order>
 Flat_chains find_arc_chains(const Triangle_complex& complex, const Order& order, const Flat_graph& graph)
 {
   Flat_chains chains;
-  chains.first_steps.reserve(graph.arcs.size() + 1);
-  for(const Flat_arc& arc : graph.arcs)
+  chains.first_steps.resize(graph.arcs.size());
+  chains.sizes.resize(graph.arcs.size());
+  chains.steps.reserve(2 * graph.arcs.size());
+  for(const Index i : arcs_in_mesh_order(complex, graph))
   {
-    chains.first_steps.push_back(chains.steps.size());
-    for(std::size_t i = 0; i != arc.number_of_pieces; ++i)
+    const Flat_arc& arc = graph.arcs[i];
+    chains.first_steps[i] = chains.steps.size();
+    for(std::size_t j = 0; j != arc.number_of_pieces; ++j)
     {
-      const Chain_piece& piece = graph.pieces[arc.first_piece + i];
+      const Chain_piece& piece = graph.pieces[arc.first_piece + j];
       chains.steps.push_back(piece.first_step);
       while(order(chains.steps.back().target, piece.upper_vertex))
         chains.steps.push_back(steepest_step(complex, order, chains.steps.back().target));
     }
+    chains.sizes[i] = static_cast<Index>(chains.steps.size() - chains.first_steps[i]);
   }
-  chains.first_steps.push_back(chains.steps.size());
   return chains;
 }
 

@@ -65,10 +65,21 @@ public:
   template <class Visit>
   void for_each_sector(Index critical, bool is_upper, const Visit& visit) const
   {
-    const Entry& entry = entries_[critical];
-    const Index end = entry.first_sector + entry.number_of_sectors;
-    for(Index i = entry.first_sector + (entry.is_first_upper == is_upper ? 0 : 1); i < end; i += 2)
+    const Index end = entries_[critical].first_sector + entries_[critical].number_of_sectors;
+    for(Index i = first_sector_of(critical, is_upper); i < end; i += 2)
       visit(i);
+  }
+
+  Index first_sector_of(Index critical, bool is_upper) const
+  {
+    const Entry& entry = entries_[critical];
+    return entry.first_sector + (entry.is_first_upper == is_upper ? 0 : 1);
+  }
+
+  void reserve(std::size_t number_of_vertices, std::size_t number_of_sectors)
+  {
+    entries_.reserve(number_of_vertices);
+    sectors_.reserve(number_of_sectors);
   }
 
   template <class Order>
@@ -139,7 +150,14 @@ template <class Order>
 Critical_vertices classify_vertices(const Triangle_complex& complex, const Order& order)
 {
   const Large_vector<Index> middle_corners = count_middle_corners(complex, order);
+  std::size_t number_of_candidates = 0, number_of_sectors = 0;
+  for(const Index count : middle_corners)
+  {
+    number_of_candidates += count != 2;
+    number_of_sectors += count != 2 ? (std::max)(count, Index(1)) : 0;
+  }
   Critical_vertices critical_vertices;
+  critical_vertices.reserve(number_of_candidates, number_of_sectors);
   for(Index v = 0; v != complex.number_of_vertices(); ++v)
   {
     if(middle_corners[v] == 2 && !complex.is_on_border(v))

@@ -101,8 +101,14 @@ private:
     std::sort(classes_.begin(), classes_.end());
   }
 
+  // Nearly all saddles are simple.
   Index count_classes(Index critical, bool is_upper)
   {
+    if(critical_vertices_.number_of_sectors(critical, is_upper) == 2)
+    {
+      const Index first = critical_vertices_.first_sector_of(critical, is_upper);
+      return sector_classes_[first] == sector_classes_[first + 2] ? 1 : 2;
+    }
     sort_classes(critical, is_upper);
     return static_cast<Index>(std::unique(classes_.begin(), classes_.end()) - classes_.begin());
   }

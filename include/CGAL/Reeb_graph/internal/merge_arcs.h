@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -52,19 +53,25 @@ public:
       arcs_(arcs),
       are_ties_contracted_(ties == Ties::CONTRACT),
       are_degree_two_nodes_kept_(are_degree_two_nodes_kept),
-      groups_(critical_vertices.size()),
-      is_on_plateau_(critical_vertices.size(), false)
+      groups_(ties == Ties::CONTRACT ? critical_vertices.size() : 0),
+      is_on_plateau_(ties == Ties::CONTRACT ? critical_vertices.size() : 0, false)
   {}
 
-  Flat_graph operator()()
+  Flat_graph operator()(bool are_passing_arcs_named)
   {
     if(are_ties_contracted_)
       group_ties();
     count_degrees();
     make_nodes();
+    if(are_passing_arcs_named)
+    {
+      first_piece_of_group_.assign(critical_vertices_.size(), no_index);
+      first_piece_of_arc_.assign(arcs_.size(), no_index);
+    }
     make_arcs();
     sort_arcs();
-    name_passing_arcs();
+    if(are_passing_arcs_named)
+      name_passing_arcs();
     return std::move(graph_);
   }
 
@@ -86,20 +93,19 @@ private:
     }
   }
 
+  Index group_of(Index critical) { return are_ties_contracted_ ? groups_.top(critical) : critical; }
+
   void count_degrees()
   {
-    const Index size = critical_vertices_.size();
-    in_degrees_.assign(size, 0);
-    out_degrees_.assign(size, 0);
-    leaving_arcs_.assign(size, no_index);
+    degrees_.assign(critical_vertices_.size(), Degrees{0, 0, no_index});
     for(Index i = 0; i != arcs_.size(); ++i)
     {
       if(is_contracted(arcs_[i]))
         continue;
-      const Index lower = groups_.top(arcs_[i].lower);
-      ++out_degrees_[lower];
-      ++in_degrees_[groups_.top(arcs_[i].upper)];
-      leaving_arcs_[lower] = i;
+      Degrees& lower = degrees_[group_of(arcs_[i].lower)];
+      ++lower.out;
+      lower.leaving_arc = i;
+      ++degrees_[group_of(arcs_[i].upper)].in;
     }
   }
 
@@ -107,11 +113,13 @@ private:
   void make_nodes()
   {
     const Index size = critical_vertices_.size();
-    Large_vector<Index> node_of_group(size, no_index);
+    graph_.node_of_critical.assign(size, no_index);
+    Large_vector<Index>& node_of_group = graph_.node_of_critical;
+    graph_.nodes.reserve(size);
     for(const Index i : critical_vertices_.ascending())
     {
-      const Index group = groups_.top(i);
-      const Node_kind kind = node_kind(in_degrees_[group], out_degrees_[group]);
+      const Index group = group_of(i);
+      const Node_kind kind = node_kind(degrees_[group].in, degrees_[group].out);
       const bool is_node =
         kind != Node_kind::DEGREE_TWO || (are_degree_two_nodes_kept_ && critical_vertices_.is_critical(i));
       if(!is_node || node_of_group[group] != no_index || !critical_vertices_.is_critical(i))
@@ -119,15 +127,14 @@ private:
       node_of_group[group] = static_cast<Index>(graph_.nodes.size());
       graph_.nodes.push_back({critical_vertices_.vertex(i), kind});
     }
-    graph_.node_of_critical.resize(size);
-    for(Index i = 0; i != size; ++i)
+    for(Index i = 0; are_ties_contracted_ && i != size; ++i)
       graph_.node_of_critical[i] = node_of_group[groups_.top(i)];
   }
 
   void make_arcs()
   {
-    first_piece_of_group_.assign(critical_vertices_.size(), no_index);
-    first_piece_of_arc_.assign(arcs_.size(), no_index);
+    graph_.arcs.reserve(arcs_.size());
+    graph_.pieces.reserve(arcs_.size());
     for(Index i = 0; i != arcs_.size(); ++i)
     {
       if(graph_.node_of_critical[arcs_[i].lower] != no_index && !is_contracted(arcs_[i]))
@@ -142,13 +149,14 @@ private:
     const Index first_piece = static_cast<Index>(graph_.pieces.size());
     Flat_arc flat_arc = {graph_.node_of_critical[arcs_[i].lower], no_index, first_piece, 1};
     graph_.pieces.push_back({arcs_[i].first_step, no_index});
-    first_piece_of_arc_[i] = first_piece;
+    name_piece(first_piece_of_arc_, i, first_piece);
     while(graph_.node_of_critical[arcs_[i].upper] == no_index)
     {
-      const Index critical = arcs_[i].upper, group = groups_.top(critical);
-      i = leaving_arcs_[group];
-      first_piece_of_group_[group] = first_piece_of_arc_[i] = first_piece;
-      if(is_on_plateau_[critical])
+      const Index critical = arcs_[i].upper, group = group_of(critical);
+      i = degrees_[group].leaving_arc;
+      name_piece(first_piece_of_group_, group, first_piece);
+      name_piece(first_piece_of_arc_, i, first_piece);
+      if(are_ties_contracted_ && is_on_plateau_[critical])
       {
         graph_.pieces.back().upper_vertex = critical_vertices_.vertex(critical);
         graph_.pieces.push_back({arcs_[i].first_step, no_index});
@@ -160,14 +168,19 @@ private:
     graph_.arcs.push_back(flat_arc);
   }
 
+  static void name_piece(Large_vector<Index>& first_pieces, Index i, Index first_piece)
+  {
+    if(!first_pieces.empty())
+      first_pieces[i] = first_piece;
+  }
+
   // Arcs are first put in order by lower node, as most nodes have few of them.
   void sort_arcs()
   {
-    Large_vector<std::size_t> ends(graph_.nodes.size() + 1, 0);
+    Large_vector<Index> ends(graph_.nodes.size() + 1, 0);
     for(const Flat_arc& arc : graph_.arcs)
       ++ends[arc.lower + 1];
-    for(std::size_t node = 1; node < ends.size(); ++node)
-      ends[node] += ends[node - 1];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
     Large_vector<Flat_arc> sorted(graph_.arcs.size());
     for(const Flat_arc& arc : graph_.arcs)
       sorted[ends[arc.lower]++] = arc;
@@ -195,10 +208,17 @@ private:
       return first_piece == no_index ? no_index : arc_of_first_piece[first_piece];
     };
     for(Index i = 0; i != critical_vertices_.size(); ++i)
-      graph_.arc_of_critical.push_back(arc_of(first_piece_of_group_[groups_.top(i)]));
+      graph_.arc_of_critical.push_back(arc_of(first_piece_of_group_[group_of(i)]));
     for(const Index first_piece : first_piece_of_arc_)
       graph_.arc_of_critical_arc.push_back(arc_of(first_piece));
   }
+
+  struct Degrees
+  {
+    Index in;
+    Index out;
+    Index leaving_arc; // the last one; the only one of a group that is no node
+  };
 
   const Order& order_;
   const Critical_vertices& critical_vertices_;
@@ -207,9 +227,7 @@ private:
   const bool are_degree_two_nodes_kept_;
   Disjoint_sets groups_;
   std::vector<bool> is_on_plateau_; // by critical vertex: whether its group has other ones
-  Large_vector<Index> in_degrees_;   // by group
-  Large_vector<Index> out_degrees_;
-  Large_vector<Index> leaving_arcs_;         // the last one; the only one of a group that is no node
+  Large_vector<Degrees> degrees_;   // by group
   Large_vector<Index> first_piece_of_group_; // by group: that of the arc that passes it
   Large_vector<Index> first_piece_of_arc_;   // by arc: that of the arc that it becomes part of
   Flat_graph graph_;
@@ -220,9 +238,10 @@ Flat_graph merge_arcs(const Order& order,
                       const Critical_vertices& critical_vertices,
                       const Large_vector<Critical_arc>& arcs,
                       Ties ties,
-                      bool are_degree_two_nodes_kept)
+                      bool are_degree_two_nodes_kept,
+                      bool are_passing_arcs_named)
 {
-  return Arc_merging<Order>(order, critical_vertices, arcs, ties, are_degree_two_nodes_kept)();
+  return Arc_merging<Order>(order, critical_vertices, arcs, ties, are_degree_two_nodes_kept)(are_passing_arcs_named);
 }
 
 } // namespace internal

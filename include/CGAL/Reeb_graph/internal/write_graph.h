@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/arc_chains.h>
 #include <CGAL/Reeb_graph/internal/flatten.h>
+#include <CGAL/Reeb_graph/internal/prefetch.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
@@ -51,7 +52,6 @@ void write_graph(const FaceListGraph& mesh,
                  ReebGraph& graph)
 {
   typedef typename boost::vertex_bundle_type<ReebGraph>::type Node;
-  typedef typename boost::edge_bundle_type<ReebGraph>::type Arc;
 
   const auto halfedges = chain_halfedges(mesh, surface, chains);
   graph.clear();
@@ -61,14 +61,16 @@ void write_graph(const FaceListGraph& mesh,
     node.vertex = surface.vertices[flat_node.vertex];
     node.value = surface.values[flat_node.vertex];
     node.kind = flat_node.kind;
-    add_vertex(node, graph);
+    add_vertex(std::move(node), graph);
   }
-  for(std::size_t i = 0; i != flat_graph.arcs.size(); ++i)
+  constexpr std::size_t arcs_ahead = 12;
+  const std::size_t size = flat_graph.arcs.size();
+  for(std::size_t i = 0; i != size; ++i)
   {
-    const std::size_t first = chains.first_steps[i], size = chains.first_steps[i + 1] - first;
-    Arc arc;
-    arc.chain = {halfedges, first, size};
-    add_edge(flat_graph.arcs[i].lower, flat_graph.arcs[i].upper, arc, graph);
+    if(i + arcs_ahead < size)
+      prefetch(&graph[flat_graph.arcs[i + arcs_ahead].upper]);
+    const auto arc = add_edge(flat_graph.arcs[i].lower, flat_graph.arcs[i].upper, graph).first;
+    graph[arc].chain = {halfedges, chains.first_steps[i], chains.sizes[i]};
   }
 }
 
