@@ -242,7 +242,7 @@ protected:
     const Critical_vertices all_vertices = sort_all_vertices<ConcurrencyTag>(surface_.complex, order_);
     const Flat_graph all_arcs =
       merge_arcs(order_, all_vertices,
-                 find_critical_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices, Method::CONTOUR_TREES),
+                 find_critical_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices, Method::CONTOUR_TREES, 1),
                  Ties::PERTURB, true, true);
     const Critical_vertices critical_vertices = classify_vertices(surface_.complex, order_);
     Large_vector<Critical_arc> critical_arcs;

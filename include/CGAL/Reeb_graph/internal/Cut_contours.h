@@ -27,8 +27,7 @@ namespace internal {
 class Cut_contours
 {
 public:
-  explicit Cut_contours(Index number_of_critical_vertices) : number_of_critical_vertices_(number_of_critical_vertices)
-  {}
+  explicit Cut_contours(Index number_of_other_nodes) : number_of_other_nodes_(number_of_other_nodes) {}
 
   // Adds a contour just below the critical vertex `critical`, the top of whose sublevel component is
   // `sublevel_class`. Critical vertices have to come in descending order: an edge keeps its lowest contour.
@@ -49,13 +48,13 @@ public:
   }
 
   Index size() const { return static_cast<Index>(critical_vertices_.size()); }
-  Index number_of_nodes() const { return number_of_critical_vertices_ + 2 * size(); }
-  Index node_below(Index cut) const { return number_of_critical_vertices_ + 2 * cut; }
+  Index number_of_nodes() const { return number_of_other_nodes_ + 2 * size(); }
+  Index node_below(Index cut) const { return number_of_other_nodes_ + 2 * cut; }
   Index node_above(Index cut) const { return node_below(cut) + 1; }
 
-  bool is_node_below(Index node) const { return is_cut_node(node) && (node - number_of_critical_vertices_) % 2 == 0; }
-  bool is_node_above(Index node) const { return is_cut_node(node) && (node - number_of_critical_vertices_) % 2 == 1; }
-  Index cut_of_node(Index node) const { return (node - number_of_critical_vertices_) / 2; }
+  bool is_node_below(Index node) const { return is_cut_node(node) && (node - number_of_other_nodes_) % 2 == 0; }
+  bool is_node_above(Index node) const { return is_cut_node(node) && (node - number_of_other_nodes_) % 2 == 1; }
+  Index cut_of_node(Index node) const { return (node - number_of_other_nodes_) / 2; }
 
   Index critical_vertex(Index cut) const { return critical_vertices_[cut]; }
   Index sublevel_class(Index cut) const { return sublevel_classes_[cut]; }
@@ -68,9 +67,9 @@ public:
   }
 
 private:
-  bool is_cut_node(Index node) const { return node >= number_of_critical_vertices_; }
+  bool is_cut_node(Index node) const { return node >= number_of_other_nodes_; }
 
-  Index number_of_critical_vertices_;
+  Index number_of_other_nodes_;
   Large_vector<Index> critical_vertices_;
   Large_vector<Index> sublevel_classes_;
   std::unordered_map<Index, Index> lowest_at_edge_; // by representative corner

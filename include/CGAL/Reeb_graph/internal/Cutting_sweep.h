@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/Cut_contours.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/Slab.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/merge_trees.h>
@@ -30,16 +31,13 @@ template <class Order>
 class Cutting_sweep
 {
 public:
-  Cutting_sweep(const Triangle_complex& complex,
-                const Order& order,
-                const Critical_vertices& critical_vertices,
-                Sector_classes& sector_classes)
-    : complex_(complex),
+  Cutting_sweep(const Slab& slab, const Order& order, Sector_classes& sector_classes)
+    : complex_(slab.complex()),
       order_(order),
-      critical_vertices_(critical_vertices),
-      sweep_(complex, order, critical_vertices, sector_classes),
+      critical_vertices_(slab.critical_vertices()),
+      sweep_(slab, order, sector_classes),
       path_ends_(sweep_.make_path_ends()),
-      cuts_(critical_vertices.size())
+      cuts_(slab.number_of_nodes())
   {}
 
   void find_path_ends() { sweep_.find_path_ends(path_ends_); }
@@ -49,7 +47,7 @@ public:
   void merge_at(Index critical)
   {
     if(cuts_.size() != 0 && (are_all_changed_ || is_changed_[critical_vertices_.vertex(critical)]))
-      sweep_.find_path_ends_at(critical, path_ends_, [&](Index edge) { return component_at(edge); });
+      sweep_.find_path_ends_at(critical, path_ends_, [&](const Ascending_step& step) { return component_at(step); });
     sweep_.merge_at(critical);
   }
 
@@ -59,19 +57,25 @@ public:
     const Index cut = cuts_.size();
     cuts_.add(complex_, critical, sublevel_class, crossed_edges);
     sweep_.put_on_last(cuts_.node_above(cut));
-    components_of_cuts_.push_back(sweep_.add_component(cuts_.node_below(cut), has_border));
+    components_of_cuts_.push_back(sweep_.add_component_of_cut(cuts_.node_below(cut), has_border));
     if(!are_all_changed_)
       correct_path_ends(crossed_edges);
+  }
+
+  void merge_last_contours()
+  {
+    sweep_.merge_last_contours(path_ends_, [&](const Ascending_step& step) { return component_at(step); });
   }
 
   const Cut_contours& cuts() const { return cuts_; }
   Merge_tree& tree() { return sweep_.tree(); }
 
 private:
-  Index component_at(Index edge) const
+  // A path meets a cut before the upper level of the slab.
+  Index component_at(const Ascending_step& step) const
   {
-    const Index cut = cuts_.lowest_at_edge(complex_, edge);
-    return cut == no_index ? no_index : components_of_cuts_[cut];
+    const Index cut = cuts_.lowest_at_edge(complex_, step.edge);
+    return cut == no_index ? sweep_.component_at_level(step) : components_of_cuts_[cut];
   }
 
   // Goes down against the paths from where they meet the last cut. If that gets more expensive than to walk all of them

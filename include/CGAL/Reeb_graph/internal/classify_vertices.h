@@ -113,6 +113,22 @@ public:
   // All critical vertices, from the lowest to the highest.
   const Large_vector<Index>& ascending() const { return ascending_; }
 
+  // The given ones alone. Their order has to be that of the names in the part.
+  Critical_vertices part(const Large_vector<Index>& critical_vertices, Large_vector<Index> ascending) const
+  {
+    Critical_vertices result;
+    result.entries_.reserve(critical_vertices.size());
+    for(const Index critical : critical_vertices)
+    {
+      result.entries_.push_back(entries_[critical]);
+      result.entries_.back().first_sector = result.total_number_of_sectors();
+      const Sectors sectors = this->sectors(critical);
+      result.sectors_.insert(result.sectors_.end(), sectors.begin(), sectors.end());
+    }
+    result.ascending_ = std::move(ascending);
+    return result;
+  }
+
   void prefetch(Index critical) const { internal::prefetch(&entries_[critical]); }
 
 private:

@@ -15,7 +15,7 @@
 #include <CGAL/Reeb_graph/internal/Cut_contours.h>
 #include <CGAL/Reeb_graph/internal/Cutting_sweep.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Slab.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/contour_tree_merge.h>
 #include <CGAL/Reeb_graph/internal/loop_surgery.h>
@@ -37,12 +37,12 @@ template <class Order>
 class Contour_trees_engine
 {
 public:
-  Contour_trees_engine(const Triangle_complex& complex, const Order& order, const Critical_vertices& critical_vertices)
-    : complex_(complex),
+  Contour_trees_engine(const Slab& slab, const Order& order)
+    : slab_(slab),
       order_(order),
-      critical_vertices_(critical_vertices),
-      sector_classes_(critical_vertices.total_number_of_sectors(), no_index),
-      cuts_(critical_vertices.size())
+      critical_vertices_(slab.critical_vertices()),
+      sector_classes_(critical_vertices_.total_number_of_sectors(), no_index),
+      cuts_(slab.number_of_nodes())
   {}
 
   template <class ConcurrencyTag>
@@ -59,7 +59,7 @@ private:
   template <class ConcurrencyTag>
   void sweep()
   {
-    Cutting_sweep<Order> cutting_sweep(complex_, order_, critical_vertices_, sector_classes_);
+    Cutting_sweep<Order> cutting_sweep(slab_, order_, sector_classes_);
     invoke_both<ConcurrencyTag>([&] { sweep_upwards(); }, [&] { cutting_sweep.find_path_ends(); });
     sweep_downwards(cutting_sweep);
     split_tree_ = std::move(cutting_sweep.tree());
@@ -83,17 +83,18 @@ private:
 
   void sweep_upwards()
   {
-    Merge_tree_sweep<Order, false> sweep(complex_, order_, critical_vertices_, sector_classes_);
+    Merge_tree_sweep<Order, false> sweep(slab_, order_, sector_classes_);
     auto path_ends = sweep.make_path_ends();
     sweep.find_path_ends(path_ends);
     const Large_vector<Index>& ascending = critical_vertices_.ascending();
     visit_in_order(sweep, ascending.begin(), ascending.end(), [&](Index critical) { sweep.merge_at(critical); });
+    sweep.merge_last_contours(path_ends, [&](const Ascending_step& step) { return sweep.component_at_level(step); });
     join_tree_ = std::move(sweep.tree());
   }
 
   void sweep_downwards(Cutting_sweep<Order>& sweep)
   {
-    Loop_surgery<Order> surgery(complex_, order_, critical_vertices_, sector_classes_, join_tree_, sweep.tree());
+    Loop_surgery<Order> surgery(slab_, order_, sector_classes_, join_tree_, sweep.tree());
     const Large_vector<Index>& ascending = critical_vertices_.ascending();
     visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Index critical) {
       sweep.merge_at(critical);
@@ -104,6 +105,7 @@ private:
           sweep.cut(critical, sublevel_class, crossed_edges, has_border);
         });
     });
+    sweep.merge_last_contours();
   }
 
   // Cuts do not change the join tree but for their own nodes.
@@ -150,7 +152,7 @@ private:
     }
   }
 
-  const Triangle_complex& complex_;
+  const Slab& slab_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
   Sector_classes sector_classes_;
@@ -158,14 +160,6 @@ private:
   Merge_tree join_tree_;
   Merge_tree split_tree_;
 };
-
-template <class ConcurrencyTag, class Order>
-Large_vector<Critical_arc> find_arcs_by_contour_trees(const Triangle_complex& complex,
-                                                     const Order& order,
-                                                     const Critical_vertices& critical_vertices)
-{
-  return Contour_trees_engine<Order>(complex, order, critical_vertices).template find_arcs<ConcurrencyTag>();
-}
 
 } // namespace internal
 } // namespace Reeb_graph

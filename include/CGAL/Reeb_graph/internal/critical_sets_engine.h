@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/Critical_arc.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/Slab.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
@@ -33,21 +34,26 @@ template <class Order>
 class Critical_sets_engine
 {
 public:
-  Critical_sets_engine(const Triangle_complex& complex, const Order& order, const Critical_vertices& critical_vertices)
-    : complex_(complex),
+  Critical_sets_engine(const Slab& slab, const Order& order)
+    : slab_(slab),
+      complex_(slab.complex()),
       order_(order),
-      critical_vertices_(critical_vertices),
-      contour_at_edge_(complex.number_of_corners(), no_index)
+      critical_vertices_(slab.critical_vertices()),
+      contour_at_edge_(complex_.number_of_corners(), no_index)
   {}
 
-  Large_vector<Critical_arc> operator()()
+  // An edge keeps the contour of the lowest level: that is where an ascending path meets it first.
+  Large_vector<Critical_arc> find_arcs()
   {
-    // An edge keeps the contour of the lowest level: that is where an ascending path meets it first.
+    for(Index i = 0; i != slab_.number_of_contours(true); ++i)
+      arcs_.push_back({no_index, slab_.contour_node(true, i), {no_index, no_index}});
     const Large_vector<Index>& ascending = critical_vertices_.ascending();
     for(auto critical = ascending.rbegin(); critical != ascending.rend(); ++critical)
       register_lower_contours(*critical);
     for(Index i = 0; i != critical_vertices_.size(); ++i)
       climb_from(i);
+    for(Index i = 0; i != slab_.number_of_contours(false); ++i)
+      arcs_[contour_above(slab_.step_from_contour(false, i))].lower = slab_.contour_node(false, i);
     return std::move(arcs_);
   }
 
@@ -90,25 +96,22 @@ private:
 
   Index contour_above(Ascending_step step) const
   {
-    while(contour_at_edge_[step.edge] == no_index)
-      step = steepest_step(complex_, order_, step.target);
+    for(; contour_at_edge_[step.edge] == no_index; step = steepest_step(complex_, order_, step.target))
+    {
+      const Index contour = slab_.contour_at_step(true, step);
+      if(contour != no_index)
+        return contour;
+    }
     return contour_at_edge_[step.edge];
   }
 
+  const Slab& slab_;
   const Triangle_complex& complex_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
   Large_vector<Index> contour_at_edge_; // by corner; a contour has the number of the arc that ends there
   Large_vector<Critical_arc> arcs_;
 };
-
-template <class Order>
-Large_vector<Critical_arc> find_arcs_by_critical_sets(const Triangle_complex& complex,
-                                                     const Order& order,
-                                                     const Critical_vertices& critical_vertices)
-{
-  return Critical_sets_engine<Order>(complex, order, critical_vertices)();
-}
 
 } // namespace internal
 } // namespace Reeb_graph

@@ -11,25 +11,44 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/Critical_arc.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/contour_trees_engine.h>
-#include <CGAL/Reeb_graph/internal/critical_sets_engine.h>
+#include <CGAL/Reeb_graph/internal/Slab.h>
+#include <CGAL/Reeb_graph/internal/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/gluing.h>
+#include <CGAL/Reeb_graph/internal/level_set_slicing.h>
+#include <CGAL/Reeb_graph/internal/parallel.h>
+#include <CGAL/Reeb_graph/internal/slab_engine.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Finds the arcs between critical vertices by one of the two engines. They return the same arcs, in any order.
+// The slab stage between partition and gluing: finds the arcs between critical vertices, slab by slab. With one slab,
+// which needs neither, the engine itself runs in parallel where it can.
 template <class ConcurrencyTag, class Order>
 Large_vector<Critical_arc> find_critical_arcs(const Triangle_complex& complex,
-                                             const Order& order,
-                                             const Critical_vertices& critical_vertices,
-                                             Method method)
+                                              const Order& order,
+                                              const Critical_vertices& critical_vertices,
+                                              Method method,
+                                              std::size_t number_of_slabs)
 {
-  if(method == Method::CRITICAL_SETS)
-    return find_arcs_by_critical_sets(complex, order, critical_vertices);
-  return find_arcs_by_contour_trees<ConcurrencyTag>(complex, order, critical_vertices);
+  number_of_slabs = (std::min)(number_of_slabs, static_cast<std::size_t>(critical_vertices.size()));
+  if(number_of_slabs <= 1)
+    return find_arcs_of_slab<ConcurrencyTag>(Slab(complex, critical_vertices), order, method);
+
+  const Slicing slicing =
+    Slicing::make<ConcurrencyTag>(complex, order, critical_vertices, static_cast<Index>(number_of_slabs));
+  std::vector<Large_vector<Critical_arc>> arcs_of_slabs(number_of_slabs);
+  for_each_index<ConcurrencyTag>(number_of_slabs, [&](std::size_t i) {
+    arcs_of_slabs[i] = find_arcs_of_slab<ConcurrencyTag>(slicing.slab(static_cast<Index>(i)), order, method);
+  });
+  return Gluing(slicing, critical_vertices.size())(arcs_of_slabs);
 }
 
 } // namespace internal

@@ -32,15 +32,14 @@ template <class Order>
 class Loop_surgery
 {
 public:
-  Loop_surgery(const Triangle_complex& complex,
+  Loop_surgery(const Slab& slab,
                const Order& order,
-               const Critical_vertices& critical_vertices,
                const Sector_classes& sector_classes,
                const Merge_tree& join_tree,
                const Merge_tree& split_tree)
-    : complex_(complex),
+    : complex_(slab.complex()),
       order_(order),
-      critical_vertices_(critical_vertices),
+      critical_vertices_(slab.critical_vertices()),
       sector_classes_(sector_classes),
       join_tree_(join_tree),
       split_tree_(split_tree)

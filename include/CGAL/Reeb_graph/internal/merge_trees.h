@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/Slab.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/monotone_paths.h>
@@ -42,32 +43,36 @@ class Merge_tree_sweep
 public:
   typedef Monotone_path_ends<Order, is_split_tree> Path_ends;
 
-  Merge_tree_sweep(const Triangle_complex& complex,
-                   const Order& order,
-                   const Critical_vertices& critical_vertices,
-                   Sector_classes& sector_classes)
-    : complex_(complex),
+  Merge_tree_sweep(const Slab& slab, const Order& order, Sector_classes& sector_classes)
+    : slab_(slab),
       order_(order),
-      critical_vertices_(critical_vertices),
+      critical_vertices_(slab.critical_vertices()),
       sector_classes_(sector_classes),
       sets_(0)
   {
-    tree_.parents.assign(critical_vertices.size(), no_index);
-    tree_.is_border_reached.assign(critical_vertices.size(), false);
-    for(Index i = 0; i != critical_vertices.size(); ++i)
+    tree_.parents.assign(slab.number_of_nodes(), no_index);
+    tree_.is_border_reached.assign(slab.number_of_nodes(), false);
+    for(Index i = 0; i != critical_vertices_.size(); ++i)
     {
       if(is_extremum(i))
-        add_extremum(i);
-      // A border vertex reaches a critical one along the border, downwards or upwards: the flags of those suffice.
-      if(complex.is_on_border(critical_vertices.vertex(i)))
+        add_component(i);
+      // A border vertex reaches a critical one or a cut along the border, downwards or upwards: their flags suffice.
+      if(slab.complex().is_on_border(critical_vertices_.vertex(i)))
         tree_.is_border_reached[i] = true;
+    }
+    number_of_extrema_ = static_cast<Index>(tops_.size());
+    for(Index i = 0; i != slab.number_of_contours(is_split_tree); ++i)
+    {
+      add_component(slab.contour_node(is_split_tree, i));
+      tree_.is_border_reached[tops_.back()] = slab.is_border_reached(is_split_tree, i);
     }
   }
 
-  // Extrema are numbered in the order of the mesh, and each begins a component of the same number.
+  // Extrema are numbered in the order of the mesh, and each begins a component of the same number. The contours of the
+  // level from which the sweep comes follow.
   Path_ends make_path_ends() const
   {
-    Path_ends path_ends(complex_, order_);
+    Path_ends path_ends(slab_.complex(), order_);
     Index number = 0;
     for(Index i = 0; i != critical_vertices_.size(); ++i)
     {
@@ -81,15 +86,21 @@ public:
   void find_path_ends(Path_ends& path_ends)
   {
     for(Index i = 0; i != critical_vertices_.size(); ++i)
-      find_path_ends_at(i, path_ends, [](Index) { return no_index; });
+      find_path_ends_at(i, path_ends, [&](const Ascending_step& step) { return component_at_level(step); });
   }
 
-  template <class EndOfEdge>
-  void find_path_ends_at(Index critical, Path_ends& path_ends, const EndOfEdge& end_of_edge)
+  Index component_at_level(const Ascending_step& step) const
+  {
+    const Index contour = slab_.contour_at_step(is_split_tree, step);
+    return contour == no_index ? no_index : number_of_extrema_ + contour;
+  }
+
+  template <class EndOfStep>
+  void find_path_ends_at(Index critical, Path_ends& path_ends, const EndOfStep& end_of_step)
   {
     critical_vertices_.for_each_sector(critical, is_split_tree, [&](Index i) {
       const Link_sector& sector = critical_vertices_.sector(i);
-      sector_classes_[i] = path_ends(Ascending_step{sector.edge, sector.extreme_neighbor}, end_of_edge);
+      sector_classes_[i] = path_ends(Ascending_step{sector.edge, sector.extreme_neighbor}, end_of_step);
     });
   }
 
@@ -119,12 +130,25 @@ public:
     put_on(merged_components_.front(), node);
   }
 
-  // Adds a component that begins with the node. Returns its number.
-  Index add_component(Index node, bool is_border_reached)
+  // Puts the contours of the level at which the sweep ends on their components. To be called at last.
+  template <class EndOfStep>
+  void merge_last_contours(Path_ends& path_ends, const EndOfStep& end_of_step)
+  {
+    const Index size = slab_.number_of_contours(!is_split_tree);
+    for(Index i = 0; i != size; ++i)
+    {
+      const Index contour = is_split_tree ? size - 1 - i : i;
+      const Index end = path_ends(slab_.step_from_contour(!is_split_tree, contour), end_of_step);
+      put_on(sets_.top(end), slab_.contour_node(!is_split_tree, contour));
+    }
+  }
+
+  // Adds a component that begins with a new node. Returns its number.
+  Index add_component_of_cut(Index node, bool is_border_reached)
   {
     add_nodes_up_to(node);
     tree_.is_border_reached[node] = is_border_reached;
-    return add_extremum(node);
+    return add_component(node);
   }
 
   // To be called a few vertices ahead.
@@ -138,7 +162,7 @@ public:
 private:
   bool is_extremum(Index critical) const { return critical_vertices_.number_of_sectors(critical, is_split_tree) == 0; }
 
-  Index add_extremum(Index node)
+  Index add_component(Index node)
   {
     sets_.add();
     tops_.push_back(node);
@@ -162,11 +186,12 @@ private:
     tops_[component] = top;
   }
 
-  const Triangle_complex& complex_;
+  const Slab& slab_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
   Sector_classes& sector_classes_;
-  Disjoint_sets sets_;      // of components, named by their extrema
+  Index number_of_extrema_;
+  Disjoint_sets sets_;       // of components
   Large_vector<Index> tops_; // by component
   Large_vector<Index> merged_components_;
   Merge_tree tree_;

@@ -47,17 +47,17 @@ public:
     return step;
   }
 
-  // The end of the path that begins with `step`. An edge at which end_of_edge(edge) is not no_index ends the path.
-  template <class EndOfEdge>
-  Index operator()(Ascending_step step, const EndOfEdge& end_of_edge)
+  // The end of the path that begins with `step`. A step of which end_of_step(step) is not no_index is the last one.
+  template <class EndOfStep>
+  Index operator()(Ascending_step step, const EndOfStep& end_of_step)
   {
     passed_.clear();
-    Index end = end_of_edge(step.edge);
+    Index end = end_of_step(step);
     while(end == no_index && !is_known(step.target))
     {
       passed_.push_back(step.target);
       step = this->step(step.target);
-      end = end_of_edge(step.edge);
+      end = end_of_step(step);
     }
     if(end == no_index)
       end = ends_[step.target];

@@ -1,0 +1,158 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_LEVEL_SET_SLICING_H
+#define CGAL_REEB_GRAPH_INTERNAL_LEVEL_SET_SLICING_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/Cut_level.h>
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/Number_set.h>
+#include <CGAL/Reeb_graph/internal/Slab.h>
+#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/parallel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The partition of the surface into slabs with about the same number of critical vertices, as those make the work.
+// There is a cut level just above the last critical vertex of each slab but the highest. (The paper, Section 5.1.)
+class Slicing
+{
+public:
+  template <class ConcurrencyTag, class Order>
+  static Slicing make(const Triangle_complex& complex,
+                      const Order& order,
+                      const Critical_vertices& critical_vertices,
+                      Index number_of_slabs)
+  {
+    Slicing slicing(complex, critical_vertices, number_of_slabs);
+    slicing.find_slabs_of_vertices<ConcurrencyTag>(order);
+    slicing.find_crossed_edges<ConcurrencyTag>();
+    for_each_index<ConcurrencyTag>(slicing.levels_.size(), [&](std::size_t i) {
+      const Index vertex = slicing.level_vertices_[i];
+      slicing.levels_[i].find_contours(complex, [&](Index u) { return !order(vertex, u); });
+    });
+    slicing.distribute_critical_vertices();
+    for_each_index<ConcurrencyTag>(slicing.parts_.size(), [&](std::size_t slab) { slicing.fill_part(slab); });
+    return slicing;
+  }
+
+  Index number_of_slabs() const { return static_cast<Index>(parts_.size()); }
+
+  Slab slab(Index number) const
+  {
+    return Slab(*complex_, parts_[number].critical_vertices, slabs_of_vertices_, number,
+                number == 0 ? nullptr : &levels_[number - 1],
+                number == levels_.size() ? nullptr : &levels_[number]);
+  }
+
+  // The name of a slab's critical vertex among those of the surface.
+  Index critical_vertex(Index slab, Index critical) const { return parts_[slab].names[critical]; }
+
+  // The level below or above a slab.
+  const Cut_level& level(Index slab, bool is_upper) const { return levels_[is_upper ? slab : slab - 1]; }
+  Index number_of_levels() const { return static_cast<Index>(levels_.size()); }
+
+private:
+  struct Part
+  {
+    Critical_vertices critical_vertices;
+    Large_vector<Index> names;
+  };
+
+  Slicing(const Triangle_complex& complex, const Critical_vertices& critical_vertices, Index number_of_slabs)
+    : complex_(&complex),
+      critical_vertices_(&critical_vertices),
+      parts_(number_of_slabs),
+      levels_(number_of_slabs - 1, Cut_level(complex))
+  {
+    for(Index slab = 1; slab != number_of_slabs; ++slab)
+      level_vertices_.push_back(critical_vertices.vertex(critical_vertices.ascending()[first_of_slab(slab) - 1]));
+  }
+
+  // The place of a slab's first critical vertex in ascending order.
+  std::size_t first_of_slab(std::size_t slab) const { return slab * critical_vertices_->size() / parts_.size(); }
+
+  template <class ConcurrencyTag, class Order>
+  void find_slabs_of_vertices(const Order& order)
+  {
+    slabs_of_vertices_.resize(complex_->number_of_vertices());
+    for_each_block<ConcurrencyTag>(slabs_of_vertices_.size(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i != end; ++i)
+      {
+        const Index v = static_cast<Index>(i);
+        const auto level = std::partition_point(level_vertices_.begin(), level_vertices_.end(),
+                                                [&](Index level_vertex) { return order(level_vertex, v); });
+        slabs_of_vertices_[i] = static_cast<Index>(level - level_vertices_.begin());
+      }
+    });
+  }
+
+  // One sweep for all levels, in blocks that do not share a word of the sets.
+  template <class ConcurrencyTag>
+  void find_crossed_edges()
+  {
+    const std::size_t end_of_corners = complex_->number_of_corners(), word = Number_set::bits_per_word;
+    for_each_block<ConcurrencyTag>(end_of_corners / word + 1, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin * word; i < (std::min)(end * word, end_of_corners); ++i)
+      {
+        const Index corner = static_cast<Index>(i);
+        if(complex_->representative_of_edge(corner) != corner)
+          continue;
+        const auto range =
+          std::minmax(slabs_of_vertices_[complex_->edge_source(corner)], slabs_of_vertices_[complex_->edge_target(corner)]);
+        for(Index level = range.first; level != range.second; ++level)
+          levels_[level].add_crossed_edge(corner);
+      }
+    });
+  }
+
+  void distribute_critical_vertices()
+  {
+    names_in_slabs_.resize(critical_vertices_->size());
+    for(Index i = 0; i != critical_vertices_->size(); ++i)
+    {
+      Large_vector<Index>& names = parts_[slabs_of_vertices_[critical_vertices_->vertex(i)]].names;
+      names_in_slabs_[i] = static_cast<Index>(names.size());
+      names.push_back(i);
+    }
+  }
+
+  void fill_part(std::size_t slab)
+  {
+    const auto ascending = critical_vertices_->ascending().begin();
+    Large_vector<Index> ascending_in_slab;
+    ascending_in_slab.reserve(parts_[slab].names.size());
+    std::for_each(ascending + first_of_slab(slab), ascending + first_of_slab(slab + 1),
+                  [&](Index critical) { ascending_in_slab.push_back(names_in_slabs_[critical]); });
+    parts_[slab].critical_vertices = critical_vertices_->part(parts_[slab].names, std::move(ascending_in_slab));
+  }
+
+  const Triangle_complex* complex_;
+  const Critical_vertices* critical_vertices_;
+  std::vector<Part> parts_;
+  std::vector<Cut_level> levels_;
+  Large_vector<Index> level_vertices_;
+  Large_vector<Index> slabs_of_vertices_;
+  Large_vector<Index> names_in_slabs_; // by critical vertex of the surface
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_LEVEL_SET_SLICING_H

@@ -1,0 +1,39 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SLAB_ENGINE_H
+#define CGAL_REEB_GRAPH_INTERNAL_SLAB_ENGINE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/Critical_arc.h>
+#include <CGAL/Reeb_graph/internal/Slab.h>
+#include <CGAL/Reeb_graph/internal/contour_trees_engine.h>
+#include <CGAL/Reeb_graph/internal/critical_sets_engine.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Finds the arcs between the nodes of a slab by one of the two engines. They return the same arcs, in any order. First
+// steps are those of arcs that begin at a critical vertex.
+template <class ConcurrencyTag, class Order>
+Large_vector<Critical_arc> find_arcs_of_slab(const Slab& slab, const Order& order, Method method)
+{
+  if(method == Method::CRITICAL_SETS)
+    return Critical_sets_engine<Order>(slab, order).find_arcs();
+  return Contour_trees_engine<Order>(slab, order).template find_arcs<ConcurrencyTag>();
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_SLAB_ENGINE_H
