@@ -36,6 +36,12 @@ struct Contour_options
   std::string output_path;
 };
 
+struct Field_options
+{
+  Input_options input;
+  std::string output_path;
+};
+
 struct Demo_options
 {
   std::filesystem::path folder = "reeb_graph_demo";
@@ -44,6 +50,7 @@ struct Demo_options
 // They print to std::cout and throw an exception derived from std::exception for any error.
 void run_compute(const Compute_options& options);
 void run_contour(const Contour_options& options);
+void run_field(const Field_options& options);
 void run_demo(const Demo_options& options);
 
 } // namespace reeb_graph_program
