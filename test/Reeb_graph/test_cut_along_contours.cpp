@@ -31,30 +31,13 @@
 // Meshes cut along many contours at a time, of any field, with borders that contours may end at.
 
 using namespace cut_mesh_checks;
-using curve_samples::Random;
 using curve_samples::Sample;
 using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
-using random_meshes::Mesh_class;
 
 typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
 
 namespace {
-// A mesh of any class, with points in general position.
-Sample any_sample(std::size_t seed)
-{
-  Random random(seed);
-  const auto mesh = random_meshes::random_mesh(
-    static_cast<Mesh_class>(seed % static_cast<std::size_t>(Mesh_class::NUMBER_OF_CLASSES)), random);
-  Sample sample;
-  sample.soup.triangles = mesh.triangles;
-  for(std::size_t v = 0; v < mesh.number_of_vertices; ++v)
-    sample.soup.points.push_back({static_cast<double>(random.below(1000)), static_cast<double>(random.below(1000)),
-                                  static_cast<double>(random.below(1000))});
-  sample.values = random_meshes::random_field(mesh, curve_samples::field_class(seed / 6), random);
-  return sample;
-}
-
 template <class Mesh>
 struct Cut_sample
 {
@@ -132,7 +115,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(many_contours_at_a_time, Mesh, Meshes)
   for(std::size_t seed = 0; seed < 400; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
-      Cut_sample<Mesh> sample(any_sample(seed));
+      Cut_sample<Mesh> sample(curve_samples::any_sample(seed));
       Face_history<Mesh> history(sample.mesh);
       auto visitor = history.visitor();
       sample.cut(CGAL::parameters::visitor(std::ref(visitor)));
@@ -158,7 +141,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(cutting_open_parts_the_pieces, Mesh, Meshes)
   for(std::size_t seed = 0; seed < 400; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
-      Cut_sample<Mesh> sample(any_sample(seed)), opened(any_sample(seed));
+      Cut_sample<Mesh> sample(curve_samples::any_sample(seed)), opened(curve_samples::any_sample(seed));
       sample.cut(CGAL::parameters::default_values());
       opened.cut(CGAL::parameters::cut_open(true));
       BOOST_TEST(is_valid_mesh(opened.mesh));
@@ -201,7 +184,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(property_maps_tell_the_curves_and_the_pieces, Mesh
       {
         typedef typename boost::graph_traits<Mesh>::edge_descriptor edge_descriptor;
         typedef typename boost::graph_traits<Mesh>::face_descriptor face_descriptor;
-        Cut_sample<Mesh> sample(any_sample(seed));
+        Cut_sample<Mesh> sample(curve_samples::any_sample(seed));
         std::map<edge_descriptor, bool> is_constrained;
         std::map<edge_descriptor, std::size_t> curve_of_edge;
         std::map<face_descriptor, std::size_t> patch_of_face;
@@ -276,7 +259,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_visitor_is_told_of_everything_that_is_new, Mesh,
   for(std::size_t seed = 0; seed < 60; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
-      Cut_sample<Mesh> sample(any_sample(seed));
+      Cut_sample<Mesh> sample(curve_samples::any_sample(seed));
       const std::size_t number_of_vertices = num_vertices(sample.mesh), number_of_faces = num_faces(sample.mesh);
       Recording_visitor<Mesh> visitor;
       visitor.mesh = &sample.mesh;
@@ -295,7 +278,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_visitor_is_told_of_everything_that_is_new, Mesh,
 BOOST_AUTO_TEST_CASE(what_is_no_contour_is_refused)
 {
   typedef Cut_sample<Surface_mesh> Sample_of_mesh;
-  const Sample input = any_sample(3 * 6); // closed
+  const Sample input = curve_samples::any_sample(3 * 6); // closed
   const auto check = [&](const std::function<void(Sample_of_mesh&)>& spoil) {
     Sample_of_mesh sample(input);
     const std::size_t number_of_vertices = num_vertices(sample.mesh);

@@ -15,6 +15,7 @@
 #include "random_meshes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -109,6 +110,45 @@ inline Sample smooth_sample(unsigned genus, std::size_t number_of_vertices, std:
                             : kind == 1 ? static_cast<double>(random.below(1000000))
                             : kind == 2 ? static_cast<double>(random.below(3))
                                         : 1.);
+  return sample;
+}
+
+// a mesh of any class, with points in general position
+inline Sample any_sample(std::size_t seed)
+{
+  Random random(seed);
+  const auto mesh =
+    random_meshes::random_mesh(static_cast<random_meshes::Mesh_class>(
+                                 seed % static_cast<std::size_t>(random_meshes::Mesh_class::NUMBER_OF_CLASSES)),
+                               random);
+  Sample sample;
+  sample.soup.triangles = mesh.triangles;
+  for(std::size_t v = 0; v < mesh.number_of_vertices; ++v)
+    sample.soup.points.push_back({static_cast<double>(random.below(1000)), static_cast<double>(random.below(1000)),
+                                  static_cast<double>(random.below(1000))});
+  sample.values = random_meshes::random_field(mesh, field_class(seed / 6), random);
+  return sample;
+}
+
+// a sphere with four long arms in the directions of a tetrahedron, and the distance to the centre as its field
+inline Sample four_armed_sphere()
+{
+  const double arms[4][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  Sample sample;
+  sample.soup = generated_surfaces::closed_surface(0, 4000);
+  for(auto& p : sample.soup.points)
+  {
+    const double length = std::hypot(p[0], p[1], p[2]);
+    double factor = 1;
+    for(const auto& arm : arms)
+    {
+      const double cosine = (p[0] * arm[0] + p[1] * arm[1] + p[2] * arm[2]) / length / std::sqrt(3.);
+      factor += 3 * std::pow((std::max)(cosine, 0.), 12);
+    }
+    for(double& coordinate : p)
+      coordinate *= factor / length;
+    sample.values.push_back(factor);
+  }
   return sample;
 }
 

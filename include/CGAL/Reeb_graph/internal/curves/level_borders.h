@@ -42,9 +42,7 @@ struct Level_borders
   typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
   typedef typename boost::property_map<Mesh, dynamic_vertex_property_t<std::size_t>>::type Number_map;
 
-  explicit Level_borders(const Mesh& mesh)
-    : number_map(get(dynamic_vertex_property_t<std::size_t>(), const_cast<Mesh&>(mesh)))
-  {}
+  explicit Level_borders(Mesh& mesh) : number_map(get(dynamic_vertex_property_t<std::size_t>(), mesh)) {}
 
   bool is_on_border(vertex_descriptor v) const { return get(number_map, v) != 0; }
   const Level_border<vertex_descriptor>& border_of(vertex_descriptor v) const
@@ -86,7 +84,7 @@ void check_level_border(const Mesh& mesh,
 
 // Border components are numbered in the order of their first vertices in vertices(mesh).
 template <class Mesh, class ScalarMap, class Less>
-Level_borders<Mesh> find_level_borders(const Mesh& mesh, const ScalarMap& scalar_map, const Less& less)
+Level_borders<Mesh> find_level_borders(Mesh& mesh, const ScalarMap& scalar_map, const Less& less)
 {
   Level_borders<Mesh> result(mesh);
   for(const auto v : vertices(mesh))
