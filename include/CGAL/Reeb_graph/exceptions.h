@@ -368,6 +368,88 @@ public:
   Direction_error() : Error("the direction is zero, or not finite") {}
 };
 
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a border that does not lie in one level, or is neither a minimum nor a maximum of the field.
+class Border_level_error : public Error
+{
+public:
+  /// what is wrong with the border
+  enum class Reason
+  {
+    SEVERAL_VALUES, ///< not all its vertices have the same value
+    NOT_EXTREMAL    ///< it has lower neighbors as well as higher ones
+  };
+
+  /// constructs the exception for the border component that `vertex`, a position in `vertices(mesh)`, is on.
+  Border_level_error(std::size_t vertex, Reason reason)
+    : Error("the border component of vertex " + std::to_string(vertex)
+            + (reason == Reason::SEVERAL_VALUES ? " does not lie in one level of the scalar field"
+                                                : " has lower neighbors as well as higher ones")),
+      vertex_(vertex),
+      reason_(reason)
+  {}
+
+  /// the position in `vertices(mesh)` of the first vertex of the border component.
+  std::size_t vertex() const { return vertex_; }
+
+  /// what is wrong with it.
+  Reason reason() const { return reason_; }
+
+private:
+  std::size_t vertex_;
+  Reason reason_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a connected component that has no pants decomposition: a sphere, a disk, an annulus, or a torus.
+class No_pants_decomposition_error : public Error
+{
+public:
+  /// constructs the exception for the component of `face`, a position in `faces(mesh)`.
+  No_pants_decomposition_error(std::size_t face, long euler_characteristic, bool has_border)
+    : Error("the connected component of face " + std::to_string(face) + " is "
+            + (euler_characteristic == 2   ? "a sphere"
+               : euler_characteristic == 1 ? "a disk"
+               : has_border                ? "an annulus"
+                                           : "a torus")
+            + ", which has no pants decomposition: its Euler characteristic is " + std::to_string(euler_characteristic)
+            + ", and would have to be negative"),
+      face_(face),
+      euler_characteristic_(euler_characteristic)
+  {}
+
+  /// the position in `faces(mesh)` of the first face of the component.
+  std::size_t face() const { return face_; }
+
+  /// the Euler characteristic of the component.
+  long euler_characteristic() const { return euler_characteristic_; }
+
+private:
+  std::size_t face_;
+  long euler_characteristic_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a sequence of halfedges that is no contour of the scalar field.
+class Invalid_contour_error : public Error
+{
+public:
+  /// constructs the exception for the contour at position `contour`.
+  explicit Invalid_contour_error(std::size_t contour)
+    : Error("contour " + std::to_string(contour) + " is not one of this mesh and scalar field"),
+      contour_(contour)
+  {}
+
+  /// the position of the contour in its range.
+  std::size_t contour() const { return contour_; }
+
+private:
+  std::size_t contour_;
+};
+
 } // namespace Reeb_graph
 } // namespace CGAL
 

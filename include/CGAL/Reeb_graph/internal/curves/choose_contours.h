@@ -1,0 +1,191 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CURVES_CHOOSE_CONTOURS_H
+#define CGAL_REEB_GRAPH_INTERNAL_CURVES_CHOOSE_CONTOURS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/curve_parameters.h>
+#include <CGAL/Reeb_graph/internal/curves/Branch_pruning.h>
+#include <CGAL/Reeb_graph/internal/curves/Contour_choice.h>
+#include <CGAL/Reeb_graph/internal/curves/Graph_retract.h>
+#include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/kruskal_min_spanning_tree.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+// Which contours of a Reeb graph with simple saddles the curves are.
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+struct Length_of_curve
+{
+  double operator()(const Candidate_curve& candidate) const { return candidate.length; }
+};
+
+// The length, but beyond the half that is next to the saddle, a place is the worse the farther it is.
+struct Cost_of_branch_curve
+{
+  double operator()(const Candidate_curve& candidate) const
+  {
+    const double beyond = (std::numeric_limits<double>::max)() / 2;
+    return candidate.position <= 0.5 ? candidate.length : beyond * (1 + candidate.position);
+  }
+};
+
+template <class RankedMesh, class DefaultCost, class NamedParameters>
+auto choose_curve_cost(const NamedParameters& np)
+{
+  return parameters::choose_parameter<DefaultCost>(parameters::get_parameter(np, curve_cost));
+}
+
+template <class RankedMesh, class CurveCost, class NamedParameters>
+Contour_choice<RankedMesh, CurveCost> make_contour_choice(const RankedMesh& ranked,
+                                                          const Simple_reeb_graph<RankedMesh>& simple,
+                                                          const CurveCost& cost,
+                                                          const NamedParameters& np)
+{
+  const std::size_t number =
+    parameters::choose_parameter(parameters::get_parameter(np, number_of_candidates), std::size_t(16));
+  return Contour_choice<RankedMesh, CurveCost>(ranked, simple.graph, cost, number);
+}
+
+// The positions of the edges that are in no maximum spanning tree of a graph with parallel edges and loops. `Path` has
+// the ends of each edge.
+template <class Path>
+std::vector<std::size_t> edges_outside_of_maximum_spanning_tree(const std::vector<Path>& paths,
+                                                                const std::vector<double>& weights,
+                                                                std::size_t number_of_nodes)
+{
+  typedef boost::property<boost::edge_index_t, std::size_t, boost::property<boost::edge_weight_t, double>> Edge;
+  typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, Edge> Graph;
+  Graph graph(number_of_nodes);
+  for(std::size_t i = 0; i != paths.size(); ++i)
+    add_edge(paths[i].first_node, paths[i].last_node, Edge(i, -weights[i]), graph);
+  std::vector<typename boost::graph_traits<Graph>::edge_descriptor> tree;
+  boost::kruskal_minimum_spanning_tree(graph, std::back_inserter(tree));
+  std::vector<bool> is_in_tree(paths.size(), false);
+  for(const auto edge : tree)
+    is_in_tree[get(boost::edge_index, graph, edge)] = true;
+  std::vector<std::size_t> result;
+  for(std::size_t i = 0; i != paths.size(); ++i)
+  {
+    if(!is_in_tree[i])
+      result.push_back(i);
+  }
+  return result;
+}
+
+template <class RankedMesh, class NamedParameters>
+std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_cutting_system(
+  const RankedMesh& ranked,
+  const Simple_reeb_graph<RankedMesh>& simple,
+  const NamedParameters& np)
+{
+  typedef typename Simple_reeb_graph<RankedMesh>::Graph Graph;
+  const auto cost = choose_curve_cost<RankedMesh, Length_of_curve>(np);
+  const auto weight = parameters::choose_parameter<Length_of_curve>(parameters::get_parameter(np, arc_weight));
+  const auto choose = make_contour_choice(ranked, simple, cost, np);
+  const std::vector<bool> no_border(num_vertices(simple.graph), false);
+  const Graph_retract<Graph> retract(simple.graph, no_border);
+
+  std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> candidates, contours;
+  std::vector<double> weights;
+  for(const auto& path : retract.paths())
+  {
+    auto choice = choose(path);
+    weights.push_back(weight(choice.properties));
+    candidates.push_back(std::move(choice.contour));
+  }
+  for(const std::size_t i :
+      edges_outside_of_maximum_spanning_tree(retract.paths(), weights, num_vertices(simple.graph)))
+    contours.push_back(std::move(candidates[i]));
+  return contours;
+}
+
+template <class RankedMesh, class NamedParameters>
+std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_pants_decomposition(
+  const RankedMesh& ranked,
+  const Simple_reeb_graph<RankedMesh>& simple,
+  const NamedParameters& np)
+{
+  typedef typename Simple_reeb_graph<RankedMesh>::Graph Graph;
+  const auto cost = choose_curve_cost<RankedMesh, Length_of_curve>(np);
+  const auto choose = make_contour_choice(ranked, simple, cost, np);
+  std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> contours;
+  const Graph_retract<Graph> retract(simple.graph, simple.is_border);
+  for(const auto& path : retract.paths())
+  {
+    if(!simple.is_border[path.first_node] && !simple.is_border[path.last_node])
+      contours.push_back(choose(path).contour);
+  }
+  return contours;
+}
+
+// The area of the region of each arc: each vertex has a third of the area of its faces.
+template <class RankedMesh>
+std::vector<double> areas_of_arcs(const RankedMesh& ranked, const Simple_reeb_graph<RankedMesh>& simple)
+{
+  const auto& mesh = ranked.mesh();
+  const Augmentation<typename RankedMesh::Mesh, typename RankedMesh::Rank_map> augmentation(
+    mesh, ranked.rank_map(), simple.graph, parameters::ties(Ties::CONTRACT));
+  const auto locations = augmentation.locate_vertices();
+  const std::size_t number_of_nodes = num_vertices(simple.graph);
+  std::vector<double> areas(num_edges(simple.graph), 0);
+  for(const auto f : faces(mesh))
+  {
+    const auto h = halfedge(f, mesh);
+    const double area = ranked.area(source(h, mesh), target(h, mesh), target(next(h, mesh), mesh));
+    for(const auto v : vertices_around_face(h, mesh))
+    {
+      if(locations.index(v) >= number_of_nodes)
+        areas[locations.index(v) - number_of_nodes] += area / 3;
+    }
+  }
+  return areas;
+}
+
+template <class RankedMesh, class NamedParameters>
+std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_branch_curves(
+  const RankedMesh& ranked,
+  const Simple_reeb_graph<RankedMesh>& simple,
+  const NamedParameters& np)
+{
+  typedef Branch_pruning<typename Simple_reeb_graph<RankedMesh>::Graph> Pruning;
+  const typename Pruning::Thresholds thresholds = {
+    parameters::choose_parameter(parameters::get_parameter(np, persistence_threshold), 0.),
+    parameters::choose_parameter(parameters::get_parameter(np, area_threshold), 0.)};
+  const auto cost = choose_curve_cost<RankedMesh, Cost_of_branch_curve>(np);
+  const auto choose = make_contour_choice(ranked, simple, cost, np);
+
+  std::vector<double> values;
+  for(const auto node : CGAL::make_range(vertices(simple.graph)))
+    values.push_back(ranked.value(simple.graph[node].vertex));
+  const std::vector<double> areas =
+    thresholds.area > 0 ? areas_of_arcs(ranked, simple) : std::vector<double>(num_edges(simple.graph), 0);
+  std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> contours;
+  for(const auto& path : Pruning(simple.graph, values, simple.is_border, areas, thresholds).branches())
+    contours.push_back(choose(path).contour);
+  return contours;
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_CURVES_CHOOSE_CONTOURS_H

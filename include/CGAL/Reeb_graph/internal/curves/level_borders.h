@@ -1,0 +1,161 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CURVES_LEVEL_BORDERS_H
+#define CGAL_REEB_GRAPH_INTERNAL_CURVES_LEVEL_BORDERS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/curves/Ranked_mesh.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/range/iterator_range.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// A border component all of whose vertices have one value, which no neighbor is below, or none is above.
+template <class VertexDescriptor>
+struct Level_border
+{
+  std::vector<VertexDescriptor> vertices;
+  bool is_minimum = true;
+  // Vertices on edges between border vertices of equal value lie between these and all other vertices.
+  std::size_t group = 0;
+};
+
+// All border components of a mesh, each of which is an extremum of the field.
+template <class Mesh>
+struct Level_borders
+{
+  typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::property_map<Mesh, dynamic_vertex_property_t<std::size_t>>::type Number_map;
+
+  explicit Level_borders(Mesh& mesh) : number_map(get(dynamic_vertex_property_t<std::size_t>(), mesh)) {}
+
+  bool is_on_border(vertex_descriptor v) const { return get(number_map, v) != 0; }
+  const Level_border<vertex_descriptor>& border_of(vertex_descriptor v) const
+  {
+    return borders[get(number_map, v) - 1];
+  }
+
+  std::vector<Level_border<vertex_descriptor>> borders;
+  Number_map number_map;        // the number of the border of a vertex plus one, 0 if it is on none
+  std::vector<Rank> last_ranks; // by group: the rank nearest to those of the other vertices
+};
+
+// Finds out on which side of the field the border is. Throws if it is on none.
+template <class Mesh, class ScalarMap, class Less>
+void check_level_border(const Mesh& mesh,
+                        const ScalarMap& scalar_map,
+                        const Less& less,
+                        std::size_t first_vertex,
+                        Level_border<typename boost::graph_traits<Mesh>::vertex_descriptor>& border)
+{
+  const auto value = get(scalar_map, border.vertices.front());
+  bool has_lower = false, has_higher = false;
+  for(const auto v : border.vertices)
+  {
+    const auto value_of_vertex = get(scalar_map, v);
+    if(less(value, value_of_vertex) || less(value_of_vertex, value))
+      throw Border_level_error(first_vertex, Border_level_error::Reason::SEVERAL_VALUES);
+    for(const auto h : halfedges_around_target(v, mesh))
+    {
+      const auto value_of_neighbor = get(scalar_map, source(h, mesh));
+      has_lower = has_lower || less(value_of_neighbor, value);
+      has_higher = has_higher || less(value, value_of_neighbor);
+    }
+  }
+  if(has_lower && has_higher)
+    throw Border_level_error(first_vertex, Border_level_error::Reason::NOT_EXTREMAL);
+  border.is_minimum = !has_lower;
+}
+
+// Border components are numbered in the order of their first vertices in vertices(mesh).
+template <class Mesh, class ScalarMap, class Less>
+Level_borders<Mesh> find_level_borders(Mesh& mesh, const ScalarMap& scalar_map, const Less& less)
+{
+  Level_borders<Mesh> result(mesh);
+  for(const auto v : vertices(mesh))
+    put(result.number_map, v, 0);
+  std::size_t position = 0;
+  for(const auto v : vertices(mesh))
+  {
+    const std::size_t first_vertex = position++;
+    auto first = halfedge(v, mesh);
+    if(first == boost::graph_traits<Mesh>::null_halfedge() || result.is_on_border(v))
+      continue;
+    bool is_on_border = false;
+    for(const auto h : halfedges_around_target(v, mesh))
+    {
+      if(!is_border(h, mesh))
+        continue;
+      first = h;
+      is_on_border = true;
+    }
+    if(!is_on_border)
+      continue;
+    result.borders.emplace_back();
+    for(const auto h : halfedges_around_face(first, mesh))
+    {
+      result.borders.back().vertices.push_back(target(h, mesh));
+      put(result.number_map, target(h, mesh), result.borders.size());
+    }
+    check_level_border(mesh, scalar_map, less, first_vertex, result.borders.back());
+  }
+  return result;
+}
+
+// Splits all edges between two vertices of borders that lie at one level on the same side, so that each border is
+// strictly lower or strictly higher than all its other neighbors.
+template <class RankedMesh>
+void split_chords(const RankedMesh& ranked, Level_borders<typename RankedMesh::Mesh>& borders)
+{
+  typedef typename RankedMesh::halfedge_descriptor halfedge_descriptor;
+  auto& mesh = ranked.mesh();
+  std::vector<halfedge_descriptor> chords;
+  const auto is_listed = get(dynamic_edge_property_t<bool>(), mesh);
+  for(const auto e : edges(mesh))
+    put(is_listed, e, false);
+  for(const auto& border : borders.borders)
+    for(const auto v : border.vertices)
+      for(const halfedge_descriptor h : halfedges_around_target(v, mesh))
+      {
+        const auto u = source(h, mesh);
+        const bool is_chord = borders.is_on_border(u) && borders.border_of(u).group == border.group
+                           && !is_border(h, mesh) && !is_border(opposite(h, mesh), mesh);
+        if(!is_chord || get(is_listed, edge(h, mesh)))
+          continue;
+        put(is_listed, edge(h, mesh), true);
+        chords.push_back(h);
+      }
+  const Rank step = rank_spacing / 2 / (chords.size() + 1);
+  for(const halfedge_descriptor h : chords)
+  {
+    const auto u = source(h, mesh), w = target(h, mesh);
+    const auto& border = borders.border_of(u);
+    Rank& rank = borders.last_ranks[border.group];
+    rank += border.is_minimum ? step : Rank(0) - step;
+    const halfedge_descriptor first = ranked.split_edge(h, u, w, 0.5);
+    ranked.place(target(first, mesh), rank, ranked.value(u));
+    ranked.split_face(first, next(h, mesh));
+    ranked.split_face(opposite(h, mesh), next(opposite(first, mesh), mesh));
+  }
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_CURVES_LEVEL_BORDERS_H

@@ -1,0 +1,242 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "curve_samples.h"
+#include "cut_mesh_checks.h"
+
+#include <CGAL/Reeb_graph/branch_curves.h>
+#include <CGAL/Reeb_graph/cutting_system.h>
+#include <CGAL/Reeb_graph/pants_decomposition.h>
+#include <CGAL/Reeb_graph/scalar_maps.h>
+#include <CGAL/Reeb_graph/unfold_multi_saddles.h>
+
+#include <boost/mpl/list.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <vector>
+
+// Cutting systems, pants decompositions and branch curves: their numbers, and the pieces between them.
+
+using namespace cut_mesh_checks;
+using curve_samples::Sample;
+using mesh_builders::Polyhedron;
+using mesh_builders::Surface_mesh;
+
+typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
+
+namespace {
+template <class Mesh>
+using Curves_of = std::vector<CGAL::Reeb_graph::Curve<typename boost::graph_traits<Mesh>::halfedge_descriptor>>;
+
+long genus_of(const Piece& component)
+{
+  return (2 - component.euler_characteristic - static_cast<long>(component.border_loops)) / 2;
+}
+
+// the pieces of cutting systems of all components, and the number of their curves
+std::pair<std::vector<Piece>, long> expected_of_cutting_system(const std::vector<Piece>& components)
+{
+  std::pair<std::vector<Piece>, long> expected;
+  for(Piece component : components)
+  {
+    const long genus = genus_of(component);
+    component.euler_characteristic = 2 - 2 * genus - static_cast<long>(component.border_loops);
+    component.border_loops += static_cast<std::size_t>(2 * genus);
+    expected.first.push_back(component);
+    expected.second += genus;
+  }
+  return expected;
+}
+
+std::pair<std::vector<Piece>, long> expected_of_pants_decomposition(const std::vector<Piece>& components)
+{
+  std::pair<std::vector<Piece>, long> expected;
+  for(const Piece& component : components)
+  {
+    const long genus = genus_of(component), borders = static_cast<long>(component.border_loops);
+    for(long i = 0; i < 2 * genus - 2 + borders; ++i)
+      expected.first.push_back({-1, 3, 0});
+    expected.second += 3 * genus - 3 + borders;
+  }
+  return expected;
+}
+
+template <class Mesh>
+struct Cutting_system
+{
+  static auto expected(const std::vector<Piece>& components) { return expected_of_cutting_system(components); }
+
+  template <class ScalarMap, class NamedParameters>
+  static void compute(Mesh& mesh, ScalarMap scalar_map, Curves_of<Mesh>& curves, const NamedParameters& np)
+  {
+    CGAL::Reeb_graph::cutting_system(mesh, scalar_map, std::back_inserter(curves), np);
+  }
+};
+
+template <class Mesh>
+struct Pants_decomposition
+{
+  static auto expected(const std::vector<Piece>& components) { return expected_of_pants_decomposition(components); }
+
+  template <class ScalarMap, class NamedParameters>
+  static void compute(Mesh& mesh, ScalarMap scalar_map, Curves_of<Mesh>& curves, const NamedParameters& np)
+  {
+    CGAL::Reeb_graph::pants_decomposition(mesh, scalar_map, std::back_inserter(curves), np);
+  }
+};
+
+template <class Mesh, class Decomposition>
+std::string fault_of_decomposition(const Sample& sample, bool is_geometry_checked)
+{
+  Mesh mesh = curve_samples::make_mesh<Mesh>(sample.soup);
+  const auto expected = Decomposition::expected(pieces_of(mesh));
+  Face_history<Mesh> history(mesh);
+  auto visitor = history.visitor();
+  Curves_of<Mesh> curves;
+  Decomposition::compute(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, sample.values), curves,
+                         CGAL::parameters::visitor(std::ref(visitor)));
+  if(static_cast<long>(curves.size()) != expected.second)
+    return std::to_string(curves.size()) + " curves, expected " + std::to_string(expected.second);
+  for(const auto& curve : curves)
+    if(!curve.is_closed)
+      return "a curve is not closed";
+  const std::string fault = fault_of_cut_mesh(mesh, curves, expected.first);
+  return fault.empty() && is_geometry_checked ? history.fault() : fault;
+}
+
+bool has_pants_decomposition(const std::vector<Piece>& components)
+{
+  return std::all_of(components.begin(), components.end(),
+                     [](const Piece& component) { return component.euler_characteristic < 0; });
+}
+
+template <class Mesh>
+void test_random_sample(const Sample& sample)
+{
+  BOOST_TEST((fault_of_decomposition<Mesh, Cutting_system<Mesh>>(sample, true)) == "");
+  if(has_pants_decomposition(pieces_of(curve_samples::make_mesh<Mesh>(sample.soup))))
+    BOOST_TEST((fault_of_decomposition<Mesh, Pants_decomposition<Mesh>>(sample, true)) == "");
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(closed_surfaces_and_random_fields, Mesh, Meshes)
+{
+  for(std::size_t seed = 0; seed < 400; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+  test_random_sample<Mesh>(curve_samples::random_sample(seed, false, 1 + seed % 2, seed % 3 == 0 ? 0 : 2));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(bordered_surfaces_and_random_fields, Mesh, Meshes)
+{
+  std::size_t number_of_tested = 0;
+  for(std::size_t seed = 1000; seed < 1800; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const Sample sample = curve_samples::random_sample(seed, true, 1 + seed % 2, seed % 3);
+      if(!curve_samples::are_borders_extremal(sample))
+        continue;
+      ++number_of_tested;
+      test_random_sample<Mesh>(sample);
+    }
+  BOOST_TEST(number_of_tested > 300u);
+}
+
+BOOST_AUTO_TEST_CASE(smooth_surfaces_of_genus_up_to_25)
+{
+  for(const unsigned genus : {0u, 1u, 2u, 3u, 7u, 16u, 25u})
+    for(std::size_t kind = 0; kind < 4; ++kind)
+      BOOST_TEST_CONTEXT("genus " << genus << ", field " << kind)
+  test_random_sample<Surface_mesh>(curve_samples::smooth_sample(genus, 3000, kind));
+}
+
+BOOST_AUTO_TEST_CASE(unfolding_leaves_a_loop_for_each_handle)
+{
+  for(std::size_t seed = 0; seed < 200; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const Sample sample = curve_samples::random_sample(seed, false, 1, 1);
+      auto mesh = curve_samples::make_mesh<Surface_mesh>(sample.soup);
+      const long genus = genus_of(pieces_of(mesh).front());
+      const auto rank_map = mesh.add_property_map<Surface_mesh::Vertex_index, std::uint64_t>("v:rank").first;
+      CGAL::Reeb_graph::unfold_multi_saddles(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, sample.values), rank_map);
+      typedef CGAL::Reeb_graph_traits<Surface_mesh, decltype(rank_map)> Traits;
+      struct Visitor : CGAL::Reeb_graph::Default_visitor
+      {
+        CGAL::Reeb_graph::Critical_vertex_counts counts;
+        void critical_vertices(const CGAL::Reeb_graph::Critical_vertex_counts& c) { counts = c; }
+      } visitor;
+      typename Traits::Graph graph;
+      CGAL::compute_reeb_graph(mesh, rank_map, graph, CGAL::parameters::visitor(std::ref(visitor)));
+      BOOST_TEST(static_cast<long>(num_edges(graph)) - static_cast<long>(num_vertices(graph)) + 1 == genus);
+      BOOST_TEST((visitor.counts.saddles.empty() || visitor.counts.saddles.rbegin()->first == 1));
+      BOOST_TEST(CGAL::is_valid_polygon_mesh(mesh));
+    }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(branches_are_disks, Mesh, Meshes)
+{
+  for(std::size_t seed = 0; seed < 200; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const Sample sample = curve_samples::random_sample(seed, false, 1 + seed % 2, 0);
+      Mesh mesh = curve_samples::make_mesh<Mesh>(sample.soup);
+      std::vector<Piece> expected;
+      const auto components = pieces_of(mesh);
+      Curves_of<Mesh> curves;
+      CGAL::Reeb_graph::branch_curves(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, sample.values),
+                                      std::back_inserter(curves));
+      auto pieces = pieces_between(mesh, curves);
+      BOOST_TEST(pieces.size() == components.size() + curves.size());
+      const auto disks = std::count_if(pieces.begin(), pieces.end(), [](const Piece& piece) {
+        return piece.euler_characteristic == 1 && piece.border_loops == 1;
+      });
+      BOOST_TEST(static_cast<std::size_t>(disks) == curves.size());
+      BOOST_TEST(fault_of_cut_mesh(mesh, curves, pieces) == "");
+    }
+}
+
+namespace {
+std::size_t number_of_branches(const Sample& sample, double persistence, double area)
+{
+  auto mesh = curve_samples::make_mesh<Surface_mesh>(sample.soup);
+  Curves_of<Surface_mesh> curves;
+  CGAL::Reeb_graph::branch_curves(
+    mesh, CGAL::Reeb_graph::make_scalar_map(mesh, sample.values), std::back_inserter(curves),
+    CGAL::parameters::persistence_threshold(persistence, CGAL::parameters::area_threshold(area)));
+  BOOST_TEST(CGAL::is_valid_polygon_mesh(mesh));
+  return curves.size();
+}
+
+// a height field with a little noise
+Sample noisy_sample(unsigned genus)
+{
+  Sample sample = curve_samples::smooth_sample(genus, 4000, 0);
+  curve_samples::Random random(7);
+  for(double& value : sample.values)
+    value += 0.05 * static_cast<double>(random.below(1000)) / 1000;
+  return sample;
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(thresholds_of_branches_remove_noise)
+{
+  const Sample smooth = curve_samples::smooth_sample(2, 4000, 0), noisy = noisy_sample(2);
+  const std::size_t without_noise = number_of_branches(smooth, 0, 0);
+  BOOST_TEST(number_of_branches(smooth, 0.06, 0) == without_noise);
+  BOOST_TEST(number_of_branches(noisy, 0, 0) > 20 * without_noise);
+  BOOST_TEST(number_of_branches(noisy, 0.06, 0) == without_noise);
+  BOOST_TEST(number_of_branches(noisy, 0, 0.1) <= 2 * without_noise);
+  BOOST_TEST(number_of_branches(noisy, 1000, 0) == 0u);
+  BOOST_TEST(number_of_branches(noisy, 0, 1000) == 0u);
+}
