@@ -16,11 +16,13 @@
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/visitor.h>
+#include <CGAL/Reeb_graph/internal/Progress.h>
 #include <CGAL/Reeb_graph/internal/arc_chains.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/find_critical_arcs.h>
 #include <CGAL/Reeb_graph/internal/flatten.h>
 #include <CGAL/Reeb_graph/internal/merge_arcs.h>
+#include <CGAL/Reeb_graph/internal/parallel.h>
 #include <CGAL/Reeb_graph/internal/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/write_graph.h>
 
@@ -48,6 +50,9 @@ namespace CGAL {
 /// where loops close, it takes \f$ O(n + c \log c + l \log l) \f$ time, up to the inverse Ackermann function, and
 /// \f$ O(n + l) \f$ memory. On a closed surface of genus \f$ g \f$ there are at most \f$ 2g \f$ such vertices.
 ///
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`. It has no influence on the
+///         result. `Parallel_tag` needs TBB; the threads are those of the calling `tbb::task_arena`. Meshes of fewer
+///         than 20,000 faces are always worked on by one thread.
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. The value
 ///         type is the scalar type of the traits class
@@ -78,6 +83,20 @@ namespace CGAL {
 ///     \cgalParamType{`Reeb_graph::Method`}
 ///     \cgalParamDefault{`Reeb_graph::Method::AUTOMATIC`}
 ///     \cgalParamExtra{use the functions `parameters::method()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_slabs}
+///     \cgalParamDescription{into how many slabs, between level sets, the surface is cut so that the arcs of each are
+///                           found on their own; 0 leaves the choice to the function. It has no influence on the
+///                           result. There are never more slabs than critical vertices.}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{0}
+///     \cgalParamExtra{use the functions `parameters::number_of_slabs()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{is told between two stages which fraction of the work is done, from 0 to 1, at last before
+///                           the graph is written. If it returns `false`, the computation stops.}
+///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
+///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_index_map}
 ///     \cgalParamDescription{a property map that gives each vertex a different non-negative integer, used to find
@@ -110,10 +129,12 @@ namespace CGAL {
 /// \exception Reeb_graph::Non_manifold_vertex_error if the faces of a vertex form more than one fan
 /// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN
 /// \exception Reeb_graph::Invalid_index_map_error if an index map is not one to one
+/// \exception Reeb_graph::Cancelled_error if `callback` returns `false`
 /// \exception Reeb_graph::Mesh_size_error if there are too many vertices or faces for 32-bit indices
 ///
 /// When one of these is thrown, `graph` is as it was before.
-template <class FaceListGraph,
+template <class ConcurrencyTag = Sequential_tag,
+          class FaceListGraph,
           class ScalarMap,
           class ReebGraph,
           class NamedParameters = parameters::Default_named_parameters>
@@ -127,37 +148,53 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   using Reeb_graph::Stage;
   namespace stages = Reeb_graph::internal;
 
+  if constexpr(stages::is_parallel<ConcurrencyTag>())
+  {
+    if(num_faces(mesh) < stages::smallest_parallel_mesh)
+      return compute_reeb_graph<Sequential_tag>(mesh, scalar_map, graph, np);
+  }
+
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Default_traits;
   const auto traits = choose_parameter<Default_traits>(get_parameter(np, internal_np::geom_traits));
   auto visitor_parameter = choose_parameter<Reeb_graph::Default_visitor>(get_parameter(np, internal_np::visitor));
   auto& visitor = stages::unwrap_reference(visitor_parameter);
+  const stages::Progress progress(np);
   const auto ties = choose_parameter(get_parameter(np, stages::ties), Reeb_graph::Ties::PERTURB);
   const auto method = choose_parameter(get_parameter(np, stages::method), Reeb_graph::Method::AUTOMATIC);
   const bool are_degree_two_nodes_kept = choose_parameter(get_parameter(np, stages::keep_degree_two_nodes), false);
+  const std::size_t number_of_slabs = choose_parameter(get_parameter(np, stages::number_of_slabs), std::size_t(0));
 
+  progress.report(0);
   visitor.begin_stage(Stage::FLATTEN);
-  const auto surface = stages::flatten<Sequential_tag>(mesh, scalar_map, traits, np);
+  const auto surface = stages::flatten<ConcurrencyTag>(mesh, scalar_map, traits, np);
   const stages::Vertex_order order(surface.values, traits.less_scalar_object());
   visitor.end_stage(Stage::FLATTEN);
+  progress.report(0.2);
 
-  visitor.begin_stage(Stage::CLASSIFY);
-  const auto critical_vertices = stages::classify_vertices(surface.complex, order);
-  visitor.critical_vertices(stages::count_critical_vertices(surface.complex, critical_vertices));
-  visitor.end_stage(Stage::CLASSIFY);
+  stages::Flat_graph flat_graph;
+  {
+    visitor.begin_stage(Stage::CLASSIFY);
+    const auto critical_vertices = stages::classify_vertices<ConcurrencyTag>(surface.complex, order);
+    visitor.critical_vertices(stages::count_critical_vertices(surface.complex, critical_vertices));
+    visitor.end_stage(Stage::CLASSIFY);
+    progress.report(0.3);
 
-  visitor.begin_stage(Stage::ARCS);
-  const auto critical_arcs =
-    stages::find_critical_arcs<Sequential_tag>(surface.complex, order, critical_vertices, method);
-  const auto flat_graph = stages::merge_arcs(order, critical_vertices, critical_arcs, ties,
-                                             are_degree_two_nodes_kept, false);
-  visitor.end_stage(Stage::ARCS);
+    visitor.begin_stage(Stage::ARCS);
+    const auto critical_arcs =
+      stages::find_critical_arcs<ConcurrencyTag>(surface.complex, order, critical_vertices, method, number_of_slabs);
+    flat_graph = stages::merge_arcs(order, critical_vertices, critical_arcs, ties, are_degree_two_nodes_kept, false);
+    visitor.end_stage(Stage::ARCS);
+    progress.report(0.7);
+  }
 
   visitor.begin_stage(Stage::CHAINS);
-  const auto chains = stages::find_arc_chains(surface.complex, order, flat_graph);
+  const auto chains = stages::find_arc_chains<ConcurrencyTag>(surface.complex, order, flat_graph);
   visitor.end_stage(Stage::CHAINS);
+  progress.report(1);
 
+  // Not written aside and swapped: to swap graphs of Boost copies them.
   visitor.begin_stage(Stage::WRITE);
-  stages::write_graph(mesh, surface, flat_graph, chains, graph);
+  stages::write_graph<ConcurrencyTag>(mesh, surface, flat_graph, chains, graph);
   visitor.end_stage(Stage::WRITE);
 }
 

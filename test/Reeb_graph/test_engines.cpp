@@ -169,20 +169,21 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values)
   const auto surface =
     stages::flatten<CGAL::Sequential_tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
   const Order order(surface.values, traits.less_scalar_object());
-  const auto critical_vertices = stages::classify_vertices(surface.complex, order);
+  const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.complex, order);
   const auto& ascending = critical_vertices.ascending();
+  const stages::Slab slab(surface.complex, critical_vertices);
 
   stages::Sector_classes sector_classes(critical_vertices.total_number_of_sectors(), stages::no_index);
-  stages::Merge_tree_sweep<Order, false> upwards(surface.complex, order, critical_vertices, sector_classes);
+  stages::Merge_tree_sweep<Order, false> upwards(slab, order, sector_classes);
   auto path_ends = upwards.make_path_ends();
   upwards.find_path_ends(path_ends);
   std::for_each(ascending.begin(), ascending.end(), [&](stages::Index critical) { upwards.merge_at(critical); });
 
-  stages::Cutting_sweep<Order> downwards(surface.complex, order, critical_vertices, sector_classes);
+  stages::Cutting_sweep<Order> downwards(slab, order, sector_classes);
   downwards.find_path_ends();
   const Counting_order counting_order(order);
-  stages::Loop_surgery<Counting_order> surgery(surface.complex, counting_order, critical_vertices, sector_classes,
-                                               upwards.tree(), downwards.tree());
+  stages::Loop_surgery<Counting_order> surgery(slab, counting_order, sector_classes, upwards.tree(),
+                                               downwards.tree());
   std::for_each(ascending.rbegin(), ascending.rend(), [&](stages::Index critical) {
     downwards.merge_at(critical);
     if(surgery.can_close_loop(critical))

@@ -15,7 +15,7 @@
 #include <CGAL/Reeb_graph/field_constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Progress.h>
+#include <CGAL/Reeb_graph/internal/Progress.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/far_apart_vertices.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/harmonic_values.h>

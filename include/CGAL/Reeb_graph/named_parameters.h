@@ -13,6 +13,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <cstddef>
 #include <functional>
 
 namespace CGAL {
@@ -69,10 +70,26 @@ enum method_t
 {
   method
 };
+enum number_of_slabs_t
+{
+  number_of_slabs
+};
 enum laplacian_weights_t
 {
   laplacian_weights
 };
+
+template <class Tag, class T>
+auto start_parameters(const T& value)
+{
+  return Named_function_parameters<T, Tag>(value);
+}
+
+template <class Tag, class T, class Parameters>
+auto append_parameter(const T& value, const Parameters& np)
+{
+  return Named_function_parameters<T, Tag, Parameters>(value, np);
+}
 
 // A parameter that may be given by value or as std::reference_wrapper.
 template <class T>
@@ -97,7 +114,7 @@ namespace parameters {
 /// \brief starts a pack of named parameters with `keep_degree_two_nodes`, see `compute_reeb_graph()`.
 inline auto keep_degree_two_nodes(bool is_kept)
 {
-  return Named_function_parameters<bool, Reeb_graph::internal::keep_degree_two_nodes_t>(is_kept);
+  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::keep_degree_two_nodes_t>(is_kept);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -106,8 +123,7 @@ inline auto keep_degree_two_nodes(bool is_kept)
 template <class T, class Tag, class Base>
 auto keep_degree_two_nodes(bool is_kept, const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Named_function_parameters<bool, Reeb_graph::internal::keep_degree_two_nodes_t,
-                                   Named_function_parameters<T, Tag, Base>>(is_kept, np);
+  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::keep_degree_two_nodes_t>(is_kept, np);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -115,7 +131,7 @@ auto keep_degree_two_nodes(bool is_kept, const Named_function_parameters<T, Tag,
 /// \brief starts a pack of named parameters with `ties`, see `compute_reeb_graph()`.
 inline auto ties(Reeb_graph::Ties ties)
 {
-  return Named_function_parameters<Reeb_graph::Ties, Reeb_graph::internal::ties_t>(ties);
+  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::ties_t>(ties);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -124,8 +140,7 @@ inline auto ties(Reeb_graph::Ties ties)
 template <class T, class Tag, class Base>
 auto ties(Reeb_graph::Ties ties, const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Named_function_parameters<Reeb_graph::Ties, Reeb_graph::internal::ties_t,
-                                   Named_function_parameters<T, Tag, Base>>(ties, np);
+  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::ties_t>(ties, np);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -133,7 +148,7 @@ auto ties(Reeb_graph::Ties ties, const Named_function_parameters<T, Tag, Base>& 
 /// \brief starts a pack of named parameters with `method`, see `compute_reeb_graph()`.
 inline auto method(Reeb_graph::Method method)
 {
-  return Named_function_parameters<Reeb_graph::Method, Reeb_graph::internal::method_t>(method);
+  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::method_t>(method);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -142,8 +157,24 @@ inline auto method(Reeb_graph::Method method)
 template <class T, class Tag, class Base>
 auto method(Reeb_graph::Method method, const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Named_function_parameters<Reeb_graph::Method, Reeb_graph::internal::method_t,
-                                   Named_function_parameters<T, Tag, Base>>(method, np);
+  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::method_t>(method, np);
+}
+
+/// \ingroup PkgReebGraphNamedParameters
+///
+/// \brief starts a pack of named parameters with `number_of_slabs`, see `compute_reeb_graph()`.
+inline auto number_of_slabs(std::size_t number)
+{
+  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::number_of_slabs_t>(number);
+}
+
+/// \ingroup PkgReebGraphNamedParameters
+///
+/// \brief appends `number_of_slabs` to the pack `np`.
+template <class T, class Tag, class Base>
+auto number_of_slabs(std::size_t number, const Named_function_parameters<T, Tag, Base>& np)
+{
+  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::number_of_slabs_t>(number, np);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -151,7 +182,7 @@ auto method(Reeb_graph::Method method, const Named_function_parameters<T, Tag, B
 /// \brief starts a pack of named parameters with `laplacian_weights`, see `Reeb_graph::compute_harmonic_field()`.
 inline auto laplacian_weights(Reeb_graph::Laplacian_weights weights)
 {
-  return Named_function_parameters<Reeb_graph::Laplacian_weights, Reeb_graph::internal::laplacian_weights_t>(weights);
+  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::laplacian_weights_t>(weights);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -160,8 +191,7 @@ inline auto laplacian_weights(Reeb_graph::Laplacian_weights weights)
 template <class T, class Tag, class Base>
 auto laplacian_weights(Reeb_graph::Laplacian_weights weights, const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Named_function_parameters<Reeb_graph::Laplacian_weights, Reeb_graph::internal::laplacian_weights_t,
-                                   Named_function_parameters<T, Tag, Base>>(weights, np);
+  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::laplacian_weights_t>(weights, np);
 }
 
 } // namespace parameters

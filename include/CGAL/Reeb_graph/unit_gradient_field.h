@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Progress.h>
+#include <CGAL/Reeb_graph/internal/Progress.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/differential_operators.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/poisson_values.h>

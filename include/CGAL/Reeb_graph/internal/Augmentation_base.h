@@ -244,7 +244,7 @@ protected:
       merge_arcs(order_, all_vertices,
                  find_critical_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices, Method::CONTOUR_TREES, 1),
                  Ties::PERTURB, true, true);
-    const Critical_vertices critical_vertices = classify_vertices(surface_.complex, order_);
+    const Critical_vertices critical_vertices = classify_vertices<ConcurrencyTag>(surface_.complex, order_);
     Large_vector<Critical_arc> critical_arcs;
     for(const Flat_arc& arc : all_arcs.arcs)
       critical_arcs.push_back({critical_vertices.ascending()[arc.lower], critical_vertices.ascending()[arc.upper],

@@ -63,7 +63,7 @@ public:
 
 private:
   Number_set crossed_edges_;
-  Large_vector<Index> contours_; // by rank of the edge
+  Large_vector<Index> contours_;    // by rank of the edge
   Large_vector<Index> first_edges_; // by contour
   std::vector<bool> is_border_reached_;
 };

@@ -85,7 +85,7 @@ private:
 
   IndexMap index_map_;
   std::size_t number_of_equal_indices_ = 0; // all or none
-  Large_vector<Index> positions_;            // empty if the indices are the positions
+  Large_vector<Index> positions_;           // empty if the indices are the positions
 };
 
 // Whether the mesh has indices that cannot be written. Writable ones, such as the ids of a Polyhedron_3, may never

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/parallel.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -41,15 +42,17 @@ inline Index checked_index(std::size_t i)
 class Triangle_complex
 {
 public:
-  Triangle_complex(Large_vector<Index> corner_vertices,
+  template <class ConcurrencyTag>
+  Triangle_complex(ConcurrencyTag,
+                   Large_vector<Index> corner_vertices,
                    Large_vector<Index> opposite_corners,
                    Index number_of_vertices)
     : corner_vertices_(std::move(corner_vertices)),
       opposite_corners_(std::move(opposite_corners)),
       first_corners_(number_of_vertices, no_index)
   {
-    find_first_corners();
-    check_fans();
+    find_first_corners<ConcurrencyTag>();
+    check_fans<ConcurrencyTag>();
   }
 
   Index number_of_vertices() const { return static_cast<Index>(first_corners_.size()); }
@@ -122,11 +125,26 @@ public:
   }
 
 private:
-  // Border edges come second, as the first corner at a border vertex is the one behind the border.
+  // The lowest corner at each vertex, at a border vertex the one behind the border.
+  template <class ConcurrencyTag>
   void find_first_corners()
   {
-    for(Index corner = 0; corner != number_of_corners(); ++corner)
-      first_corners_[vertex(corner)] = corner;
+    if constexpr(is_parallel<ConcurrencyTag>())
+    {
+      typedef Shared_value<ConcurrencyTag, Index> Lowest_corner;
+      Large_vector<Lowest_corner> lowest_corners(number_of_vertices(), Lowest_corner(no_index));
+      for_each_block<ConcurrencyTag>(number_of_corners(), [&](std::size_t begin, std::size_t end) {
+        for(std::size_t corner = begin; corner != end; ++corner)
+          lowest_corners[corner_vertices_[corner]].lower_to(static_cast<Index>(corner));
+      });
+      for(Index v = 0; v != number_of_vertices(); ++v)
+        first_corners_[v] = lowest_corners[v].get();
+    }
+    else
+    {
+      for(Index corner = number_of_corners(); corner != 0; --corner)
+        first_corners_[vertex(corner - 1)] = corner - 1;
+    }
     for(Index corner = 0; corner != number_of_corners(); ++corner)
     {
       if(opposite(corner) == no_index)
@@ -148,12 +166,17 @@ private:
   }
 
   // A halfedge data structure reaches one fan of triangles per vertex only; here all corners are known.
+  template <class ConcurrencyTag>
   void check_fans() const
   {
-    Index number_of_reached_corners = 0;
-    for(Index v = 0; v != number_of_vertices(); ++v)
-      number_of_reached_corners += size_of_fan(v);
-    if(number_of_reached_corners == number_of_corners())
+    Shared_value<ConcurrencyTag, Index> number_of_reached_corners(0);
+    for_each_block<ConcurrencyTag>(number_of_vertices(), [&](std::size_t begin, std::size_t end) {
+      Index sum = 0;
+      for(std::size_t v = begin; v != end; ++v)
+        sum += size_of_fan(static_cast<Index>(v));
+      number_of_reached_corners.add(sum);
+    });
+    if(number_of_reached_corners.get() == number_of_corners())
       return;
     Large_vector<Index> degrees(number_of_vertices(), 0);
     for(const Index v : corner_vertices_)

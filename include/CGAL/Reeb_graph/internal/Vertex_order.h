@@ -36,17 +36,11 @@ public:
   Vertex_order(const Large_vector<Scalar>& values, const Less& less) : values_(&values), less_(less) {}
 
   // Whether vertex u is lower than vertex v.
-  bool operator()(Index u, Index v) const
-  {
-    return is_before((*values_)[u], u, (*values_)[v], v);
-  }
+  bool operator()(Index u, Index v) const { return is_before((*values_)[u], u, (*values_)[v], v); }
 
   Key key(Index v) const { return {(*values_)[v], v}; }
 
-  bool operator()(const Key& a, const Key& b) const
-  {
-    return is_before(a.value, a.vertex, b.value, b.vertex);
-  }
+  bool operator()(const Key& a, const Key& b) const { return is_before(a.value, a.vertex, b.value, b.vertex); }
 
   // Whether the values are the same, so that only the indices order the vertices.
   bool are_tied(Index u, Index v) const

@@ -15,9 +15,12 @@
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
+#include <CGAL/Reeb_graph/internal/parallel.h>
 
 #include <cstddef>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -48,27 +51,54 @@ inline Large_vector<Index> arcs_in_mesh_order(const Triangle_complex& complex, c
   return arcs;
 }
 
-// Walks the chain of each arc. A path that has entered an arc cannot leave it below the upper node, so comparisons
-// tell the end, and the chain does not depend on how the arc was found.
+// Walks the chains of the arcs from `begin` to `end`. A path that has entered an arc cannot leave it below the upper
+// node, so comparisons tell the end, and the chain does not depend on how the arc was found.
 template <class Order>
-Flat_chains find_arc_chains(const Triangle_complex& complex, const Order& order, const Flat_graph& graph)
+Large_vector<Ascending_step> walk_chains(const Triangle_complex& complex,
+                                         const Order& order,
+                                         const Flat_graph& graph,
+                                         const Index* begin,
+                                         const Index* end,
+                                         Flat_chains& chains)
 {
-  Flat_chains chains;
-  chains.first_steps.resize(graph.arcs.size());
-  chains.sizes.resize(graph.arcs.size());
-  chains.steps.reserve(2 * graph.arcs.size());
-  for(const Index i : arcs_in_mesh_order(complex, graph))
+  Large_vector<Ascending_step> steps;
+  steps.reserve(2 * static_cast<std::size_t>(end - begin));
+  for(const Index* i = begin; i != end; ++i)
   {
-    const Flat_arc& arc = graph.arcs[i];
-    chains.first_steps[i] = chains.steps.size();
+    const Flat_arc& arc = graph.arcs[*i];
+    chains.first_steps[*i] = steps.size();
     for(std::size_t j = 0; j != arc.number_of_pieces; ++j)
     {
       const Chain_piece& piece = graph.pieces[arc.first_piece + j];
-      chains.steps.push_back(piece.first_step);
-      while(order(chains.steps.back().target, piece.upper_vertex))
-        chains.steps.push_back(steepest_step(complex, order, chains.steps.back().target));
+      steps.push_back(piece.first_step);
+      while(order(steps.back().target, piece.upper_vertex))
+        steps.push_back(steepest_step(complex, order, steps.back().target));
     }
-    chains.sizes[i] = static_cast<Index>(chains.steps.size() - chains.first_steps[i]);
+    chains.sizes[*i] = static_cast<Index>(steps.size() - chains.first_steps[*i]);
+  }
+  return steps;
+}
+
+template <class ConcurrencyTag, class Order>
+Flat_chains find_arc_chains(const Triangle_complex& complex, const Order& order, const Flat_graph& graph)
+{
+  const Large_vector<Index> arcs = arcs_in_mesh_order(complex, graph);
+  Flat_chains chains;
+  chains.first_steps.resize(arcs.size());
+  chains.sizes.resize(arcs.size());
+  std::vector<Large_vector<Ascending_step>> steps_of_parts(number_of_parts<ConcurrencyTag>(arcs.size()));
+  for_each_part<ConcurrencyTag>(
+    steps_of_parts.size(), arcs.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+      steps_of_parts[part] = walk_chains(complex, order, graph, arcs.data() + begin, arcs.data() + end, chains);
+    });
+  chains.steps = std::move(steps_of_parts[0]);
+  for(std::size_t part = 1; part != steps_of_parts.size(); ++part)
+  {
+    const std::size_t first_step = chains.steps.size();
+    chains.steps.insert(chains.steps.end(), steps_of_parts[part].begin(), steps_of_parts[part].end());
+    const std::size_t end = (part + 1) * arcs.size() / steps_of_parts.size();
+    for(std::size_t i = part * arcs.size() / steps_of_parts.size(); i != end; ++i)
+      chains.first_steps[arcs[i]] += first_step;
   }
   return chains;
 }

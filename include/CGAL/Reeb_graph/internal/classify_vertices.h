@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -113,6 +114,19 @@ public:
   // All critical vertices, from the lowest to the highest.
   const Large_vector<Index>& ascending() const { return ascending_; }
 
+  // Adds those of another part of the mesh, further on.
+  void append(const Critical_vertices& other)
+  {
+    const Index first = checked_index(sectors_.size());
+    sectors_.insert(sectors_.end(), other.sectors_.begin(), other.sectors_.end());
+    entries_.reserve(entries_.size() + other.entries_.size());
+    for(const Entry& entry : other.entries_)
+    {
+      entries_.push_back(entry);
+      entries_.back().first_sector += first;
+    }
+  }
+
   // The given ones alone. Their order has to be that of the names in the part.
   Critical_vertices part(const Large_vector<Index>& critical_vertices, Large_vector<Index> ascending) const
   {
@@ -148,53 +162,104 @@ private:
 // For each vertex, the number of triangles in which it is the middle one: for an interior vertex twice the number
 // of its lower sectors, and of its upper ones, except that an extremum has none.
 template <class Order>
-Large_vector<Index> count_middle_corners(const Triangle_complex& complex, const Order& order)
+void add_middle_corners(const Triangle_complex& complex,
+                        const Order& order,
+                        std::size_t first_triangle,
+                        std::size_t end_of_triangles,
+                        Large_vector<Index>& counts)
 {
-  Large_vector<Index> counts(complex.number_of_vertices(), 0);
-  for(Index corner = 0; corner != complex.number_of_corners(); corner += 3)
+  counts.resize(complex.number_of_vertices(), 0);
+  for(std::size_t triangle = first_triangle; triangle != end_of_triangles; ++triangle)
   {
+    const Index corner = static_cast<Index>(3 * triangle);
     const Index a = complex.vertex(corner), b = complex.vertex(corner + 1), c = complex.vertex(corner + 2);
     const bool is_a_below_b = order(a, b), is_b_below_c = order(b, c), is_a_below_c = order(a, c);
     ++counts[is_a_below_b == is_b_below_c ? b : (is_a_below_b == is_a_below_c ? c : a)];
   }
-  return counts;
 }
 
-// Finds the critical vertices. (The paper, Section 3.1; a border vertex has a path as link, so its sectors are
-// counted.)
-template <class Order>
-Critical_vertices classify_vertices(const Triangle_complex& complex, const Order& order)
+// Each part of the triangles has counts of its own, as those of neighboring triangles are added to the same places.
+template <class ConcurrencyTag, class Order>
+Large_vector<Index> count_middle_corners(const Triangle_complex& complex, const Order& order)
 {
-  const Large_vector<Index> middle_corners = count_middle_corners(complex, order);
+  const std::size_t number_of_triangles = complex.number_of_corners() / 3;
+  const std::size_t number_of_counts = (number_of_parts<ConcurrencyTag>(number_of_triangles) + 3) / 4;
+  std::vector<Large_vector<Index>> counts(number_of_counts);
+  for_each_part<ConcurrencyTag>(counts.size(), number_of_triangles,
+                                [&](std::size_t part, std::size_t begin, std::size_t end) {
+                                  add_middle_corners(complex, order, begin, end, counts[part]);
+                                });
+  for_each_block<ConcurrencyTag>(complex.number_of_vertices(), [&](std::size_t begin, std::size_t end) {
+    for(std::size_t part = 1; part != counts.size(); ++part)
+      for(std::size_t v = begin; v != end; ++v)
+        counts[0][v] += counts[part][v];
+  });
+  return std::move(counts[0]);
+}
+
+// Adds the critical ones of a part of the vertices.
+template <class Order>
+void add_critical_vertices(const Triangle_complex& complex,
+                           const Order& order,
+                           const Large_vector<Index>& middle_corners,
+                           std::size_t begin,
+                           std::size_t end,
+                           Critical_vertices& critical_vertices)
+{
   std::size_t number_of_candidates = 0, number_of_sectors = 0;
-  for(const Index count : middle_corners)
+  for(std::size_t v = begin; v != end; ++v)
   {
-    number_of_candidates += count != 2;
-    number_of_sectors += count != 2 ? (std::max)(count, Index(1)) : 0;
+    number_of_candidates += middle_corners[v] != 2;
+    number_of_sectors += middle_corners[v] != 2 ? (std::max)(middle_corners[v], Index(1)) : 0;
   }
-  Critical_vertices critical_vertices;
   critical_vertices.reserve(number_of_candidates, number_of_sectors);
-  for(Index v = 0; v != complex.number_of_vertices(); ++v)
+  for(std::size_t i = begin; i != end; ++i)
   {
+    const Index v = static_cast<Index>(i);
     if(middle_corners[v] == 2 && !complex.is_on_border(v))
       continue;
     critical_vertices.add(complex, order, v);
     if(!critical_vertices.is_critical(critical_vertices.size() - 1))
       critical_vertices.remove_last();
   }
-  critical_vertices.sort<Sequential_tag>(order);
-  return critical_vertices;
+}
+
+// Adds up the vertices that `add(begin, end, vertices)` finds in parts, and sorts them.
+template <class ConcurrencyTag, class Order, class Add>
+Critical_vertices collect_vertices(const Triangle_complex& complex, const Order& order, const Add& add)
+{
+  std::vector<Critical_vertices> parts(number_of_parts<ConcurrencyTag>(complex.number_of_vertices()));
+  for_each_part<ConcurrencyTag>(
+    parts.size(), complex.number_of_vertices(),
+    [&](std::size_t part, std::size_t begin, std::size_t end) { add(begin, end, parts[part]); });
+  Critical_vertices vertices = std::move(parts[0]);
+  for(std::size_t part = 1; part != parts.size(); ++part)
+    vertices.append(parts[part]);
+  vertices.sort<ConcurrencyTag>(order);
+  return vertices;
+}
+
+// Finds the critical vertices. (The paper, Section 3.1; a border vertex has a path as link, so its sectors are
+// counted.)
+template <class ConcurrencyTag, class Order>
+Critical_vertices classify_vertices(const Triangle_complex& complex, const Order& order)
+{
+  const Large_vector<Index> middle_corners = count_middle_corners<ConcurrencyTag>(complex, order);
+  return collect_vertices<ConcurrencyTag>(
+    complex, order, [&](std::size_t begin, std::size_t end, Critical_vertices& critical_vertices) {
+      add_critical_vertices(complex, order, middle_corners, begin, end, critical_vertices);
+    });
 }
 
 // All vertices in the place of the critical ones: with them, the engines find where each vertex is in the graph.
 template <class ConcurrencyTag, class Order>
 Critical_vertices sort_all_vertices(const Triangle_complex& complex, const Order& order)
 {
-  Critical_vertices all_vertices;
-  for(Index v = 0; v != complex.number_of_vertices(); ++v)
-    all_vertices.add(complex, order, v);
-  all_vertices.sort<ConcurrencyTag>(order);
-  return all_vertices;
+  return collect_vertices<ConcurrencyTag>(complex, order,
+                                          [&](std::size_t begin, std::size_t end, Critical_vertices& all_vertices) {
+                                            for(std::size_t v = begin; v != end; ++v)
+                                              all_vertices.add(complex, order, static_cast<Index>(v));
+                                          });
 }
 
 inline Critical_vertex_counts count_critical_vertices(const Triangle_complex& complex,

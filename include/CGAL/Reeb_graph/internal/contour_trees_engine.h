@@ -100,10 +100,10 @@ private:
       sweep.merge_at(critical);
       if(!surgery.can_close_loop(critical))
         return;
-      surgery.visit_loop_contours(
-        critical, [&](Index sublevel_class, const Large_vector<Index>& crossed_edges, bool has_border) {
-          sweep.cut(critical, sublevel_class, crossed_edges, has_border);
-        });
+      surgery.visit_loop_contours(critical,
+                                  [&](Index sublevel_class, const Large_vector<Index>& crossed_edges, bool has_border) {
+                                    sweep.cut(critical, sublevel_class, crossed_edges, has_border);
+                                  });
     });
     sweep.merge_last_contours();
   }
@@ -122,7 +122,8 @@ private:
     }
   }
 
-  // By node: the first step from its parent in the split tree towards it, in the highest of the sectors that lead there.
+  // By node: the first step from its parent in the split tree towards it, in the highest of the sectors that lead
+  // there.
   Large_vector<Ascending_step> find_first_steps() const
   {
     Large_vector<Ascending_step> first_steps(cuts_.number_of_nodes(), Ascending_step{no_index, no_index});

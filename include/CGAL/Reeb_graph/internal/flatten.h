@@ -54,8 +54,8 @@ auto halfedge_facing_corner(const FaceListGraph& mesh, const Large_vector<FaceDe
 
 template <class VertexDescriptor, class ScalarMap, class Traits>
 Large_vector<typename Traits::Scalar> read_values(const Large_vector<VertexDescriptor>& vertices,
-                                                 const ScalarMap& scalar_map,
-                                                 const Traits& traits)
+                                                  const ScalarMap& scalar_map,
+                                                  const Traits& traits)
 {
   const auto is_ordered = traits.is_ordered_object();
   Large_vector<typename Traits::Scalar> values;
@@ -78,17 +78,17 @@ Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph
   const auto vertex_range = vertices(mesh);
   const auto face_range = faces(mesh);
   Large_vector<typename boost::graph_traits<FaceListGraph>::vertex_descriptor> vertex_handles(vertex_range.first,
-                                                                                             vertex_range.second);
+                                                                                              vertex_range.second);
   Large_vector<typename boost::graph_traits<FaceListGraph>::face_descriptor> face_handles(face_range.first,
-                                                                                         face_range.second);
+                                                                                          face_range.second);
   const Index number_of_vertices = checked_index(vertex_handles.size());
   checked_index(3 * face_handles.size());
 
   auto values = read_values(vertex_handles, scalar_map, traits);
   Triangles triangles =
     read_triangles<ConcurrencyTag>(mesh, face_handles, make_vertex_positions(mesh, vertex_handles, np), np);
-  return {Triangle_complex(std::move(triangles.corner_vertices), std::move(triangles.opposite_corners),
-                           number_of_vertices),
+  return {Triangle_complex(ConcurrencyTag(), std::move(triangles.corner_vertices),
+                           std::move(triangles.opposite_corners), number_of_vertices),
           std::move(values), std::move(vertex_handles), std::move(face_handles)};
 }
 

@@ -56,8 +56,7 @@ public:
   Slab slab(Index number) const
   {
     return Slab(*complex_, parts_[number].critical_vertices, slabs_of_vertices_, number,
-                number == 0 ? nullptr : &levels_[number - 1],
-                number == levels_.size() ? nullptr : &levels_[number]);
+                number == 0 ? nullptr : &levels_[number - 1], number == levels_.size() ? nullptr : &levels_[number]);
   }
 
   // The name of a slab's critical vertex among those of the surface.
@@ -113,8 +112,8 @@ private:
         const Index corner = static_cast<Index>(i);
         if(complex_->representative_of_edge(corner) != corner)
           continue;
-        const auto range =
-          std::minmax(slabs_of_vertices_[complex_->edge_source(corner)], slabs_of_vertices_[complex_->edge_target(corner)]);
+        const auto range = std::minmax(slabs_of_vertices_[complex_->edge_source(corner)],
+                                       slabs_of_vertices_[complex_->edge_target(corner)]);
         for(Index level = range.first; level != range.second; ++level)
           levels_[level].add_crossed_edge(corner);
       }

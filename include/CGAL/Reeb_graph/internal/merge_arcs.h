@@ -226,8 +226,8 @@ private:
   const bool are_ties_contracted_;
   const bool are_degree_two_nodes_kept_;
   Disjoint_sets groups_;
-  std::vector<bool> is_on_plateau_; // by critical vertex: whether its group has other ones
-  Large_vector<Degrees> degrees_;   // by group
+  std::vector<bool> is_on_plateau_;          // by critical vertex: whether its group has other ones
+  Large_vector<Degrees> degrees_;            // by group
   Large_vector<Index> first_piece_of_group_; // by group: that of the arc that passes it
   Large_vector<Index> first_piece_of_arc_;   // by arc: that of the arc that it becomes part of
   Flat_graph graph_;

@@ -27,7 +27,7 @@ namespace internal {
 
 struct Merge_tree
 {
-  Large_vector<Index> parents;          // by node: where its component merges; no_index at a root
+  Large_vector<Index> parents;         // by node: where its component merges; no_index at a root
   std::vector<bool> is_border_reached; // by node: whether the component of which it is the top has border
 };
 

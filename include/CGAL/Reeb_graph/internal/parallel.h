@@ -19,6 +19,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
+#include <tbb/task_arena.h>
 #endif
 
 #include <boost/sort/pdqsort/pdqsort.hpp>
@@ -32,6 +33,9 @@
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+// The number of faces below which a second thread does not pay.
+constexpr std::size_t smallest_parallel_mesh = 20000;
 
 // The few places where the package asks for TBB. With Sequential_tag none of it is needed.
 template <class ConcurrencyTag>
@@ -79,6 +83,31 @@ void for_each_block(std::size_t size, const Function& function)
   function(std::size_t(0), size);
 }
 
+// Calls function(part, begin, end) for number_of_parts() parts of the numbers from 0 to size - 1, in which order they
+// may be put together again.
+template <class ConcurrencyTag>
+std::size_t number_of_parts(std::size_t size)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel<ConcurrencyTag>())
+  {
+    constexpr std::size_t smallest_part = 4096;
+    const std::size_t number_of_threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    return number_of_threads == 1 ? 1 : (std::min)(size / smallest_part + 1, 4 * number_of_threads);
+  }
+#endif
+  static_cast<void>(size);
+  return 1;
+}
+
+template <class ConcurrencyTag, class Function>
+void for_each_part(std::size_t number_of_parts, std::size_t size, const Function& function)
+{
+  for_each_index<ConcurrencyTag>(number_of_parts, [&](std::size_t part) {
+    function(part, part * size / number_of_parts, (part + 1) * size / number_of_parts);
+  });
+}
+
 // A value that the blocks of a parallel loop can exchange; a plain one if sequential.
 template <class ConcurrencyTag, class T>
 class Shared_value
@@ -99,6 +128,18 @@ public:
   }
 
   void add(T value) { value_ += value; }
+
+  void raise_to(T value)
+  {
+    if constexpr(is_parallel<ConcurrencyTag>())
+    {
+      T current = value_;
+      while(current < value && !value_.compare_exchange_weak(current, value))
+        ;
+    }
+    else
+      value_ = (std::max)(value_, value);
+  }
 
   void lower_to(T value)
   {

@@ -67,7 +67,8 @@ void visit_triangles(const FaceListGraph& mesh,
       const auto h = halfedges_facing_corners(mesh, faces[i]);
       const std::array<Index, 3> corners = {vertex_positions[target(h[1], mesh)], vertex_positions[target(h[2], mesh)],
                                             vertex_positions[target(h[0], mesh)]};
-      if(are_all_around_face(mesh, h) && corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+      if(are_all_around_face(mesh, h) && corners[0] != corners[1] && corners[1] != corners[2]
+         && corners[2] != corners[0])
         visit(static_cast<Index>(3 * i), h, corners);
       else
         first_bad_face.lower_to(static_cast<Index>(i));
@@ -145,11 +146,11 @@ Triangles read_triangles_by_faces(const FaceListGraph& mesh,
     for(const auto h : halfedges_facing_corners(mesh, f))
     {
       const auto across = face(opposite(h, mesh), mesh);
-      triangles.opposite_corners.push_back(
-        across == boost::graph_traits<FaceListGraph>::null_face()
-          ? no_index
-          : corner_facing_edge(triangles.corner_vertices, face_positions[across], vertex_positions[source(h, mesh)],
-                               vertex_positions[target(h, mesh)]));
+      triangles.opposite_corners.push_back(across == boost::graph_traits<FaceListGraph>::null_face()
+                                             ? no_index
+                                             : corner_facing_edge(triangles.corner_vertices, face_positions[across],
+                                                                  vertex_positions[source(h, mesh)],
+                                                                  vertex_positions[target(h, mesh)]));
     }
   }
   return triangles;

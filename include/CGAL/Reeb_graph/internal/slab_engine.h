@@ -17,7 +17,6 @@
 #include <CGAL/Reeb_graph/internal/critical_sets_engine.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
-
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/arc_chains.h>
 #include <CGAL/Reeb_graph/internal/flatten.h>
+#include <CGAL/Reeb_graph/internal/parallel.h>
 #include <CGAL/Reeb_graph/internal/prefetch.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -27,24 +28,26 @@ namespace Reeb_graph {
 namespace internal {
 
 // The halfedges of the mesh that the steps of the chains stand for.
-template <class FaceListGraph, class Scalar>
+template <class ConcurrencyTag, class FaceListGraph, class Scalar>
 auto chain_halfedges(const FaceListGraph& mesh,
                      const Flat_surface<FaceListGraph, Scalar>& surface,
                      const Flat_chains& chains)
 {
   typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
-  std::vector<halfedge_descriptor> halfedges;
-  halfedges.reserve(chains.steps.size());
-  for(const Ascending_step& step : chains.steps)
-  {
-    const halfedge_descriptor h = halfedge_facing_corner(mesh, surface.faces, step.edge);
-    halfedges.push_back(surface.complex.edge_target(step.edge) == step.target ? h : opposite(h, mesh));
-  }
+  std::vector<halfedge_descriptor> halfedges(chains.steps.size());
+  for_each_block<ConcurrencyTag>(halfedges.size(), [&](std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i != end; ++i)
+    {
+      const Ascending_step& step = chains.steps[i];
+      const halfedge_descriptor h = halfedge_facing_corner(mesh, surface.faces, step.edge);
+      halfedges[i] = surface.complex.edge_target(step.edge) == step.target ? h : opposite(h, mesh);
+    }
+  });
   return std::make_shared<const std::vector<halfedge_descriptor>>(std::move(halfedges));
 }
 
 // Replaces the content of `graph` by the Reeb graph.
-template <class FaceListGraph, class Scalar, class ReebGraph>
+template <class ConcurrencyTag, class FaceListGraph, class Scalar, class ReebGraph>
 void write_graph(const FaceListGraph& mesh,
                  const Flat_surface<FaceListGraph, Scalar>& surface,
                  const Flat_graph& flat_graph,
@@ -53,7 +56,7 @@ void write_graph(const FaceListGraph& mesh,
 {
   typedef typename boost::vertex_bundle_type<ReebGraph>::type Node;
 
-  const auto halfedges = chain_halfedges(mesh, surface, chains);
+  const auto halfedges = chain_halfedges<ConcurrencyTag>(mesh, surface, chains);
   graph.clear();
   for(const Flat_node& flat_node : flat_graph.nodes)
   {

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Progress.h>
+#include <CGAL/Reeb_graph/internal/Progress.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>

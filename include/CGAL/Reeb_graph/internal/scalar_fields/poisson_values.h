@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_problem.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Progress.h>
+#include <CGAL/Reeb_graph/internal/Progress.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/solve.h>
 

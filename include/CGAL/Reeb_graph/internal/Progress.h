@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_PROGRESS_H
-#define CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_PROGRESS_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_PROGRESS_H
+#define CGAL_REEB_GRAPH_INTERNAL_PROGRESS_H
 
 #include <CGAL/license/Reeb_graph.h>
 
@@ -20,7 +20,6 @@
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
-namespace scalar_fields {
 
 // Tells the named parameter `callback` how far a computation is, and throws Cancelled_error if it wants no more.
 class Progress
@@ -46,9 +45,8 @@ private:
   std::function<bool(double)> callback_;
 };
 
-} // namespace scalar_fields
 } // namespace internal
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_PROGRESS_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_PROGRESS_H
