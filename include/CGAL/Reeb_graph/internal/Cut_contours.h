@@ -38,7 +38,6 @@ public:
     critical_vertices_.push_back(critical);
     sublevel_classes_.push_back(sublevel_class);
     is_edge_cut_.resize(complex.number_of_corners(), false);
-    lowest_at_edge_.reserve(lowest_at_edge_.size() + crossed_edges.size());
     for(const Index corner : crossed_edges)
     {
       const Index edge = complex.representative_of_edge(corner);
