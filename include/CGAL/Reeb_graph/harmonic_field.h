@@ -87,7 +87,9 @@ struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_
 ///     \cgalParamDescription{the solver. All matrices that it gets are symmetric and, unless there are negative
 ///                           weights, diagonally dominant.}
 ///     \cgalParamType{a model of `SparseLinearAlgebraWithFactorTraits_d`}
-///     \cgalParamDefault{`Eigen_solver_traits` with `Eigen::SimplicialLDLT`, if `CGAL_EIGEN3_ENABLED` is defined}
+///     \cgalParamDefault{`Eigen_solver_traits` with `Eigen::SimplicialLDLT`, if `CGAL_EIGEN3_ENABLED` is defined. The
+///     rows
+///                       come in the order of a nested dissection, which it keeps as long as its factor fills little.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{is called between the steps with the fraction that is done; `false` stops}

@@ -81,7 +81,7 @@ void compute_unit_gradient_field(const FaceListGraph& mesh,
   for(const fields::Position v : fields::lowest_vertices_of_components(graph, values))
     lowest_vertices.fix(v, 0);
   auto unit_values =
-    fields::poisson_values(graph, lowest_vertices, fields::scaled_divergences(surface, vectors), progress, np);
+    fields::poisson_values(surface, graph, lowest_vertices, fields::scaled_divergences(surface, vectors), progress, np);
   for(double& value : unit_values)
     value *= surface.scale();
   fields::write_field(surface, unit_values, field_map);
