@@ -71,7 +71,7 @@ void compute_geodesic_field(const FaceListGraph& mesh,
                             const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  const fields::Progress progress(np);
+  const internal::Progress progress(np);
   progress.report(0);
   const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
   fields::Constraints<double> fixed(surface.number_of_vertices());

@@ -87,7 +87,9 @@ struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_
 ///     \cgalParamDescription{the solver. All matrices that it gets are symmetric and, unless there are negative
 ///                           weights, diagonally dominant.}
 ///     \cgalParamType{a model of `SparseLinearAlgebraWithFactorTraits_d`}
-///     \cgalParamDefault{`Eigen_solver_traits` with `Eigen::SimplicialLDLT`, if `CGAL_EIGEN3_ENABLED` is defined}
+///     \cgalParamDefault{`Eigen_solver_traits` with `Eigen::SimplicialLDLT`, if `CGAL_EIGEN3_ENABLED` is defined. The
+///     rows
+///                       come in the order of a nested dissection, which it keeps as long as its factor fills little.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{is called between the steps with the fraction that is done; `false` stops}
@@ -134,7 +136,7 @@ void compute_harmonic_field(const FaceListGraph& mesh,
 {
   namespace fields = internal::scalar_fields;
   typedef typename fields::Scalar_of_field<FieldMap>::type Scalar;
-  const fields::Progress progress(np);
+  const internal::Progress progress(np);
   progress.report(0);
   const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
   const auto fixed = fields::read_constraints<Scalar>(surface, constraints);
@@ -181,7 +183,7 @@ void compute_harmonic_field(const FaceListGraph& mesh,
 {
   namespace fields = internal::scalar_fields;
   typedef typename fields::Scalar_of_field<FieldMap>::type Scalar;
-  const fields::Progress progress(np);
+  const internal::Progress progress(np);
   progress.report(0);
   const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
   const fields::Weighted_graph graph = fields::laplacian_graph(surface, fields::choose_weights(np));

@@ -98,7 +98,7 @@ void compute_poisson_field(const FaceListGraph& mesh,
                            const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  const fields::Progress progress(np);
+  const internal::Progress progress(np);
   progress.report(0);
   const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
   const auto fixed = fields::read_constraints<double>(surface, constraints);
@@ -107,7 +107,8 @@ void compute_poisson_field(const FaceListGraph& mesh,
   const auto areas = fields::scaled_mixed_areas(surface);
   for(std::size_t v = 0; v != areas.size(); ++v)
     right_side[v] *= areas[v] * surface.scale() * surface.scale();
-  fields::write_field(surface, fields::poisson_values(graph, fixed, std::move(right_side), progress, np), field_map);
+  fields::write_field(surface, fields::poisson_values(surface, graph, fixed, std::move(right_side), progress, np),
+                      field_map);
 }
 
 /// \ingroup PkgReebGraphFields
@@ -127,7 +128,7 @@ void compute_curvature_poisson_field(const FaceListGraph& mesh,
                                      const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  const fields::Progress progress(np);
+  const internal::Progress progress(np);
   progress.report(0);
   const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
   const auto fixed = fields::read_constraints<double>(surface, constraints);
@@ -135,7 +136,8 @@ void compute_curvature_poisson_field(const FaceListGraph& mesh,
   auto right_side = fields::scaled_integrated_mean_curvatures(surface, graph);
   for(double& value : right_side)
     value *= surface.scale();
-  fields::write_field(surface, fields::poisson_values(graph, fixed, std::move(right_side), progress, np), field_map);
+  fields::write_field(surface, fields::poisson_values(surface, graph, fixed, std::move(right_side), progress, np),
+                      field_map);
 }
 
 } // namespace Reeb_graph

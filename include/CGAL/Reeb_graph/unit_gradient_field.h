@@ -68,7 +68,7 @@ void compute_unit_gradient_field(const FaceListGraph& mesh,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  const fields::Progress progress(np);
+  const internal::Progress progress(np);
   progress.report(0);
   const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
   const std::vector<double> values = fields::read_field(surface, scalar_map);
@@ -81,7 +81,7 @@ void compute_unit_gradient_field(const FaceListGraph& mesh,
   for(const fields::Position v : fields::lowest_vertices_of_components(graph, values))
     lowest_vertices.fix(v, 0);
   auto unit_values =
-    fields::poisson_values(graph, lowest_vertices, fields::scaled_divergences(surface, vectors), progress, np);
+    fields::poisson_values(surface, graph, lowest_vertices, fields::scaled_divergences(surface, vectors), progress, np);
   for(double& value : unit_values)
     value *= surface.scale();
   fields::write_field(surface, unit_values, field_map);

@@ -14,43 +14,13 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 
-#include <CGAL/Named_function_parameters.h>
-#ifdef CGAL_EIGEN3_ENABLED
-#include <CGAL/Eigen_solver_traits.h>
-
-#include <Eigen/SparseCholesky>
-#endif
-
-#include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 namespace scalar_fields {
-
-#ifdef CGAL_EIGEN3_ENABLED
-typedef Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen_sparse_matrix<double>::EigenType>> Default_solver;
-typedef Eigen_solver_traits<Eigen::SparseLU<Eigen_sparse_matrix<double>::EigenType>> Unsymmetric_solver;
-#else
-typedef void Default_solver;
-#endif
-
-template <class NamedParameters>
-auto choose_solver(const NamedParameters& np)
-{
-  const auto solver = parameters::get_parameter(np, internal_np::sparse_linear_solver);
-  if constexpr(std::is_same_v<std::decay_t<decltype(solver)>, internal_np::Param_not_found>)
-  {
-    static_assert(!std::is_void_v<Default_solver>,
-                  "Eigen is needed, or the named parameter sparse_linear_solver: link CGAL::Eigen3_support");
-    return Default_solver();
-  }
-  else
-    return solver;
-}
 
 // The equations sum_j w_ij (x_j - x_i) = h_i for the vertices i that are free, while the values of the fixed ones are
 // given.
@@ -59,12 +29,15 @@ class Dirichlet_problem
 public:
   typedef std::vector<double> Values;
 
-  // `values` holds those of the fixed vertices, and h for the free ones
-  Dirichlet_problem(const Weighted_graph& graph, const std::vector<bool>& is_fixed, const Values& values)
+  // `order` is that of the rows; `values` holds those of the fixed vertices, and h for the free ones
+  Dirichlet_problem(const Weighted_graph& graph,
+                    const std::vector<Position>& order,
+                    const std::vector<bool>& is_fixed,
+                    const Values& values)
     : graph_(graph),
       rows_(graph.number_of_vertices(), no_position)
   {
-    for(Position v = 0; v != graph.number_of_vertices(); ++v)
+    for(const Position v : order)
       if(!is_fixed[v])
       {
         rows_[v] = static_cast<Position>(vertices_.size());

@@ -13,8 +13,10 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Default_solver.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_problem.h>
 #include <CGAL/Reeb_graph/internal/Progress.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Nested_dissection.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/remove_extrema.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/solve.h>
@@ -78,7 +80,8 @@ std::vector<Scalar> harmonic_values(const Surface& surface,
   for(Position v = 0; v != graph.number_of_vertices(); ++v)
     if(constraints.is_fixed[v])
       fixed_values[v] = range.to_unit(constraints.values[v]);
-  const Dirichlet_problem problem(graph, constraints.is_fixed, fixed_values);
+  const Dirichlet_problem problem(graph, Nested_dissection<Surface>(surface, graph).vertices(), constraints.is_fixed,
+                                  fixed_values);
   progress.report(0.2);
   auto solver = choose_solver(np);
   const std::vector<double> solution = choose_weights(np) == Laplacian_weights::MEAN_VALUE

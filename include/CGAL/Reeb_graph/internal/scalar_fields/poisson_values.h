@@ -12,8 +12,10 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Default_solver.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_problem.h>
 #include <CGAL/Reeb_graph/internal/Progress.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Nested_dissection.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/solve.h>
 
@@ -26,8 +28,9 @@ namespace internal {
 namespace scalar_fields {
 
 // Solves sum_j w_ij (f_j - f_i) = h_i at the free vertices, where `right_side` is h.
-template <class NamedParameters>
-std::vector<double> poisson_values(const Weighted_graph& graph,
+template <class Surface, class NamedParameters>
+std::vector<double> poisson_values(const Surface& surface,
+                                   const Weighted_graph& graph,
                                    const Constraints<double>& constraints,
                                    std::vector<double> right_side,
                                    const Progress& progress,
@@ -37,7 +40,8 @@ std::vector<double> poisson_values(const Weighted_graph& graph,
   for(Position v = 0; v != graph.number_of_vertices(); ++v)
     if(constraints.is_fixed[v])
       right_side[v] = constraints.values[v];
-  const Dirichlet_problem problem(graph, constraints.is_fixed, right_side);
+  const Dirichlet_problem problem(graph, Nested_dissection<Surface>(surface, graph).vertices(), constraints.is_fixed,
+                                  right_side);
   progress.report(0.2);
   auto solver = choose_solver(np);
   const std::vector<double> solution = solve_symmetric(problem, solver);
