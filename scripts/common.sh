@@ -27,6 +27,6 @@ number_of_jobs() {
   echo $((jobs < 1 ? 1 : jobs < cores ? jobs : cores))
 }
 
-packages_of_program=(g++ cmake make libcgal-dev libboost-dev libboost-test-dev libtbb-dev libcli11-dev
+packages_of_program=(g++ cmake make libcgal-dev libboost-dev libboost-test-dev libeigen3-dev libtbb-dev libcli11-dev
                      nlohmann-json3-dev graphviz)
 packages_of_tests=("${packages_of_program[@]}" doxygen)

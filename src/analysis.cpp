@@ -86,6 +86,8 @@ void count_all(const Surface& surface, const Graph& graph, Report& report)
   report.graph.nodes = num_vertices(graph);
   report.graph.arcs = num_edges(graph);
   report.graph.loops = report.graph.arcs + report.surface.components - report.graph.nodes;
+  if(report.surface.genus && report.surface.border_loops == 0)
+    report.graph.hidden_handles = *report.surface.genus - static_cast<long>(report.graph.loops);
 }
 
 } // namespace reeb_graph_program

@@ -55,6 +55,12 @@ struct Curves_options
   std::string patches_path;
 };
 
+struct Field_options
+{
+  Input_options input;
+  std::string output_path;
+};
+
 struct Demo_options
 {
   std::filesystem::path folder = "reeb_graph_demo";
@@ -64,6 +70,7 @@ struct Demo_options
 void run_compute(const Compute_options& options);
 void run_contour(const Contour_options& options);
 void run_curves(const Curves_options& options);
+void run_field(const Field_options& options);
 void run_demo(const Demo_options& options);
 
 } // namespace reeb_graph_program

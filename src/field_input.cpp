@@ -9,6 +9,7 @@
 #include "field_input.h"
 
 #include "mesh_input.h"
+#include "scalar_fields.h"
 #include "scalar_input.h"
 
 #include <vector>
@@ -16,6 +17,7 @@
 namespace reeb_graph_program {
 Surface read_surface(const Input_options& options)
 {
+  check_field_options(options);
   return read_surface(options.mesh_path, options.are_faces_triangulated);
 }
 
@@ -27,11 +29,12 @@ Scalar_map add_field(const Input_options& options, Surface& surface)
     const std::vector<double> scalars = read_scalars(options.scalars_path, surface.number_of_vertices());
     for(const Surface::Vertex_index v : surface.vertices())
       scalar_map[v] = scalars[v];
-    return scalar_map;
   }
-  const int coordinate = options.field == "x" ? 0 : options.field == "y" ? 1 : 2; // height is z
-  for(const Surface::Vertex_index v : surface.vertices())
-    scalar_map[v] = surface.point(v)[coordinate];
+  if(options.field == "x" || options.field == "y" || options.field == "z")
+    for(const Surface::Vertex_index v : surface.vertices())
+      scalar_map[v] = surface.point(v)[options.field[0] - 'x'];
+  else if(!options.field.empty())
+    compute_scalar_field(options, surface, scalar_map);
   return scalar_map;
 }
 

@@ -13,10 +13,11 @@
 #include "surface.h"
 
 namespace reeb_graph_program {
-// Reads the mesh. Throws Input_error.
+// Reads the mesh. Throws Input_error, and std::runtime_error if the options do not fit together.
 Surface read_surface(const Input_options& options);
 
-// Adds the field to the surface that has been read. Throws Input_error.
+// Adds the field to the surface that has been read. Throws Input_error, std::runtime_error, and the exceptions of the
+// library.
 Scalar_map add_field(const Input_options& options, Surface& surface);
 
 } // namespace reeb_graph_program

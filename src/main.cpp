@@ -22,19 +22,36 @@ using reeb_graph_program::Contour_options;
 using reeb_graph_program::Curves_options;
 using reeb_graph_program::Curves_type;
 using reeb_graph_program::Demo_options;
+using reeb_graph_program::Field_options;
 using reeb_graph_program::Graph_options;
 using reeb_graph_program::Input_options;
 
 void add_input_options(CLI::App& command, Input_options& options)
 {
   command.add_option("MESH", options.mesh_path, "Mesh: OFF, OBJ, PLY, STL, or TS file")->required();
-  CLI::Option_group* field = command.add_option_group("Field", "The scalar field, one of");
-  field->add_option("--scalars", options.scalars_path,
-                    "File of one number per line, in the vertex order of the mesh file");
-  field->add_option("--field", options.field, "A coordinate of the vertices: height, x, y, or z; height is z")
-    ->check(CLI::IsMember({"height", "x", "y", "z"}));
-  field->require_option(1);
+  command.add_option("--scalars", options.scalars_path,
+                     "The field: file of one number per line, in the vertex order of the mesh file");
+  command.add_option("--min", options.lowest_vertex, "For harmonic: the vertex of value 0, from 0 as in the mesh file");
+  command.add_option("--max", options.highest_vertex, "For harmonic: the vertex of value 1");
+  command
+    .add_option("--source", options.source_vertices, "For poisson and geodesic: the vertices of value 0, as V,W,...")
+    ->delimiter(',')
+    ->allow_extra_args(false);
+  command.add_option("--direction", options.direction, "For height: the direction, as X,Y,Z; by default 0,0,1")
+    ->delimiter(',')
+    ->expected(3);
   command.add_flag("--triangulate", options.are_faces_triangulated, "Cut faces that are not triangles into triangles");
+}
+
+void add_field_option(CLI::App& command, Input_options& options)
+{
+  command
+    .add_option(
+      "--field", options.field,
+      "The field: a coordinate x, y, or z; height; harmonic, between two vertices that are far apart if no "
+      "others are given; poisson, by mean curvature; geodesic, the distance from vertices; or unit-gradient, of "
+      "the file --scalars, else of harmonic")
+    ->check(CLI::IsMember({"x", "y", "z", "height", "harmonic", "poisson", "geodesic", "unit-gradient"}));
 }
 
 void add_graph_options(CLI::App& command, Graph_options& options)
@@ -67,6 +84,7 @@ void add_compute_command(CLI::App& app, Compute_options& options)
 {
   CLI::App* command = app.add_subcommand("compute", "Compute the Reeb graph of a scalar field on a triangle mesh");
   add_input_options(*command, options.input);
+  add_field_option(*command, options.input);
   add_graph_options(*command, options.graph);
   command->add_option("--graph", options.graph_path, "Write the graph to this file, .graphml or .dot");
   command->add_option("--vertex-arcs", options.vertex_arcs_path,
@@ -79,6 +97,7 @@ void add_contour_command(CLI::App& app, Contour_options& options)
 {
   CLI::App* command = app.add_subcommand("contour", "Write contours, the components of the level sets, as polylines");
   add_input_options(*command, options.input);
+  add_field_option(*command, options.input);
   add_graph_options(*command, options.graph);
   CLI::Option_group* place = command->add_option_group("Place", "Which contours, one of");
   CLI::Option* arc =
@@ -121,6 +140,21 @@ void add_curves_command(CLI::App& app, Curves_options& options)
   command->callback([&options] { run_curves(options); });
 }
 
+void add_field_command(CLI::App& app, Field_options& options)
+{
+  CLI::App* command = app.add_subcommand("field", "Write a scalar field, one number per line");
+  add_input_options(*command, options.input);
+  command
+    ->add_option("--type", options.input.field,
+                 "harmonic, between two vertices that are far apart if no others are given; poisson, by mean "
+                 "curvature; unit-gradient, of the file --scalars, else of harmonic; geodesic, the distance from "
+                 "vertices; or height")
+    ->check(CLI::IsMember({"harmonic", "poisson", "unit-gradient", "geodesic", "height"}))
+    ->required();
+  command->add_option("--output", options.output_path, "Write the field to this file")->required();
+  command->callback([&options] { run_field(options); });
+}
+
 void add_demo_command(CLI::App& app, Demo_options& options)
 {
   CLI::App* command = app.add_subcommand("demo", "Show a Reeb graph of a generated surface; needs no input");
@@ -143,10 +177,12 @@ int main(int argc, char** argv)
   Compute_options compute_options;
   Contour_options contour_options;
   Curves_options curves_options;
+  Field_options field_options;
   Demo_options demo_options;
   add_compute_command(app, compute_options);
   add_contour_command(app, contour_options);
   add_curves_command(app, curves_options);
+  add_field_command(app, field_options);
   add_demo_command(app, demo_options);
   try
   {

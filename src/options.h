@@ -11,15 +11,21 @@
 
 #include <CGAL/Reeb_graph/named_parameters.h>
 
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace reeb_graph_program {
 // The mesh and the field that it carries.
 struct Input_options
 {
   std::string mesh_path;
-  std::string scalars_path; // empty if the field is a coordinate
-  std::string field;        // height, x, y, or z
+  std::string scalars_path; // the field, or the one whose unit gradient field is taken; may be empty
+  std::string field;        // x, y, z, or a name of scalar_fields.h; empty if the field is that of the file
+  std::optional<std::size_t> lowest_vertex, highest_vertex;
+  std::vector<std::size_t> source_vertices;
+  std::vector<double> direction; // empty or three coordinates
   bool are_faces_triangulated = false;
 };
 

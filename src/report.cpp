@@ -62,7 +62,10 @@ void write_text(std::ostream& out, const Report& report)
   if(critical_vertices.isolated > 0)
     out << ", " << count(critical_vertices.isolated, "isolated vertex", "isolated vertices");
   out << "\ngraph    " << count(report.graph.nodes, "node") << ", " << count(report.graph.arcs, "arc") << ", "
-      << count(report.graph.loops, "loop") << "\nseconds  " << std::fixed << std::setprecision(3);
+      << count(report.graph.loops, "loop");
+  if(report.graph.hidden_handles.value_or(0) > 0)
+    out << ", " << count(static_cast<std::size_t>(*report.graph.hidden_handles), "hidden handle");
+  out << "\nseconds  " << std::fixed << std::setprecision(3);
   for(std::size_t i = 0; i < report.seconds.size(); ++i)
     out << (i == 0 ? "" : ", ") << report.seconds[i].first << " " << report.seconds[i].second;
   out << "\nmemory   " << std::setprecision(1) << static_cast<double>(peak_memory_bytes()) / 1e6 << " MB at the peak\n";
@@ -90,6 +93,9 @@ void write_json(std::ostream& out, const Report& report)
   json["nodes"] = report.graph.nodes;
   json["arcs"] = report.graph.arcs;
   json["loops"] = report.graph.loops;
+  json["hidden_handles"] = nullptr;
+  if(report.graph.hidden_handles)
+    json["hidden_handles"] = *report.graph.hidden_handles;
   for(const auto& [step, seconds] : report.seconds)
     json["seconds"][step] = seconds;
   json["peak_memory_bytes"] = peak_memory_bytes();

@@ -35,6 +35,7 @@ struct Graph_counts
   std::size_t nodes = 0;
   std::size_t arcs = 0;
   std::size_t loops = 0;
+  std::optional<long> hidden_handles; // of a connected surface without border: those that are no loop
 };
 
 // What was found, and what it took.

@@ -4,7 +4,8 @@ include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 file(WRITE ${FOLDER}/tetrahedron.off "${tetrahedron_off}")
 set(tetrahedron ARGUMENTS tetrahedron.off --field z)
 foreach(row "vertices=4" "edges=6" "faces=4" "components=1" "border_loops=0" "euler_characteristic=2" "genus=0"
-            "minima=1" "saddles={}" "maxima=1" "isolated=0" "border_saddles=0" "nodes=2" "arcs=1" "loops=0")
+            "minima=1" "saddles={}" "maxima=1" "isolated=0" "border_saddles=0" "nodes=2" "arcs=1" "loops=0"
+            "hidden_handles=0")
   string(REPLACE "=" ";" row "${row}")
   list(GET row 0 key)
   list(GET row 1 value)

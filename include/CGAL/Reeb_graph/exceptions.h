@@ -193,6 +193,183 @@ public:
 
 /// \ingroup PkgReebGraphExceptions
 ///
+/// \brief thrown if the named parameter `callback` returns `false`.
+class Cancelled_error : public Error
+{
+public:
+  /// constructs the exception.
+  Cancelled_error() : Error("the computation has been cancelled") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown by scalar fields for a point with a coordinate that is infinite or NaN.
+class Non_finite_point_error : public Error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`.
+  explicit Non_finite_point_error(std::size_t vertex)
+    : Error("the point of vertex " + std::to_string(vertex) + " is not finite"),
+      vertex_(vertex)
+  {}
+
+  /// the position of the vertex in `vertices(mesh)`.
+  std::size_t vertex() const { return vertex_; }
+
+private:
+  std::size_t vertex_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown by scalar fields that depend on angles for a face without area.
+class Zero_area_error : public Error
+{
+public:
+  /// constructs the exception for the face at position `face`.
+  explicit Zero_area_error(std::size_t face)
+    : Error("face " + std::to_string(face) + " has no area, or too little to have angles"),
+      face_(face)
+  {}
+
+  /// the position of the face in `faces(mesh)`.
+  std::size_t face() const { return face_; }
+
+private:
+  std::size_t face_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown by scalar fields for a scalar value or result that is infinite or NaN.
+class Non_finite_scalar_error : public Error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`.
+  explicit Non_finite_scalar_error(std::size_t vertex)
+    : Error("the scalar value of vertex " + std::to_string(vertex) + " is not finite"),
+      vertex_(vertex)
+  {}
+
+  /// the position of the vertex in `vertices(mesh)`.
+  std::size_t vertex() const { return vertex_; }
+
+private:
+  std::size_t vertex_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown by `Reeb_graph::compute_divergence()` for a vector that is infinite or NaN.
+class Non_finite_vector_error : public Error
+{
+public:
+  /// constructs the exception for the face at position `face`.
+  explicit Non_finite_vector_error(std::size_t face)
+    : Error("the vector of face " + std::to_string(face) + " is not finite"),
+      face_(face)
+  {}
+
+  /// the position of the face in `faces(mesh)`.
+  std::size_t face() const { return face_; }
+
+private:
+  std::size_t face_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a vertex that does not belong to the mesh.
+class Unknown_vertex_error : public Error
+{
+public:
+  /// constructs the exception.
+  Unknown_vertex_error() : Error("the vertex is not one of the mesh") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a vertex whose value is fixed to two different values.
+class Contradictory_constraints_error : public Error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`.
+  explicit Contradictory_constraints_error(std::size_t vertex)
+    : Error("the value of vertex " + std::to_string(vertex) + " is fixed to two different values"),
+      vertex_(vertex)
+  {}
+
+  /// the position of the vertex in `vertices(mesh)`.
+  std::size_t vertex() const { return vertex_; }
+
+private:
+  std::size_t vertex_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a connected component of the mesh without any vertex whose value is fixed, or without a source.
+class Unconstrained_component_error : public Error
+{
+public:
+  /// constructs the exception for a component and its first vertex.
+  Unconstrained_component_error(std::size_t component, std::size_t vertex)
+    : Error("component " + std::to_string(component) + ", that of vertex " + std::to_string(vertex)
+            + ", has no vertex whose value is given"),
+      component_(component),
+      vertex_(vertex)
+  {}
+
+  /// the number of the component, from 0, in the order of their first vertices.
+  std::size_t component() const { return component_; }
+  /// the position in `vertices(mesh)` of the first vertex of the component.
+  std::size_t vertex() const { return vertex_; }
+
+private:
+  std::size_t component_, vertex_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown if the linear solver does not find the solution.
+class Linear_solver_error : public Error
+{
+public:
+  /// constructs the exception.
+  Linear_solver_error() : Error("the linear solver found no solution") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown if the number type of the field has too few numbers between two fixed values.
+class Scalar_resolution_error : public Error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`.
+  explicit Scalar_resolution_error(std::size_t vertex)
+    : Error("there are too few numbers between the fixed values to give vertex " + std::to_string(vertex) + " one"),
+      vertex_(vertex)
+  {}
+
+  /// the position of the vertex in `vertices(mesh)`.
+  std::size_t vertex() const { return vertex_; }
+
+private:
+  std::size_t vertex_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a direction that is zero, or not finite.
+class Direction_error : public Error
+{
+public:
+  /// constructs the exception.
+  Direction_error() : Error("the direction is zero, or not finite") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
 /// \brief thrown for a border that does not lie in one level, or is neither a minimum nor a maximum of the field.
 class Border_level_error : public Error
 {

@@ -39,6 +39,21 @@ enum class Method
   CONTOUR_TREES  ///< contour trees joined by loop surgery: near-linear for any field
 };
 
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief the weights \f$ w_{ij} \f$ of the Laplace equation \f$ \sum_j w_{ij} (f_j - f_i) = 0 \f$.
+enum class Laplacian_weights
+{
+  /// \f$ (\tan(\theta / 2) + \tan(\phi / 2)) / |v_j - v_i| \f$ with the angles at \f$ v_i \f$ on both sides of the
+  /// edge, which are positive for any triangles (Floater 2003). With finer and finer meshes, the field converges to the
+  /// smooth one only if the triangles get about equilateral
+  MEAN_VALUE,
+  /// \f$ (\cot \alpha + \cot \beta) / 2 \f$ with the two angles that face the edge, those of linear finite elements;
+  /// some of them are negative if there are obtuse angles
+  COTANGENT,
+  UNIFORM ///< one for each edge; the geometry of the faces plays no role
+};
+
 namespace internal {
 
 // The tags of the package's own parameters; everything else about them is CGAL's.
@@ -53,6 +68,10 @@ enum ties_t
 enum method_t
 {
   method
+};
+enum laplacian_weights_t
+{
+  laplacian_weights
 };
 
 // A parameter that may be given by value or as std::reference_wrapper.
@@ -125,6 +144,24 @@ auto method(Reeb_graph::Method method, const Named_function_parameters<T, Tag, B
 {
   return Named_function_parameters<Reeb_graph::Method, Reeb_graph::internal::method_t,
                                    Named_function_parameters<T, Tag, Base>>(method, np);
+}
+
+/// \ingroup PkgReebGraphNamedParameters
+///
+/// \brief starts a pack of named parameters with `laplacian_weights`, see `Reeb_graph::compute_harmonic_field()`.
+inline auto laplacian_weights(Reeb_graph::Laplacian_weights weights)
+{
+  return Named_function_parameters<Reeb_graph::Laplacian_weights, Reeb_graph::internal::laplacian_weights_t>(weights);
+}
+
+/// \ingroup PkgReebGraphNamedParameters
+///
+/// \brief appends `laplacian_weights` to the pack `np`.
+template <class T, class Tag, class Base>
+auto laplacian_weights(Reeb_graph::Laplacian_weights weights, const Named_function_parameters<T, Tag, Base>& np)
+{
+  return Named_function_parameters<Reeb_graph::Laplacian_weights, Reeb_graph::internal::laplacian_weights_t,
+                                   Named_function_parameters<T, Tag, Base>>(weights, np);
 }
 
 } // namespace parameters

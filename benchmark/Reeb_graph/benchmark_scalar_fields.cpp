@@ -1,0 +1,166 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+// Times of harmonic and Poisson fields, beside a floor measured in the same run: a plain factorization and solution of
+// the Laplace equation with cotangent weights and the same two poles by Eigen.
+//
+// Usage: benchmark_scalar_fields [NUMBER OF VERTICES] [REPETITIONS]
+
+#include "generated_surfaces.h"
+
+#include <CGAL/Reeb_graph/geodesic_field.h>
+#include <CGAL/Reeb_graph/harmonic_field.h>
+#include <CGAL/Reeb_graph/poisson_field.h>
+#include <CGAL/Reeb_graph/unit_gradient_field.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Weights/cotangent_weights.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef Mesh::Vertex_index Vertex;
+typedef Mesh::Property_map<Vertex, double> Scalar_map;
+typedef std::vector<std::pair<Vertex, double>> Constraints;
+
+namespace {
+double seconds(const std::function<void()>& function)
+{
+  const auto start = std::chrono::steady_clock::now();
+  function();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double median_of_seconds(std::size_t repetitions, const std::function<void()>& function)
+{
+  std::vector<double> times;
+  for(std::size_t i = 0; i != repetitions; ++i)
+    times.push_back(seconds(function));
+  std::nth_element(times.begin(), times.begin() + repetitions / 2, times.end());
+  return times[repetitions / 2];
+}
+
+Mesh make_mesh(const generated_surfaces::Triangle_soup& soup)
+{
+  Mesh mesh;
+  mesh.reserve(soup.points.size(), soup.points.size() + soup.triangles.size(), soup.triangles.size());
+  for(const auto& p : soup.points)
+    mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
+  for(const auto& t : soup.triangles)
+    mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
+  return mesh;
+}
+
+// The floor: the sparse matrix of the triangles, SimplicialLDLT, one solution. The rows of the poles are those of the
+// identity.
+void solve_plainly(const Mesh& mesh, const Constraints& poles, Scalar_map scalar_map)
+{
+  typedef Eigen::Triplet<double> Triplet;
+  const auto is_pole = [&](Vertex v) { return v == poles[0].first || v == poles[1].first; };
+  Eigen::VectorXd right_side = Eigen::VectorXd::Zero(mesh.number_of_vertices());
+  std::vector<Triplet> triplets;
+  triplets.reserve(12 * mesh.number_of_faces());
+  for(const auto& pole : poles)
+  {
+    triplets.emplace_back(pole.first, pole.first, 1);
+    right_side[pole.first] = pole.second;
+  }
+  for(const Mesh::Halfedge_index h : mesh.halfedges())
+  {
+    const Vertex u = mesh.source(h), v = mesh.target(h), w = mesh.target(mesh.next(h));
+    const double weight = CGAL::Weights::cotangent(mesh.point(u), mesh.point(w), mesh.point(v)) / 2;
+    for(const auto& [from, to] : {std::make_pair(u, v), std::make_pair(v, u)})
+    {
+      if(is_pole(from))
+        continue;
+      triplets.emplace_back(from, from, weight);
+      if(!is_pole(to))
+        triplets.emplace_back(from, to, -weight);
+      else
+        right_side[from] += weight * right_side[to];
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(mesh.number_of_vertices(), mesh.number_of_vertices());
+  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  const Eigen::VectorXd solution = solver.solve(right_side);
+  for(const Vertex v : mesh.vertices())
+    scalar_map[v] = solution[v];
+}
+
+std::size_t peak_memory_in_megabytes()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) / 1024;
+}
+
+void measure(const std::string& name, const generated_surfaces::Triangle_soup& soup, std::size_t repetitions)
+{
+  Mesh mesh = make_mesh(soup);
+  const Scalar_map field = mesh.add_property_map<Vertex, double>("v:field").first;
+  const Scalar_map other_field = mesh.add_property_map<Vertex, double>("v:other").first;
+  std::vector<std::pair<Vertex, Vertex>> pairs;
+  CGAL::Reeb_graph::find_far_apart_vertices(mesh, std::back_inserter(pairs));
+  const Constraints poles = {{pairs[0].first, 0.}, {pairs[0].second, 1.}}, source = {poles[0]};
+
+  namespace fields = CGAL::Reeb_graph;
+  const double plain = median_of_seconds(repetitions, [&] { solve_plainly(mesh, poles, other_field); });
+  const auto print = [&](const std::string& field_name, const std::function<void()>& compute) {
+    const double time = median_of_seconds(repetitions, compute);
+    std::printf("%-10s %-20s %9zu %8.2f %8.2f %8.2f %8zu\n", name.c_str(), field_name.c_str(),
+                std::size_t(mesh.number_of_vertices()), plain, time, time / plain, peak_memory_in_megabytes());
+    std::fflush(stdout);
+  };
+  const auto harmonic = [&](fields::Laplacian_weights weights) {
+    return [&, weights] {
+      fields::compute_harmonic_field(mesh, field, poles, CGAL::parameters::laplacian_weights(weights));
+    };
+  };
+  print("harmonic, cotangent", harmonic(fields::Laplacian_weights::COTANGENT));
+  print("harmonic, uniform", harmonic(fields::Laplacian_weights::UNIFORM));
+  print("harmonic, mean value", harmonic(fields::Laplacian_weights::MEAN_VALUE));
+  print("unit gradient", [&] { fields::compute_unit_gradient_field(mesh, field, other_field); });
+  print("poisson", [&] { fields::compute_curvature_poisson_field(mesh, other_field, source); });
+  const std::array<Vertex, 1> sources = {pairs[0].first};
+  print("geodesic", [&] { fields::compute_geodesic_field(mesh, other_field, sources); });
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const std::size_t number_of_vertices = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 200000;
+  const std::size_t repetitions = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 3;
+  if(number_of_vertices == 0 || repetitions == 0)
+  {
+    std::fprintf(stderr, "usage: benchmark_scalar_fields [NUMBER OF VERTICES] [REPETITIONS]\n");
+    return EXIT_FAILURE;
+  }
+  std::printf("times in s, medians of %zu; one thread; plain: SimplicialLDLT of the cotangent Laplacian\n",
+              repetitions);
+  std::printf("%-10s %-20s %9s %8s %8s %8s %8s\n", "surface", "field", "vertices", "plain", "field", "field", "memory");
+  std::printf("%-10s %-20s %9s %8s %8s %8s %8s\n", "", "", "", "s", "s", "/ plain", "MB, peak");
+  measure("genus 0", generated_surfaces::closed_surface(0, number_of_vertices), repetitions);
+  measure("genus 3", generated_surfaces::closed_surface(3, number_of_vertices), repetitions);
+  return EXIT_SUCCESS;
+}

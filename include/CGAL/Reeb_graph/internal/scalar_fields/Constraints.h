@@ -1,0 +1,127 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_CONSTRAINTS_H
+#define CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_CONSTRAINTS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+namespace scalar_fields {
+
+// The floating point type in which the values of a field are found: that of the map, else double.
+template <class FieldMap>
+struct Scalar_of_field
+{
+  typedef typename boost::property_traits<FieldMap>::value_type Value;
+  static_assert(!std::is_integral_v<Value>, "the value type of the field map must not be an integer type");
+  typedef std::conditional_t<std::is_same_v<Value, float>, float, double> type;
+};
+
+// Fixed vertices, and their values.
+template <class Scalar>
+struct Constraints
+{
+  std::vector<bool> is_fixed;
+  std::vector<Scalar> values; // zero for free vertices
+
+  explicit Constraints(std::size_t number_of_vertices)
+    : is_fixed(number_of_vertices, false),
+      values(number_of_vertices, Scalar(0))
+  {}
+
+  void fix(Position v, Scalar value)
+  {
+    if(v == no_position)
+      throw Unknown_vertex_error();
+    if(!std::isfinite(value))
+      throw Non_finite_scalar_error(v);
+    if(is_fixed[v] && values[v] != value)
+      throw Contradictory_constraints_error(v);
+    is_fixed[v] = true;
+    values[v] = value;
+  }
+};
+
+// From a range of pairs of a vertex and its value.
+template <class Scalar, class Surface, class ConstraintRange>
+Constraints<Scalar> read_constraints(const Surface& surface, const ConstraintRange& range)
+{
+  Constraints<Scalar> constraints(surface.number_of_vertices());
+  for(const auto& constraint : range)
+    constraints.fix(surface.position(constraint.first), static_cast<Scalar>(CGAL::to_double(constraint.second)));
+  return constraints;
+}
+
+inline void check_components(const Weighted_graph& graph, const std::vector<bool>& is_fixed)
+{
+  const std::vector<Position> labels = label_components(graph);
+  std::vector<bool> is_constrained;
+  std::vector<Position> first_vertices;
+  for(Position v = 0; v != graph.number_of_vertices(); ++v)
+  {
+    if(labels[v] == first_vertices.size())
+    {
+      first_vertices.push_back(v);
+      is_constrained.push_back(false);
+    }
+    if(is_fixed[v])
+      is_constrained[labels[v]] = true;
+  }
+  for(std::size_t component = 0; component != first_vertices.size(); ++component)
+    if(!is_constrained[component])
+      throw Unconstrained_component_error(component, first_vertices[component]);
+}
+
+// Writes a field only when all of its values are known to be finite.
+template <class Surface, class Scalar, class FieldMap>
+void write_field(const Surface& surface, const std::vector<Scalar>& values, FieldMap field_map)
+{
+  typedef typename boost::property_traits<FieldMap>::value_type Value;
+  for(std::size_t v = 0; v != values.size(); ++v)
+    if(!std::isfinite(static_cast<typename Scalar_of_field<FieldMap>::type>(values[v])))
+      throw Non_finite_scalar_error(v);
+  for(std::size_t v = 0; v != values.size(); ++v)
+    put(field_map, surface.vertex_handles()[v], static_cast<Value>(values[v]));
+}
+
+// Reads a field all of whose values have to be finite.
+template <class Surface, class ScalarMap>
+std::vector<double> read_field(const Surface& surface, const ScalarMap& scalar_map)
+{
+  std::vector<double> values;
+  values.reserve(surface.number_of_vertices());
+  for(const auto v : surface.vertex_handles())
+  {
+    values.push_back(CGAL::to_double(get(scalar_map, v)));
+    if(!std::isfinite(values.back()))
+      throw Non_finite_scalar_error(values.size() - 1);
+  }
+  return values;
+}
+
+} // namespace scalar_fields
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_CONSTRAINTS_H

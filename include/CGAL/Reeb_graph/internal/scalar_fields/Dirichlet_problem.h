@@ -1,0 +1,165 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_DIRICHLET_PROBLEM_H
+#define CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_DIRICHLET_PROBLEM_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+
+#include <CGAL/Named_function_parameters.h>
+#ifdef CGAL_EIGEN3_ENABLED
+#include <CGAL/Eigen_solver_traits.h>
+
+#include <Eigen/SparseCholesky>
+#endif
+
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+namespace scalar_fields {
+
+#ifdef CGAL_EIGEN3_ENABLED
+typedef Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen_sparse_matrix<double>::EigenType>> Default_solver;
+typedef Eigen_solver_traits<Eigen::SparseLU<Eigen_sparse_matrix<double>::EigenType>> Unsymmetric_solver;
+#else
+typedef void Default_solver;
+#endif
+
+template <class NamedParameters>
+auto choose_solver(const NamedParameters& np)
+{
+  const auto solver = parameters::get_parameter(np, internal_np::sparse_linear_solver);
+  if constexpr(std::is_same_v<std::decay_t<decltype(solver)>, internal_np::Param_not_found>)
+  {
+    static_assert(!std::is_void_v<Default_solver>,
+                  "Eigen is needed, or the named parameter sparse_linear_solver: link CGAL::Eigen3_support");
+    return Default_solver();
+  }
+  else
+    return solver;
+}
+
+// The equations sum_j w_ij (x_j - x_i) = h_i for the vertices i that are free, while the values of the fixed ones are
+// given.
+class Dirichlet_problem
+{
+public:
+  typedef std::vector<double> Values;
+
+  // `values` holds those of the fixed vertices, and h for the free ones
+  Dirichlet_problem(const Weighted_graph& graph, const std::vector<bool>& is_fixed, const Values& values)
+    : graph_(graph),
+      rows_(graph.number_of_vertices(), no_position)
+  {
+    for(Position v = 0; v != graph.number_of_vertices(); ++v)
+      if(!is_fixed[v])
+      {
+        rows_[v] = static_cast<Position>(vertices_.size());
+        vertices_.push_back(v);
+      }
+    right_side_.reserve(vertices_.size());
+    for(const Position v : vertices_)
+    {
+      right_side_.push_back(-values[v]);
+      for(const auto& n : graph.neighbors(v))
+        if(!is_free(n.vertex))
+          right_side_.back() += n.weight * values[n.vertex];
+    }
+  }
+
+  std::size_t number_of_rows() const { return vertices_.size(); }
+  Position vertex(std::size_t row) const { return vertices_[row]; }
+  const Values& right_side() const { return right_side_; }
+
+  // Fills the matrix that has -`weight(i, n)` for the neighbor n of i beside the diagonal, and their sums on it.
+  template <class Matrix, class Weight>
+  void fill(Matrix& matrix, const Weight& weight) const
+  {
+    for(std::size_t row = 0; row != number_of_rows(); ++row)
+    {
+      double diagonal = 0;
+      for(const auto& n : graph_.neighbors(vertices_[row]))
+      {
+        const double w = weight(vertices_[row], n);
+        diagonal += w;
+        if(is_free(n.vertex))
+          matrix.set_coef(row, rows_[n.vertex], -w, true);
+      }
+      matrix.set_coef(row, row, diagonal, true);
+    }
+  }
+
+  // The product of the matrix and x.
+  void multiply(const Values& x, Values& product) const
+  {
+    for(std::size_t row = 0; row != number_of_rows(); ++row)
+    {
+      double sum = 0;
+      for(const auto& n : graph_.neighbors(vertices_[row]))
+        sum += n.weight * (x[row] - (is_free(n.vertex) ? x[rows_[n.vertex]] : 0));
+      product[row] = sum;
+    }
+  }
+
+private:
+  bool is_free(Position v) const { return rows_[v] != no_position; }
+
+  const Weighted_graph& graph_;
+  std::vector<Position> rows_;     // by vertex
+  std::vector<Position> vertices_; // by row
+  Values right_side_;
+};
+
+// The factorized matrix of a problem; see Dirichlet_problem::fill().
+template <class Solver>
+class Factorized_matrix
+{
+public:
+  template <class Weight>
+  Factorized_matrix(Solver& solver, const Dirichlet_problem& problem, const Weight& weight)
+    : solver_(solver),
+      matrix_(problem.number_of_rows())
+  {
+    problem.fill(matrix_, weight);
+    typename Solver::NT denominator = 1;
+    if(!solver_.factor(matrix_, denominator))
+      throw Linear_solver_error();
+  }
+
+  std::vector<double> solve(const std::vector<double>& right_side)
+  {
+    typename Solver::Vector b(right_side.size()), x(right_side.size());
+    for(std::size_t i = 0; i != right_side.size(); ++i)
+      b.set(i, right_side[i]);
+    if(!solver_.linear_solver(b, x))
+      throw Linear_solver_error();
+    std::vector<double> solution(right_side.size());
+    for(std::size_t i = 0; i != solution.size(); ++i)
+      solution[i] = x[static_cast<int>(i)];
+    return solution;
+  }
+
+private:
+  Solver& solver_;
+  typename Solver::Matrix matrix_;
+};
+
+} // namespace scalar_fields
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_DIRICHLET_PROBLEM_H

@@ -1,0 +1,106 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_HARMONIC_VALUES_H
+#define CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_HARMONIC_VALUES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_problem.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Progress.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/remove_extrema.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/solve.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+namespace scalar_fields {
+
+template <class NamedParameters>
+Laplacian_weights choose_weights(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, internal::laplacian_weights),
+                                      Laplacian_weights::MEAN_VALUE);
+}
+
+// The fixed values, mapped linearly to those from 0 to 1.
+template <class Scalar>
+struct Unit_range
+{
+  double lowest, length;
+
+  explicit Unit_range(const Constraints<Scalar>& constraints)
+  {
+    lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    for(std::size_t v = 0; v != constraints.values.size(); ++v)
+      if(constraints.is_fixed[v])
+      {
+        lowest = (std::min)(lowest, static_cast<double>(constraints.values[v]));
+        highest = (std::max)(highest, static_cast<double>(constraints.values[v]));
+      }
+    length = highest - lowest;
+    if(!std::isfinite(length) && highest >= lowest)
+      throw Linear_solver_error();
+  }
+
+  double to_unit(Scalar value) const { return length > 0 ? (value - lowest) / length : 0; }
+  Scalar from_unit(double t) const { return static_cast<Scalar>(lowest + t * length); }
+};
+
+// The harmonic field with these fixed values, and without extrema at free vertices.
+template <class Surface, class Scalar, class NamedParameters>
+std::vector<Scalar> harmonic_values(const Surface& surface,
+                                    const Weighted_graph& graph,
+                                    const Constraints<Scalar>& constraints,
+                                    const Progress& progress,
+                                    const NamedParameters& np)
+{
+  const Unit_range<Scalar> range(constraints);
+  std::vector<double> fixed_values(graph.number_of_vertices(), 0);
+  for(Position v = 0; v != graph.number_of_vertices(); ++v)
+    if(constraints.is_fixed[v])
+      fixed_values[v] = range.to_unit(constraints.values[v]);
+  const Dirichlet_problem problem(graph, constraints.is_fixed, fixed_values);
+  progress.report(0.2);
+  auto solver = choose_solver(np);
+  const std::vector<double> solution = choose_weights(np) == Laplacian_weights::MEAN_VALUE
+                                       ? solve_mean_value(surface, graph, problem, solver)
+                                       : solve_symmetric(problem, solver);
+  progress.report(0.8);
+
+  std::vector<Scalar> values = constraints.values;
+  for(std::size_t row = 0; row != solution.size(); ++row)
+  {
+    values[problem.vertex(row)] = range.from_unit(solution[row]);
+    if(!std::isfinite(values[problem.vertex(row)]))
+      throw Non_finite_scalar_error(problem.vertex(row));
+  }
+  remove_extrema(graph, constraints.is_fixed, values);
+  progress.report(1);
+  return values;
+}
+
+} // namespace scalar_fields
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_HARMONIC_VALUES_H

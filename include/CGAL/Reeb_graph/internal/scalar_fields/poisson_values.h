@@ -1,0 +1,56 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_POISSON_VALUES_H
+#define CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_POISSON_VALUES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_problem.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Progress.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/solve.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+namespace scalar_fields {
+
+// Solves sum_j w_ij (f_j - f_i) = h_i at the free vertices, where `right_side` is h.
+template <class NamedParameters>
+std::vector<double> poisson_values(const Weighted_graph& graph,
+                                   const Constraints<double>& constraints,
+                                   std::vector<double> right_side,
+                                   const Progress& progress,
+                                   const NamedParameters& np)
+{
+  check_components(graph, constraints.is_fixed);
+  for(Position v = 0; v != graph.number_of_vertices(); ++v)
+    if(constraints.is_fixed[v])
+      right_side[v] = constraints.values[v];
+  const Dirichlet_problem problem(graph, constraints.is_fixed, right_side);
+  progress.report(0.2);
+  auto solver = choose_solver(np);
+  const std::vector<double> solution = solve_symmetric(problem, solver);
+  progress.report(1);
+  std::vector<double> values = constraints.values;
+  for(std::size_t row = 0; row != solution.size(); ++row)
+    values[problem.vertex(row)] = solution[row];
+  return values;
+}
+
+} // namespace scalar_fields
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_POISSON_VALUES_H

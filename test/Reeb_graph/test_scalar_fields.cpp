@@ -1,0 +1,605 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "field_checks.h"
+#include "mesh_builders.h"
+#include "random_meshes.h"
+
+#include <CGAL/Reeb_graph/geodesic_field.h>
+#include <CGAL/Reeb_graph/gradient_and_divergence.h>
+#include <CGAL/Reeb_graph/harmonic_field.h>
+#include <CGAL/Reeb_graph/height_field.h>
+#include <CGAL/Reeb_graph/poisson_field.h>
+#include <CGAL/Reeb_graph/unit_gradient_field.h>
+
+#include <CGAL/Exact_rational.h>
+
+#include <boost/mpl/list.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Gradient, divergence, and the fields that are made of them; geodesic distances and heights; bad input to all fields.
+
+using namespace CGAL::Reeb_graph;
+using field_checks::pi;
+using field_checks::Triangle_soup;
+using mesh_builders::Kernel;
+using mesh_builders::Polyhedron;
+using mesh_builders::Surface_mesh;
+using random_meshes::Random;
+
+typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
+typedef Kernel::Vector_3 Vector_3;
+
+namespace
+{
+template <class Mesh>
+Mesh make_mesh(const Triangle_soup& soup)
+{
+  Mesh mesh;
+  mesh_builders::build(mesh, soup);
+  return mesh;
+}
+
+template <class Mesh>
+auto vertex_map(const Mesh& mesh)
+{
+  return get(CGAL::dynamic_vertex_property_t<double>(), mesh);
+}
+
+template <class Mesh>
+auto face_vector_map(const Mesh& mesh)
+{
+  return get(CGAL::dynamic_face_property_t<Vector_3>(), mesh);
+}
+
+template <class Mesh>
+Vector_3 normal_of(typename boost::graph_traits<Mesh>::face_descriptor f, const Mesh& mesh)
+{
+  const auto points = get(CGAL::vertex_point, mesh);
+  const auto h = halfedge(f, mesh);
+  return CGAL::cross_product(get(points, target(h, mesh)) - get(points, source(h, mesh)),
+                             get(points, target(next(h, mesh), mesh)) - get(points, source(h, mesh)));
+}
+
+double length(const Vector_3& vector) { return std::sqrt(vector.squared_length()); }
+
+Triangle_soup noisy_surface()
+{
+  Random random(5);
+  return field_checks::with_noise(generated_surfaces::closed_surface(2, 800), 0.01, random);
+}
+
+// The unit sphere: an octahedron each of whose faces is cut into `size` squared ones.
+Triangle_soup sphere(std::size_t size)
+{
+  std::map<std::array<long, 3>, std::size_t> names;
+  Triangle_soup soup;
+  const auto n = static_cast<long>(size);
+  const auto vertex = [&](long x, long y, long sx, long sy, long sz) {
+    const std::array<long, 3> key = {sx * x, sy * y, sz * (n - x - y)};
+    const auto [it, is_new] = names.emplace(key, soup.points.size());
+    if(is_new)
+    {
+      const double norm = std::sqrt(static_cast<double>(key[0] * key[0] + key[1] * key[1] + key[2] * key[2]));
+      soup.points.push_back({key[0] / norm, key[1] / norm, key[2] / norm});
+    }
+    return it->second;
+  };
+  for(long sx : {-1, 1})
+    for(long sy : {-1, 1})
+      for(long sz : {-1, 1})
+        for(long x = 0; x < n; ++x)
+          for(long y = 0; x + y < n; ++y)
+            for(const bool is_upright : {true, false})
+            {
+              if(!is_upright && x + y + 2 > n)
+                continue;
+              std::array<std::size_t, 3> t = {
+                is_upright ? vertex(x, y, sx, sy, sz) : vertex(x + 1, y + 1, sx, sy, sz),
+                is_upright ? vertex(x + 1, y, sx, sy, sz) : vertex(x, y + 1, sx, sy, sz),
+                is_upright ? vertex(x, y + 1, sx, sy, sz) : vertex(x + 1, y, sx, sy, sz)};
+              if(sx * sy * sz < 0)
+                std::swap(t[0], t[1]);
+              soup.triangles.push_back(t);
+            }
+  return soup;
+}
+
+// A flat square of side 1.
+Triangle_soup square(std::size_t size, double randomness)
+{
+  Random random(size);
+  const double n = static_cast<double>(size);
+  return generated_surfaces::internal::grid(size + 1, size + 1, false, false, [&](std::size_t x, std::size_t y) {
+    const auto move = [&](std::size_t i) {
+      const double moved = static_cast<double>(i) + randomness * (field_checks::random_unit(random) - 0.5);
+      return i == 0 || i == size ? static_cast<double>(i) / n : moved / n;
+    };
+    return std::array<double, 3>{move(x), move(y), 0};
+  });
+}
+
+template <class Function>
+double mean_order(const Function& error)
+{
+  return std::log2(error(10) / error(40)) / 2;
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(the_gradient_of_a_linear_function_is_exact, Mesh, Meshes)
+{
+  const Mesh mesh = make_mesh<Mesh>(noisy_surface());
+  const Vector_3 direction(0.5, -2, 0.25);
+  const auto height = vertex_map(mesh);
+  compute_height_field(mesh, height, direction);
+  const auto gradient = face_vector_map(mesh);
+  compute_gradient(mesh, height, gradient);
+  for(const auto f : faces(mesh))
+  {
+    const Vector_3 normal = normal_of(f, mesh) / length(normal_of(f, mesh));
+    BOOST_TEST(length(get(gradient, f) - (direction - (direction * normal) * normal)) < 1e-11);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(gradient_and_divergence_are_adjoint, Mesh, Meshes)
+{
+  for(const double scale : {1., 1e-5, 1e7})
+  {
+    const Mesh mesh = make_mesh<Mesh>(field_checks::stretched(noisy_surface(), scale, scale, scale));
+    Random random(6);
+    const auto field = vertex_map(mesh), divergence = vertex_map(mesh);
+    for(const auto v : vertices(mesh))
+      put(field, v, field_checks::random_unit(random));
+    const auto vectors = face_vector_map(mesh), gradient = face_vector_map(mesh);
+    for(const auto f : faces(mesh))
+      put(vectors, f, Vector_3(field_checks::random_unit(random), field_checks::random_unit(random), 0.5));
+    compute_gradient(mesh, field, gradient);
+    compute_divergence(mesh, vectors, divergence);
+    double over_faces = 0, over_vertices = 0;
+    for(const auto f : faces(mesh))
+      over_faces += length(normal_of(f, mesh)) / 2 * (get(gradient, f) * get(vectors, f));
+    for(const auto v : vertices(mesh))
+      over_vertices += get(field, v) * get(divergence, v);
+    BOOST_TEST(std::abs(over_faces + over_vertices) < 1e-10 * scale);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(linear_functions_have_no_divergence_in_the_plane)
+{
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(square(10, 0.7));
+  const auto height = vertex_map(mesh), divergence = vertex_map(mesh);
+  compute_height_field(mesh, height, Vector_3(3, 1, 5));
+  const auto gradient = face_vector_map(mesh);
+  compute_gradient(mesh, height, gradient);
+  compute_divergence(mesh, gradient, divergence);
+  for(const auto v : vertices(mesh))
+    if(!mesh.is_border(v))
+      BOOST_TEST(std::abs(get(divergence, v)) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(the_mean_curvature_of_spheres_is_known, Mesh, Meshes)
+{
+  for(const double radius : {1., 1e-3, 50.})
+  {
+    const Mesh mesh = make_mesh<Mesh>(field_checks::stretched(sphere(30), radius, radius, radius));
+    const auto curvature = vertex_map(mesh);
+    compute_mean_curvature(mesh, curvature);
+    for(const auto v : vertices(mesh))
+      BOOST_TEST(std::abs(get(curvature, v) * radius - 1) < 0.05);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_mean_curvature_of_tori_converges)
+{
+  const double order = mean_order([](std::size_t size) {
+    const Surface_mesh mesh =
+      make_mesh<Surface_mesh>(field_checks::band(2 * size, size, 0, field_checks::torus_point));
+    const auto curvature = vertex_map(mesh);
+    compute_mean_curvature(mesh, curvature);
+    double error = 0;
+    for(const auto v : vertices(mesh))
+    {
+      const double radius = std::hypot(mesh.point(v).x(), mesh.point(v).y());
+      const double expected = std::abs(2 * radius - 2) / (2 * radius);
+      if(!mesh.is_border(v))
+        error = (std::max)(error, std::abs(get(curvature, v) - expected));
+    }
+    return error;
+  });
+  BOOST_TEST(order > 1.8);
+}
+
+// On the unit sphere the Laplacian of z is -2 z.
+BOOST_AUTO_TEST_CASE(poisson_fields_converge_on_the_sphere)
+{
+  const double order = mean_order([](std::size_t size) {
+    const Surface_mesh mesh = make_mesh<Surface_mesh>(sphere(size));
+    const auto right_side = vertex_map(mesh), field = vertex_map(mesh);
+    for(const auto v : vertices(mesh))
+      put(right_side, v, -2 * mesh.point(v).z());
+    const Surface_mesh::Vertex_index fixed(7);
+    const std::vector<std::pair<Surface_mesh::Vertex_index, double>> constraints = {{fixed, mesh.point(fixed).z()}};
+    compute_poisson_field(mesh, field, right_side, constraints);
+    double error = 0;
+    for(const auto v : vertices(mesh))
+      error = (std::max)(error, std::abs(get(field, v) - mesh.point(v).z()));
+    return error;
+  });
+  BOOST_TEST(order > 1.5);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(the_curvature_field_is_the_poisson_field_of_the_curvature, Mesh, Meshes)
+{
+  for(const double scale : {1., 1e3})
+  {
+    const Mesh mesh = make_mesh<Mesh>(field_checks::stretched(noisy_surface(), scale, scale, scale));
+    const auto curvature = vertex_map(mesh), field = vertex_map(mesh), expected = vertex_map(mesh);
+    const auto constraints = field_checks::constraints_of(mesh, {{3, 4.5}});
+    compute_mean_curvature(mesh, curvature);
+    compute_poisson_field(mesh, expected, curvature, constraints);
+    compute_curvature_poisson_field(mesh, field, constraints);
+    const auto values = field_checks::values_of(mesh, field);
+    BOOST_TEST(field_checks::distance(values, field_checks::values_of(mesh, expected)) < 1e-8 * scale);
+    // the curvature is never negative: nowhere but at the fixed vertex is there a maximum
+    BOOST_TEST(values[3] == 4.5);
+    BOOST_TEST(*std::max_element(values.begin(), values.end()) == 4.5);
+  }
+}
+
+// f = x^3 has the level sets of x.
+BOOST_AUTO_TEST_CASE(the_unit_gradient_field_of_a_function_of_x_is_x)
+{
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(square(20, 0));
+  const auto field = vertex_map(mesh), unit_field = vertex_map(mesh);
+  for(const auto v : vertices(mesh))
+    put(field, v, std::pow(mesh.point(v).x(), 3));
+  compute_unit_gradient_field(mesh, field, unit_field);
+  for(const auto v : vertices(mesh))
+    BOOST_TEST(std::abs(get(unit_field, v) - mesh.point(v).x()) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(the_gradient_of_the_unit_gradient_field_is_about_one, Mesh, Meshes)
+{
+  const Mesh mesh = make_mesh<Mesh>(field_checks::tube(30, 60));
+  const auto field = vertex_map(mesh), unit_field = vertex_map(mesh);
+  const auto points = get(CGAL::vertex_point, mesh);
+  for(const auto v : vertices(mesh))
+    put(field, v, std::exp(get(points, v).z() / 5));
+  compute_unit_gradient_field(mesh, field, unit_field);
+  const auto gradient = face_vector_map(mesh);
+  compute_gradient(mesh, unit_field, gradient);
+  std::size_t number_of_good_faces = 0;
+  for(const auto f : faces(mesh))
+    number_of_good_faces += std::abs(length(get(gradient, f)) - 1) < 0.05 ? 1 : 0;
+  BOOST_TEST(number_of_good_faces > 0.95 * static_cast<double>(faces(mesh).size()));
+}
+
+BOOST_AUTO_TEST_CASE(the_unit_gradient_field_of_a_harmonic_field_on_a_surface_with_handles)
+{
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(generated_surfaces::closed_surface(3, 5000));
+  const auto field = vertex_map(mesh), unit_field = vertex_map(mesh);
+  compute_harmonic_field(mesh, field);
+  compute_unit_gradient_field(mesh, field, unit_field);
+  const auto gradient = face_vector_map(mesh);
+  compute_gradient(mesh, unit_field, gradient);
+  std::vector<double> lengths;
+  for(const auto f : faces(mesh))
+    lengths.push_back(length(get(gradient, f)));
+  std::sort(lengths.begin(), lengths.end());
+  BOOST_TEST_MESSAGE("lengths of gradients: 10% " << lengths[lengths.size() / 10] << ", 50% "
+                                                  << lengths[lengths.size() / 2] << ", 90% "
+                                                  << lengths[lengths.size() * 9 / 10]);
+  BOOST_TEST(lengths[lengths.size() / 10] > 0.6);
+  BOOST_TEST(lengths[lengths.size() / 2] > 0.9);
+  BOOST_TEST(lengths[lengths.size() * 9 / 10] < 1.2);
+}
+
+BOOST_AUTO_TEST_CASE(constant_fields_have_no_direction)
+{
+  Triangle_soup soup = noisy_surface();
+  soup.points.push_back({9, 9, 9}); // an isolated vertex
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
+  const auto field = vertex_map(mesh), unit_field = vertex_map(mesh);
+  for(const auto v : vertices(mesh))
+    put(field, v, 0.1);
+  compute_unit_gradient_field(mesh, field, unit_field);
+  for(const auto v : vertices(mesh))
+    BOOST_TEST(get(unit_field, v) == 0);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(geodesic_distances_on_the_sphere, Mesh, Meshes)
+{
+  const Mesh mesh = make_mesh<Mesh>(field_checks::stretched(sphere(25), 3, 3, 3));
+  const auto field = vertex_map(mesh);
+  const auto handles = field_checks::vertex_vector(mesh);
+  const auto points = get(CGAL::vertex_point, mesh);
+  compute_geodesic_field(mesh, field, std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor>{handles[7]});
+  const Vector_3 source = get(points, handles[7]) - CGAL::ORIGIN;
+  for(const auto v : vertices(mesh))
+  {
+    const double cosine = (get(points, v) - CGAL::ORIGIN) * source / 9;
+    const double expected = 3 * std::acos((std::max)(-1., (std::min)(1., cosine)));
+    BOOST_TEST(std::abs(get(field, v) - expected) < 0.2);
+  }
+  BOOST_TEST(get(field, handles[7]) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(geodesic_distances_do_not_mix_components)
+{
+  const Triangle_soup one = generated_surfaces::closed_surface(1, 500), other = sphere(6);
+  Triangle_soup both = one;
+  for(const auto& p : other.points)
+    both.points.push_back({p[0] + 50, p[1], p[2]});
+  for(const auto& t : other.triangles)
+    both.triangles.push_back({t[0] + one.points.size(), t[1] + one.points.size(), t[2] + one.points.size()});
+  both.points.push_back({9, 9, 9}); // an isolated vertex
+  const auto distances = [](const Triangle_soup& soup, const std::vector<Surface_mesh::Vertex_index>& sources) {
+    const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
+    const auto field = vertex_map(mesh);
+    compute_geodesic_field(mesh, field, sources);
+    return field_checks::values_of(mesh, field);
+  };
+  const Surface_mesh::Vertex_index source(5), other_source(one.points.size() + 8), isolated(both.points.size() - 1);
+  std::vector<double> expected = distances(one, {source});
+  const std::vector<double> other_expected = distances(other, {Surface_mesh::Vertex_index(8)});
+  expected.insert(expected.end(), other_expected.begin(), other_expected.end());
+  expected.push_back(0);
+  BOOST_TEST(field_checks::distance(distances(both, {source, other_source, isolated}), expected) < 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(heights_are_exact)
+{
+  typedef CGAL::Simple_cartesian<CGAL::Exact_rational> Exact_kernel;
+  CGAL::Surface_mesh<Exact_kernel::Point_3> mesh;
+  const CGAL::Exact_rational third = CGAL::Exact_rational(1) / 3;
+  const auto v = mesh.add_vertex(Exact_kernel::Point_3(third, 2, 5));
+  const auto exact = get(CGAL::dynamic_vertex_property_t<CGAL::Exact_rational>(), mesh);
+  compute_height_field(mesh, exact, Exact_kernel::Vector_3(1, third, 0));
+  BOOST_TEST((get(exact, v) == 1));
+  const auto rounded = vertex_map(mesh);
+  compute_height_field(mesh, rounded, Exact_kernel::Vector_3(1, third, 0));
+  BOOST_TEST(get(rounded, v) == 1);
+}
+
+// Bad input: an exception, and the field as it was.
+namespace
+{
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double untouched = -77;
+
+typedef Surface_mesh::Property_map<Surface_mesh::Vertex_index, double> Field_map;
+typedef std::vector<std::pair<Surface_mesh::Vertex_index, double>> Constraints;
+
+Triangle_soup small_surface() { return generated_surfaces::closed_surface(1, 200); }
+
+Surface_mesh small_mesh() { return make_mesh<Surface_mesh>(small_surface()); }
+
+// A computation of a field of a mesh, with vertex 0 fixed if it needs that.
+typedef std::function<void(Surface_mesh&, Field_map)> Computation;
+
+const Constraints fix_vertex_0 = {{Surface_mesh::Vertex_index(0), 1}};
+const std::vector<Surface_mesh::Vertex_index> source_0 = {Surface_mesh::Vertex_index(0)};
+
+template <class Exception>
+void check_throws(Surface_mesh mesh, const Computation& compute, const std::string& message)
+{
+  const Field_map field = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:field", untouched).first;
+  std::string what;
+  BOOST_CHECK_THROW(try { compute(mesh, field); } catch(const Exception& error) {
+    what = error.what();
+    throw;
+  },
+                    Exception);
+  BOOST_TEST(what.find(message) != std::string::npos, what);
+  for(const auto v : mesh.vertices())
+    BOOST_TEST(field[v] == untouched);
+}
+
+void compute_harmonic_with_constraints(Surface_mesh& mesh, Field_map field)
+{
+  compute_harmonic_field(mesh, field, fix_vertex_0);
+}
+
+void compute_curvature_poisson(Surface_mesh& mesh, Field_map field)
+{
+  compute_curvature_poisson_field(mesh, field, fix_vertex_0);
+}
+
+void compute_geodesic(Surface_mesh& mesh, Field_map field) { compute_geodesic_field(mesh, field, source_0); }
+
+void compute_unit_gradient(Surface_mesh& mesh, Field_map field)
+{
+  const auto scalar_map = vertex_map(mesh);
+  for(const auto v : mesh.vertices())
+    put(scalar_map, v, static_cast<double>(v.idx()));
+  compute_unit_gradient_field(mesh, scalar_map, field);
+}
+
+void compute_divergence_of_zero(Surface_mesh& mesh, Field_map field)
+{
+  const auto vectors = face_vector_map(mesh);
+  for(const auto f : mesh.faces())
+    put(vectors, f, Vector_3(0, 0, 0));
+  compute_divergence(mesh, vectors, field);
+}
+
+const std::vector<Computation> all_computations = {
+  compute_harmonic_with_constraints,
+  [](Surface_mesh& mesh, Field_map field) { compute_harmonic_field(mesh, field); },
+  compute_curvature_poisson,
+  compute_unit_gradient,
+  compute_geodesic,
+  compute_divergence_of_zero,
+  [](Surface_mesh& mesh, Field_map field) { compute_mean_curvature(mesh, field); }};
+
+// those that need at least one given value per component
+const std::vector<Computation> constrained_computations = {compute_harmonic_with_constraints, compute_curvature_poisson,
+                                                           compute_geodesic};
+} // namespace
+
+BOOST_AUTO_TEST_CASE(bad_meshes_are_refused)
+{
+  Surface_mesh quadrangle;
+  std::vector<Surface_mesh::Vertex_index> corners;
+  for(int i = 0; i < 4; ++i)
+    corners.push_back(quadrangle.add_vertex(mesh_builders::Point(i / 2, i % 2, 0)));
+  quadrangle.add_face(corners[0], corners[1], corners[3], corners[2]);
+
+  Surface_mesh bow_tie = make_mesh<Surface_mesh>(
+    {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{{0, 1, 2}}, {{0, 3, 4}}}});
+
+  Triangle_soup soup = small_surface();
+  const std::size_t bad_vertex = soup.triangles[11][1];
+  soup.points[bad_vertex] = {0, not_a_number, 0};
+  const Surface_mesh not_finite = make_mesh<Surface_mesh>(soup);
+  soup = small_surface();
+  soup.points[soup.triangles[11][1]] = soup.points[soup.triangles[11][0]];
+  const Surface_mesh degenerate = make_mesh<Surface_mesh>(soup);
+
+  for(const Computation& compute : all_computations)
+  {
+    check_throws<Non_triangular_face_error>(quadrangle, compute, "face 0 ");
+    check_throws<Non_manifold_vertex_error>(bow_tie, compute, "vertex 0 ");
+    check_throws<Non_finite_point_error>(not_finite, compute, "vertex " + std::to_string(bad_vertex) + " ");
+    check_throws<Zero_area_error>(degenerate, compute, "face ");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(uniform_weights_need_no_area)
+{
+  Surface_mesh mesh = make_mesh<Surface_mesh>(field_checks::stretched(small_surface(), 0, 0, 0));
+  const auto field = vertex_map(mesh);
+  compute_harmonic_field(mesh, field, CGAL::parameters::laplacian_weights(Laplacian_weights::UNIFORM));
+  const auto values = field_checks::values_of(mesh, field);
+  BOOST_TEST(*std::min_element(values.begin(), values.end()) == 0);
+  BOOST_TEST(*std::max_element(values.begin(), values.end()) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(components_without_a_given_value_are_named)
+{
+  Triangle_soup soup = small_surface();
+  const std::size_t n = soup.points.size();
+  for(const auto& p : small_surface().points)
+    soup.points.push_back({p[0] + 9, p[1], p[2]});
+  for(const auto& t : small_surface().triangles)
+    soup.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  Surface_mesh isolated = small_mesh();
+  isolated.add_vertex(mesh_builders::Point(5, 5, 5));
+  for(const Computation& compute : constrained_computations)
+  {
+    const std::string name = "component 1, that of vertex " + std::to_string(n) + ",";
+    check_throws<Unconstrained_component_error>(make_mesh<Surface_mesh>(soup), compute, name);
+    check_throws<Unconstrained_component_error>(isolated, compute, name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(bad_constraints_are_refused)
+{
+  const Surface_mesh::Vertex_index v(3);
+  const auto with = [](const Constraints& constraints) {
+    return [constraints](Surface_mesh& mesh, Field_map field) { compute_harmonic_field(mesh, field, constraints); };
+  };
+  check_throws<Contradictory_constraints_error>(small_mesh(), with({{v, 1}, {v, 2}}), "vertex 3 ");
+  check_throws<Non_finite_scalar_error>(small_mesh(), with({{v, infinity}}), "vertex 3 ");
+  check_throws<Non_finite_scalar_error>(small_mesh(), with({{v, not_a_number}}), "vertex 3 ");
+  check_throws<Unconstrained_component_error>(small_mesh(), with({}), "component 0,");
+  check_throws<Unknown_vertex_error>(small_mesh(), with({{Surface_mesh::null_vertex(), 1}}), "vertex");
+  Surface_mesh mesh = small_mesh();
+  const auto removed = mesh.add_vertex();
+  mesh.remove_vertex(removed);
+  check_throws<Unknown_vertex_error>(mesh, with({{removed, 1}}), "vertex");
+  const double next = std::nextafter(1., 2.);
+  check_throws<Scalar_resolution_error>(small_mesh(), with({{v, 1}, {Surface_mesh::Vertex_index(90), next}}), "vertex");
+}
+
+BOOST_AUTO_TEST_CASE(bad_fields_vectors_and_directions_are_refused)
+{
+  const auto compute_unit_gradient_of = [](double value) {
+    return [value](Surface_mesh& mesh, Field_map field) {
+      const auto scalar_map = vertex_map(mesh);
+      for(const auto v : mesh.vertices())
+        put(scalar_map, v, v.idx() == 5 ? value : 0);
+      compute_unit_gradient_field(mesh, scalar_map, field);
+    };
+  };
+  check_throws<Non_finite_scalar_error>(small_mesh(), compute_unit_gradient_of(not_a_number), "vertex 5 ");
+  check_throws<Non_finite_scalar_error>(small_mesh(), compute_unit_gradient_of(infinity), "vertex 5 ");
+  const auto compute_divergence_of_infinity = [](Surface_mesh& mesh, Field_map field) {
+    const auto vectors = face_vector_map(mesh);
+    for(const auto f : mesh.faces())
+      put(vectors, f, Vector_3(0, f.idx() == 6 ? infinity : 0, 0));
+    compute_divergence(mesh, vectors, field);
+  };
+  check_throws<Non_finite_vector_error>(small_mesh(), compute_divergence_of_infinity, "face 6 ");
+  const auto compute_height_along = [](const Vector_3& direction) {
+    return [direction](Surface_mesh& mesh, Field_map field) { compute_height_field(mesh, field, direction); };
+  };
+  check_throws<Direction_error>(small_mesh(), compute_height_along(Vector_3(0, 0, 0)), "direction");
+  check_throws<Direction_error>(small_mesh(), compute_height_along(Vector_3(0, not_a_number, 1)), "direction");
+  Triangle_soup soup = small_surface();
+  soup.points[4] = {infinity, 0, 0};
+  check_throws<Non_finite_scalar_error>(make_mesh<Surface_mesh>(soup), compute_height_along(Vector_3(1, 0, 0)),
+                                        "vertex 4 ");
+}
+
+BOOST_AUTO_TEST_CASE(computations_can_be_cancelled_at_each_step)
+{
+  for(const bool is_geodesic : {false, true})
+  {
+    std::vector<double> fractions;
+    const auto compute = [&](Surface_mesh& mesh, Field_map field, std::size_t number_of_calls) {
+      fractions.clear();
+      const auto np = CGAL::parameters::callback([&](double fraction) {
+        fractions.push_back(fraction);
+        return fractions.size() < number_of_calls;
+      });
+      if(is_geodesic)
+        compute_geodesic_field(mesh, field, source_0, np);
+      else
+        compute_harmonic_field(mesh, field, np);
+    };
+    Surface_mesh mesh = small_mesh();
+    compute(mesh, mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:field", 0).first, 1000);
+    BOOST_TEST(fractions.front() == 0);
+    BOOST_TEST(fractions.back() == 1);
+    BOOST_TEST(std::is_sorted(fractions.begin(), fractions.end()));
+    const std::size_t number_of_calls = fractions.size();
+    for(std::size_t i = 1; i <= number_of_calls; ++i)
+      check_throws<Cancelled_error>(
+        small_mesh(), [&](Surface_mesh& m, Field_map field) { compute(m, field, i); }, "cancelled");
+  }
+}
+
+namespace
+{
+struct Failing_solver : CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>
+{
+  bool factor(const Matrix&, NT&) { return false; }
+};
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_failing_solver_is_reported)
+{
+  const auto compute = [](Surface_mesh& mesh, Field_map field) {
+    compute_harmonic_field(mesh, field, CGAL::parameters::sparse_linear_solver(Failing_solver()));
+  };
+  check_throws<Linear_solver_error>(small_mesh(), compute, "solver");
+}
