@@ -36,6 +36,25 @@ struct Contour_options
   std::string output_path;
 };
 
+enum class Curves_type
+{
+  CUTTING_SYSTEM,
+  PANTS,
+  BRANCH
+};
+
+struct Curves_options
+{
+  Input_options input;
+  Curves_type type = Curves_type::PANTS;
+  double persistence = 0; // of branches
+  double area = 0;
+  bool is_cut_open = false;
+  std::string curves_path; // empty if they are not written
+  std::string cut_mesh_path;
+  std::string patches_path;
+};
+
 struct Field_options
 {
   Input_options input;
@@ -50,6 +69,7 @@ struct Demo_options
 // They print to std::cout and throw an exception derived from std::exception for any error.
 void run_compute(const Compute_options& options);
 void run_contour(const Contour_options& options);
+void run_curves(const Curves_options& options);
 void run_field(const Field_options& options);
 void run_demo(const Demo_options& options);
 

@@ -9,25 +9,15 @@
 #include "augmentation.h"
 #include "commands.h"
 #include "field_input.h"
-#include "output_file.h"
+#include "polylines_output.h"
 
 #include <iostream>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace reeb_graph_program {
 namespace {
-const std::string polylines_ending = ".polylines.txt";
-
-void check_polylines_format(const std::string& path)
-{
-  if(path.size() <= polylines_ending.size()
-     || path.compare(path.size() - polylines_ending.size(), polylines_ending.size(), polylines_ending) != 0)
-    throw std::runtime_error(path + ": the file name of polylines ends in " + polylines_ending);
-}
-
 std::vector<Polyline> find_contours(const Contour_options& options)
 {
   Surface surface = read_surface(options.input);
@@ -42,21 +32,6 @@ std::vector<Polyline> find_contours(const Contour_options& options)
     throw std::runtime_error(message.str());
   }
   return polylines;
-}
-
-// The polylines format of CGAL: the number of points, and their coordinates.
-void write_polylines(const std::string& path, const std::vector<Polyline>& polylines)
-{
-  write_file(path, [&](std::ostream& stream) {
-    stream.precision(std::numeric_limits<double>::max_digits10);
-    for(const Polyline& polyline : polylines)
-    {
-      stream << polyline.size();
-      for(const Point& point : polyline)
-        stream << ' ' << point;
-      stream << '\n';
-    }
-  });
 }
 
 } // namespace

@@ -19,6 +19,8 @@
 namespace {
 using reeb_graph_program::Compute_options;
 using reeb_graph_program::Contour_options;
+using reeb_graph_program::Curves_options;
+using reeb_graph_program::Curves_type;
 using reeb_graph_program::Demo_options;
 using reeb_graph_program::Field_options;
 using reeb_graph_program::Graph_options;
@@ -110,6 +112,34 @@ void add_contour_command(CLI::App& app, Contour_options& options)
   command->callback([&options] { run_contour(options); });
 }
 
+void add_curves_command(CLI::App& app, Curves_options& options)
+{
+  CLI::App* command = app.add_subcommand(
+    "curves", "Cut the mesh along a cutting system, into pairs of pants, or into branches; borders must be extremal "
+              "levels of the field");
+  add_input_options(*command, options.input);
+  const auto set_type = [&options](const std::string& name) {
+    options.type = name == "cutting-system" ? Curves_type::CUTTING_SYSTEM
+                 : name == "pants"          ? Curves_type::PANTS
+                                            : Curves_type::BRANCH;
+  };
+  command->add_option_function<std::string>("--type", set_type, "Which curves: cutting-system, pants, or branch")
+    ->check(CLI::IsMember({"cutting-system", "pants", "branch"}))
+    ->required();
+  command->add_option("--persistence", options.persistence, "Leave out branches whose values differ by less than this")
+    ->check(CLI::NonNegativeNumber);
+  command->add_option("--area", options.area, "Leave out branches of less area than this")
+    ->check(CLI::NonNegativeNumber);
+  command->add_flag("--cut-open", options.is_cut_open, "Cut the mesh open along the curves");
+  command->add_option("--curves", options.curves_path, "Write the curves to this file, .polylines.txt");
+  command->add_option("--cut-mesh", options.cut_mesh_path,
+                      "Write the mesh that is cut along the curves to this file, .off or .ply; PLY has the patches as "
+                      "a property and as colours of the faces");
+  command->add_option("--patches", options.patches_path,
+                      "Write to this file, for each face of the cut mesh on a line, the number of its patch");
+  command->callback([&options] { run_curves(options); });
+}
+
 void add_field_command(CLI::App& app, Field_options& options)
 {
   CLI::App* command = app.add_subcommand("field", "Write a scalar field, one number per line");
@@ -146,10 +176,12 @@ int main(int argc, char** argv)
   app.require_subcommand(1);
   Compute_options compute_options;
   Contour_options contour_options;
+  Curves_options curves_options;
   Field_options field_options;
   Demo_options demo_options;
   add_compute_command(app, compute_options);
   add_contour_command(app, contour_options);
+  add_curves_command(app, curves_options);
   add_field_command(app, field_options);
   add_demo_command(app, demo_options);
   try

@@ -33,6 +33,19 @@ CGAL::IO::Color colour(double t)
   return CGAL::IO::Color(rgb[0], rgb[1], rgb[2]);
 }
 
+// Consecutive patches get colours that lie far from each other: the hue turns by the golden angle.
+CGAL::IO::Color colour_of_patch(int patch)
+{
+  const double turn = patch * 0.6180339887498949;
+  const double hue = 6 * (turn - std::floor(turn));
+  const auto channel = [&](double shift) {
+    const double position = std::fmod(hue + shift, 6.);
+    const double level = std::clamp(std::abs(position - 3) - 1, 0., 1.);
+    return static_cast<unsigned char>(std::lround(70 + 165 * level));
+  };
+  return CGAL::IO::Color(channel(0), channel(4), channel(2));
+}
+
 } // namespace
 
 void write_surface(const std::filesystem::path& path, const Surface& surface)
@@ -58,6 +71,17 @@ void write_coloured_surface(const std::filesystem::path& path, Surface surface, 
   const auto colour_map = surface.add_property_map<Surface::Vertex_index, CGAL::IO::Color>("v:color").first;
   for(const Surface::Vertex_index v : surface.vertices())
     colour_map[v] = colour((scalar_map[v] - *lowest) / (*highest - *lowest));
+  write_file(path, [&](std::ostream& stream) {
+    CGAL::IO::set_binary_mode(stream);
+    CGAL::IO::write_PLY(stream, surface);
+  });
+}
+
+void write_surface_with_patches(const std::filesystem::path& path, Surface surface, Patch_map patch_map)
+{
+  const auto colour_map = surface.add_property_map<Surface::Face_index, CGAL::IO::Color>("f:color").first;
+  for(const Surface::Face_index f : surface.faces())
+    colour_map[f] = colour_of_patch(patch_map[f]);
   write_file(path, [&](std::ostream& stream) {
     CGAL::IO::set_binary_mode(stream);
     CGAL::IO::write_PLY(stream, surface);

@@ -23,6 +23,9 @@ void write_scalars(const std::filesystem::path& path, const Surface& surface, Sc
 // The mesh in the PLY format, with vertices coloured from blue, the lowest, to red, the highest.
 void write_coloured_surface(const std::filesystem::path& path, Surface surface, Scalar_map scalar_map);
 
+// The mesh in the PLY format, with the patch of each face as a property, and a colour for each patch.
+void write_surface_with_patches(const std::filesystem::path& path, Surface surface, Patch_map patch_map);
+
 } // namespace reeb_graph_program
 
 #endif // CGAL_REEB_GRAPH_SRC_MESH_OUTPUT_H

@@ -18,6 +18,7 @@ namespace reeb_graph_program {
 typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Surface;
 typedef Surface::Property_map<Surface::Vertex_index, double> Scalar_map;
+typedef Surface::Property_map<Surface::Face_index, int> Patch_map;
 typedef CGAL::Reeb_graph_traits<Surface, Scalar_map>::Graph Graph;
 
 } // namespace reeb_graph_program

@@ -1,0 +1,67 @@
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <CGAL/Reeb_graph/segmentation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+typedef CGAL::Simple_cartesian<double>                                 Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3>                            Mesh;
+typedef boost::graph_traits<Mesh>::vertex_descriptor                   vertex_descriptor;
+typedef boost::graph_traits<Mesh>::face_descriptor                     face_descriptor;
+
+// Consecutive patches get colors that lie far from each other.
+CGAL::IO::Color color_of_patch(std::size_t i)
+{
+  const auto channel = [&](std::size_t step) { return static_cast<unsigned char>(40 + step * (i + 1) % 200); };
+  return CGAL::IO::Color(channel(97), channel(151), channel(211));
+}
+
+int main(int argc, char* argv[])
+{
+  const std::string filename = (argc > 1) ? argv[1] : "data/figure.off";
+  const std::string output_filename = (argc > 2) ? argv[2] : "branches.ply";
+
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh))
+  {
+    std::cerr << "Error: cannot read " << filename << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  // the distance from the origin, which is inside of the body
+  const auto scalar_map = mesh.add_property_map<vertex_descriptor, double>("v:scalar").first;
+  double farthest = 0;
+  for(vertex_descriptor v : vertices(mesh))
+  {
+    scalar_map[v] = std::sqrt((mesh.point(v) - CGAL::ORIGIN).squared_length());
+    farthest = (std::max)(farthest, scalar_map[v]);
+  }
+
+  // branches that are shorter than a tenth of that do not count
+  const auto patch_map = mesh.add_property_map<face_descriptor, int>("f:patch", 0).first;
+  try
+  {
+    const std::size_t number_of_patches = CGAL::Reeb_graph::segment_by_branches(
+      mesh, scalar_map, patch_map, CGAL::parameters::persistence_threshold(farthest / 10));
+    std::cout << number_of_patches << " patches" << std::endl;
+  }
+  catch(const CGAL::Reeb_graph::Error& error)
+  {
+    std::cerr << "Error: " << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  const auto color_map = mesh.add_property_map<face_descriptor, CGAL::IO::Color>("f:color").first;
+  for(face_descriptor f : faces(mesh))
+    color_map[f] = color_of_patch(patch_map[f]);
+  std::ofstream output(output_filename);
+  return output && CGAL::IO::write_PLY(output, mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,65 @@
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
+
+#include <CGAL/Reeb_graph/pants_decomposition.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+typedef CGAL::Simple_cartesian<double>                                 Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3>                            Mesh;
+typedef boost::graph_traits<Mesh>::vertex_descriptor                   vertex_descriptor;
+typedef boost::graph_traits<Mesh>::halfedge_descriptor                 halfedge_descriptor;
+typedef boost::graph_traits<Mesh>::face_descriptor                     face_descriptor;
+typedef CGAL::Reeb_graph::Curve<halfedge_descriptor>                   Curve;
+
+// Consecutive patches get colors that lie far from each other.
+CGAL::IO::Color color_of_patch(std::size_t i)
+{
+  const auto channel = [&](std::size_t step) { return static_cast<unsigned char>(40 + step * (i + 1) % 200); };
+  return CGAL::IO::Color(channel(97), channel(151), channel(211));
+}
+
+int main(int argc, char* argv[])
+{
+  const std::string filename = (argc > 1) ? argv[1] : "data/double_torus.off";
+  const std::string output_filename = (argc > 2) ? argv[2] : "pants.ply";
+
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh))
+  {
+    std::cerr << "Error: cannot read " << filename << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  const auto scalar_map = mesh.add_property_map<vertex_descriptor, double>("v:scalar").first;
+  for(vertex_descriptor v : vertices(mesh))
+    scalar_map[v] = mesh.point(v).x();
+
+  const auto patch_map = mesh.add_property_map<face_descriptor, int>("f:patch", 0).first;
+  std::vector<Curve> curves;
+  try
+  {
+    CGAL::Reeb_graph::pants_decomposition(mesh, scalar_map, std::back_inserter(curves),
+                                          CGAL::parameters::face_patch_map(patch_map));
+  }
+  catch(const CGAL::Reeb_graph::Error& error)
+  {
+    std::cerr << "Error: " << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+  for(const Curve& curve : curves)
+    std::cout << "a curve of length " << curve.length << std::endl;
+
+  const auto color_map = mesh.add_property_map<face_descriptor, CGAL::IO::Color>("f:color").first;
+  for(face_descriptor f : faces(mesh))
+    color_map[f] = color_of_patch(patch_map[f]);
+  std::ofstream output(output_filename);
+  return output && CGAL::IO::write_PLY(output, mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,115 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CURVES_HARMONIC_CONSTRAINTS_H
+#define CGAL_REEB_GRAPH_INTERNAL_CURVES_HARMONIC_CONSTRAINTS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/field_constraints.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Where a harmonic field is fixed so that all borders are its extrema: the first border of each component at 0, the
+// other ones at 1. The only border of a component has a vertex far from it as other end; a component without border
+// has two vertices that are far apart.
+template <class Mesh>
+class Harmonic_constraints
+{
+  typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+
+public:
+  typedef std::vector<std::pair<vertex_descriptor, double>> Range;
+
+  template <class NamedParameters>
+  Harmonic_constraints(const Mesh& mesh, const NamedParameters& np)
+    : mesh_(mesh),
+      is_reached_(get(dynamic_vertex_property_t<bool>(), mesh))
+  {
+    for(const vertex_descriptor v : vertices(mesh))
+      put(is_reached_, v, false);
+    fix_borders();
+    std::vector<std::pair<vertex_descriptor, vertex_descriptor>> ends;
+    find_far_apart_vertices(mesh, std::back_inserter(ends), np);
+    for(const auto& pair : ends)
+    {
+      if(get(is_reached_, pair.first))
+        continue;
+      range_.emplace_back(pair.first, 0.);
+      if(pair.second != pair.first)
+        range_.emplace_back(pair.second, 1.);
+    }
+  }
+
+  const Range& range() const { return range_; }
+
+private:
+  void fix_borders()
+  {
+    const auto is_listed = get(dynamic_halfedge_property_t<bool>(), mesh_);
+    for(const halfedge_descriptor h : halfedges(mesh_))
+      put(is_listed, h, false);
+    for(const halfedge_descriptor h : halfedges(mesh_))
+    {
+      if(!is_border(h, mesh_) || get(is_listed, h))
+        continue;
+      for(const halfedge_descriptor g : halfedges_around_face(h, mesh_))
+        put(is_listed, g, true);
+      fix_border(h);
+    }
+  }
+
+  // The first border of a component reaches all of its vertices.
+  void fix_border(halfedge_descriptor border)
+  {
+    const bool is_first = !get(is_reached_, target(border, mesh_));
+    fix_border_cycle(border, mesh_, is_first ? 0. : 1., std::back_inserter(range_));
+    if(!is_first)
+      return;
+    std::vector<vertex_descriptor> reached;
+    const auto reach = [&](vertex_descriptor v) {
+      if(get(is_reached_, v))
+        return;
+      put(is_reached_, v, true);
+      reached.push_back(v);
+    };
+    for(const vertex_descriptor v : vertices_around_face(border, mesh_))
+      reach(v);
+    const std::size_t size_of_border = reached.size();
+    bool has_other_border = false;
+    for(std::size_t i = 0; i != reached.size(); ++i)
+      for(const halfedge_descriptor h : halfedges_around_target(reached[i], mesh_))
+      {
+        has_other_border = has_other_border || (i >= size_of_border && is_border(h, mesh_));
+        reach(source(h, mesh_));
+      }
+    if(!has_other_border && reached.size() > size_of_border)
+      range_.emplace_back(reached.back(), 1.);
+  }
+
+  const Mesh& mesh_;
+  typename boost::property_map<Mesh, dynamic_vertex_property_t<bool>>::const_type is_reached_;
+  Range range_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_CURVES_HARMONIC_CONSTRAINTS_H

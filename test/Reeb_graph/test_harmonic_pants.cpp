@@ -1,0 +1,83 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "curve_samples.h"
+#include "cut_mesh_checks.h"
+
+#include <CGAL/Reeb_graph/harmonic_pants_decomposition.h>
+
+#include <boost/mpl/list.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+// Pants decompositions without a field of the user, with any number of borders.
+
+using namespace cut_mesh_checks;
+using mesh_builders::Polyhedron;
+using mesh_builders::Surface_mesh;
+
+typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
+
+namespace {
+// The numbers of curves and pieces are right, for a mesh all of whose components have negative Euler characteristic.
+template <class Mesh>
+void test_harmonic_pants(const generated_surfaces::Triangle_soup& soup)
+{
+  Mesh mesh = curve_samples::make_mesh<Mesh>(soup);
+  std::vector<Piece> expected;
+  std::size_t number_of_curves = 0;
+  for(const Piece& component : pieces_of(mesh))
+  {
+    if(component.euler_characteristic >= 0)
+      return;
+    expected.insert(expected.end(), static_cast<std::size_t>(-component.euler_characteristic), {-1, 3, 0});
+    number_of_curves += (3 * static_cast<std::size_t>(-component.euler_characteristic) - component.border_loops) / 2;
+  }
+  std::vector<CGAL::Reeb_graph::Curve<typename boost::graph_traits<Mesh>::halfedge_descriptor>> curves;
+  CGAL::Reeb_graph::pants_decomposition(mesh, std::back_inserter(curves));
+  BOOST_TEST(curves.size() == number_of_curves);
+  BOOST_TEST(fault_of_cut_mesh(mesh, curves, expected) == "");
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(random_surfaces, Mesh, Meshes)
+{
+  for(std::size_t seed = 0; seed < 150; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+  test_harmonic_pants<Mesh>(
+    curve_samples::random_sample(seed, seed % 3 != 0, 1 + seed % 2, seed % 3 == 0 ? 2 : seed % 2).soup);
+}
+
+BOOST_AUTO_TEST_CASE(smooth_surfaces_with_and_without_holes)
+{
+  for(const unsigned genus : {2u, 3u, 9u})
+    for(std::size_t number_of_holes = 0; number_of_holes < 4; ++number_of_holes)
+      BOOST_TEST_CONTEXT("genus " << genus << ", " << number_of_holes << " holes")
+      {
+        auto soup = generated_surfaces::closed_surface(genus, 2500);
+        random_meshes::Combinatorial_mesh mesh = {soup.points.size(), soup.triangles};
+        curve_samples::Random random(genus);
+        random_meshes::remove_far_triangles(mesh, number_of_holes, random);
+        soup.triangles = mesh.triangles;
+        test_harmonic_pants<Surface_mesh>(soup);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(a_torus_is_refused)
+{
+  auto mesh = curve_samples::make_mesh<Surface_mesh>(generated_surfaces::torus(8, 12));
+  std::vector<CGAL::Reeb_graph::Curve<Surface_mesh::Halfedge_index>> curves;
+  BOOST_CHECK_THROW(
+    CGAL::Reeb_graph::pants_decomposition(mesh, std::back_inserter(curves), CGAL::parameters::cut_open(true)),
+    CGAL::Reeb_graph::No_pants_decomposition_error);
+  BOOST_TEST(num_vertices(mesh) == 96u);
+}
