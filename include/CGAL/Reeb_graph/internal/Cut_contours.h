@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 
-#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -38,6 +37,7 @@ public:
     critical_vertices_.push_back(critical);
     sublevel_classes_.push_back(sublevel_class);
     is_edge_cut_.resize(complex.number_of_corners(), false);
+    lowest_at_edge_.resize(complex.number_of_corners());
     for(const Index corner : crossed_edges)
     {
       const Index edge = complex.representative_of_edge(corner);
@@ -62,7 +62,7 @@ public:
   Index lowest_at_edge(const Triangle_complex& complex, Index corner) const
   {
     const Index edge = complex.representative_of_edge(corner);
-    return is_edge_cut_.empty() || !is_edge_cut_[edge] ? no_index : lowest_at_edge_.find(edge)->second;
+    return is_edge_cut_.empty() || !is_edge_cut_[edge] ? no_index : lowest_at_edge_[edge];
   }
 
 private:
@@ -71,8 +71,8 @@ private:
   Index number_of_other_nodes_;
   Large_vector<Index> critical_vertices_;
   Large_vector<Index> sublevel_classes_;
-  std::unordered_map<Index, Index> lowest_at_edge_; // by representative corner
-  std::vector<bool> is_edge_cut_;                   // the same, asked first; empty as long as nothing is cut
+  std::vector<bool> is_edge_cut_;      // by representative corner; empty as long as nothing is cut
+  Large_vector<Index> lowest_at_edge_; // the same, unset where no cut is
 };
 
 } // namespace internal
