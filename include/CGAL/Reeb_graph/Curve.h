@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {

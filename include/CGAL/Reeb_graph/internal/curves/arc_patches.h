@@ -41,7 +41,7 @@ Arc_borders<RankedMesh, ReebGraph> find_arc_borders(const RankedMesh& ranked,
                                                     const Augmentation& augmentation)
 {
   typedef typename Augmentation::Contour Contour;
-  std::unordered_map<const void*, std::size_t> numbers;
+  std::unordered_map<const void*, std::size_t> numbers; // arcs have no order, but each has its own properties
   for(const auto arc : CGAL::make_range(edges(graph)))
     numbers.emplace(&graph[arc], numbers.size());
 

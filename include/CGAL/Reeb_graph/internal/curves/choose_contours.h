@@ -48,7 +48,7 @@ struct Cost_of_branch_curve
   }
 };
 
-template <class RankedMesh, class DefaultCost, class NamedParameters>
+template <class DefaultCost, class NamedParameters>
 auto choose_curve_cost(const NamedParameters& np)
 {
   return parameters::choose_parameter<DefaultCost>(parameters::get_parameter(np, curve_cost));
@@ -98,7 +98,7 @@ std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_cut
   const NamedParameters& np)
 {
   typedef typename Simple_reeb_graph<RankedMesh>::Graph Graph;
-  const auto cost = choose_curve_cost<RankedMesh, Length_of_curve>(np);
+  const auto cost = choose_curve_cost<Length_of_curve>(np);
   const auto weight = parameters::choose_parameter<Length_of_curve>(parameters::get_parameter(np, arc_weight));
   const auto choose = make_contour_choice(ranked, simple, cost, np);
   const std::vector<bool> no_border(num_vertices(simple.graph), false);
@@ -125,7 +125,7 @@ std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_pan
   const NamedParameters& np)
 {
   typedef typename Simple_reeb_graph<RankedMesh>::Graph Graph;
-  const auto cost = choose_curve_cost<RankedMesh, Length_of_curve>(np);
+  const auto cost = choose_curve_cost<Length_of_curve>(np);
   const auto choose = make_contour_choice(ranked, simple, cost, np);
   std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> contours;
   const Graph_retract<Graph> retract(simple.graph, simple.is_border);
@@ -170,7 +170,7 @@ std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_bra
   const typename Pruning::Thresholds thresholds = {
     parameters::choose_parameter(parameters::get_parameter(np, persistence_threshold), 0.),
     parameters::choose_parameter(parameters::get_parameter(np, area_threshold), 0.)};
-  const auto cost = choose_curve_cost<RankedMesh, Cost_of_branch_curve>(np);
+  const auto cost = choose_curve_cost<Cost_of_branch_curve>(np);
   const auto choose = make_contour_choice(ranked, simple, cost, np);
 
   std::vector<double> values;
