@@ -118,6 +118,7 @@ void add_curves_command(CLI::App& app, Curves_options& options)
     "curves", "Cut the mesh along a cutting system, into pairs of pants, or into branches; borders must be extremal "
               "levels of the field");
   add_input_options(*command, options.input);
+  add_field_option(*command, options.input);
   const auto set_type = [&options](const std::string& name) {
     options.type = name == "cutting-system" ? Curves_type::CUTTING_SYSTEM
                  : name == "pants"          ? Curves_type::PANTS
