@@ -8,6 +8,7 @@
 
 #include "analysis.h"
 
+#include "progress_bar.h"
 #include "stopwatch.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
@@ -72,9 +73,11 @@ Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Grap
 {
   Graph graph;
   Report_visitor visitor(report);
+  Progress_bar progress_bar("graph");
   const Stopwatch stopwatch;
   const std::size_t place_of_total = report.seconds.size();
-  CGAL::compute_reeb_graph(surface, scalar_map, graph, named_parameters(options).visitor(std::ref(visitor)));
+  CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(
+    surface, scalar_map, graph, named_parameters(options).visitor(std::ref(visitor)).callback(std::ref(progress_bar)));
   const auto total = std::make_pair(std::string("compute"), stopwatch.seconds());
   report.seconds.insert(report.seconds.begin() + place_of_total, total);
   return graph;

@@ -9,10 +9,12 @@
 #include "augmentation.h"
 
 #include "output_file.h"
+#include "progress_bar.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/compute_reeb_graph.h>
 
+#include <functional>
 #include <iterator>
 #include <stdexcept>
 #include <string>
@@ -24,7 +26,9 @@ typedef CGAL::Reeb_graph::Augmentation<Surface, Scalar_map> Augmentation;
 Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options)
 {
   Graph graph;
-  CGAL::compute_reeb_graph(surface, scalar_map, graph, named_parameters(options));
+  Progress_bar progress_bar("graph");
+  CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(surface, scalar_map, graph,
+                                                            named_parameters(options).callback(std::ref(progress_bar)));
   return graph;
 }
 

@@ -7,6 +7,7 @@
 // Author(s)     : The Reeb_graph authors
 
 #include "commands.h"
+#include "threads.h"
 
 #include <CLI/CLI.hpp>
 
@@ -25,6 +26,7 @@ using reeb_graph_program::Demo_options;
 using reeb_graph_program::Field_options;
 using reeb_graph_program::Graph_options;
 using reeb_graph_program::Input_options;
+using reeb_graph_program::run_with_threads;
 
 void add_input_options(CLI::App& command, Input_options& options)
 {
@@ -78,6 +80,12 @@ void add_graph_options(CLI::App& command, Graph_options& options)
                                       "How the arcs are found: auto (the default), critical-sets, or "
                                       "contour-trees; the graph is the same")
     ->check(CLI::IsMember({"auto", "critical-sets", "contour-trees"}));
+  command.add_option("--threads", options.number_of_threads, "Work with this many threads, by default one per core")
+    ->check(CLI::Range(std::size_t(1), reeb_graph_program::largest_number_of_threads));
+  command
+    .add_option("--slabs", options.number_of_slabs,
+                "Cut the surface at level sets into this many slabs, which threads share; the graph is the same")
+    ->check(CLI::PositiveNumber);
 }
 
 void add_compute_command(CLI::App& app, Compute_options& options)
@@ -90,7 +98,8 @@ void add_compute_command(CLI::App& app, Compute_options& options)
   command->add_option("--vertex-arcs", options.vertex_arcs_path,
                       "Write to this file, for each vertex on a line, the arc or node of the graph that it belongs to");
   command->add_flag("--json", options.is_report_json, "Print the report as one JSON object");
-  command->callback([&options] { run_compute(options); });
+  command->callback(
+    [&options] { run_with_threads(options.graph.number_of_threads, [&options] { run_compute(options); }); });
 }
 
 void add_contour_command(CLI::App& app, Contour_options& options)
@@ -109,7 +118,8 @@ void add_contour_command(CLI::App& app, Contour_options& options)
   arc->needs(t);
   t->needs(arc);
   command->add_option("--output", options.output_path, "Write the contours to this file, .polylines.txt")->required();
-  command->callback([&options] { run_contour(options); });
+  command->callback(
+    [&options] { run_with_threads(options.graph.number_of_threads, [&options] { run_contour(options); }); });
 }
 
 void add_curves_command(CLI::App& app, Curves_options& options)

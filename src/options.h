@@ -35,12 +35,16 @@ struct Graph_options
   bool are_degree_two_nodes_kept = false;
   CGAL::Reeb_graph::Ties ties = CGAL::Reeb_graph::Ties::PERTURB;
   CGAL::Reeb_graph::Method method = CGAL::Reeb_graph::Method::AUTOMATIC;
+  // These have no influence on the result, and are chosen by the program if they are 0.
+  std::size_t number_of_threads = 0;
+  std::size_t number_of_slabs = 0;
 };
 
 inline auto named_parameters(const Graph_options& options)
 {
   namespace parameters = CGAL::parameters;
-  const auto nodes = parameters::keep_degree_two_nodes(options.are_degree_two_nodes_kept);
+  const auto slabs = parameters::number_of_slabs(options.number_of_slabs);
+  const auto nodes = parameters::keep_degree_two_nodes(options.are_degree_two_nodes_kept, slabs);
   return parameters::ties(options.ties, parameters::method(options.method, nodes));
 }
 

@@ -8,12 +8,15 @@
 
 #include "scalar_fields.h"
 
+#include "progress_bar.h"
+
 #include <CGAL/Reeb_graph/geodesic_field.h>
 #include <CGAL/Reeb_graph/harmonic_field.h>
 #include <CGAL/Reeb_graph/height_field.h>
 #include <CGAL/Reeb_graph/poisson_field.h>
 #include <CGAL/Reeb_graph/unit_gradient_field.h>
 
+#include <functional>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -48,11 +51,13 @@ std::vector<Vertex> sources(const Input_options& options, const Surface& surface
 
 void compute_harmonic(const Input_options& options, const Surface& surface, Scalar_map scalar_map)
 {
+  Progress_bar progress_bar("harmonic field");
+  const auto np = CGAL::parameters::callback(std::ref(progress_bar));
   if(options.lowest_vertex)
     CGAL::Reeb_graph::compute_harmonic_field(surface, scalar_map, vertex(surface, *options.lowest_vertex),
-                                             vertex(surface, *options.highest_vertex));
+                                             vertex(surface, *options.highest_vertex), np);
   else
-    CGAL::Reeb_graph::compute_harmonic_field(surface, scalar_map);
+    CGAL::Reeb_graph::compute_harmonic_field(surface, scalar_map, np);
 }
 
 void compute_poisson(const Input_options& options, const Surface& surface, Scalar_map scalar_map)
@@ -60,7 +65,24 @@ void compute_poisson(const Input_options& options, const Surface& surface, Scala
   std::vector<std::pair<Vertex, double>> constraints;
   for(const Vertex v : sources(options, surface))
     constraints.emplace_back(v, 0.);
-  CGAL::Reeb_graph::compute_curvature_poisson_field(surface, scalar_map, constraints);
+  Progress_bar progress_bar("Poisson field");
+  CGAL::Reeb_graph::compute_curvature_poisson_field(surface, scalar_map, constraints,
+                                                    CGAL::parameters::callback(std::ref(progress_bar)));
+}
+
+void compute_geodesic(const Input_options& options, const Surface& surface, Scalar_map scalar_map)
+{
+  Progress_bar progress_bar("geodesic field");
+  CGAL::Reeb_graph::compute_geodesic_field(surface, scalar_map, sources(options, surface),
+                                           CGAL::parameters::callback(std::ref(progress_bar)));
+}
+
+// of the field that the map holds
+void compute_unit_gradient(const Surface& surface, Scalar_map scalar_map)
+{
+  Progress_bar progress_bar("unit gradient field");
+  CGAL::Reeb_graph::compute_unit_gradient_field(surface, scalar_map, scalar_map,
+                                                CGAL::parameters::callback(std::ref(progress_bar)));
 }
 
 void compute_height(const Input_options& options, const Surface& surface, Scalar_map scalar_map)
@@ -99,12 +121,12 @@ void compute_scalar_field(const Input_options& options, const Surface& surface, 
   else if(options.field == "poisson")
     compute_poisson(options, surface, scalar_map);
   else if(options.field == "geodesic")
-    CGAL::Reeb_graph::compute_geodesic_field(surface, scalar_map, sources(options, surface));
+    compute_geodesic(options, surface, scalar_map);
   else if(options.field == "unit-gradient")
   {
     if(options.scalars_path.empty())
       compute_harmonic(options, surface, scalar_map);
-    CGAL::Reeb_graph::compute_unit_gradient_field(surface, scalar_map, scalar_map);
+    compute_unit_gradient(surface, scalar_map);
   }
   else
     compute_height(options, surface, scalar_map);

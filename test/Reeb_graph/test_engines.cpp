@@ -63,24 +63,6 @@ Graph compute(const Surface_mesh& mesh, const Scalar_map& scalar_map, Method met
   return graph;
 }
 
-bool have_same_nodes(const Graph& a, const Graph& b)
-{
-  bool are_same = num_vertices(a) == num_vertices(b);
-  for(std::size_t node = 0; are_same && node < num_vertices(a); ++node)
-    are_same = a[node].vertex == b[node].vertex && a[node].value == b[node].value && a[node].kind == b[node].kind;
-  return are_same;
-}
-
-bool have_same_arcs(const Graph& a, const Graph& b)
-{
-  if(num_edges(a) != num_edges(b))
-    return false;
-  const auto range = edges(a);
-  return std::equal(range.first, range.second, edges(b).first, [&](const auto& arc, const auto& other) {
-    return source(arc, a) == source(other, b) && target(arc, a) == target(other, b) && a[arc].chain == b[other].chain;
-  });
-}
-
 void compare_methods(const Surface_mesh& mesh, const std::vector<double>& values)
 {
   const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
@@ -89,7 +71,7 @@ void compare_methods(const Surface_mesh& mesh, const std::vector<double>& values
     {
       const Graph expected = compute(mesh, scalar_map, Method::CRITICAL_SETS, ties, keeps_degree_two_nodes);
       const Graph graph = compute(mesh, scalar_map, Method::CONTOUR_TREES, ties, keeps_degree_two_nodes);
-      if(!have_same_nodes(expected, graph) || !have_same_arcs(expected, graph))
+      if(!graph_checks::are_identical(expected, graph))
         BOOST_ERROR("the methods differ; ties contracted: " << (ties == Ties::CONTRACT)
                                                             << ", degree two nodes kept: " << keeps_degree_two_nodes);
     }

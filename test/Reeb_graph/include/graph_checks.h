@@ -52,6 +52,21 @@ Graph_of<Mesh, Scalar> compute(const Mesh& mesh, const std::vector<Scalar>& valu
   return graph;
 }
 
+// Are they the same, chains included, and in the same order? Both have to be of the same mesh.
+template <class Graph>
+bool are_identical(const Graph& a, const Graph& b)
+{
+  if(num_vertices(a) != num_vertices(b) || num_edges(a) != num_edges(b))
+    return false;
+  for(std::size_t node = 0; node < num_vertices(a); ++node)
+    if(a[node].vertex != b[node].vertex || a[node].value != b[node].value || a[node].kind != b[node].kind)
+      return false;
+  const auto range = edges(a);
+  return std::equal(range.first, range.second, edges(b).first, [&](const auto& arc, const auto& other) {
+    return source(arc, a) == source(other, b) && target(arc, a) == target(other, b) && a[arc].chain == b[other].chain;
+  });
+}
+
 template <class Mesh, class Scalar>
 Oracle make_oracle(const Mesh_numbers<Mesh>& numbers, const std::vector<Scalar>& values, bool keeps_degree_two_nodes)
 {

@@ -1,0 +1,24 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_THREADS_H
+#define CGAL_REEB_GRAPH_SRC_THREADS_H
+
+#include <cstddef>
+#include <functional>
+
+namespace reeb_graph_program {
+constexpr std::size_t largest_number_of_threads = 1024;
+
+// Runs the work with that many threads, with one per core if it is 0. Throws an exception for several threads if the
+// program has been built without TBB.
+void run_with_threads(std::size_t number_of_threads, const std::function<void()>& work);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_THREADS_H
