@@ -57,7 +57,10 @@ private:
   bool is_before(const Scalar& value_u, Index u, const Scalar& value_v, Index v) const
   {
     if constexpr(std::is_arithmetic<Scalar>::value)
-      return bool(less_(value_u, value_v)) | (!less_(value_v, value_u) & (u < v));
+    {
+      const unsigned is_lower = less_(value_u, value_v), is_higher = less_(value_v, value_u), is_first = u < v;
+      return (is_lower | (is_first & ~is_higher)) != 0;
+    }
     else
       return less_(value_u, value_v) || (!less_(value_v, value_u) && u < v);
   }
