@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -37,12 +38,13 @@ public:
     critical_vertices_.push_back(critical);
     sublevel_classes_.push_back(sublevel_class);
     is_edge_cut_.resize(complex.number_of_corners(), false);
-    lowest_at_edge_.resize(complex.number_of_corners());
+    if(crossed_edges.size() + few_lowest_cuts_.size() > complex.number_of_corners() / 256)
+      switch_to_array(complex.number_of_corners());
     for(const Index corner : crossed_edges)
     {
       const Index edge = complex.representative_of_edge(corner);
       is_edge_cut_[edge] = true;
-      lowest_at_edge_[edge] = cut;
+      (lowest_cuts_.empty() ? few_lowest_cuts_[edge] : lowest_cuts_[edge]) = cut;
     }
   }
 
@@ -62,17 +64,30 @@ public:
   Index lowest_at_edge(const Triangle_complex& complex, Index corner) const
   {
     const Index edge = complex.representative_of_edge(corner);
-    return is_edge_cut_.empty() || !is_edge_cut_[edge] ? no_index : lowest_at_edge_[edge];
+    if(is_edge_cut_.empty() || !is_edge_cut_[edge])
+      return no_index;
+    return lowest_cuts_.empty() ? few_lowest_cuts_.find(edge)->second : lowest_cuts_[edge];
   }
 
 private:
+  void switch_to_array(Index number_of_corners)
+  {
+    lowest_cuts_.resize(number_of_corners);
+    for(const auto& [edge, cut] : few_lowest_cuts_)
+      lowest_cuts_[edge] = cut;
+    few_lowest_cuts_.clear();
+  }
+
   bool is_cut_node(Index node) const { return node >= number_of_other_nodes_; }
 
   Index number_of_other_nodes_;
   Large_vector<Index> critical_vertices_;
   Large_vector<Index> sublevel_classes_;
-  std::vector<bool> is_edge_cut_;      // by representative corner; empty as long as nothing is cut
-  Large_vector<Index> lowest_at_edge_; // the same, unset where no cut is
+  // By representative corner. With few cut edges, to touch the pages of an array would take longer than all else that
+  // has to do with cuts; with many, a hash map would.
+  std::unordered_map<Index, Index> few_lowest_cuts_;
+  Large_vector<Index> lowest_cuts_; // unset where no cut is
+  std::vector<bool> is_edge_cut_;   // asked first; empty as long as nothing is cut
 };
 
 } // namespace internal

@@ -19,6 +19,7 @@
 #include <CGAL/Reeb_graph/internal/merge_trees.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -68,6 +69,7 @@ public:
   }
 
   const Cut_contours& cuts() const { return cuts_; }
+  Cut_contours take_cuts() { return std::move(cuts_); }
   Merge_tree& tree() { return sweep_.tree(); }
 
 private:

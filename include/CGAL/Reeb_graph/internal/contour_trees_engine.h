@@ -63,7 +63,7 @@ private:
     invoke_both<ConcurrencyTag>([&] { sweep_upwards(); }, [&] { cutting_sweep.find_path_ends(); });
     sweep_downwards(cutting_sweep);
     split_tree_ = std::move(cutting_sweep.tree());
-    cuts_ = cutting_sweep.cuts();
+    cuts_ = cutting_sweep.take_cuts();
   }
 
   // Calls visit(critical vertex) for positions in the order of the field, and lets the sweep know ahead.
