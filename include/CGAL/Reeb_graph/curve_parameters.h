@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/named_parameters.h>
+
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
@@ -60,7 +62,7 @@ namespace parameters {
 /// \brief starts a pack of named parameters with `cut_open`, see `Reeb_graph::cut_along_contours()`.
 inline auto cut_open(bool is_cut_open)
 {
-  return Named_function_parameters<bool, Reeb_graph::internal::cut_open_t>(is_cut_open);
+  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::cut_open_t>(is_cut_open);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -69,8 +71,7 @@ inline auto cut_open(bool is_cut_open)
 template <class T, class Tag, class Base>
 auto cut_open(bool is_cut_open, const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Named_function_parameters<bool, Reeb_graph::internal::cut_open_t, Named_function_parameters<T, Tag, Base>>(
-    is_cut_open, np);
+  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::cut_open_t>(is_cut_open, np);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -79,7 +80,7 @@ auto cut_open(bool is_cut_open, const Named_function_parameters<T, Tag, Base>& n
 template <class EdgeCurveMap>
 auto edge_curve_map(const EdgeCurveMap& map)
 {
-  return Named_function_parameters<EdgeCurveMap, Reeb_graph::internal::edge_curve_map_t>(map);
+  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::edge_curve_map_t>(map);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -88,8 +89,7 @@ auto edge_curve_map(const EdgeCurveMap& map)
 template <class EdgeCurveMap, class T, class Tag, class Base>
 auto edge_curve_map(const EdgeCurveMap& map, const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Named_function_parameters<EdgeCurveMap, Reeb_graph::internal::edge_curve_map_t,
-                                   Named_function_parameters<T, Tag, Base>>(map, np);
+  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::edge_curve_map_t>(map, np);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -99,7 +99,7 @@ auto edge_curve_map(const EdgeCurveMap& map, const Named_function_parameters<T, 
 template <class CurveCost>
 auto curve_cost(const CurveCost& cost)
 {
-  return Named_function_parameters<CurveCost, Reeb_graph::internal::curve_cost_t>(cost);
+  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::curve_cost_t>(cost);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -108,8 +108,7 @@ auto curve_cost(const CurveCost& cost)
 template <class CurveCost, class T, class Tag, class Base>
 auto curve_cost(const CurveCost& cost, const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Named_function_parameters<CurveCost, Reeb_graph::internal::curve_cost_t,
-                                   Named_function_parameters<T, Tag, Base>>(cost, np);
+  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::curve_cost_t>(cost, np);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -118,7 +117,7 @@ auto curve_cost(const CurveCost& cost, const Named_function_parameters<T, Tag, B
 template <class ArcWeight>
 auto arc_weight(const ArcWeight& weight)
 {
-  return Named_function_parameters<ArcWeight, Reeb_graph::internal::arc_weight_t>(weight);
+  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::arc_weight_t>(weight);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -127,8 +126,7 @@ auto arc_weight(const ArcWeight& weight)
 template <class ArcWeight, class T, class Tag, class Base>
 auto arc_weight(const ArcWeight& weight, const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Named_function_parameters<ArcWeight, Reeb_graph::internal::arc_weight_t,
-                                   Named_function_parameters<T, Tag, Base>>(weight, np);
+  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::arc_weight_t>(weight, np);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -137,7 +135,7 @@ auto arc_weight(const ArcWeight& weight, const Named_function_parameters<T, Tag,
 /// `Reeb_graph::pants_decomposition()`, and `Reeb_graph::branch_curves()`.
 inline auto number_of_candidates(std::size_t number)
 {
-  return Named_function_parameters<std::size_t, Reeb_graph::internal::number_of_candidates_t>(number);
+  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::number_of_candidates_t>(number);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -146,8 +144,7 @@ inline auto number_of_candidates(std::size_t number)
 template <class T, class Tag, class Base>
 auto number_of_candidates(std::size_t number, const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Named_function_parameters<std::size_t, Reeb_graph::internal::number_of_candidates_t,
-                                   Named_function_parameters<T, Tag, Base>>(number, np);
+  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::number_of_candidates_t>(number, np);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -155,7 +152,7 @@ auto number_of_candidates(std::size_t number, const Named_function_parameters<T,
 /// \brief starts a pack of named parameters with `persistence_threshold`, see `Reeb_graph::branch_curves()`.
 inline auto persistence_threshold(double threshold)
 {
-  return Named_function_parameters<double, Reeb_graph::internal::persistence_threshold_t>(threshold);
+  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::persistence_threshold_t>(threshold);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -164,8 +161,7 @@ inline auto persistence_threshold(double threshold)
 template <class T, class Tag, class Base>
 auto persistence_threshold(double threshold, const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Named_function_parameters<double, Reeb_graph::internal::persistence_threshold_t,
-                                   Named_function_parameters<T, Tag, Base>>(threshold, np);
+  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::persistence_threshold_t>(threshold, np);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -173,7 +169,7 @@ auto persistence_threshold(double threshold, const Named_function_parameters<T, 
 /// \brief starts a pack of named parameters with `area_threshold`, see `Reeb_graph::branch_curves()`.
 inline auto area_threshold(double threshold)
 {
-  return Named_function_parameters<double, Reeb_graph::internal::area_threshold_t>(threshold);
+  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::area_threshold_t>(threshold);
 }
 
 /// \ingroup PkgReebGraphNamedParameters
@@ -182,8 +178,7 @@ inline auto area_threshold(double threshold)
 template <class T, class Tag, class Base>
 auto area_threshold(double threshold, const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Named_function_parameters<double, Reeb_graph::internal::area_threshold_t,
-                                   Named_function_parameters<T, Tag, Base>>(threshold, np);
+  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::area_threshold_t>(threshold, np);
 }
 
 } // namespace parameters

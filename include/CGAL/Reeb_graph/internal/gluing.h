@@ -34,7 +34,7 @@ public:
       first_contours_({number_of_critical_vertices})
   {
     for(Index level = 0; level != slicing.number_of_levels(); ++level)
-      first_contours_.push_back(first_contours_.back() + slicing.level(level, true).number_of_contours());
+      first_contours_.push_back(first_contours_.back() + slicing.level(level).number_of_contours());
     upper_ends_.resize(first_contours_.back() - first_contours_.front());
   }
 

@@ -62,8 +62,8 @@ public:
   // The name of a slab's critical vertex among those of the surface.
   Index critical_vertex(Index slab, Index critical) const { return parts_[slab].names[critical]; }
 
-  // The level below or above a slab.
-  const Cut_level& level(Index slab, bool is_upper) const { return levels_[is_upper ? slab : slab - 1]; }
+  // The level above the slab of the same number.
+  const Cut_level& level(Index number) const { return levels_[number]; }
   Index number_of_levels() const { return static_cast<Index>(levels_.size()); }
 
 private:

@@ -117,7 +117,6 @@ public:
   Shared_value(const Shared_value& other) : value_(other.get()) {}
 
   T get() const { return value_; }
-  void set(T value) { value_ = value; }
 
   T exchange(T value)
   {
@@ -128,18 +127,6 @@ public:
   }
 
   void add(T value) { value_ += value; }
-
-  void raise_to(T value)
-  {
-    if constexpr(is_parallel<ConcurrencyTag>())
-    {
-      T current = value_;
-      while(current < value && !value_.compare_exchange_weak(current, value))
-        ;
-    }
-    else
-      value_ = (std::max)(value_, value);
-  }
 
   void lower_to(T value)
   {
