@@ -27,6 +27,29 @@
 namespace CGAL {
 namespace Reeb_graph {
 
+namespace internal {
+namespace scalar_fields {
+
+// Solves with the right side that integrated_right_side(surface, graph) gives, in the scale of the indexed surface.
+template <class FaceListGraph, class FieldMap, class ConstraintRange, class NamedParameters, class RightSide>
+void solve_poisson_equation(const FaceListGraph& mesh,
+                            FieldMap field_map,
+                            const ConstraintRange& constraints,
+                            const NamedParameters& np,
+                            const RightSide& integrated_right_side)
+{
+  const Progress progress(np);
+  progress.report(0);
+  const Indexed_surface<FaceListGraph> surface(mesh, np);
+  const auto fixed = read_constraints<double>(surface, constraints);
+  const Weighted_graph graph = cotangent_graph(surface);
+  auto right_side = integrated_right_side(surface, graph);
+  write_field(surface, poisson_values(surface, graph, fixed, std::move(right_side), progress, np), field_map);
+}
+
+} // namespace scalar_fields
+} // namespace internal
+
 /// \ingroup PkgReebGraphFields
 ///
 /// \brief computes the mean curvature at each vertex.
@@ -98,17 +121,13 @@ void compute_poisson_field(const FaceListGraph& mesh,
                            const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  const internal::Progress progress(np);
-  progress.report(0);
-  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
-  const auto fixed = fields::read_constraints<double>(surface, constraints);
-  const fields::Weighted_graph graph = fields::cotangent_graph(surface);
-  auto right_side = fields::read_field(surface, right_side_map);
-  const auto areas = fields::scaled_mixed_areas(surface);
-  for(std::size_t v = 0; v != areas.size(); ++v)
-    right_side[v] *= areas[v] * surface.scale() * surface.scale();
-  fields::write_field(surface, fields::poisson_values(surface, graph, fixed, std::move(right_side), progress, np),
-                      field_map);
+  fields::solve_poisson_equation(mesh, field_map, constraints, np, [&](const auto& surface, const auto&) {
+    auto right_side = fields::read_field(surface, right_side_map);
+    const auto areas = fields::scaled_mixed_areas(surface);
+    for(std::size_t v = 0; v != areas.size(); ++v)
+      right_side[v] *= areas[v] * surface.scale() * surface.scale();
+    return right_side;
+  });
 }
 
 /// \ingroup PkgReebGraphFields
@@ -128,16 +147,12 @@ void compute_curvature_poisson_field(const FaceListGraph& mesh,
                                      const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  const internal::Progress progress(np);
-  progress.report(0);
-  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
-  const auto fixed = fields::read_constraints<double>(surface, constraints);
-  const fields::Weighted_graph graph = fields::cotangent_graph(surface);
-  auto right_side = fields::scaled_integrated_mean_curvatures(surface, graph);
-  for(double& value : right_side)
-    value *= surface.scale();
-  fields::write_field(surface, fields::poisson_values(surface, graph, fixed, std::move(right_side), progress, np),
-                      field_map);
+  fields::solve_poisson_equation(mesh, field_map, constraints, np, [](const auto& surface, const auto& graph) {
+    auto right_side = fields::scaled_integrated_mean_curvatures(surface, graph);
+    for(double& value : right_side)
+      value *= surface.scale();
+    return right_side;
+  });
 }
 
 } // namespace Reeb_graph
