@@ -55,7 +55,8 @@ namespace CGAL {
 ///         than 20,000 faces are always worked on by one thread.
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. The value
-///         type is the scalar type of the traits class
+///         type is the scalar type of the traits class. With `Parallel_tag`, built-in numbers are read from several
+///         threads at once
 /// \tparam ReebGraph the type `Graph` of the traits class
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
@@ -107,7 +108,8 @@ namespace CGAL {
 ///                       property map}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_index_map}
-///     \cgalParamDescription{the same for faces}
+///     \cgalParamDescription{the same for faces. Without it, they are not looked for in a mesh whose edges have constant
+///                           indices.}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptors as key type and an integer type as
 ///                    value type}
 ///     \cgalParamDefault{as for vertices}

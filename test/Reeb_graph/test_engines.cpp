@@ -131,14 +131,14 @@ bool are_several_cuts_on_an_edge(const stages::Triangle_complex& complex, const 
 {
   std::set<stages::Index> followed = {stages::no_index};
   bool are_several = false;
-  for(stages::Index corner = 0; corner != complex.number_of_corners(); ++corner)
+  for(stages::Index edge = 0; edge != complex.number_of_edges(); ++edge)
   {
-    const stages::Index cut = cuts.lowest_at_edge(complex, corner);
+    const stages::Index halfedge = complex.halfedge_of_triangle(edge), cut = cuts.lowest_at_edge(halfedge);
     if(!followed.insert(cut).second)
       continue;
     const stages::Index vertex = critical_vertices.vertex(cuts.critical_vertex(cut));
-    stages::trace_contour(complex, corner, [&](stages::Index u) { return order(u, vertex); },
-                          [&](stages::Index crossed) { are_several |= cuts.lowest_at_edge(complex, crossed) != cut; });
+    stages::trace_contour(complex, halfedge, [&](stages::Index u) { return order(u, vertex); },
+                          [&](stages::Index crossed) { are_several |= cuts.lowest_at_edge(crossed) != cut; });
   }
   return are_several || followed.size() - 1 != cuts.size();
 }

@@ -109,11 +109,11 @@ private:
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown for an index map that does not number vertices or faces one to one by non-negative integers.
+/// \brief thrown for an index map that does not number vertices, edges or faces one to one by non-negative integers.
 class Invalid_index_map_error : public Error
 {
 public:
-  /// constructs the exception for an index map over `simplices` (`"vertices"` or `"faces"`).
+  /// constructs the exception for an index map over `simplices` (`"vertices"`, `"edges"` or `"faces"`).
   explicit Invalid_index_map_error(const std::string& simplices)
     : Error("the index map of the " + simplices + " is negative, or the same for two of them")
   {}
@@ -133,12 +133,12 @@ public:
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown for a mesh of more than 2<sup>32</sup> - 2 vertices or face corners.
+/// \brief thrown for a mesh of more than 2<sup>32</sup> - 2 vertices or halfedges.
 class Mesh_size_error : public Error
 {
 public:
   /// constructs the exception.
-  Mesh_size_error() : Error("the mesh has more vertices or face corners than 32-bit indices can number") {}
+  Mesh_size_error() : Error("the mesh has more vertices or halfedges than 32-bit indices can number") {}
 };
 
 /// \ingroup PkgReebGraphExceptions

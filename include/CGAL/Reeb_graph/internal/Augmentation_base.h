@@ -167,14 +167,14 @@ protected:
     return trace_from(arc, find_start(arc, level.is_below), level);
   }
 
-  // The corner that faces the edge at which the chain of the arc crosses the level. Chains can overlap where a piece
-  // ends; then the later one is inside the arc.
+  // A halfedge of a triangle on the edge at which the chain of the arc crosses the level. Chains can overlap where a
+  // piece ends; then the later one is inside the arc.
   Index find_start(arc_descriptor arc, const Level<Scalar, Order>& is_below) const
   {
     const auto& chain = graph_[arc].chain;
     const auto first_above = std::partition_point(
       chain.begin() + 1, chain.end(), [&](halfedge_descriptor h) { return is_below(position_(source(h, mesh_))); });
-    return corner_facing(first_above[-1]);
+    return number_of(first_above[-1]);
   }
 
   Contour trace_from(arc_descriptor arc, Index start, const Valued_level& level) const
@@ -185,10 +185,11 @@ protected:
     Large_vector<Index> crossed;
     contour.is_closed = trace_oriented_contour(surface_.complex, start, level.is_below, crossed);
     contour.halfedges.reserve(crossed.size());
-    for(const Index corner : crossed)
+    for(const Index halfedge : crossed)
     {
-      const halfedge_descriptor h = halfedge_facing_corner(mesh_, surface_.faces, corner);
-      contour.halfedges.push_back(level.is_below(surface_.complex.edge_target(corner)) ? opposite(h, mesh_) : h);
+      const bool is_target_below = level.is_below(surface_.complex.target(halfedge));
+      const Index ascending = is_target_below ? Triangle_complex::opposite(halfedge) : halfedge;
+      contour.halfedges.push_back(surface_.halfedges(mesh_, ascending));
     }
     return contour;
   }
@@ -204,14 +205,9 @@ protected:
   std::vector<face_descriptor> star(node_descriptor node) const
   {
     std::vector<face_descriptor> faces;
-    const Index first = surface_.complex.first_corner(node_vertex(node));
-    for(Index corner = first; corner != no_index;)
-    {
-      faces.push_back(surface_.faces[corner / 3]);
-      corner = surface_.complex.counterclockwise(corner);
-      if(corner == first)
-        corner = no_index;
-    }
+    surface_.complex.for_each_halfedge_around(node_vertex(node), [&](Index halfedge) {
+      faces.push_back(face(surface_.halfedges(mesh_, halfedge), mesh_));
+    });
     return faces;
   }
 
@@ -221,8 +217,8 @@ protected:
     const Index v = node_vertex(node);
     if(!surface_.complex.is_on_border(v))
       return loop;
-    const Index corner = Triangle_complex::previous(surface_.complex.first_corner(v));
-    const halfedge_descriptor first = opposite(halfedge_facing_corner(mesh_, surface_.faces, corner), mesh_);
+    const Index along_border = Triangle_complex::opposite(surface_.complex.first_halfedge(v));
+    const halfedge_descriptor first = surface_.halfedges(mesh_, along_border);
     halfedge_descriptor h = first;
     do
     {
@@ -320,14 +316,15 @@ private:
     return end == target(chain[i], mesh_) ? 1 : crossing_fraction(chain[i], value_of(position_(end)));
   }
 
-  Index corner_facing(halfedge_descriptor h) const
+  // The number of h or of its opposite, whichever has a triangle.
+  Index number_of(halfedge_descriptor h) const
   {
     Index result = no_index;
-    surface_.complex.visit_edges_around(position_(source(h, mesh_)), [&](Index, Index corner) {
-      const halfedge_descriptor facing = halfedge_facing_corner(mesh_, surface_.faces, corner);
-      if(facing != h && facing != opposite(h, mesh_))
+    surface_.complex.visit_edges_around(position_(source(h, mesh_)), [&](Index, Index halfedge) {
+      const halfedge_descriptor around = surface_.halfedges(mesh_, halfedge);
+      if(around != h && around != opposite(h, mesh_))
         return false;
-      result = corner;
+      result = halfedge;
       return true;
     });
     return result;

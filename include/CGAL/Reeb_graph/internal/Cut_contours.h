@@ -31,18 +31,18 @@ public:
 
   // Adds a contour just below the critical vertex `critical`, the top of whose sublevel component is
   // `sublevel_class`. Critical vertices have to come in descending order: an edge keeps its lowest contour.
-  template <class CornerRange>
-  void add(const Triangle_complex& complex, Index critical, Index sublevel_class, const CornerRange& crossed_edges)
+  template <class HalfedgeRange>
+  void add(const Triangle_complex& complex, Index critical, Index sublevel_class, const HalfedgeRange& crossed_edges)
   {
     const Index cut = size();
     critical_vertices_.push_back(critical);
     sublevel_classes_.push_back(sublevel_class);
-    is_edge_cut_.resize(complex.number_of_corners(), false);
-    if(crossed_edges.size() + few_lowest_cuts_.size() > complex.number_of_corners() / 256)
-      switch_to_array(complex.number_of_corners());
-    for(const Index corner : crossed_edges)
+    is_edge_cut_.resize(complex.number_of_edges(), false);
+    if(crossed_edges.size() + few_lowest_cuts_.size() > complex.number_of_edges() / 128)
+      switch_to_array(complex.number_of_edges());
+    for(const Index halfedge : crossed_edges)
     {
-      const Index edge = complex.representative_of_edge(corner);
+      const Index edge = Triangle_complex::edge(halfedge);
       is_edge_cut_[edge] = true;
       (lowest_cuts_.empty() ? few_lowest_cuts_[edge] : lowest_cuts_[edge]) = cut;
     }
@@ -60,19 +60,19 @@ public:
   Index critical_vertex(Index cut) const { return critical_vertices_[cut]; }
   Index sublevel_class(Index cut) const { return sublevel_classes_[cut]; }
 
-  // The lowest contour that crosses the edge faced by `corner`, no_index if there is none.
-  Index lowest_at_edge(const Triangle_complex& complex, Index corner) const
+  // The lowest contour that crosses the edge of the halfedge, no_index if there is none.
+  Index lowest_at_edge(Index halfedge) const
   {
-    const Index edge = complex.representative_of_edge(corner);
+    const Index edge = Triangle_complex::edge(halfedge);
     if(is_edge_cut_.empty() || !is_edge_cut_[edge])
       return no_index;
     return lowest_cuts_.empty() ? few_lowest_cuts_.find(edge)->second : lowest_cuts_[edge];
   }
 
 private:
-  void switch_to_array(Index number_of_corners)
+  void switch_to_array(Index number_of_edges)
   {
-    lowest_cuts_.resize(number_of_corners);
+    lowest_cuts_.resize(number_of_edges);
     for(const auto& [edge, cut] : few_lowest_cuts_)
       lowest_cuts_[edge] = cut;
     few_lowest_cuts_.clear();
@@ -83,7 +83,7 @@ private:
   Index number_of_other_nodes_;
   Large_vector<Index> critical_vertices_;
   Large_vector<Index> sublevel_classes_;
-  // By representative corner. With few cut edges, to touch the pages of an array would take longer than all else that
+  // By edge. With few cut edges, to touch the pages of an array would take longer than all else that
   // has to do with cuts; with many, a hash map would.
   std::unordered_map<Index, Index> few_lowest_cuts_;
   Large_vector<Index> lowest_cuts_; // unset where no cut is

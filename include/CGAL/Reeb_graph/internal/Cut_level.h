@@ -27,9 +27,8 @@ namespace internal {
 class Cut_level
 {
 public:
-  explicit Cut_level(const Triangle_complex& complex) : crossed_edges_(complex.number_of_corners()) {}
+  explicit Cut_level(const Triangle_complex& complex) : crossed_edges_(complex.number_of_edges()) {}
 
-  // Edges are named by their representative corners.
   void add_crossed_edge(Index edge) { crossed_edges_.add(edge); }
 
   // To be called after the last edge has been added.
@@ -44,9 +43,9 @@ public:
       const Index contour = number_of_contours();
       first_edges_.push_back(edge);
       is_border_reached_.push_back(false);
-      trace_contour(complex, edge, is_below, [&](Index corner) {
-        contours_[crossed_edges_.rank(complex.representative_of_edge(corner))] = contour;
-        if(complex.opposite(corner) == no_index)
+      trace_contour(complex, complex.halfedge_of_triangle(edge), is_below, [&](Index halfedge) {
+        contours_[crossed_edges_.rank(Triangle_complex::edge(halfedge))] = contour;
+        if(complex.is_on_border_edge(halfedge))
           is_border_reached_.back() = true;
       });
     });
@@ -56,9 +55,9 @@ public:
   Index first_edge(Index contour) const { return first_edges_[contour]; }
   bool is_border_reached(Index contour) const { return is_border_reached_[contour]; }
 
-  Index contour_at_edge(const Triangle_complex& complex, Index corner) const
+  Index contour_at_edge(Index halfedge) const
   {
-    return contours_[crossed_edges_.rank(complex.representative_of_edge(corner))];
+    return contours_[crossed_edges_.rank(Triangle_complex::edge(halfedge))];
   }
 
 private:

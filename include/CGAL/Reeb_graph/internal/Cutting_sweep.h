@@ -76,7 +76,7 @@ private:
   // A path meets a cut before the upper level of the slab.
   Index component_at(const Ascending_step& step) const
   {
-    const Index cut = cuts_.lowest_at_edge(complex_, step.edge);
+    const Index cut = cuts_.lowest_at_edge(step.edge);
     return cut == no_index ? sweep_.component_at_level(step) : components_of_cuts_[cut];
   }
 
@@ -88,7 +88,7 @@ private:
     Large_vector<Index> corrected;
     for(const Index edge : crossed_edges)
     {
-      const Index source = complex_.edge_source(edge), target = complex_.edge_target(edge);
+      const Index source = complex_.source(edge), target = complex_.target(edge);
       correct_path_end(order_(source, target) ? source : target, edge, corrected);
     }
     for(; !corrected.empty() && !are_all_changed_; ++number_of_corrections_)
@@ -109,7 +109,7 @@ private:
   {
     is_changed_[vertex] = true;
     if(!path_ends_.is_known(vertex)
-       || complex_.representative_of_edge(path_ends_.step(vertex).edge) != complex_.representative_of_edge(edge))
+       || Triangle_complex::edge(path_ends_.step(vertex).edge) != Triangle_complex::edge(edge))
       return;
     path_ends_.set_end(vertex, components_of_cuts_.back());
     corrected.push_back(vertex);

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/Descriptor_list.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 
@@ -26,14 +27,20 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The position of each vertex (or face) in the sequence given at construction, found through an index map, which
+// The position of each vertex (or edge, or face) in the list given at construction, found through an index map, which
 // can have holes, such as the one of a Surface_mesh with removed elements. Without holes there is nothing to store.
 template <class IndexMap>
 class Descriptor_positions
 {
 public:
-  template <class Descriptor>
-  Descriptor_positions(const IndexMap& index_map, const Large_vector<Descriptor>& descriptors, const char* name)
+  // For indices that are the positions.
+  Descriptor_positions(const IndexMap& index_map, std::size_t number_of_descriptors)
+    : index_map_(index_map),
+      number_of_equal_indices_(number_of_descriptors)
+  {}
+
+  template <class DescriptorList>
+  Descriptor_positions(const IndexMap& index_map, const DescriptorList& descriptors, const char* name)
     : index_map_(index_map)
   {
     while(number_of_equal_indices_ != descriptors.size()
@@ -102,38 +109,43 @@ struct Has_constant_index<Graph, IndexTag, true>
 {
 };
 
-template <class IndexTag, class DynamicTag, class Graph, class Descriptor, class IndexParameter>
+// By the index map of the mesh itself.
+template <class IndexTag, class Graph, class DescriptorList>
+auto make_positions_by_constant_index(const Graph& mesh, const DescriptorList& descriptors, const char* name)
+{
+  typedef Descriptor_positions<typename boost::property_map<Graph, IndexTag>::const_type> Positions;
+  return descriptors.is_consecutive() ? Positions(get(IndexTag(), mesh), descriptors.size())
+                                      : Positions(get(IndexTag(), mesh), descriptors, name);
+}
+
+template <class IndexTag, class DynamicTag, class Graph, class DescriptorList, class IndexParameter>
 auto make_descriptor_positions(const Graph& mesh,
-                               const Large_vector<Descriptor>& descriptors,
+                               const DescriptorList& descriptors,
                                const IndexParameter& index_parameter,
                                const char* name)
 {
   if constexpr(!std::is_same_v<IndexParameter, internal_np::Param_not_found>)
     return Descriptor_positions<IndexParameter>(index_parameter, descriptors, name);
   else if constexpr(Has_constant_index<Graph, IndexTag>::value)
-  {
-    typedef typename boost::property_map<Graph, IndexTag>::const_type Index_map;
-    return Descriptor_positions<Index_map>(get(IndexTag(), mesh), descriptors, name);
-  }
+    return make_positions_by_constant_index<IndexTag>(mesh, descriptors, name);
   else
   {
     auto index_map = get(DynamicTag(), mesh);
-    Index position = 0;
-    for(const Descriptor& d : descriptors)
-      put(index_map, d, position++);
-    return Descriptor_positions<decltype(index_map)>(index_map, descriptors, name);
+    for(std::size_t position = 0; position != descriptors.size(); ++position)
+      put(index_map, descriptors[position], static_cast<Index>(position));
+    return Descriptor_positions<decltype(index_map)>(index_map, descriptors.size());
   }
 }
 
-template <class Graph, class Descriptor, class NamedParameters>
-auto make_vertex_positions(const Graph& mesh, const Large_vector<Descriptor>& vertices, const NamedParameters& np)
+template <class Graph, class DescriptorList, class NamedParameters>
+auto make_vertex_positions(const Graph& mesh, const DescriptorList& vertices, const NamedParameters& np)
 {
   return make_descriptor_positions<boost::vertex_index_t, dynamic_vertex_property_t<Index>>(
     mesh, vertices, parameters::get_parameter(np, internal_np::vertex_index), "vertices");
 }
 
-template <class Graph, class Descriptor, class NamedParameters>
-auto make_face_positions(const Graph& mesh, const Large_vector<Descriptor>& faces, const NamedParameters& np)
+template <class Graph, class DescriptorList, class NamedParameters>
+auto make_face_positions(const Graph& mesh, const DescriptorList& faces, const NamedParameters& np)
 {
   return make_descriptor_positions<boost::face_index_t, dynamic_face_property_t<Index>>(
     mesh, faces, parameters::get_parameter(np, internal_np::face_index), "faces");

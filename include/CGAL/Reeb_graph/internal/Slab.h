@@ -80,14 +80,14 @@ public:
     const Cut_level* level = is_upper ? upper_level_ : lower_level_;
     if(level == nullptr || !is_outside(is_upper, step.target))
       return no_index;
-    return level->contour_at_edge(*complex_, step.edge);
+    return level->contour_at_edge(step.edge);
   }
 
   // A step from a contour of the upper or the lower level into the slab, or across all of it.
   Ascending_step step_from_contour(bool is_upper, Index contour) const
   {
-    const Index edge = (is_upper ? upper_level_ : lower_level_)->first_edge(contour);
-    const Index source = complex_->edge_source(edge), target = complex_->edge_target(edge);
+    const Index edge = complex_->halfedge_of_triangle((is_upper ? upper_level_ : lower_level_)->first_edge(contour));
+    const Index source = complex_->source(edge), target = complex_->target(edge);
     const bool is_source_lower = (*slabs_of_vertices_)[source] < (*slabs_of_vertices_)[target];
     return {edge, is_source_lower == is_upper ? source : target};
   }

@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -25,7 +24,7 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Vertices, triangles and corners are numbered by 32-bit integers: half the memory traffic of the sweeps.
+// Vertices, edges and halfedges are numbered by 32-bit integers: half the memory traffic of the sweeps.
 typedef std::uint32_t Index;
 constexpr Index no_index = (std::numeric_limits<Index>::max)();
 
@@ -36,72 +35,79 @@ inline Index checked_index(std::size_t i)
   return static_cast<Index>(i);
 }
 
-// An oriented triangulated surface as flat arrays. Corner 3 t + i is the corner i of triangle t. A corner also
-// stands for the edge of its triangle that it faces; seen from there, that edge runs from the corner after it to
-// the corner before it. An edge between two triangles is faced by two corners, which are opposite of each other.
+// An oriented triangulated surface as flat arrays. The two halfedges of edge e are 2 e and 2 e + 1. A halfedge has its
+// triangle on the left, or none, along the border.
 class Triangle_complex
 {
 public:
+  // By halfedge: the target, and the next one in the triangle, no_index if there is none. By vertex: a halfedge of a
+  // triangle that ends there, no_index if there is none.
   template <class ConcurrencyTag>
   Triangle_complex(ConcurrencyTag,
-                   Large_vector<Index> corner_vertices,
-                   Large_vector<Index> opposite_corners,
-                   Index number_of_vertices)
-    : corner_vertices_(std::move(corner_vertices)),
-      opposite_corners_(std::move(opposite_corners)),
-      first_corners_(number_of_vertices, no_index)
+                   Large_vector<Index> targets,
+                   Large_vector<Index> next_halfedges,
+                   Large_vector<Index> halfedges_of_vertices)
+    : targets_(std::move(targets)),
+      next_halfedges_(std::move(next_halfedges)),
+      first_halfedges_(std::move(halfedges_of_vertices))
   {
-    find_first_corners<ConcurrencyTag>();
-    check_fans<ConcurrencyTag>();
+    begin_fans_at_border<ConcurrencyTag>();
   }
 
-  Index number_of_vertices() const { return static_cast<Index>(first_corners_.size()); }
-  Index number_of_corners() const { return static_cast<Index>(corner_vertices_.size()); }
+  Index number_of_vertices() const { return static_cast<Index>(first_halfedges_.size()); }
+  Index number_of_halfedges() const { return static_cast<Index>(targets_.size()); }
+  Index number_of_edges() const { return number_of_halfedges() / 2; }
 
-  Index vertex(Index corner) const { return corner_vertices_[corner]; }
+  static Index edge(Index halfedge) { return halfedge / 2; }
+  static Index opposite(Index halfedge) { return halfedge ^ 1; }
 
-  // no_index on the border
-  Index opposite(Index corner) const { return opposite_corners_[corner]; }
+  Index target(Index halfedge) const { return targets_[halfedge]; }
+  Index source(Index halfedge) const { return targets_[opposite(halfedge)]; }
 
-  static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
-  static Index previous(Index corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
+  bool has_triangle(Index halfedge) const { return next_halfedges_[halfedge] != no_index; }
+  bool is_on_border_edge(Index halfedge) const { return !has_triangle(halfedge) || !has_triangle(opposite(halfedge)); }
 
-  // The ends of the edge that `corner` faces, in the orientation of its triangle.
-  Index edge_source(Index corner) const { return vertex(next(corner)); }
-  Index edge_target(Index corner) const { return vertex(previous(corner)); }
+  bool is_on_triangle(Index edge) const { return has_triangle(2 * edge) || has_triangle(2 * edge + 1); }
+  // For an edge on a triangle.
+  Index halfedge_of_triangle(Index edge) const { return has_triangle(2 * edge) ? 2 * edge : 2 * edge + 1; }
 
-  // A corner at `vertex`, no_index if the vertex is isolated. At a border vertex it is the one from which turning
-  // counterclockwise meets all others.
-  Index first_corner(Index vertex) const { return first_corners_[vertex]; }
+  // In the triangle of the halfedge.
+  Index next(Index halfedge) const { return next_halfedges_[halfedge]; }
+  Index previous(Index halfedge) const { return next(next(halfedge)); }
 
-  // The corner at the same vertex in the triangle that is next clockwise, no_index behind the border.
-  Index clockwise(Index corner) const
+  // A halfedge of a triangle that ends at `vertex`, no_index if there is none. At a border vertex it is the one from
+  // which turning clockwise meets all others.
+  Index first_halfedge(Index vertex) const { return first_halfedges_[vertex]; }
+
+  // The next halfedge with the same target, clockwise. Behind the border it has no triangle.
+  Index clockwise(Index halfedge) const { return opposite(next(halfedge)); }
+
+  bool is_on_border(Index vertex) const
   {
-    const Index across = opposite(previous(corner));
-    return across == no_index ? no_index : previous(across);
+    const Index halfedge = first_halfedge(vertex);
+    return halfedge != no_index && !has_triangle(opposite(halfedge));
   }
 
-  // The corner at the same vertex in the triangle that is next counterclockwise, no_index behind the border.
-  Index counterclockwise(Index corner) const
-  {
-    const Index across = opposite(next(corner));
-    return across == no_index ? no_index : next(across);
-  }
-
-  // Calls visit(neighbor, corner), where `corner` faces the edge to `neighbor`, for the edges at `vertex`, turning
-  // counterclockwise, at a border vertex from border edge to border edge, until a call returns true.
+  // Calls visit(neighbor, halfedge), where `halfedge` is a halfedge of a triangle on the edge to `neighbor`, for the
+  // edges at `vertex`, turning clockwise, at a border vertex from border edge to border edge, until a call returns
+  // true.
   template <class Visit>
   void visit_edges_around(Index vertex, const Visit& visit) const
   {
-    const Index first = first_corner(vertex);
-    for(Index corner = first; corner != no_index;)
+    const Index first = first_halfedge(vertex);
+    for(Index halfedge = first; halfedge != no_index;)
     {
-      if(visit(this->vertex(next(corner)), previous(corner)))
+      if(visit(source(halfedge), halfedge))
         return;
-      const Index turned = counterclockwise(corner);
-      if(turned == no_index && visit(this->vertex(previous(corner)), next(corner)))
+      const Index turned = clockwise(halfedge);
+      if(turned == first)
         return;
-      corner = turned == first ? no_index : turned;
+      if(!has_triangle(turned))
+      {
+        visit(source(turned), opposite(turned));
+        return;
+      }
+      halfedge = turned;
     }
   }
 
@@ -109,88 +115,81 @@ public:
   template <class Visit>
   void for_each_edge_around(Index vertex, const Visit& visit) const
   {
-    visit_edges_around(vertex, [&](Index neighbor, Index corner) {
-      visit(neighbor, corner);
+    visit_edges_around(vertex, [&](Index neighbor, Index halfedge) {
+      visit(neighbor, halfedge);
       return false;
     });
   }
 
-  // One of the two corners that face the same edge.
-  Index representative_of_edge(Index corner) const { return (std::min)(corner, opposite(corner)); }
-
-  bool is_on_border(Index vertex) const
+  // Calls visit(halfedge) for the halfedges of triangles that end at `vertex`, clockwise.
+  template <class Visit>
+  void for_each_halfedge_around(Index vertex, const Visit& visit) const
   {
-    const Index corner = first_corner(vertex);
-    return corner != no_index && clockwise(corner) == no_index;
+    const Index first = first_halfedge(vertex);
+    for(Index halfedge = first; halfedge != no_index;)
+    {
+      visit(halfedge);
+      halfedge = clockwise(halfedge);
+      if(halfedge == first || !has_triangle(halfedge))
+        return;
+    }
   }
 
 private:
-  // The lowest corner at each vertex, at a border vertex the one behind the border.
+  // Lets the fan of each border vertex begin at the border, and counts what is reached: a halfedge data structure leads
+  // to one fan of triangles per vertex only, but here all halfedges are known.
   template <class ConcurrencyTag>
-  void find_first_corners()
+  void begin_fans_at_border()
   {
-    if constexpr(is_parallel<ConcurrencyTag>())
-    {
-      typedef Shared_value<ConcurrencyTag, Index> Lowest_corner;
-      Large_vector<Lowest_corner> lowest_corners(number_of_vertices(), Lowest_corner(no_index));
-      for_each_block<ConcurrencyTag>(number_of_corners(), [&](std::size_t begin, std::size_t end) {
-        for(std::size_t corner = begin; corner != end; ++corner)
-          lowest_corners[corner_vertices_[corner]].lower_to(static_cast<Index>(corner));
-      });
-      for(Index v = 0; v != number_of_vertices(); ++v)
-        first_corners_[v] = lowest_corners[v].get();
-    }
-    else
-    {
-      for(Index corner = number_of_corners(); corner != 0; --corner)
-        first_corners_[vertex(corner - 1)] = corner - 1;
-    }
-    for(Index corner = 0; corner != number_of_corners(); ++corner)
-    {
-      if(opposite(corner) == no_index)
-        first_corners_[edge_source(corner)] = next(corner);
-    }
+    Shared_counter<ConcurrencyTag> number_of_reached_halfedges, number_of_halfedges_of_triangles;
+    for_each_block<ConcurrencyTag>(number_of_vertices(), [&](std::size_t begin, std::size_t end) {
+      std::size_t sum = 0;
+      for(std::size_t v = begin; v != end; ++v)
+        sum += begin_fan_at_border(first_halfedges_[v]);
+      number_of_reached_halfedges.add(sum);
+    });
+    for_each_block<ConcurrencyTag>(number_of_halfedges(), [&](std::size_t begin, std::size_t end) {
+      std::size_t sum = 0;
+      for(std::size_t h = begin; h != end; ++h)
+        sum += next_halfedges_[h] != no_index;
+      number_of_halfedges_of_triangles.add(sum);
+    });
+    if(number_of_reached_halfedges.get() != number_of_halfedges_of_triangles.get())
+      throw_non_manifold_vertex_error();
   }
 
-  // The number of corners of the fan that a vertex is connected to its faces by.
-  Index size_of_fan(Index v) const
+  // Returns the number of halfedges of the fan.
+  std::size_t begin_fan_at_border(Index& first) const
   {
-    Index size = 0;
-    for(Index corner = first_corner(v); corner != no_index; ++size)
-    {
-      corner = counterclockwise(corner);
-      if(corner == first_corner(v))
-        corner = no_index;
-    }
+    if(first == no_index)
+      return 0;
+    std::size_t size = 1;
+    Index halfedge = clockwise(first);
+    for(; halfedge != first && has_triangle(halfedge); halfedge = clockwise(halfedge))
+      ++size;
+    if(halfedge == first)
+      return size;
+    for(; has_triangle(opposite(first)); ++size)
+      first = previous(opposite(first));
     return size;
   }
 
-  // A halfedge data structure reaches one fan of triangles per vertex only; here all corners are known.
-  template <class ConcurrencyTag>
-  void check_fans() const
+  void throw_non_manifold_vertex_error() const
   {
-    Shared_value<ConcurrencyTag, Index> number_of_reached_corners(0);
-    for_each_block<ConcurrencyTag>(number_of_vertices(), [&](std::size_t begin, std::size_t end) {
-      Index sum = 0;
-      for(std::size_t v = begin; v != end; ++v)
-        sum += size_of_fan(static_cast<Index>(v));
-      number_of_reached_corners.add(sum);
-    });
-    if(number_of_reached_corners.get() == number_of_corners())
-      return;
-    Large_vector<Index> degrees(number_of_vertices(), 0);
-    for(const Index v : corner_vertices_)
-      ++degrees[v];
+    Large_vector<Index> unreached(number_of_vertices(), 0);
+    for(Index h = 0; h != number_of_halfedges(); ++h)
+      unreached[target(h)] += has_triangle(h) ? 1 : 0;
     for(Index v = 0; v != number_of_vertices(); ++v)
     {
-      if(degrees[v] != size_of_fan(v))
+      for_each_halfedge_around(v, [&](Index) { --unreached[v]; });
+      if(unreached[v] != 0)
         throw Non_manifold_vertex_error(v);
     }
   }
 
-  Large_vector<Index> corner_vertices_;
-  Large_vector<Index> opposite_corners_;
-  Large_vector<Index> first_corners_;
+  Large_vector<Index> targets_;
+  Large_vector<Index> next_halfedges_;
+  Large_vector<Index> first_halfedges_;
 };
 
 } // namespace internal

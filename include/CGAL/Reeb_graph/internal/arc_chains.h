@@ -37,11 +37,11 @@ struct Flat_chains
 // The arcs in an order in which those that begin near to each other on the mesh follow each other.
 inline Large_vector<Index> arcs_in_mesh_order(const Triangle_complex& complex, const Flat_graph& graph)
 {
-  constexpr Index corners_per_bucket = 64;
+  constexpr Index halfedges_per_bucket = 64;
   const auto bucket = [&](const Flat_arc& arc) {
-    return graph.pieces[arc.first_piece].first_step.edge / corners_per_bucket;
+    return graph.pieces[arc.first_piece].first_step.edge / halfedges_per_bucket;
   };
-  Large_vector<Index> begins(complex.number_of_corners() / corners_per_bucket + 2, 0);
+  Large_vector<Index> begins(complex.number_of_halfedges() / halfedges_per_bucket + 2, 0);
   for(const Flat_arc& arc : graph.arcs)
     ++begins[bucket(arc) + 1];
   std::partial_sum(begins.begin(), begins.end(), begins.begin());

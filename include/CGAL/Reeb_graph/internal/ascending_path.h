@@ -17,7 +17,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// A step of an ascending path: the edge that the corner `edge` faces, up to its higher end `target`.
+// A step of an ascending path: the edge of which `edge` is a halfedge that has a triangle, up to its higher end
+// `target`.
 struct Ascending_step
 {
   Index edge;
@@ -29,9 +30,9 @@ template <class Order>
 Ascending_step steepest_step(const Triangle_complex& complex, const Order& order, Index vertex)
 {
   Ascending_step step = {no_index, vertex};
-  complex.for_each_edge_around(vertex, [&](Index neighbor, Index corner) {
+  complex.for_each_edge_around(vertex, [&](Index neighbor, Index halfedge) {
     if(order(step.target, neighbor))
-      step = {corner, neighbor};
+      step = {halfedge, neighbor};
   });
   return step;
 }

@@ -91,12 +91,6 @@ public:
     entries_.push_back({first, vertex, static_cast<Index>(sectors_.size() - first), is_first_upper});
   }
 
-  void remove_last()
-  {
-    sectors_.resize(entries_.back().first_sector);
-    entries_.pop_back();
-  }
-
   // To be called after the last vertex has been added. Ties are ordered by critical vertex as by vertex.
   template <class ConcurrencyTag, class Order>
   void sort(const Order& order)
@@ -159,69 +153,47 @@ private:
   Large_vector<Index> ascending_;
 };
 
-// For each vertex, the number of triangles in which it is the middle one: for an interior vertex twice the number
-// of its lower sectors, and of its upper ones, except that an extremum has none.
+// How often the neighbors of a vertex change between lower and higher ones as one turns around it, at a border vertex
+// from border edge to border edge.
 template <class Order>
-void add_middle_corners(const Triangle_complex& complex,
-                        const Order& order,
-                        std::size_t first_triangle,
-                        std::size_t end_of_triangles,
-                        Large_vector<Index>& counts)
+Index count_sector_changes(const Triangle_complex& complex, const Order& order, Index vertex)
 {
-  counts.resize(complex.number_of_vertices(), 0);
-  for(std::size_t triangle = first_triangle; triangle != end_of_triangles; ++triangle)
-  {
-    const Index corner = static_cast<Index>(3 * triangle);
-    const Index a = complex.vertex(corner), b = complex.vertex(corner + 1), c = complex.vertex(corner + 2);
-    const bool is_a_below_b = order(a, b), is_b_below_c = order(b, c), is_a_below_c = order(a, c);
-    ++counts[is_a_below_b == is_b_below_c ? b : (is_a_below_b == is_a_below_c ? c : a)];
-  }
-}
-
-// Each part of the triangles has counts of its own, as those of neighboring triangles are added to the same places.
-template <class ConcurrencyTag, class Order>
-Large_vector<Index> count_middle_corners(const Triangle_complex& complex, const Order& order)
-{
-  const std::size_t number_of_triangles = complex.number_of_corners() / 3;
-  const std::size_t number_of_counts = (number_of_parts<ConcurrencyTag>(number_of_triangles) + 3) / 4;
-  std::vector<Large_vector<Index>> counts(number_of_counts);
-  for_each_part<ConcurrencyTag>(counts.size(), number_of_triangles,
-                                [&](std::size_t part, std::size_t begin, std::size_t end) {
-                                  add_middle_corners(complex, order, begin, end, counts[part]);
-                                });
-  for_each_block<ConcurrencyTag>(complex.number_of_vertices(), [&](std::size_t begin, std::size_t end) {
-    for(std::size_t part = 1; part != counts.size(); ++part)
-      for(std::size_t v = begin; v != end; ++v)
-        counts[0][v] += counts[part][v];
+  const Index first = complex.first_halfedge(vertex);
+  if(first == no_index)
+    return 0;
+  const bool is_first_upper = order(vertex, complex.source(first));
+  bool is_upper = is_first_upper;
+  Index number_of_changes = 0;
+  complex.for_each_halfedge_around(vertex, [&](Index halfedge) {
+    const bool is_next_upper = order(vertex, complex.target(complex.next(halfedge)));
+    number_of_changes += is_upper != is_next_upper;
+    is_upper = is_next_upper;
   });
-  return std::move(counts[0]);
+  return number_of_changes;
 }
 
-// Adds the critical ones of a part of the vertices.
+// Adds the critical ones of a part of the vertices: all but those with one lower and one upper sector.
 template <class Order>
 void add_critical_vertices(const Triangle_complex& complex,
                            const Order& order,
-                           const Large_vector<Index>& middle_corners,
                            std::size_t begin,
                            std::size_t end,
                            Critical_vertices& critical_vertices)
 {
-  std::size_t number_of_candidates = 0, number_of_sectors = 0;
-  for(std::size_t v = begin; v != end; ++v)
-  {
-    number_of_candidates += middle_corners[v] != 2;
-    number_of_sectors += middle_corners[v] != 2 ? (std::max)(middle_corners[v], Index(1)) : 0;
-  }
-  critical_vertices.reserve(number_of_candidates, number_of_sectors);
+  Large_vector<Index> found(end - begin);
+  std::size_t number_of_found = 0, number_of_sectors = 0;
   for(std::size_t i = begin; i != end; ++i)
   {
-    const Index v = static_cast<Index>(i);
-    if(middle_corners[v] == 2 && !complex.is_on_border(v))
-      continue;
-    critical_vertices.add(complex, order, v);
-    if(!critical_vertices.is_critical(critical_vertices.size() - 1))
-      critical_vertices.remove_last();
+    const Index v = static_cast<Index>(i), border = complex.is_on_border(v) ? 1 : 0;
+    const Index number_of_changes = count_sector_changes(complex, order, v);
+    const bool is_critical = number_of_changes + border != 2;
+    found[number_of_found] = v;
+    number_of_found += is_critical;
+    number_of_sectors += is_critical ? (std::max)(number_of_changes + border, Index(1)) : 0;
   }
+  critical_vertices.reserve(number_of_found, number_of_sectors);
+  for(std::size_t i = 0; i != number_of_found; ++i)
+    critical_vertices.add(complex, order, found[i]);
 }
 
 // Adds up the vertices that `add(begin, end, vertices)` finds in parts, and sorts them.
@@ -244,10 +216,9 @@ Critical_vertices collect_vertices(const Triangle_complex& complex, const Order&
 template <class ConcurrencyTag, class Order>
 Critical_vertices classify_vertices(const Triangle_complex& complex, const Order& order)
 {
-  const Large_vector<Index> middle_corners = count_middle_corners<ConcurrencyTag>(complex, order);
   return collect_vertices<ConcurrencyTag>(
     complex, order, [&](std::size_t begin, std::size_t end, Critical_vertices& critical_vertices) {
-      add_critical_vertices(complex, order, middle_corners, begin, end, critical_vertices);
+      add_critical_vertices(complex, order, begin, end, critical_vertices);
     });
 }
 

@@ -22,40 +22,41 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Follows a contour from the edge that `start` faces into the triangle of that corner, and calls visit(corner) for
-// each further crossing edge, until it is back or at the border. Returns whether it came back.
+// Follows a contour from the edge of the halfedge `start` into its triangle, and calls visit(halfedge) for each further
+// crossing edge, until it is back or at the border. Returns whether it came back.
 //
 // All along a contour the source of the entered edge stays on the same side of the level, so that one comparison
 // per triangle tells the way: the contour keeps its apex on the side of that end which it does not separate from it.
 template <class IsBelow, class Visit>
 bool follow_contour(const Triangle_complex& complex, Index start, const IsBelow& is_below, const Visit& visit)
 {
-  const bool is_source_below = is_below(complex.edge_source(start));
+  const bool is_source_below = is_below(complex.source(start));
   Index entered = start;
   do
   {
-    const bool is_apex_below = is_below(complex.vertex(entered));
-    const Index left =
-      is_apex_below == is_source_below ? Triangle_complex::next(entered) : Triangle_complex::previous(entered);
-    entered = complex.opposite(left);
+    const Index next = complex.next(entered);
+    const Index left = is_below(complex.target(next)) == is_source_below ? next : complex.next(next);
+    entered = Triangle_complex::opposite(left);
     if(entered != start)
       visit(left);
-  } while(entered != start && entered != no_index);
+  } while(entered != start && complex.has_triangle(entered));
   return entered == start;
 }
 
-// Calls visit(corner) once for each edge of the contour that crosses the edge faced by `start`.
+// Calls visit(halfedge) once for each edge of the contour that crosses the edge of `start`. All these halfedges have
+// triangles.
 template <class IsBelow, class Visit>
 void trace_contour(const Triangle_complex& complex, Index start, const IsBelow& is_below, const Visit& visit)
 {
   visit(start);
   const bool is_closed = follow_contour(complex, start, is_below, visit);
-  if(!is_closed && complex.opposite(start) != no_index)
-    follow_contour(complex, complex.opposite(start), is_below, visit);
+  const Index opposite = Triangle_complex::opposite(start);
+  if(!is_closed && complex.has_triangle(opposite))
+    follow_contour(complex, opposite, is_below, visit);
 }
 
-// Replaces the content of `crossed` by the edges of the contour that crosses the edge faced by `start`, in the order
-// in which they follow each other with the higher side on the left. Returns whether the contour is closed.
+// Replaces the content of `crossed` by halfedges of the edges of the contour that crosses the edge of `start`, in the
+// order in which they follow each other with the higher side on the left. Returns whether the contour is closed.
 template <class IsBelow>
 bool trace_oriented_contour(const Triangle_complex& complex,
                             Index start,
@@ -63,15 +64,15 @@ bool trace_oriented_contour(const Triangle_complex& complex,
                             Large_vector<Index>& crossed)
 {
   // Who enters a triangle over an edge has the source of that edge on the left.
-  Index forward = start, backward = complex.opposite(start);
-  if(is_below(complex.edge_source(start)))
+  Index forward = start, backward = Triangle_complex::opposite(start);
+  if(is_below(complex.source(start)))
     std::swap(forward, backward);
 
   crossed.clear();
-  const auto collect = [&](Index corner) { crossed.push_back(corner); };
-  const bool is_closed = forward != no_index && follow_contour(complex, forward, is_below, collect);
+  const auto collect = [&](Index halfedge) { crossed.push_back(halfedge); };
+  const bool is_closed = complex.has_triangle(forward) && follow_contour(complex, forward, is_below, collect);
   const std::size_t number_of_forward_edges = crossed.size();
-  if(!is_closed && backward != no_index)
+  if(!is_closed && complex.has_triangle(backward))
     follow_contour(complex, backward, is_below, collect);
   std::reverse(crossed.begin() + number_of_forward_edges, crossed.end());
   crossed.push_back(start);

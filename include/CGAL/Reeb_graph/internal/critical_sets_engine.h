@@ -39,7 +39,7 @@ public:
       complex_(slab.complex()),
       order_(order),
       critical_vertices_(slab.critical_vertices()),
-      contour_at_edge_(complex_.number_of_corners(), no_index)
+      contour_at_edge_(complex_.number_of_edges(), no_index)
   {}
 
   // An edge keeps the contour of the lowest level: that is where an ascending path meets it first.
@@ -65,21 +65,18 @@ private:
     const Index first_contour = static_cast<Index>(arcs_.size());
     critical_vertices_.for_each_sector(critical, false, [&](Index sector) {
       // A contour can pass several sectors of the vertex; then the earlier trace has been here.
-      const Index edge = critical_vertices_.sector(sector).edge, registered = contour_at_edge_[edge];
+      const Index edge = critical_vertices_.sector(sector).edge, registered = contour_at(edge);
       if(registered != no_index && registered >= first_contour)
         return;
       const Index contour = static_cast<Index>(arcs_.size());
       arcs_.push_back({no_index, critical, {no_index, no_index}});
-      trace_contour(complex_, edge, is_below, [&](Index corner) { register_contour(contour, corner); });
+      trace_contour(complex_, edge, is_below, [&](Index halfedge) {
+        contour_at_edge_[Triangle_complex::edge(halfedge)] = contour;
+      });
     });
   }
 
-  void register_contour(Index contour, Index corner)
-  {
-    contour_at_edge_[corner] = contour;
-    if(complex_.opposite(corner) != no_index)
-      contour_at_edge_[complex_.opposite(corner)] = contour;
-  }
+  Index contour_at(Index halfedge) const { return contour_at_edge_[Triangle_complex::edge(halfedge)]; }
 
   void climb_from(Index critical)
   {
@@ -96,20 +93,20 @@ private:
 
   Index contour_above(Ascending_step step) const
   {
-    for(; contour_at_edge_[step.edge] == no_index; step = steepest_step(complex_, order_, step.target))
+    for(; contour_at(step.edge) == no_index; step = steepest_step(complex_, order_, step.target))
     {
       const Index contour = slab_.contour_at_step(true, step);
       if(contour != no_index)
         return contour;
     }
-    return contour_at_edge_[step.edge];
+    return contour_at(step.edge);
   }
 
   const Slab& slab_;
   const Triangle_complex& complex_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
-  Large_vector<Index> contour_at_edge_; // by corner; a contour has the number of the arc that ends there
+  Large_vector<Index> contour_at_edge_; // a contour has the number of the arc that ends there
   Large_vector<Critical_arc> arcs_;
 };
 

@@ -12,60 +12,61 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/Descriptor_list.h>
 #include <CGAL/Reeb_graph/internal/Descriptor_positions.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
-#include <CGAL/Reeb_graph/internal/read_triangles.h>
+#include <CGAL/Reeb_graph/internal/parallel.h>
+#include <CGAL/Reeb_graph/internal/read_halfedges.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// A mesh with its field in flat arrays. Vertices and triangles are numbered by their positions in vertices(mesh)
-// and faces(mesh); the handles lead back.
+// A mesh with its field in flat arrays. Vertices are numbered by their positions in vertices(mesh), halfedges as in
+// Triangle_complex; the descriptors lead back.
 template <class FaceListGraph, class Scalar>
 struct Flat_surface
 {
   typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
-  typedef typename boost::graph_traits<FaceListGraph>::face_descriptor face_descriptor;
 
   Triangle_complex complex;
   Large_vector<Scalar> values;
-  Large_vector<vertex_descriptor> vertices;
-  Large_vector<face_descriptor> faces;
+  Descriptor_list<FaceListGraph, vertex_descriptor> vertices;
+  Numbered_halfedges<FaceListGraph> halfedges;
 };
 
-// One of halfedges_facing_corners().
-template <class FaceListGraph, class FaceDescriptor>
-auto halfedge_facing_corner(const FaceListGraph& mesh, const Large_vector<FaceDescriptor>& faces, Index corner)
-{
-  auto h = halfedge(faces[corner / 3], mesh);
-  switch(corner % 3)
-  {
-  case 0: return prev(h, mesh);
-  case 1: return h;
-  default: return next(h, mesh);
-  }
-}
-
-template <class VertexDescriptor, class ScalarMap, class Traits>
-Large_vector<typename Traits::Scalar> read_values(const Large_vector<VertexDescriptor>& vertices,
+// Only plain numbers are read in parallel: copies of others may share parts.
+template <class ConcurrencyTag, class VertexList, class ScalarMap, class Traits>
+Large_vector<typename Traits::Scalar> read_values(const VertexList& vertices,
                                                   const ScalarMap& scalar_map,
                                                   const Traits& traits)
 {
+  typedef typename Traits::Scalar Scalar;
+  typedef std::conditional_t<std::is_arithmetic_v<Scalar>, ConcurrencyTag, Sequential_tag> Tag;
   const auto is_ordered = traits.is_ordered_object();
-  Large_vector<typename Traits::Scalar> values;
-  values.reserve(vertices.size());
-  for(const auto v : vertices)
-  {
-    values.push_back(get(scalar_map, v));
-    if(!is_ordered(values.back()))
-      throw Unordered_scalar_error(values.size() - 1);
-  }
+  Large_vector<Scalar> values;
+  values.resize(vertices.size());
+  Shared_counter<Tag> number_of_unordered;
+  for_each_block<Tag>(vertices.size(), [&](std::size_t begin, std::size_t end) {
+    std::size_t unordered = 0;
+    for(std::size_t v = begin; v != end; ++v)
+    {
+      values[v] = get(scalar_map, vertices[v]);
+      unordered += is_ordered(values[v]) ? 0 : 1;
+    }
+    number_of_unordered.add(unordered);
+  });
+  if(number_of_unordered.get() != 0)
+    throw Unordered_scalar_error(
+      static_cast<std::size_t>(std::find_if_not(values.begin(), values.end(), is_ordered) - values.begin()));
   return values;
 }
 
@@ -75,21 +76,15 @@ Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph
                                                              const Traits& traits,
                                                              const NamedParameters& np)
 {
-  const auto vertex_range = vertices(mesh);
-  const auto face_range = faces(mesh);
-  Large_vector<typename boost::graph_traits<FaceListGraph>::vertex_descriptor> vertex_handles(vertex_range.first,
-                                                                                              vertex_range.second);
-  Large_vector<typename boost::graph_traits<FaceListGraph>::face_descriptor> face_handles(face_range.first,
-                                                                                          face_range.second);
-  const Index number_of_vertices = checked_index(vertex_handles.size());
-  checked_index(3 * face_handles.size());
-
-  auto values = read_values(vertex_handles, scalar_map, traits);
-  Triangles triangles =
-    read_triangles<ConcurrencyTag>(mesh, face_handles, make_vertex_positions(mesh, vertex_handles, np), np);
-  return {Triangle_complex(ConcurrencyTag(), std::move(triangles.corner_vertices),
-                           std::move(triangles.opposite_corners), number_of_vertices),
-          std::move(values), std::move(vertex_handles), std::move(face_handles)};
+  typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
+  Descriptor_list<FaceListGraph, vertex_descriptor> vertex_list(mesh, CGAL::make_range(vertices(mesh)));
+  checked_index(vertex_list.size());
+  auto values = read_values<ConcurrencyTag>(vertex_list, scalar_map, traits);
+  auto arrays =
+    read_halfedges<ConcurrencyTag>(mesh, vertex_list, make_vertex_positions(mesh, vertex_list, np), np);
+  return {Triangle_complex(ConcurrencyTag(), std::move(arrays.targets), std::move(arrays.next_halfedges),
+                           std::move(arrays.halfedges_of_vertices)),
+          std::move(values), std::move(vertex_list), std::move(arrays.numbered_halfedges)};
 }
 
 } // namespace internal

@@ -105,17 +105,17 @@ private:
   template <class ConcurrencyTag>
   void find_crossed_edges()
   {
-    const std::size_t end_of_corners = complex_->number_of_corners(), word = Number_set::bits_per_word;
-    for_each_block<ConcurrencyTag>(end_of_corners / word + 1, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin * word; i < (std::min)(end * word, end_of_corners); ++i)
+    const std::size_t end_of_edges = complex_->number_of_edges(), word = Number_set::bits_per_word;
+    for_each_block<ConcurrencyTag>(end_of_edges / word + 1, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin * word; i < (std::min)(end * word, end_of_edges); ++i)
       {
-        const Index corner = static_cast<Index>(i);
-        if(complex_->representative_of_edge(corner) != corner)
+        const Index edge = static_cast<Index>(i);
+        if(!complex_->is_on_triangle(edge))
           continue;
-        const auto range = std::minmax(slabs_of_vertices_[complex_->edge_source(corner)],
-                                       slabs_of_vertices_[complex_->edge_target(corner)]);
+        const auto range = std::minmax(slabs_of_vertices_[complex_->source(2 * edge)],
+                                       slabs_of_vertices_[complex_->target(2 * edge)]);
         for(Index level = range.first; level != range.second; ++level)
-          levels_[level].add_crossed_edge(corner);
+          levels_[level].add_crossed_edge(edge);
       }
     });
   }

@@ -23,7 +23,7 @@ namespace internal {
 struct Link_sector
 {
   Index extreme_neighbor;
-  Index edge; // the corner that faces the edge to that neighbor
+  Index edge; // a halfedge of a triangle on the edge to that neighbor
 };
 
 // Appends the link sectors of `vertex` to `sectors`, in counterclockwise order. Upper and lower ones alternate.
@@ -39,9 +39,9 @@ bool append_link_sectors(const Triangle_complex& complex,
   };
   const std::size_t first = sectors.size();
   bool is_first_upper = false, is_last_upper = false;
-  complex.for_each_edge_around(vertex, [&](Index neighbor, Index corner) {
+  complex.for_each_edge_around(vertex, [&](Index neighbor, Index halfedge) {
     const bool is_upper = order(vertex, neighbor);
-    const Link_sector edge = {neighbor, corner};
+    const Link_sector edge = {neighbor, halfedge};
     if(sectors.size() == first)
       is_first_upper = is_upper;
     if(sectors.size() == first || is_last_upper != is_upper)

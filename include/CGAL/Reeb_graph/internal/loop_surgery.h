@@ -63,7 +63,7 @@ public:
     return count_joined_lower_sectors(critical, is_on_border) > number_of_lower_classes;
   }
 
-  // Traces the lower contours of the vertex, and calls visit(its sublevel class, the corners that face the crossed
+  // Traces the lower contours of the vertex, and calls visit(its sublevel class, halfedges of the crossed
   // edges, whether they reach the border) for all but one of each sublevel component.
   template <class Visit>
   void visit_loop_contours(Index critical, const Visit& visit)
@@ -73,15 +73,15 @@ public:
     Large_vector<Index> kept_classes, edges_of_traced_sectors, crossed_edges;
     critical_vertices_.for_each_sector(critical, false, [&](Index position) {
       const Index sector_edge = critical_vertices_.sector(position).edge;
-      if(contains(edges_of_traced_sectors, complex_.representative_of_edge(sector_edge)))
+      if(contains(edges_of_traced_sectors, Triangle_complex::edge(sector_edge)))
         return;
       crossed_edges.clear();
       bool has_border = false;
-      trace_contour(complex_, sector_edge, is_below, [&](Index corner) {
-        crossed_edges.push_back(corner);
-        has_border |= complex_.opposite(corner) == no_index;
-        if(complex_.edge_source(corner) == vertex || complex_.edge_target(corner) == vertex)
-          edges_of_traced_sectors.push_back(complex_.representative_of_edge(corner));
+      trace_contour(complex_, sector_edge, is_below, [&](Index halfedge) {
+        crossed_edges.push_back(halfedge);
+        has_border |= complex_.is_on_border_edge(halfedge);
+        if(complex_.source(halfedge) == vertex || complex_.target(halfedge) == vertex)
+          edges_of_traced_sectors.push_back(Triangle_complex::edge(halfedge));
       });
       std::sort(edges_of_traced_sectors.begin(), edges_of_traced_sectors.end());
       const Index sublevel_class = sector_classes_[position];

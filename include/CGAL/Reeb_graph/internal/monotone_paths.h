@@ -38,10 +38,10 @@ public:
   Ascending_step step(Index vertex) const
   {
     Ascending_step step = {no_index, no_index};
-    complex_->visit_edges_around(vertex, [&](Index neighbor, Index corner) {
+    complex_->visit_edges_around(vertex, [&](Index neighbor, Index halfedge) {
       if(is_ascending ? !(*order_)(vertex, neighbor) : !(*order_)(neighbor, vertex))
         return false;
-      step = {corner, neighbor};
+      step = {halfedge, neighbor};
       return true;
     });
     return step;

@@ -15,7 +15,6 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
@@ -28,7 +27,6 @@
 #include <atomic>
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -108,40 +106,16 @@ void for_each_part(std::size_t number_of_parts, std::size_t size, const Function
   });
 }
 
-// A value that the blocks of a parallel loop can exchange; a plain one if sequential.
-template <class ConcurrencyTag, class T>
-class Shared_value
+// A number to which the blocks of a parallel loop add.
+template <class ConcurrencyTag>
+class Shared_counter
 {
 public:
-  explicit Shared_value(T value = T()) : value_(value) {}
-  Shared_value(const Shared_value& other) : value_(other.get()) {}
-
-  T get() const { return value_; }
-
-  T exchange(T value)
-  {
-    if constexpr(is_parallel<ConcurrencyTag>())
-      return value_.exchange(value);
-    else
-      return std::exchange(value_, value);
-  }
-
-  void add(T value) { value_ += value; }
-
-  void lower_to(T value)
-  {
-    if constexpr(is_parallel<ConcurrencyTag>())
-    {
-      T current = value_;
-      while(value < current && !value_.compare_exchange_weak(current, value))
-        ;
-    }
-    else
-      value_ = (std::min)(value_, value);
-  }
+  void add(std::size_t n) { value_ += n; }
+  std::size_t get() const { return value_; }
 
 private:
-  std::conditional_t<is_parallel<ConcurrencyTag>(), std::atomic<T>, T> value_;
+  std::conditional_t<is_parallel<ConcurrencyTag>(), std::atomic<std::size_t>, std::size_t> value_{0};
 };
 
 // Sorts by an order without ties, so that the result is the same in any case.

@@ -39,8 +39,8 @@ auto chain_halfedges(const FaceListGraph& mesh,
     for(std::size_t i = begin; i != end; ++i)
     {
       const Ascending_step& step = chains.steps[i];
-      const halfedge_descriptor h = halfedge_facing_corner(mesh, surface.faces, step.edge);
-      halfedges[i] = surface.complex.edge_target(step.edge) == step.target ? h : opposite(h, mesh);
+      const bool is_ascending = surface.complex.target(step.edge) == step.target;
+      halfedges[i] = surface.halfedges(mesh, is_ascending ? step.edge : Triangle_complex::opposite(step.edge));
     }
   });
   return std::make_shared<const std::vector<halfedge_descriptor>>(std::move(halfedges));
