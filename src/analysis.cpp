@@ -32,7 +32,6 @@ std::string name(Stage stage)
   case Stage::FLATTEN: return "flatten";
   case Stage::CLASSIFY: return "classify";
   case Stage::ARCS: return "arcs";
-  case Stage::CHAINS: return "chains";
   case Stage::WRITE: return "write";
   }
   return "other";

@@ -38,6 +38,7 @@ struct Options
 struct Measurements
 {
   Sample sort, sweep, vertex_places;
+  Sample sorts_side_by_side, copy, parallel_copy;
   std::map<std::pair<Method, std::size_t>, Engine_times> engines; // by method and number of threads
 };
 
@@ -62,6 +63,9 @@ inline Measurements measure(const Input& input, const Properties& properties, co
   {
     measurements.sort.add(time_sort(input));
     measurements.sweep.add(time_sweep(input));
+    measurements.sorts_side_by_side.add(time_sorts_side_by_side(input, options.number_of_threads));
+    measurements.copy.add(time_copy_into_new_memory(input, 1));
+    measurements.parallel_copy.add(time_copy_into_new_memory(input, options.number_of_threads));
     for(const Method method : methods)
       for(const std::size_t threads : thread_counts(options))
         run_engine(input, method, threads, measurements.engines[{method, threads}]);
@@ -107,19 +111,27 @@ public:
     table_.print_row({input.surface(), input.field(), cell(std::size_t(input.mesh().number_of_vertices())),
                       cell(num_edges(properties.graph)), cell(sort, 1), cell(measurements.sweep.median(), 1),
                       cell(sequential, 1), cell(ratio(sequential, sort), 2), cell(parallel, 1),
-                      efficiency(sequential, parallel, threads), cell(total(Method::CRITICAL_SETS, 1), 1),
+                      efficiency(sequential, parallel, threads), sorts_efficiency(measurements),
+                      efficiency(measurements.copy.median(), measurements.parallel_copy.median(), threads), cell(total(Method::CRITICAL_SETS, 1), 1),
                       cell(total(Method::CRITICAL_SETS, threads), 1), cell(ratio(properties.extra_peak_bytes, n), 0),
                       cell(ratio(measurements.vertex_places.median(), sort), 2),
                       cell(nanoseconds_per_crossed_edge(input, properties.graph), 0)});
   }
 
 private:
+  static std::string sorts_efficiency(const Measurements& measurements)
+  {
+    const auto efficiency = ratio(measurements.sort.median(), measurements.sorts_side_by_side.median());
+    return efficiency ? cell(100 * *efficiency, 0) : "-";
+  }
+
   static std::vector<Column> columns(const std::string& threads)
   {
     return {{"surface", "", 8},       {"field", "", 6},      {"vertices", "", 8},      {"arcs", "", 7},
             {"sort", "ms", 6},        {"sweep", "ms", 5},    {"trees", "ms", 7},       {"trees", "/ sort"},
-            {threads, "ms", 7},       {threads, "effic. %"}, {"sets", "ms", 7},        {threads, "ms", 7},
-            {"memory", "B / vertex"}, {"places", "/ sort"},  {"contours", "ns / edge"}};
+            {threads, "ms", 7},       {threads, "effic. %"}, {"sorts", "effic. %"},    {"copy", "effic. %"},
+            {"sets", "ms", 7},        {threads, "ms", 7},    {"memory", "B / vertex"}, {"places", "/ sort"},
+            {"contours", "ns / edge"}};
   }
 
   const Options& options_;
@@ -137,7 +149,6 @@ public:
     static const std::vector<std::pair<Stage, std::string>> result = {{Stage::FLATTEN, "flatten"},
                                                                       {Stage::CLASSIFY, "classify"},
                                                                       {Stage::ARCS, "arcs"},
-                                                                      {Stage::CHAINS, "chains"},
                                                                       {Stage::WRITE, "write"}};
     return result;
   }

@@ -23,7 +23,9 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -110,13 +112,52 @@ inline Properties find_properties(const Input& input)
   return properties;
 }
 
-inline double time_sort(const Input& input)
+typedef std::vector<std::pair<double, Mesh::size_type>> Pairs;
+
+inline Pairs make_pairs(const Input& input)
 {
-  std::vector<std::pair<double, Mesh::size_type>> pairs;
+  Pairs pairs;
   pairs.reserve(input.mesh().number_of_vertices());
   for(const Mesh::Vertex_index v : input.mesh().vertices())
     pairs.emplace_back(input.scalar_map()[v], v.idx());
+  return pairs;
+}
+
+inline double time_sort(const Input& input)
+{
+  Pairs pairs = make_pairs(input);
   return milliseconds([&] { std::sort(pairs.begin(), pairs.end()); });
+}
+
+template <class Function>
+double time_in_threads(std::size_t number_of_threads, const Function& function)
+{
+  return milliseconds([&] {
+    std::vector<std::thread> threads;
+    for(std::size_t i = 1; i < number_of_threads; ++i)
+      threads.emplace_back([&function, i] { function(i); });
+    function(0);
+    for(std::thread& thread : threads)
+      thread.join();
+  });
+}
+
+// Each thread has the whole work for itself: what threads reach that share nothing but the machine.
+inline double time_sorts_side_by_side(const Input& input, std::size_t number_of_threads)
+{
+  std::vector<Pairs> pairs(number_of_threads, make_pairs(input));
+  return time_in_threads(number_of_threads, [&](std::size_t i) { std::sort(pairs[i].begin(), pairs[i].end()); });
+}
+
+// The threads share the work: what the memory of the machine lets them reach.
+inline double time_copy_into_new_memory(const Input& input, std::size_t number_of_threads)
+{
+  const std::vector<char> source(64 * input.mesh().number_of_vertices(), 1);
+  const std::unique_ptr<char[]> copy(new char[source.size()]);
+  return time_in_threads(number_of_threads, [&](std::size_t i) {
+    const std::size_t begin = i * source.size() / number_of_threads, end = (i + 1) * source.size() / number_of_threads;
+    std::copy(source.begin() + begin, source.begin() + end, copy.get() + begin);
+  });
 }
 
 inline double time_sweep(const Input& input)

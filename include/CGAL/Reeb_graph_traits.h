@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Halfedge_chain.h>
+#include <CGAL/Reeb_graph/internal/graph_storage.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/graph_traits.hpp>
@@ -101,8 +102,20 @@ public:
   typedef Reeb_graph::Node<vertex_descriptor, Scalar> Node;
   /// the property of an arc
   typedef Reeb_graph::Arc<halfedge_descriptor> Arc;
-  /// the Reeb graph. Arcs are directed from the lower to the upper node, and can be parallel.
-  typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::bidirectionalS, Node, Arc> Graph;
+  /// the Reeb graph. Arcs are directed from the lower to the upper node, and can be parallel. They are stored in a way
+  /// that saves allocations; any other containers of Boost.Graph that allow parallel edges can be used as well.
+#ifdef DOXYGEN_RUNNING
+  typedef boost::adjacency_list<unspecified_type, boost::vecS, boost::bidirectionalS, Node, Arc> Graph;
+#else
+  typedef boost::adjacency_list<Reeb_graph::internal::Inline_edge_list_selector,
+                                boost::vecS,
+                                boost::bidirectionalS,
+                                Node,
+                                Arc,
+                                boost::no_property,
+                                Reeb_graph::internal::Block_list_selector>
+    Graph;
+#endif
 
   /// the strict weak order of the scalar values
   struct Less_scalar

@@ -17,7 +17,6 @@
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/visitor.h>
 #include <CGAL/Reeb_graph/internal/Progress.h>
-#include <CGAL/Reeb_graph/internal/arc_chains.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/find_critical_arcs.h>
 #include <CGAL/Reeb_graph/internal/flatten.h>
@@ -94,8 +93,8 @@ namespace CGAL {
 ///     \cgalParamExtra{use the functions `parameters::number_of_slabs()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is told between two stages which fraction of the work is done, from 0 to 1, at last before
-///                           the graph is written. If it returns `false`, the computation stops.}
+///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1. If it returns
+///                           `false`, the computation stops; not any more at 1, when the graph has been written.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
@@ -177,27 +176,23 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   {
     visitor.begin_stage(Stage::CLASSIFY);
     const auto critical_vertices = stages::classify_vertices<ConcurrencyTag>(surface.complex, order);
-    visitor.critical_vertices(stages::count_critical_vertices(surface.complex, critical_vertices));
+    visitor.critical_vertices(stages::count_critical_vertices(critical_vertices));
     visitor.end_stage(Stage::CLASSIFY);
     progress.report(0.3);
 
     visitor.begin_stage(Stage::ARCS);
     const auto critical_arcs =
       stages::find_critical_arcs<ConcurrencyTag>(surface.complex, order, critical_vertices, method, number_of_slabs);
-    flat_graph = stages::merge_arcs(order, critical_vertices, critical_arcs, ties, are_degree_two_nodes_kept, false);
+    flat_graph = stages::merge_arcs<ConcurrencyTag>(order, critical_vertices, critical_arcs, ties, are_degree_two_nodes_kept, false);
     visitor.end_stage(Stage::ARCS);
-    progress.report(0.7);
+    progress.report(0.8);
   }
-
-  visitor.begin_stage(Stage::CHAINS);
-  const auto chains = stages::find_arc_chains<ConcurrencyTag>(surface.complex, order, flat_graph);
-  visitor.end_stage(Stage::CHAINS);
-  progress.report(1);
 
   // Not written aside and swapped: to swap graphs of Boost copies them.
   visitor.begin_stage(Stage::WRITE);
-  stages::write_graph<ConcurrencyTag>(mesh, surface, flat_graph, chains, graph);
+  stages::write_graph<ConcurrencyTag>(mesh, surface, order, flat_graph, graph);
   visitor.end_stage(Stage::WRITE);
+  progress.report_end();
 }
 
 } // namespace CGAL

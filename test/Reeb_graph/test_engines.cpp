@@ -157,12 +157,11 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values)
 
   stages::Sector_classes sector_classes(critical_vertices.total_number_of_sectors(), stages::no_index);
   stages::Merge_tree_sweep<Order, false> upwards(slab, order, sector_classes);
-  auto path_ends = upwards.make_path_ends();
-  upwards.find_path_ends(path_ends);
+  upwards.find_path_ends<CGAL::Sequential_tag>();
   std::for_each(ascending.begin(), ascending.end(), [&](stages::Index critical) { upwards.merge_at(critical); });
 
   stages::Cutting_sweep<Order> downwards(slab, order, sector_classes);
-  downwards.find_path_ends();
+  downwards.find_path_ends<CGAL::Sequential_tag>();
   const Counting_order counting_order(order);
   stages::Loop_surgery<Counting_order> surgery(slab, counting_order, sector_classes, upwards.tree(),
                                                downwards.tree());

@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(fractions_grow_to_one, C, Cases)
     }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(work_can_be_stopped_at_each_call, C, Cases)
+BOOST_AUTO_TEST_CASE_TEMPLATE(work_can_be_stopped_at_each_call_but_the_last, C, Cases)
 {
   for(const Combinatorial_mesh& mesh : meshes())
     for(const Method method : {Method::CONTOUR_TREES, Method::CRITICAL_SETS})
@@ -115,7 +115,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(work_can_be_stopped_at_each_call, C, Cases)
       graph[1].value = 17;
       Listener undisturbed;
       compute(expected, undisturbed);
-      for(std::size_t call = 1; call <= undisturbed.fractions().size(); ++call)
+      const std::size_t last_call = undisturbed.fractions().size();
+      for(std::size_t call = 1; call < last_call; ++call)
       {
         Listener listener(call);
         BOOST_CHECK_THROW(compute(graph, listener), CGAL::Reeb_graph::Cancelled_error);
@@ -124,7 +125,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(work_can_be_stopped_at_each_call, C, Cases)
         BOOST_TEST(num_edges(graph) == 1u);
         BOOST_TEST(graph[1].value == 17);
       }
-      Listener listener;
+      // There is nothing left to stop at the end.
+      Listener listener(last_call);
       compute(graph, listener);
       BOOST_TEST(num_vertices(graph) == num_vertices(expected));
       BOOST_TEST(num_edges(graph) == num_edges(expected));

@@ -14,7 +14,7 @@ endforeach()
 
 # the times and the memory
 expect_success(compute tetrahedron.off --field z --json --graph graph.dot)
-foreach(key read compute flatten classify arcs chains write output)
+foreach(key read compute flatten classify arcs write output)
   string(JSON seconds GET "${output}" seconds ${key})
   expect_match("${seconds}" "^[0-9]")
 endforeach()

@@ -25,8 +25,7 @@ enum class Stage
   FLATTEN,  ///< the mesh and the scalar map are copied into flat arrays, and checked
   CLASSIFY, ///< critical vertices are found and sorted
   ARCS,     ///< the arcs between critical vertices are found
-  CHAINS,   ///< the halfedge chains of the arcs are walked
-  WRITE     ///< nodes and arcs are written to the graph
+  WRITE     ///< the halfedge chains of the arcs are walked, and the graph is written
 };
 
 /// \ingroup PkgReebGraphRef

@@ -208,6 +208,7 @@ protected:
     surface_.complex.for_each_halfedge_around(node_vertex(node), [&](Index halfedge) {
       faces.push_back(face(surface_.halfedges(mesh_, halfedge), mesh_));
     });
+    std::reverse(faces.begin(), faces.end()); // counterclockwise
     return faces;
   }
 
@@ -237,7 +238,7 @@ protected:
   {
     const Critical_vertices all_vertices = sort_all_vertices<ConcurrencyTag>(surface_.complex, order_);
     const Flat_graph all_arcs =
-      merge_arcs(order_, all_vertices,
+      merge_arcs<ConcurrencyTag>(order_, all_vertices,
                  find_critical_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices, Method::CONTOUR_TREES, 1),
                  Ties::PERTURB, true, true);
     const Critical_vertices critical_vertices = classify_vertices<ConcurrencyTag>(surface_.complex, order_);
@@ -246,7 +247,7 @@ protected:
       critical_arcs.push_back({critical_vertices.ascending()[arc.lower], critical_vertices.ascending()[arc.upper],
                                all_arcs.pieces[arc.first_piece].first_step});
     const Flat_graph flat_graph =
-      merge_arcs(order_, critical_vertices, critical_arcs, ties_, are_degree_two_nodes_kept_, true);
+      merge_arcs<ConcurrencyTag>(order_, critical_vertices, critical_arcs, ties_, are_degree_two_nodes_kept_, true);
     check_same_graph(flat_graph);
 
     const auto place_of_critical = [&](Index critical) {

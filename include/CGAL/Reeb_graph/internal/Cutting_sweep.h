@@ -37,18 +37,26 @@ public:
       order_(order),
       critical_vertices_(slab.critical_vertices()),
       sweep_(slab, order, sector_classes),
-      path_ends_(sweep_.make_path_ends()),
       cuts_(slab.number_of_nodes())
   {}
 
-  void find_path_ends() { sweep_.find_path_ends(path_ends_); }
+  template <class ConcurrencyTag>
+  void find_path_ends()
+  {
+    sweep_.template find_path_ends<ConcurrencyTag>();
+  }
 
-  void prefetch(Index critical) const { sweep_.prefetch(critical); }
+  void prefetch_classes(Index critical) const { sweep_.prefetch_classes(critical); }
+  void prefetch_components(Index critical) const
+  {
+    if(!are_all_changed_)
+      sweep_.prefetch_components(critical);
+  }
 
   void merge_at(Index critical)
   {
     if(cuts_.size() != 0 && (are_all_changed_ || is_changed_[critical_vertices_.vertex(critical)]))
-      sweep_.find_path_ends_at(critical, path_ends_, [&](const Ascending_step& step) { return component_at(step); });
+      sweep_.find_path_ends_at(critical, [&](const Ascending_step& step) { return component_at(step); }, passed_);
     sweep_.merge_at(critical);
   }
 
@@ -65,7 +73,7 @@ public:
 
   void merge_last_contours()
   {
-    sweep_.merge_last_contours(path_ends_, [&](const Ascending_step& step) { return component_at(step); });
+    sweep_.merge_last_contours([&](const Ascending_step& step) { return component_at(step); });
   }
 
   const Cut_contours& cuts() const { return cuts_; }
@@ -102,16 +110,17 @@ private:
       are_all_changed_ = number_of_corrections_ >= critical_vertices_.size();
     }
     if(are_all_changed_)
-      path_ends_ = sweep_.make_path_ends();
+      sweep_.forget_path_ends();
   }
 
   void correct_path_end(Index vertex, Index edge, Large_vector<Index>& corrected)
   {
     is_changed_[vertex] = true;
-    if(!path_ends_.is_known(vertex)
-       || Triangle_complex::edge(path_ends_.step(vertex).edge) != Triangle_complex::edge(edge))
+    auto& path_ends = sweep_.path_ends();
+    if(!path_ends.is_known(vertex)
+       || Triangle_complex::edge(path_ends.step(vertex).edge) != Triangle_complex::edge(edge))
       return;
-    path_ends_.set_end(vertex, components_of_cuts_.back());
+    path_ends.set_end(vertex, components_of_cuts_.back());
     corrected.push_back(vertex);
   }
 
@@ -119,9 +128,9 @@ private:
   const Order& order_;
   const Critical_vertices& critical_vertices_;
   Merge_tree_sweep<Order, true> sweep_;
-  typename Merge_tree_sweep<Order, true>::Path_ends path_ends_;
   Cut_contours cuts_;
   Large_vector<Index> components_of_cuts_;
+  Large_vector<Index> passed_;
   std::vector<bool> is_changed_; // by vertex: whether a path that begins at it may meet a cut
   bool are_all_changed_ = false;
   std::size_t number_of_corrections_ = 0;

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/prefetch.h>
 
 #include <numeric>
 
@@ -40,6 +41,9 @@ public:
   void add() { parents_.push_back(static_cast<Index>(parents_.size())); }
 
   void unite(Index a, Index b) { put_on(top(a), top(b)); }
+
+  // To be called some rounds ahead.
+  void prefetch(Index element) const { internal::prefetch(&parents_[element]); }
 
 private:
   Large_vector<Index> parents_;

@@ -36,6 +36,9 @@ public:
       throw Cancelled_error();
   }
 
+  // There is nothing left to cancel.
+  void report_end() const { callback_(1); }
+
 private:
   struct No_callback
   {

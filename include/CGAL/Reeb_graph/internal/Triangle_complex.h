@@ -35,36 +35,46 @@ inline Index checked_index(std::size_t i)
   return static_cast<Index>(i);
 }
 
+struct Halfedge
+{
+  Index target;
+  Index next; // in its triangle; no_index if it has none
+};
+
+// What a Triangle_complex is made from.
+struct Halfedge_arrays
+{
+  Large_vector<Halfedge> halfedges;
+  std::size_t number_of_halfedges_of_triangles = 0;
+  Large_vector<Index> halfedges_of_vertices; // one of a triangle that ends there; no_index if there is none
+};
+
 // An oriented triangulated surface as flat arrays. The two halfedges of edge e are 2 e and 2 e + 1. A halfedge has its
 // triangle on the left, or none, along the border.
 class Triangle_complex
 {
 public:
-  // By halfedge: the target, and the next one in the triangle, no_index if there is none. By vertex: a halfedge of a
-  // triangle that ends there, no_index if there is none.
   template <class ConcurrencyTag>
-  Triangle_complex(ConcurrencyTag,
-                   Large_vector<Index> targets,
-                   Large_vector<Index> next_halfedges,
-                   Large_vector<Index> halfedges_of_vertices)
-    : targets_(std::move(targets)),
-      next_halfedges_(std::move(next_halfedges)),
-      first_halfedges_(std::move(halfedges_of_vertices))
+  Triangle_complex(ConcurrencyTag, Halfedge_arrays arrays)
+    : halfedges_(std::move(arrays.halfedges)),
+      first_halfedges_(std::move(arrays.halfedges_of_vertices))
   {
-    begin_fans_at_border<ConcurrencyTag>();
+    // A halfedge data structure leads to one fan of triangles per vertex only, but here all halfedges are known.
+    if(begin_fans_at_border<ConcurrencyTag>() != arrays.number_of_halfedges_of_triangles)
+      throw_non_manifold_vertex_error();
   }
 
   Index number_of_vertices() const { return static_cast<Index>(first_halfedges_.size()); }
-  Index number_of_halfedges() const { return static_cast<Index>(targets_.size()); }
+  Index number_of_halfedges() const { return static_cast<Index>(halfedges_.size()); }
   Index number_of_edges() const { return number_of_halfedges() / 2; }
 
   static Index edge(Index halfedge) { return halfedge / 2; }
   static Index opposite(Index halfedge) { return halfedge ^ 1; }
 
-  Index target(Index halfedge) const { return targets_[halfedge]; }
-  Index source(Index halfedge) const { return targets_[opposite(halfedge)]; }
+  Index target(Index halfedge) const { return halfedges_[halfedge].target; }
+  Index source(Index halfedge) const { return target(opposite(halfedge)); }
 
-  bool has_triangle(Index halfedge) const { return next_halfedges_[halfedge] != no_index; }
+  bool has_triangle(Index halfedge) const { return next(halfedge) != no_index; }
   bool is_on_border_edge(Index halfedge) const { return !has_triangle(halfedge) || !has_triangle(opposite(halfedge)); }
 
   bool is_on_triangle(Index edge) const { return has_triangle(2 * edge) || has_triangle(2 * edge + 1); }
@@ -72,7 +82,7 @@ public:
   Index halfedge_of_triangle(Index edge) const { return has_triangle(2 * edge) ? 2 * edge : 2 * edge + 1; }
 
   // In the triangle of the halfedge.
-  Index next(Index halfedge) const { return next_halfedges_[halfedge]; }
+  Index next(Index halfedge) const { return halfedges_[halfedge].next; }
   Index previous(Index halfedge) const { return next(next(halfedge)); }
 
   // A halfedge of a triangle that ends at `vertex`, no_index if there is none. At a border vertex it is the one from
@@ -136,26 +146,18 @@ public:
   }
 
 private:
-  // Lets the fan of each border vertex begin at the border, and counts what is reached: a halfedge data structure leads
-  // to one fan of triangles per vertex only, but here all halfedges are known.
+  // Lets the fan of each border vertex begin at the border. Returns the number of halfedges of all fans.
   template <class ConcurrencyTag>
-  void begin_fans_at_border()
+  std::size_t begin_fans_at_border()
   {
-    Shared_counter<ConcurrencyTag> number_of_reached_halfedges, number_of_halfedges_of_triangles;
+    Shared_counter<ConcurrencyTag> number_of_halfedges_of_fans;
     for_each_block<ConcurrencyTag>(number_of_vertices(), [&](std::size_t begin, std::size_t end) {
       std::size_t sum = 0;
       for(std::size_t v = begin; v != end; ++v)
         sum += begin_fan_at_border(first_halfedges_[v]);
-      number_of_reached_halfedges.add(sum);
+      number_of_halfedges_of_fans.add(sum);
     });
-    for_each_block<ConcurrencyTag>(number_of_halfedges(), [&](std::size_t begin, std::size_t end) {
-      std::size_t sum = 0;
-      for(std::size_t h = begin; h != end; ++h)
-        sum += next_halfedges_[h] != no_index;
-      number_of_halfedges_of_triangles.add(sum);
-    });
-    if(number_of_reached_halfedges.get() != number_of_halfedges_of_triangles.get())
-      throw_non_manifold_vertex_error();
+    return number_of_halfedges_of_fans.get();
   }
 
   // Returns the number of halfedges of the fan.
@@ -187,8 +189,7 @@ private:
     }
   }
 
-  Large_vector<Index> targets_;
-  Large_vector<Index> next_halfedges_;
+  Large_vector<Halfedge> halfedges_; // both members in one line of the cache, with the opposite halfedge
   Large_vector<Index> first_halfedges_;
 };
 

@@ -17,6 +17,7 @@
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -29,8 +30,8 @@ namespace internal {
 // The chains of all arcs, one behind the other, in the order of where they begin on the mesh.
 struct Flat_chains
 {
-  Large_vector<Ascending_step> steps;
-  Large_vector<std::size_t> first_steps; // by arc
+  Large_vector<Index> halfedges;             // ascending
+  Large_vector<std::size_t> first_halfedges; // by arc
   Large_vector<Index> sizes;
 };
 
@@ -54,29 +55,33 @@ inline Large_vector<Index> arcs_in_mesh_order(const Triangle_complex& complex, c
 // Walks the chains of the arcs from `begin` to `end`. A path that has entered an arc cannot leave it below the upper
 // node, so comparisons tell the end, and the chain does not depend on how the arc was found.
 template <class Order>
-Large_vector<Ascending_step> walk_chains(const Triangle_complex& complex,
-                                         const Order& order,
-                                         const Flat_graph& graph,
-                                         const Index* begin,
-                                         const Index* end,
-                                         Flat_chains& chains)
+Large_vector<Index> walk_chains(const Triangle_complex& complex,
+                                const Order& order,
+                                const Flat_graph& graph,
+                                const Index* begin,
+                                const Index* end,
+                                Flat_chains& chains)
 {
-  Large_vector<Ascending_step> steps;
-  steps.reserve(2 * static_cast<std::size_t>(end - begin));
+  Large_vector<Index> halfedges;
+  halfedges.reserve(2 * static_cast<std::size_t>(end - begin));
+  const auto add = [&](const Ascending_step& step) {
+    const bool is_ascending = complex.target(step.edge) == step.target;
+    halfedges.push_back(is_ascending ? step.edge : Triangle_complex::opposite(step.edge));
+  };
   for(const Index* i = begin; i != end; ++i)
   {
     const Flat_arc& arc = graph.arcs[*i];
-    chains.first_steps[*i] = steps.size();
+    chains.first_halfedges[*i] = halfedges.size();
     for(std::size_t j = 0; j != arc.number_of_pieces; ++j)
     {
       const Chain_piece& piece = graph.pieces[arc.first_piece + j];
-      steps.push_back(piece.first_step);
-      while(order(steps.back().target, piece.upper_vertex))
-        steps.push_back(steepest_step(complex, order, steps.back().target));
+      Ascending_step step = piece.first_step;
+      for(add(step); order(step.target, piece.upper_vertex); add(step))
+        step = steepest_step(complex, order, step.target);
     }
-    chains.sizes[*i] = static_cast<Index>(steps.size() - chains.first_steps[*i]);
+    chains.sizes[*i] = static_cast<Index>(halfedges.size() - chains.first_halfedges[*i]);
   }
-  return steps;
+  return halfedges;
 }
 
 template <class ConcurrencyTag, class Order>
@@ -84,22 +89,26 @@ Flat_chains find_arc_chains(const Triangle_complex& complex, const Order& order,
 {
   const Large_vector<Index> arcs = arcs_in_mesh_order(complex, graph);
   Flat_chains chains;
-  chains.first_steps.resize(arcs.size());
+  chains.first_halfedges.resize(arcs.size());
   chains.sizes.resize(arcs.size());
-  std::vector<Large_vector<Ascending_step>> steps_of_parts(number_of_parts<ConcurrencyTag>(arcs.size()));
-  for_each_part<ConcurrencyTag>(
-    steps_of_parts.size(), arcs.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
-      steps_of_parts[part] = walk_chains(complex, order, graph, arcs.data() + begin, arcs.data() + end, chains);
-    });
-  chains.steps = std::move(steps_of_parts[0]);
-  for(std::size_t part = 1; part != steps_of_parts.size(); ++part)
+  std::vector<Large_vector<Index>> parts(number_of_parts<ConcurrencyTag>(arcs.size()));
+  for_each_part<ConcurrencyTag>(parts.size(), arcs.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+    parts[part] = walk_chains(complex, order, graph, arcs.data() + begin, arcs.data() + end, chains);
+  });
+  if(parts.size() == 1)
   {
-    const std::size_t first_step = chains.steps.size();
-    chains.steps.insert(chains.steps.end(), steps_of_parts[part].begin(), steps_of_parts[part].end());
-    const std::size_t end = (part + 1) * arcs.size() / steps_of_parts.size();
-    for(std::size_t i = part * arcs.size() / steps_of_parts.size(); i != end; ++i)
-      chains.first_steps[arcs[i]] += first_step;
+    chains.halfedges = std::move(parts[0]);
+    return chains;
   }
+  std::vector<std::size_t> begins_of_parts(1, 0);
+  for(const Large_vector<Index>& part : parts)
+    begins_of_parts.push_back(begins_of_parts.back() + part.size());
+  chains.halfedges.resize(begins_of_parts.back());
+  for_each_part<ConcurrencyTag>(parts.size(), arcs.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+    std::copy(parts[part].begin(), parts[part].end(), chains.halfedges.begin() + begins_of_parts[part]);
+    for(std::size_t i = begin; i != end; ++i)
+      chains.first_halfedges[arcs[i]] += begins_of_parts[part];
+  });
   return chains;
 }
 

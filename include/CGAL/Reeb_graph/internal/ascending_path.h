@@ -25,14 +25,15 @@ struct Ascending_step
   Index target;
 };
 
-// The step from `vertex`, which is no maximum, to its highest neighbor.
+// The step from `vertex`, which is no maximum, to its highest neighbor. Without a branch, as none could be predicted.
 template <class Order>
 Ascending_step steepest_step(const Triangle_complex& complex, const Order& order, Index vertex)
 {
   Ascending_step step = {no_index, vertex};
   complex.for_each_edge_around(vertex, [&](Index neighbor, Index halfedge) {
-    if(order(step.target, neighbor))
-      step = {halfedge, neighbor};
+    const bool is_higher = order(step.target, neighbor);
+    step.edge = is_higher ? halfedge : step.edge;
+    step.target = is_higher ? neighbor : step.target;
   });
   return step;
 }

@@ -41,6 +41,8 @@ public:
   Index number_of_lower_sectors(Index critical) const { return number_of_sectors(critical, false); }
   Index number_of_upper_sectors(Index critical) const { return number_of_sectors(critical, true); }
 
+  bool is_on_border(Index critical) const { return entries_[critical].is_on_border; }
+
   Index number_of_sectors(Index critical, bool is_upper) const
   {
     const Entry& entry = entries_[critical];
@@ -52,7 +54,7 @@ public:
     return number_of_lower_sectors(critical) != 1 || number_of_upper_sectors(critical) != 1;
   }
 
-  // The link sectors in counterclockwise order; first_sector() is the position of the first one among all.
+  // The link sectors in clockwise order; first_sector() is the position of the first one among all.
   Sectors sectors(Index critical) const
   {
     const Link_sector* first = sectors_.data() + first_sector(critical);
@@ -88,7 +90,8 @@ public:
   {
     const Index first = checked_index(sectors_.size());
     const bool is_first_upper = append_link_sectors(complex, order, vertex, sectors_);
-    entries_.push_back({first, vertex, static_cast<Index>(sectors_.size() - first), is_first_upper});
+    entries_.push_back(
+      {first, vertex, static_cast<Index>(sectors_.size() - first), is_first_upper, complex.is_on_border(vertex)});
   }
 
   // To be called after the last vertex has been added. Ties are ordered by critical vertex as by vertex.
@@ -96,29 +99,47 @@ public:
   void sort(const Order& order)
   {
     Large_vector<typename Order::Key> keys;
-    keys.reserve(entries_.size());
-    for(Index i = 0; i != size(); ++i)
-      keys.push_back({order.key(vertex(i)).value, i});
+    keys.resize(entries_.size());
+    for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i != end; ++i)
+        keys[i] = {order.key(entries_[i].vertex).value, static_cast<Index>(i)};
+    });
     internal::sort<ConcurrencyTag>(keys.begin(), keys.end(), order);
-    ascending_.reserve(keys.size());
-    for(const typename Order::Key& key : keys)
-      ascending_.push_back(key.vertex);
+    ascending_.resize(keys.size());
+    for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i != end; ++i)
+        ascending_[i] = keys[i].vertex;
+    });
   }
 
   // All critical vertices, from the lowest to the highest.
   const Large_vector<Index>& ascending() const { return ascending_; }
 
-  // Adds those of another part of the mesh, further on.
-  void append(const Critical_vertices& other)
+  // Takes those of all parts of the mesh, in their order.
+  template <class ConcurrencyTag>
+  static Critical_vertices concatenate(std::vector<Critical_vertices>& parts)
   {
-    const Index first = checked_index(sectors_.size());
-    sectors_.insert(sectors_.end(), other.sectors_.begin(), other.sectors_.end());
-    entries_.reserve(entries_.size() + other.entries_.size());
-    for(const Entry& entry : other.entries_)
+    if(parts.size() == 1)
+      return std::move(parts[0]);
+    std::vector<std::size_t> first_entries(1, 0), first_sectors(1, 0);
+    for(const Critical_vertices& part : parts)
     {
-      entries_.push_back(entry);
-      entries_.back().first_sector += first;
+      first_entries.push_back(first_entries.back() + part.entries_.size());
+      first_sectors.push_back(checked_index(first_sectors.back() + part.sectors_.size()));
     }
+    Critical_vertices result;
+    result.entries_.resize(first_entries.back());
+    result.sectors_.resize(first_sectors.back());
+    for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t i) {
+      std::copy(parts[i].sectors_.begin(), parts[i].sectors_.end(), result.sectors_.begin() + first_sectors[i]);
+      Entry* entry = result.entries_.data() + first_entries[i];
+      for(const Entry& part_entry : parts[i].entries_)
+      {
+        *entry = part_entry;
+        entry++->first_sector += static_cast<Index>(first_sectors[i]);
+      }
+    });
+    return result;
   }
 
   // The given ones alone. Their order has to be that of the names in the part.
@@ -145,7 +166,8 @@ private:
     Index first_sector;
     Index vertex;
     Index number_of_sectors;
-    Index is_first_upper;
+    bool is_first_upper;
+    bool is_on_border;
   };
 
   Large_vector<Entry> entries_;
@@ -204,9 +226,7 @@ Critical_vertices collect_vertices(const Triangle_complex& complex, const Order&
   for_each_part<ConcurrencyTag>(
     parts.size(), complex.number_of_vertices(),
     [&](std::size_t part, std::size_t begin, std::size_t end) { add(begin, end, parts[part]); });
-  Critical_vertices vertices = std::move(parts[0]);
-  for(std::size_t part = 1; part != parts.size(); ++part)
-    vertices.append(parts[part]);
+  Critical_vertices vertices = Critical_vertices::concatenate<ConcurrencyTag>(parts);
   vertices.sort<ConcurrencyTag>(order);
   return vertices;
 }
@@ -233,8 +253,7 @@ Critical_vertices sort_all_vertices(const Triangle_complex& complex, const Order
                                           });
 }
 
-inline Critical_vertex_counts count_critical_vertices(const Triangle_complex& complex,
-                                                      const Critical_vertices& critical_vertices)
+inline Critical_vertex_counts count_critical_vertices(const Critical_vertices& critical_vertices)
 {
   Critical_vertex_counts counts;
   for(Index i = 0; i != critical_vertices.size(); ++i)
@@ -247,7 +266,7 @@ inline Critical_vertex_counts count_critical_vertices(const Triangle_complex& co
       ++counts.minima;
     else if(number_of_upper_sectors == 0)
       ++counts.maxima;
-    else if(complex.is_on_border(critical_vertices.vertex(i)))
+    else if(critical_vertices.is_on_border(i))
       ++counts.border_saddles;
     else
       ++counts.saddles[number_of_lower_sectors - 1];

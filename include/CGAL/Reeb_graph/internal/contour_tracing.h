@@ -55,6 +55,61 @@ void trace_contour(const Triangle_complex& complex, Index start, const IsBelow& 
     follow_contour(complex, opposite, is_below, visit);
 }
 
+// The same step by step.
+class Contour_walk
+{
+public:
+  template <class IsBelow>
+  Contour_walk(const Triangle_complex& complex, Index start, const IsBelow& is_below)
+    : complex_(&complex),
+      start_(start),
+      entered_(start),
+      is_source_below_(is_below(complex.source(start))),
+      is_border_reached_(complex.is_on_border_edge(start)),
+      crossed_edges_(1, start)
+  {}
+
+  // Adds the next crossing edge. Returns whether there was one.
+  template <class IsBelow>
+  bool go_on(const IsBelow& is_below)
+  {
+    if(!complex_->has_triangle(entered_) && !turn_round())
+      return false;
+    const Index next = complex_->next(entered_);
+    const Index left = is_below(complex_->target(next)) == is_source_below_ ? next : complex_->next(next);
+    entered_ = Triangle_complex::opposite(left);
+    if(entered_ == start_)
+      return false;
+    crossed_edges_.push_back(left);
+    is_border_reached_ |= !complex_->has_triangle(entered_);
+    return true;
+  }
+
+  // Halfedges of triangles, that of the start first.
+  const Large_vector<Index>& crossed_edges() const { return crossed_edges_; }
+  bool is_border_reached() const { return is_border_reached_; }
+
+private:
+  // At the border, the other part of the contour is left.
+  bool turn_round()
+  {
+    if(has_turned_ || !complex_->has_triangle(Triangle_complex::opposite(start_)))
+      return false;
+    has_turned_ = true;
+    entered_ = Triangle_complex::opposite(start_);
+    is_source_below_ = !is_source_below_;
+    return true;
+  }
+
+  const Triangle_complex* complex_;
+  Index start_;
+  Index entered_;
+  bool is_source_below_;
+  bool is_border_reached_;
+  bool has_turned_ = false;
+  Large_vector<Index> crossed_edges_;
+};
+
 // Replaces the content of `crossed` by halfedges of the edges of the contour that crosses the edge of `start`, in the
 // order in which they follow each other with the higher side on the left. Returns whether the contour is closed.
 template <class IsBelow>

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/Critical_arc.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/prefetch.h>
 
 #include <utility>
 
@@ -26,16 +27,39 @@ namespace internal {
 class Shrinking_tree
 {
 public:
+  Shrinking_tree() = default;
   explicit Shrinking_tree(const Large_vector<Index>& parents) : nodes_(parents.size(), Node{no_index, 0, 0})
   {
+    constexpr Index ahead = 16;
     for(Index node = 0; node != parents.size(); ++node)
     {
+      if(node + ahead < parents.size() && parents[node + ahead] != no_index)
+        prefetch(&nodes_[parents[node + ahead]]);
       nodes_[node].parent = parents[node];
       if(parents[node] == no_index)
         continue;
       ++nodes_[parents[node]].number_of_children;
       nodes_[parents[node]].child_names ^= node;
     }
+  }
+
+  // Adds nodes, which have to be put somewhere then.
+  void resize(std::size_t number_of_nodes) { nodes_.resize(number_of_nodes); }
+
+  void put_above(Index child, Index node)
+  {
+    const Index parent = nodes_[child].parent;
+    nodes_[node] = {parent, 1, child};
+    nodes_[child].parent = node;
+    if(parent != no_index)
+      nodes_[parent].child_names ^= node ^ child;
+  }
+
+  void put_leaf_below(Index parent, Index node)
+  {
+    nodes_[node] = {parent, 0, 0};
+    ++nodes_[parent].number_of_children;
+    nodes_[parent].child_names ^= node;
   }
 
   Index parent(Index node) const { return nodes_[node].parent; }
@@ -75,11 +99,9 @@ private:
 class Contour_tree_merge
 {
 public:
-  Contour_tree_merge(const Large_vector<Index>& join_parents,
-                     const Large_vector<Index>& split_parents,
-                     Large_vector<Ascending_step> first_steps)
-    : join_tree_(join_parents),
-      split_tree_(split_parents),
+  Contour_tree_merge(Shrinking_tree join_tree, Shrinking_tree split_tree, Large_vector<Ascending_step> first_steps)
+    : join_tree_(std::move(join_tree)),
+      split_tree_(std::move(split_tree)),
       first_steps_(std::move(first_steps))
   {
     arcs_.reserve(first_steps_.size());

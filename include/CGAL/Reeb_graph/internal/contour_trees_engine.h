@@ -21,9 +21,11 @@
 #include <CGAL/Reeb_graph/internal/loop_surgery.h>
 #include <CGAL/Reeb_graph/internal/merge_trees.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
+#include <CGAL/Reeb_graph/internal/prefetch.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -36,6 +38,8 @@ namespace internal {
 template <class Order>
 class Contour_trees_engine
 {
+  typedef Merge_tree_sweep<Order, false> Upward_sweep;
+
 public:
   Contour_trees_engine(const Slab& slab, const Order& order)
     : slab_(slab),
@@ -48,53 +52,57 @@ public:
   template <class ConcurrencyTag>
   Large_vector<Critical_arc> find_arcs()
   {
-    sweep<ConcurrencyTag>();
-    insert_cuts_into_join_tree();
-    Large_vector<Critical_arc> arcs = Contour_tree_merge(join_tree_.parents, split_tree_.parents, find_first_steps())();
+    std::optional<Upward_sweep> upwards;
+    std::optional<Cutting_sweep<Order>> downwards;
+    invoke_both<ConcurrencyTag>([&] { upwards.emplace(slab_, order_, sector_classes_); },
+                                [&] { downwards.emplace(slab_, order_, sector_classes_); });
+    upwards->template find_path_ends<ConcurrencyTag>();
+    invoke_both<ConcurrencyTag>([&] { sweep_upwards(*upwards); },
+                                [&] { downwards->template find_path_ends<ConcurrencyTag>(); });
+
+    Shrinking_tree join_tree, split_tree;
+    invoke_both<ConcurrencyTag>([&] { sweep_downwards(*downwards, upwards->tree()); },
+                                [&] { join_tree = Shrinking_tree(upwards->tree().parents); });
+    cuts_ = downwards->take_cuts();
+    insert_cuts(join_tree);
+
+    Large_vector<Ascending_step> first_steps;
+    invoke_both<ConcurrencyTag>([&] { split_tree = Shrinking_tree(downwards->tree().parents); },
+                                [&] { first_steps = find_first_steps<ConcurrencyTag>(); });
+    Large_vector<Critical_arc> arcs =
+      Contour_tree_merge(std::move(join_tree), std::move(split_tree), std::move(first_steps))();
     glue_cuts(arcs);
     return arcs;
   }
 
 private:
-  template <class ConcurrencyTag>
-  void sweep()
-  {
-    Cutting_sweep<Order> cutting_sweep(slab_, order_, sector_classes_);
-    invoke_both<ConcurrencyTag>([&] { sweep_upwards(); }, [&] { cutting_sweep.find_path_ends(); });
-    sweep_downwards(cutting_sweep);
-    split_tree_ = std::move(cutting_sweep.tree());
-    cuts_ = cutting_sweep.take_cuts();
-  }
-
   // Calls visit(critical vertex) for positions in the order of the field, and lets the sweep know ahead.
   template <class Sweep, class Iterator, class Visit>
   void visit_in_order(const Sweep& sweep, Iterator begin, Iterator end, const Visit& visit) const
   {
-    constexpr std::ptrdiff_t far_ahead = 24, near_ahead = 12;
+    constexpr std::ptrdiff_t far_ahead = 24, ahead = 16, near_ahead = 8;
     for(Iterator critical = begin; critical != end; ++critical)
     {
       if(end - critical > far_ahead)
         critical_vertices_.prefetch(critical[far_ahead]);
+      if(end - critical > ahead)
+        sweep.prefetch_classes(critical[ahead]);
       if(end - critical > near_ahead)
-        sweep.prefetch(critical[near_ahead]);
+        sweep.prefetch_components(critical[near_ahead]);
       visit(*critical);
     }
   }
 
-  void sweep_upwards()
+  void sweep_upwards(Upward_sweep& sweep) const
   {
-    Merge_tree_sweep<Order, false> sweep(slab_, order_, sector_classes_);
-    auto path_ends = sweep.make_path_ends();
-    sweep.find_path_ends(path_ends);
     const Large_vector<Index>& ascending = critical_vertices_.ascending();
     visit_in_order(sweep, ascending.begin(), ascending.end(), [&](Index critical) { sweep.merge_at(critical); });
-    sweep.merge_last_contours(path_ends, [&](const Ascending_step& step) { return sweep.component_at_level(step); });
-    join_tree_ = std::move(sweep.tree());
+    sweep.merge_last_contours([&](const Ascending_step& step) { return sweep.component_at_level(step); });
   }
 
-  void sweep_downwards(Cutting_sweep<Order>& sweep)
+  void sweep_downwards(Cutting_sweep<Order>& sweep, const Merge_tree& join_tree) const
   {
-    Loop_surgery<Order> surgery(slab_, order_, sector_classes_, join_tree_, sweep.tree());
+    Loop_surgery<Order> surgery(slab_, order_, sector_classes_, join_tree, sweep.tree());
     const Large_vector<Index>& ascending = critical_vertices_.ascending();
     visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Index critical) {
       sweep.merge_at(critical);
@@ -109,33 +117,35 @@ private:
   }
 
   // Cuts do not change the join tree but for their own nodes.
-  void insert_cuts_into_join_tree()
+  void insert_cuts(Shrinking_tree& join_tree) const
   {
-    Large_vector<Index>& parents = join_tree_.parents;
-    parents.resize(cuts_.number_of_nodes(), no_index);
+    join_tree.resize(cuts_.number_of_nodes());
     for(Index cut = 0; cut != cuts_.size(); ++cut)
     {
-      Index& parent = parents[cuts_.sublevel_class(cut)];
-      parents[cuts_.node_below(cut)] = parent;
-      parents[cuts_.node_above(cut)] = cuts_.critical_vertex(cut);
-      parent = cuts_.node_below(cut);
+      join_tree.put_above(cuts_.sublevel_class(cut), cuts_.node_below(cut));
+      join_tree.put_leaf_below(cuts_.critical_vertex(cut), cuts_.node_above(cut));
     }
   }
 
   // By node: the first step from its parent in the split tree towards it, in the highest of the sectors that lead
-  // there.
+  // there. No node has two parents, so all sectors that lead to it are at one vertex.
+  template <class ConcurrencyTag>
   Large_vector<Ascending_step> find_first_steps() const
   {
+    constexpr Index ahead = 24;
     Large_vector<Ascending_step> first_steps(cuts_.number_of_nodes(), Ascending_step{no_index, no_index});
-    for(Index i = 0; i != critical_vertices_.size(); ++i)
-    {
-      critical_vertices_.for_each_sector(i, true, [&](Index position) {
-        const Link_sector& sector = critical_vertices_.sector(position);
-        Ascending_step& step = first_steps[sector_classes_[position]];
-        if(step.edge == no_index || order_(step.target, sector.extreme_neighbor))
-          step = {sector.edge, sector.extreme_neighbor};
-      });
-    }
+    const auto find = [&](Index position) {
+      if(position + ahead < sector_classes_.size())
+        internal::prefetch(first_steps.data() + sector_classes_[position + ahead]);
+      const Link_sector& sector = critical_vertices_.sector(position);
+      Ascending_step& step = first_steps[sector_classes_[position]];
+      if(step.edge == no_index || order_(step.target, sector.extreme_neighbor))
+        step = {sector.edge, sector.extreme_neighbor};
+    };
+    for_each_block<ConcurrencyTag>(critical_vertices_.size(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i != end; ++i)
+        critical_vertices_.for_each_sector(static_cast<Index>(i), true, find);
+    });
     return first_steps;
   }
 
@@ -158,8 +168,6 @@ private:
   const Critical_vertices& critical_vertices_;
   Sector_classes sector_classes_;
   Cut_contours cuts_;
-  Merge_tree join_tree_;
-  Merge_tree split_tree_;
 };
 
 } // namespace internal

@@ -80,11 +80,9 @@ Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph
   Descriptor_list<FaceListGraph, vertex_descriptor> vertex_list(mesh, CGAL::make_range(vertices(mesh)));
   checked_index(vertex_list.size());
   auto values = read_values<ConcurrencyTag>(vertex_list, scalar_map, traits);
-  auto arrays =
-    read_halfedges<ConcurrencyTag>(mesh, vertex_list, make_vertex_positions(mesh, vertex_list, np), np);
-  return {Triangle_complex(ConcurrencyTag(), std::move(arrays.targets), std::move(arrays.next_halfedges),
-                           std::move(arrays.halfedges_of_vertices)),
-          std::move(values), std::move(vertex_list), std::move(arrays.numbered_halfedges)};
+  auto read = read_halfedges<ConcurrencyTag>(mesh, vertex_list, make_vertex_positions(mesh, vertex_list, np), np);
+  return {Triangle_complex(ConcurrencyTag(), std::move(read.arrays)), std::move(values), std::move(vertex_list),
+          std::move(read.numbered_halfedges)};
 }
 
 } // namespace internal

@@ -26,7 +26,7 @@ struct Link_sector
   Index edge; // a halfedge of a triangle on the edge to that neighbor
 };
 
-// Appends the link sectors of `vertex` to `sectors`, in counterclockwise order. Upper and lower ones alternate.
+// Appends the link sectors of `vertex` to `sectors`, in clockwise order. Upper and lower ones alternate.
 // Returns whether the first one is an upper one.
 template <class Order>
 bool append_link_sectors(const Triangle_complex& complex,

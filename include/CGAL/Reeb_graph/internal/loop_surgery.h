@@ -19,6 +19,7 @@
 #include <CGAL/Reeb_graph/internal/merge_trees.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace CGAL {
@@ -57,16 +58,52 @@ public:
       return false;
     // With closed contours on one side, as many loops are closed at the vertex, here or above and below, as its
     // multiplicity exceeds the merges of both trees.
-    const bool is_on_border = complex_.is_on_border(critical_vertices_.vertex(critical));
+    const bool is_on_border = critical_vertices_.is_on_border(critical);
     if(!is_on_border && !(is_border_reached(critical, false) && is_border_reached(critical, true)))
       return number_of_lower_sectors + 1 > number_of_lower_classes + count_classes(critical, true);
     return count_joined_lower_sectors(critical, is_on_border) > number_of_lower_classes;
   }
 
-  // Traces the lower contours of the vertex, and calls visit(its sublevel class, halfedges of the crossed
-  // edges, whether they reach the border) for all but one of each sublevel component.
+  // Traces lower contours of the vertex, and calls visit(its sublevel class, halfedges of the crossed edges, whether they
+  // reach the border) for all but one of each sublevel component.
   template <class Visit>
   void visit_loop_contours(Index critical, const Visit& visit)
+  {
+    if(critical_vertices_.number_of_lower_sectors(critical) == 2)
+      visit_shorter_contour(critical, visit);
+    else
+      visit_contours_of_multi_saddle(critical, visit);
+  }
+
+private:
+  // For two lower sectors of one sublevel component. Both contours are walked at once, so that the longer one costs no
+  // more than the shorter one.
+  template <class Visit>
+  void visit_shorter_contour(Index critical, const Visit& visit)
+  {
+    const Index first = critical_vertices_.first_sector_of(critical, false);
+    const auto is_below = [&, vertex = critical_vertices_.vertex(critical)](Index u) { return order_(u, vertex); };
+    const std::array<Index, 2> starts = {critical_vertices_.sector(first).edge,
+                                         critical_vertices_.sector(first + 2).edge};
+    std::array<Contour_walk, 2> walks = {Contour_walk(complex_, starts[0], is_below),
+                                         Contour_walk(complex_, starts[1], is_below)};
+    for(Index side = 0; true; side = 1 - side)
+    {
+      Contour_walk& walk = walks[side];
+      if(!walk.go_on(is_below))
+      {
+        visit(sector_classes_[first], walk.crossed_edges(), walk.is_border_reached());
+        return;
+      }
+      const bool is_same_contour =
+        Triangle_complex::edge(walk.crossed_edges().back()) == Triangle_complex::edge(starts[1 - side]);
+      if(is_same_contour)
+        return;
+    }
+  }
+
+  template <class Visit>
+  void visit_contours_of_multi_saddle(Index critical, const Visit& visit)
   {
     const Index vertex = critical_vertices_.vertex(critical);
     const auto is_below = [&](Index u) { return order_(u, vertex); };
@@ -92,7 +129,6 @@ public:
     });
   }
 
-private:
   void sort_classes(Index critical, bool is_upper)
   {
     classes_.clear();

@@ -16,6 +16,8 @@
 #include <CGAL/Reeb_graph/internal/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/parallel.h>
+#include <CGAL/Reeb_graph/internal/prefetch.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <algorithm>
@@ -39,7 +41,7 @@ inline Node_kind node_kind(Index in_degree, Index out_degree)
 
 // Makes nodes and arcs of the critical vertices and the arcs between them. Critical vertices form groups: each one
 // alone, or those that arcs of length zero connect. A group is a node, unless one arc enters it and one leaves it.
-template <class Order>
+template <class ConcurrencyTag, class Order>
 class Arc_merging
 {
 public:
@@ -97,16 +99,30 @@ private:
 
   void count_degrees()
   {
-    degrees_.assign(critical_vertices_.size(), Degrees{0, 0, no_index});
-    for(Index i = 0; i != arcs_.size(); ++i)
-    {
-      if(is_contracted(arcs_[i]))
-        continue;
-      Degrees& lower = degrees_[group_of(arcs_[i].lower)];
-      ++lower.out;
-      lower.leaving_arc = i;
-      ++degrees_[group_of(arcs_[i].upper)].in;
-    }
+    const auto count_leaving = [&] {
+      leaving_arcs_.assign(critical_vertices_.size(), Leaving_arcs{0, no_index});
+      for(Index i = 0; i != arcs_.size(); ++i)
+      {
+        if(is_contracted(arcs_[i]))
+          continue;
+        Leaving_arcs& leaving = leaving_arcs_[group_of(arcs_[i].lower)];
+        ++leaving.number;
+        leaving.last = i;
+      }
+    };
+    const auto count_arriving = [&] {
+      in_degrees_.assign(critical_vertices_.size(), 0);
+      for(const Critical_arc& arc : arcs_)
+      {
+        if(!is_contracted(arc))
+          ++in_degrees_[group_of(arc.upper)];
+      }
+    };
+    // To find a group changes the disjoint sets.
+    if(are_ties_contracted_)
+      invoke_both<Sequential_tag>(count_leaving, count_arriving);
+    else
+      invoke_both<ConcurrencyTag>(count_leaving, count_arriving);
   }
 
   // A node is at the lowest critical vertex of its group. Among the given vertices, regular ones can occur too.
@@ -116,10 +132,19 @@ private:
     graph_.node_of_critical.assign(size, no_index);
     Large_vector<Index>& node_of_group = graph_.node_of_critical;
     graph_.nodes.reserve(size);
-    for(const Index i : critical_vertices_.ascending())
+    constexpr std::size_t ahead = 16;
+    const Large_vector<Index>& ascending = critical_vertices_.ascending();
+    for(std::size_t place = 0; place != size; ++place)
     {
-      const Index group = group_of(i);
-      const Node_kind kind = node_kind(degrees_[group].in, degrees_[group].out);
+      if(place + ahead < size)
+      {
+        critical_vertices_.prefetch(ascending[place + ahead]);
+        prefetch(&leaving_arcs_[ascending[place + ahead]]);
+        prefetch(&in_degrees_[ascending[place + ahead]]);
+        prefetch(&node_of_group[ascending[place + ahead]]);
+      }
+      const Index i = ascending[place], group = group_of(i);
+      const Node_kind kind = node_kind(in_degrees_[group], leaving_arcs_[group].number);
       const bool is_node =
         kind != Node_kind::DEGREE_TWO || (are_degree_two_nodes_kept_ && critical_vertices_.is_critical(i));
       if(!is_node || node_of_group[group] != no_index || !critical_vertices_.is_critical(i))
@@ -153,7 +178,7 @@ private:
     while(graph_.node_of_critical[arcs_[i].upper] == no_index)
     {
       const Index critical = arcs_[i].upper, group = group_of(critical);
-      i = degrees_[group].leaving_arc;
+      i = leaving_arcs_[group].last;
       name_piece(first_piece_of_group_, group, first_piece);
       name_piece(first_piece_of_arc_, i, first_piece);
       if(are_ties_contracted_ && is_on_plateau_[critical])
@@ -193,9 +218,10 @@ private:
       const Ascending_step& step_b = graph_.pieces[b.first_piece].first_step;
       return step_a.target != step_b.target ? order_(step_a.target, step_b.target) : step_a.edge < step_b.edge;
     };
-    std::size_t begin = 0;
-    for(std::size_t node = 0; node != graph_.nodes.size(); begin = ends[node++])
-      std::sort(graph_.arcs.begin() + begin, graph_.arcs.begin() + ends[node], is_before);
+    for_each_block<ConcurrencyTag>(graph_.nodes.size(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t node = begin; node != end; ++node)
+        std::sort(graph_.arcs.begin() + (node == 0 ? 0 : ends[node - 1]), graph_.arcs.begin() + ends[node], is_before);
+    });
   }
 
   // Sorting has moved the arcs, but each keeps its first piece.
@@ -213,11 +239,10 @@ private:
       graph_.arc_of_critical_arc.push_back(arc_of(first_piece));
   }
 
-  struct Degrees
+  struct Leaving_arcs
   {
-    Index in;
-    Index out;
-    Index leaving_arc; // the last one; the only one of a group that is no node
+    Index number;
+    Index last; // the only one of a group that is no node
   };
 
   const Order& order_;
@@ -227,13 +252,14 @@ private:
   const bool are_degree_two_nodes_kept_;
   Disjoint_sets groups_;
   std::vector<bool> is_on_plateau_;          // by critical vertex: whether its group has other ones
-  Large_vector<Degrees> degrees_;            // by group
+  Large_vector<Leaving_arcs> leaving_arcs_;  // by group
+  Large_vector<Index> in_degrees_;           // by group
   Large_vector<Index> first_piece_of_group_; // by group: that of the arc that passes it
   Large_vector<Index> first_piece_of_arc_;   // by arc: that of the arc that it becomes part of
   Flat_graph graph_;
 };
 
-template <class Order>
+template <class ConcurrencyTag, class Order>
 Flat_graph merge_arcs(const Order& order,
                       const Critical_vertices& critical_vertices,
                       const Large_vector<Critical_arc>& arcs,
@@ -241,7 +267,8 @@ Flat_graph merge_arcs(const Order& order,
                       bool are_degree_two_nodes_kept,
                       bool are_passing_arcs_named)
 {
-  return Arc_merging<Order>(order, critical_vertices, arcs, ties, are_degree_two_nodes_kept)(are_passing_arcs_named);
+  return Arc_merging<ConcurrencyTag, Order>(order, critical_vertices, arcs, ties,
+                                            are_degree_two_nodes_kept)(are_passing_arcs_named);
 }
 
 } // namespace internal

@@ -17,6 +17,7 @@
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/monotone_paths.h>
+#include <CGAL/Reeb_graph/internal/parallel.h>
 #include <CGAL/Reeb_graph/internal/prefetch.h>
 
 #include <vector>
@@ -48,6 +49,7 @@ public:
       order_(order),
       critical_vertices_(slab.critical_vertices()),
       sector_classes_(sector_classes),
+      path_ends_(slab.complex(), order),
       sets_(0)
   {
     tree_.parents.assign(slab.number_of_nodes(), no_index);
@@ -55,9 +57,9 @@ public:
     for(Index i = 0; i != critical_vertices_.size(); ++i)
     {
       if(is_extremum(i))
-        add_component(i);
+        path_ends_.set_end(critical_vertices_.vertex(i), add_component(i));
       // A border vertex reaches a critical one or a cut along the border, downwards or upwards: their flags suffice.
-      if(slab.complex().is_on_border(critical_vertices_.vertex(i)))
+      if(critical_vertices_.is_on_border(i))
         tree_.is_border_reached[i] = true;
     }
     number_of_extrema_ = static_cast<Index>(tops_.size());
@@ -68,25 +70,33 @@ public:
     }
   }
 
-  // Extrema are numbered in the order of the mesh, and each begins a component of the same number. The contours of the
-  // level from which the sweep comes follow.
-  Path_ends make_path_ends() const
+  // The ends that paths are known to have are the numbers of components that begin with extrema, then with contours of
+  // the level from which the sweep comes.
+  Path_ends& path_ends() { return path_ends_; }
+
+  void forget_path_ends()
   {
-    Path_ends path_ends(slab_.complex(), order_);
-    Index number = 0;
+    path_ends_ = Path_ends(slab_.complex(), order_);
+    Index component = 0;
     for(Index i = 0; i != critical_vertices_.size(); ++i)
     {
       if(is_extremum(i))
-        path_ends.set_end(critical_vertices_.vertex(i), number++);
+        path_ends_.set_end(critical_vertices_.vertex(i), component++);
     }
-    return path_ends;
   }
 
   // Paths are walked where they are on the surface, before the order of the field jumps about on it.
-  void find_path_ends(Path_ends& path_ends)
+  template <class ConcurrencyTag>
+  void find_path_ends()
   {
-    for(Index i = 0; i != critical_vertices_.size(); ++i)
-      find_path_ends_at(i, path_ends, [&](const Ascending_step& step) { return component_at_level(step); });
+    const std::size_t size = critical_vertices_.size();
+    for_each_part<ConcurrencyTag>(
+      number_of_parts<ConcurrencyTag>(size), size, [&](std::size_t, std::size_t begin, std::size_t end) {
+        Large_vector<Index> passed;
+        for(std::size_t i = begin; i != end; ++i)
+          find_path_ends_at(
+            static_cast<Index>(i), [&](const Ascending_step& step) { return component_at_level(step); }, passed);
+      });
   }
 
   Index component_at_level(const Ascending_step& step) const
@@ -96,11 +106,11 @@ public:
   }
 
   template <class EndOfStep>
-  void find_path_ends_at(Index critical, Path_ends& path_ends, const EndOfStep& end_of_step)
+  void find_path_ends_at(Index critical, const EndOfStep& end_of_step, Large_vector<Index>& passed)
   {
     critical_vertices_.for_each_sector(critical, is_split_tree, [&](Index i) {
       const Link_sector& sector = critical_vertices_.sector(i);
-      sector_classes_[i] = path_ends(Ascending_step{sector.edge, sector.extreme_neighbor}, end_of_step);
+      sector_classes_[i] = path_ends_(Ascending_step{sector.edge, sector.extreme_neighbor}, end_of_step, passed);
     });
   }
 
@@ -132,13 +142,14 @@ public:
 
   // Puts the contours of the level at which the sweep ends on their components. To be called at last.
   template <class EndOfStep>
-  void merge_last_contours(Path_ends& path_ends, const EndOfStep& end_of_step)
+  void merge_last_contours(const EndOfStep& end_of_step)
   {
+    Large_vector<Index> passed;
     const Index size = slab_.number_of_contours(!is_split_tree);
     for(Index i = 0; i != size; ++i)
     {
       const Index contour = is_split_tree ? size - 1 - i : i;
-      const Index end = path_ends(slab_.step_from_contour(!is_split_tree, contour), end_of_step);
+      const Index end = path_ends_(slab_.step_from_contour(!is_split_tree, contour), end_of_step, passed);
       put_on(sets_.top(end), slab_.contour_node(!is_split_tree, contour));
     }
   }
@@ -151,10 +162,17 @@ public:
     return add_component(node);
   }
 
-  // To be called a few vertices ahead.
-  void prefetch(Index critical) const
+  // To be called ahead of merge_at(), and again less far ahead.
+  void prefetch_classes(Index critical) const
   {
     internal::prefetch(sector_classes_.data() + critical_vertices_.first_sector(critical));
+  }
+  void prefetch_components(Index critical) const
+  {
+    critical_vertices_.for_each_sector(critical, is_split_tree, [&](Index i) {
+      sets_.prefetch(sector_classes_[i]);
+      internal::prefetch(&tops_[sector_classes_[i]]);
+    });
   }
 
   Merge_tree& tree() { return tree_; }
@@ -190,6 +208,7 @@ private:
   const Order& order_;
   const Critical_vertices& critical_vertices_;
   Sector_classes& sector_classes_;
+  Path_ends path_ends_;
   Index number_of_extrema_;
   Disjoint_sets sets_;       // of components
   Large_vector<Index> tops_; // by component

@@ -14,13 +14,14 @@
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
+#include <CGAL/Reeb_graph/internal/parallel.h>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
 // Finds the extremum in which a monotone path ends: a minimum for the join tree, a maximum for the split tree.
-// A vertex is passed once: its end is kept.
+// A vertex is passed once: its end is kept. Several threads that pass it keep the same end.
 template <class Order, bool is_ascending>
 class Monotone_path_ends
 {
@@ -28,11 +29,12 @@ public:
   Monotone_path_ends(const Triangle_complex& complex, const Order& order)
     : complex_(&complex),
       order_(&order),
-      ends_(complex.number_of_vertices(), no_index)
+      ends_(complex.number_of_vertices(), Relaxed_value<Index>(no_index))
   {}
 
-  void set_end(Index vertex, Index end) { ends_[vertex] = end; }
-  bool is_known(Index vertex) const { return ends_[vertex] != no_index; }
+  void set_end(Index vertex, Index end) { ends_[vertex].set(end); }
+  Index end(Index vertex) const { return ends_[vertex].get(); }
+  bool is_known(Index vertex) const { return end(vertex) != no_index; }
 
   // A path goes on to the first suitable neighbor.
   Ascending_step step(Index vertex) const
@@ -48,29 +50,27 @@ public:
   }
 
   // The end of the path that begins with `step`. A step of which end_of_step(step) is not no_index is the last one.
+  // `passed` is storage for the vertices on the way.
   template <class EndOfStep>
-  Index operator()(Ascending_step step, const EndOfStep& end_of_step)
+  Index operator()(Ascending_step step, const EndOfStep& end_of_step, Large_vector<Index>& passed)
   {
-    passed_.clear();
+    passed.clear();
     Index end = end_of_step(step);
-    while(end == no_index && !is_known(step.target))
+    while(end == no_index && (end = this->end(step.target)) == no_index)
     {
-      passed_.push_back(step.target);
+      passed.push_back(step.target);
       step = this->step(step.target);
       end = end_of_step(step);
     }
-    if(end == no_index)
-      end = ends_[step.target];
-    for(const Index vertex : passed_)
-      ends_[vertex] = end;
+    for(const Index vertex : passed)
+      set_end(vertex, end);
     return end;
   }
 
 private:
   const Triangle_complex* complex_;
   const Order* order_;
-  Large_vector<Index> ends_; // by vertex
-  Large_vector<Index> passed_;
+  Large_vector<Relaxed_value<Index>> ends_; // by vertex
 };
 
 } // namespace internal

@@ -17,7 +17,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
-#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 #endif
 
@@ -106,6 +105,26 @@ void for_each_part(std::size_t number_of_parts, std::size_t size, const Function
   });
 }
 
+// A number that threads can read and write at once if it does not matter who comes first.
+template <class T>
+class Relaxed_value
+{
+public:
+  explicit Relaxed_value(T value) : value_(value) {}
+  Relaxed_value(const Relaxed_value& other) : value_(other.get()) {}
+  Relaxed_value& operator=(const Relaxed_value& other)
+  {
+    set(other.get());
+    return *this;
+  }
+
+  T get() const { return value_.load(std::memory_order_relaxed); }
+  void set(T value) { value_.store(value, std::memory_order_relaxed); }
+
+private:
+  std::atomic<T> value_;
+};
+
 // A number to which the blocks of a parallel loop add.
 template <class ConcurrencyTag>
 class Shared_counter
@@ -117,21 +136,6 @@ public:
 private:
   std::conditional_t<is_parallel<ConcurrencyTag>(), std::atomic<std::size_t>, std::size_t> value_{0};
 };
-
-// Sorts by an order without ties, so that the result is the same in any case.
-template <class ConcurrencyTag, class Iterator, class Less>
-void sort(Iterator first, Iterator last, const Less& less)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr(is_parallel<ConcurrencyTag>())
-  {
-    tbb::parallel_sort(first, last, less);
-    return;
-  }
-#endif
-  static_cast<void>(is_parallel<ConcurrencyTag>());
-  boost::sort::pdqsort_branchless(first, last, less);
-}
 
 // Calls both functions.
 template <class ConcurrencyTag, class First, class Second>
@@ -147,6 +151,28 @@ void invoke_both(const First& first, const Second& second)
   static_cast<void>(is_parallel<ConcurrencyTag>());
   first();
   second();
+}
+
+// Sorts by an order without ties, so that the result is the same in any case. Faster on one thread than
+// tbb::parallel_sort on two, if comparisons are cheap.
+template <class ConcurrencyTag, class Iterator, class Less>
+void sort(Iterator first, Iterator last, const Less& less, std::size_t parts)
+{
+  if(parts <= 1)
+  {
+    boost::sort::pdqsort_branchless(first, last, less);
+    return;
+  }
+  const Iterator middle = first + (last - first) / 2;
+  invoke_both<ConcurrencyTag>([&] { sort<ConcurrencyTag>(first, middle, less, parts / 2); },
+                              [&] { sort<ConcurrencyTag>(middle, last, less, parts / 2); });
+  std::inplace_merge(first, middle, last, less);
+}
+
+template <class ConcurrencyTag, class Iterator, class Less>
+void sort(Iterator first, Iterator last, const Less& less)
+{
+  sort<ConcurrencyTag>(first, last, less, number_of_parts<ConcurrencyTag>(static_cast<std::size_t>(last - first)) / 4);
 }
 
 } // namespace internal

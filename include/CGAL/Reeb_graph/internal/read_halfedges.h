@@ -61,13 +61,10 @@ private:
   Large_vector<halfedge_descriptor> even_halfedges_; // by edge; empty if descriptors are made from the numbers
 };
 
-// What a Triangle_complex is made from; see there.
 template <class FaceListGraph>
-struct Halfedge_arrays
+struct Read_halfedges
 {
-  Large_vector<Index> targets;
-  Large_vector<Index> next_halfedges;
-  Large_vector<Index> halfedges_of_vertices;
+  Halfedge_arrays arrays;
   Numbered_halfedges<FaceListGraph> numbered_halfedges;
 };
 
@@ -87,28 +84,6 @@ void throw_error_of_first_bad_face(const FaceListGraph& mesh)
   }
 }
 
-template <class ConcurrencyTag, class FaceListGraph>
-void check_triangles(const FaceListGraph& mesh, const Halfedge_arrays<FaceListGraph>& arrays)
-{
-  const Large_vector<Index>& next_halfedges = arrays.next_halfedges;
-  Shared_counter<ConcurrencyTag> number_of_bad_halfedges;
-  for_each_block<ConcurrencyTag>(next_halfedges.size(), [&](std::size_t begin, std::size_t end) {
-    std::size_t number_of_bad = 0;
-    for(std::size_t h = begin; h != end; ++h)
-    {
-      const Index second = next_halfedges[h];
-      if(second == no_index)
-        continue;
-      const Index third = next_halfedges[second];
-      number_of_bad += second == h || third == no_index || next_halfedges[third] != h;
-      number_of_bad += arrays.targets[h] == arrays.targets[second];
-    }
-    number_of_bad_halfedges.add(number_of_bad);
-  });
-  if(number_of_bad_halfedges.get() != 0)
-    throw_error_of_first_bad_face(mesh);
-}
-
 // A halfedge of a face that ends where h does, the null halfedge if there is none.
 template <class FaceListGraph, class HalfedgeDescriptor>
 HalfedgeDescriptor find_halfedge_of_face(const FaceListGraph& mesh, HalfedgeDescriptor h)
@@ -126,8 +101,8 @@ HalfedgeDescriptor find_halfedge_of_face(const FaceListGraph& mesh, HalfedgeDesc
 
 // For meshes that number their edges: copies the arrays that they have.
 template <class ConcurrencyTag, class FaceListGraph, class VertexList, class VertexPositions>
-Halfedge_arrays<FaceListGraph> read_halfedges_by_edges(const FaceListGraph& mesh,
-                                                       const VertexList& vertex_list,
+Read_halfedges<FaceListGraph> read_halfedges_by_edges(const FaceListGraph& mesh,
+                                                      const VertexList& vertex_list,
                                                        const VertexPositions& vertex_positions)
 {
   typedef boost::graph_traits<FaceListGraph> Graph_traits;
@@ -147,22 +122,33 @@ Halfedge_arrays<FaceListGraph> read_halfedges_by_edges(const FaceListGraph& mesh
     return 2 * e + (halfedge(edge_list[e], mesh) == h ? 0 : 1);
   };
 
-  Halfedge_arrays<FaceListGraph> arrays;
-  arrays.targets.resize(2 * edge_list.size());
-  arrays.next_halfedges.resize(2 * edge_list.size());
-  const auto read = [&](std::size_t i, halfedge_descriptor h) {
-    arrays.targets[i] = vertex_positions[target(h, mesh)];
-    arrays.next_halfedges[i] = is_border(h, mesh) ? no_index : number(next(h, mesh));
-  };
+  Read_halfedges<FaceListGraph> result;
+  Halfedge_arrays& arrays = result.arrays;
+  arrays.halfedges.resize(2 * edge_list.size());
+  Shared_counter<ConcurrencyTag> number_of_bad_halfedges, number_of_halfedges_of_triangles;
   for_each_block<ConcurrencyTag>(edge_list.size(), [&](std::size_t begin, std::size_t end) {
+    std::size_t number_of_bad = 0, number_of_good = 0;
+    const auto read = [&](std::size_t i, halfedge_descriptor h) {
+      arrays.halfedges[i] = {vertex_positions[target(h, mesh)], no_index};
+      if(is_border(h, mesh))
+        return;
+      const halfedge_descriptor second = next(h, mesh), third = next(second, mesh);
+      const bool is_bad = second == h || third == h || next(third, mesh) != h || target(h, mesh) == target(third, mesh);
+      arrays.halfedges[i].next = number(second);
+      ++(is_bad ? number_of_bad : number_of_good);
+    };
     for(std::size_t e = begin; e != end; ++e)
     {
       const halfedge_descriptor h = halfedge(edge_list[e], mesh);
       read(2 * e, h);
       read(2 * e + 1, opposite(h, mesh));
     }
+    number_of_bad_halfedges.add(number_of_bad);
+    number_of_halfedges_of_triangles.add(number_of_good);
   });
-  check_triangles<ConcurrencyTag>(mesh, arrays);
+  if(number_of_bad_halfedges.get() != 0)
+    throw_error_of_first_bad_face(mesh);
+  arrays.number_of_halfedges_of_triangles = number_of_halfedges_of_triangles.get();
 
   arrays.halfedges_of_vertices.resize(vertex_list.size());
   for_each_block<ConcurrencyTag>(vertex_list.size(), [&](std::size_t begin, std::size_t end) {
@@ -178,23 +164,24 @@ Halfedge_arrays<FaceListGraph> read_halfedges_by_edges(const FaceListGraph& mesh
     even_halfedges.reserve(edge_list.size());
     for(std::size_t e = 0; e != edge_list.size(); ++e)
       even_halfedges.push_back(halfedge(edge_list[e], mesh));
-    arrays.numbered_halfedges = Numbered_halfedges<FaceListGraph>(std::move(even_halfedges));
+    result.numbered_halfedges = Numbered_halfedges<FaceListGraph>(std::move(even_halfedges));
   }
-  return arrays;
+  return result;
 }
 
 // For meshes that number at most their faces: numbers the edges as they are met.
 template <class FaceListGraph, class FaceList, class VertexList, class VertexPositions, class FacePositions>
-Halfedge_arrays<FaceListGraph> read_halfedges_by_faces(const FaceListGraph& mesh,
+Read_halfedges<FaceListGraph> read_halfedges_by_faces(const FaceListGraph& mesh,
                                                        const FaceList& face_list,
-                                                       const VertexList& vertex_list,
+                                                      const VertexList& vertex_list,
                                                        const VertexPositions& vertex_positions,
                                                        const FacePositions& face_positions)
 {
   typedef boost::graph_traits<FaceListGraph> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   throw_error_of_first_bad_face(mesh);
-  Halfedge_arrays<FaceListGraph> arrays;
+  Read_halfedges<FaceListGraph> result;
+  Halfedge_arrays& arrays = result.arrays;
   arrays.halfedges_of_vertices.assign(vertex_list.size(), no_index);
   Large_vector<halfedge_descriptor> even_halfedges;
   Large_vector<std::array<Index, 3>> numbers_in_faces;
@@ -203,9 +190,8 @@ Halfedge_arrays<FaceListGraph> read_halfedges_by_faces(const FaceListGraph& mesh
   const auto add_edge_of = [&](halfedge_descriptor h) {
     even_halfedges.push_back(h);
     for(const auto v : {target(h, mesh), source(h, mesh)})
-      arrays.targets.push_back(vertex_positions[v]);
-    arrays.next_halfedges.resize(arrays.targets.size(), no_index);
-    return checked_index(arrays.targets.size()) - 2;
+      arrays.halfedges.push_back({vertex_positions[v], no_index});
+    return checked_index(arrays.halfedges.size()) - 2;
   };
   const auto number = [&](halfedge_descriptor h) {
     const auto across = face(opposite(h, mesh), mesh);
@@ -216,23 +202,24 @@ Halfedge_arrays<FaceListGraph> read_halfedges_by_faces(const FaceListGraph& mesh
     return Triangle_complex::opposite(is_of_edge(numbers[0]) ? numbers[0]
                                                              : (is_of_edge(numbers[1]) ? numbers[1] : numbers[2]));
   };
+  arrays.number_of_halfedges_of_triangles = 3 * face_list.size();
   for(std::size_t f = 0; f != face_list.size(); ++f)
   {
     const halfedge_descriptor h = halfedge(face_list[f], mesh);
     const std::array<Index, 3> numbers = {number(h), number(next(h, mesh)), number(prev(h, mesh))};
     for(std::size_t i = 0; i != 3; ++i)
     {
-      arrays.next_halfedges[numbers[i]] = numbers[(i + 1) % 3];
-      arrays.halfedges_of_vertices[arrays.targets[numbers[i]]] = numbers[i];
+      arrays.halfedges[numbers[i]].next = numbers[(i + 1) % 3];
+      arrays.halfedges_of_vertices[arrays.halfedges[numbers[i]].target] = numbers[i];
     }
     numbers_in_faces.push_back(numbers);
   }
-  arrays.numbered_halfedges = Numbered_halfedges<FaceListGraph>(std::move(even_halfedges));
-  return arrays;
+  result.numbered_halfedges = Numbered_halfedges<FaceListGraph>(std::move(even_halfedges));
+  return result;
 }
 
 template <class ConcurrencyTag, class FaceListGraph, class VertexList, class VertexPositions, class NamedParameters>
-Halfedge_arrays<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
+Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
                                               const VertexList& vertex_list,
                                               const VertexPositions& vertex_positions,
                                               const NamedParameters& np)

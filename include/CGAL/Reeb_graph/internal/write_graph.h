@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/arc_chains.h>
 #include <CGAL/Reeb_graph/internal/flatten.h>
+#include <CGAL/Reeb_graph/internal/graph_storage.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
 #include <CGAL/Reeb_graph/internal/prefetch.h>
 
@@ -27,37 +28,30 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The halfedges of the mesh that the steps of the chains stand for.
+// The halfedges of the mesh in the chains.
 template <class ConcurrencyTag, class FaceListGraph, class Scalar>
 auto chain_halfedges(const FaceListGraph& mesh,
                      const Flat_surface<FaceListGraph, Scalar>& surface,
                      const Flat_chains& chains)
 {
   typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
-  std::vector<halfedge_descriptor> halfedges(chains.steps.size());
+  std::vector<halfedge_descriptor> halfedges(chains.halfedges.size());
   for_each_block<ConcurrencyTag>(halfedges.size(), [&](std::size_t begin, std::size_t end) {
     for(std::size_t i = begin; i != end; ++i)
-    {
-      const Ascending_step& step = chains.steps[i];
-      const bool is_ascending = surface.complex.target(step.edge) == step.target;
-      halfedges[i] = surface.halfedges(mesh, is_ascending ? step.edge : Triangle_complex::opposite(step.edge));
-    }
+      halfedges[i] = surface.halfedges(mesh, chains.halfedges[i]);
   });
   return std::make_shared<const std::vector<halfedge_descriptor>>(std::move(halfedges));
 }
 
-// Replaces the content of `graph` by the Reeb graph.
-template <class ConcurrencyTag, class FaceListGraph, class Scalar, class ReebGraph>
-void write_graph(const FaceListGraph& mesh,
-                 const Flat_surface<FaceListGraph, Scalar>& surface,
-                 const Flat_graph& flat_graph,
-                 const Flat_chains& chains,
-                 ReebGraph& graph)
+// Replaces the content of `graph` by the nodes, and by the arcs without their chains.
+template <class FaceListGraph, class Scalar, class ReebGraph>
+void write_nodes_and_arcs(const Flat_surface<FaceListGraph, Scalar>& surface,
+                          const Flat_graph& flat_graph,
+                          ReebGraph& graph)
 {
   typedef typename boost::vertex_bundle_type<ReebGraph>::type Node;
-
-  const auto halfedges = chain_halfedges<ConcurrencyTag>(mesh, surface, chains);
   graph.clear();
+  reserve_nodes(graph, flat_graph.nodes.size());
   for(const Flat_node& flat_node : flat_graph.nodes)
   {
     Node node;
@@ -72,8 +66,31 @@ void write_graph(const FaceListGraph& mesh,
   {
     if(i + arcs_ahead < size)
       prefetch(&graph[flat_graph.arcs[i + arcs_ahead].upper]);
-    const auto arc = add_edge(flat_graph.arcs[i].lower, flat_graph.arcs[i].upper, graph).first;
-    graph[arc].chain = {halfedges, chains.first_steps[i], chains.sizes[i]};
+    add_edge(flat_graph.arcs[i].lower, flat_graph.arcs[i].upper, graph);
+  }
+}
+
+// Walks the chains of the arcs beside writing nodes and arcs, for which one thread is enough, into `graph`.
+template <class ConcurrencyTag, class FaceListGraph, class Scalar, class Order, class ReebGraph>
+void write_graph(const FaceListGraph& mesh,
+                 const Flat_surface<FaceListGraph, Scalar>& surface,
+                 const Order& order,
+                 const Flat_graph& flat_graph,
+                 ReebGraph& graph)
+{
+  Flat_chains chains;
+  decltype(chain_halfedges<ConcurrencyTag>(mesh, surface, chains)) halfedges;
+  invoke_both<ConcurrencyTag>(
+    [&] {
+      chains = find_arc_chains<ConcurrencyTag>(surface.complex, order, flat_graph);
+      halfedges = chain_halfedges<ConcurrencyTag>(mesh, surface, chains);
+    },
+    [&] { write_nodes_and_arcs(surface, flat_graph, graph); });
+  std::size_t i = 0;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    graph[arc].chain = {halfedges, chains.first_halfedges[i], chains.sizes[i]};
+    ++i;
   }
 }
 
