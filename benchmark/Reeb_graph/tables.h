@@ -14,6 +14,7 @@
 #include "measurements.h"
 #include "timed_runs.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -49,7 +50,8 @@ inline std::vector<std::size_t> thread_counts(const Options& options)
   return {1, options.number_of_threads};
 }
 
-// The different things take turns, so that a machine that slows down does so for all of them.
+// The different things take turns, so that a machine that slows down does so for all of them. One and more threads also
+// change places: memory that the one has used is at hand for the other.
 inline Measurements measure(const Input& input, const Properties& properties, const Options& options)
 {
   std::vector<Method> methods = {Method::CONTOUR_TREES};
@@ -66,8 +68,10 @@ inline Measurements measure(const Input& input, const Properties& properties, co
     measurements.sorts_side_by_side.add(time_sorts_side_by_side(input, options.number_of_threads));
     measurements.copy.add(time_copy_into_new_memory(input, 1));
     measurements.parallel_copy.add(time_copy_into_new_memory(input, options.number_of_threads));
+    std::vector<std::size_t> turns = thread_counts(options);
+    std::rotate(turns.begin(), turns.begin() + repetition % turns.size(), turns.end());
     for(const Method method : methods)
-      for(const std::size_t threads : thread_counts(options))
+      for(const std::size_t threads : turns)
         run_engine(input, method, threads, measurements.engines[{method, threads}]);
     measurements.vertex_places.add(time_vertex_places(input, properties.graph));
   }

@@ -45,10 +45,10 @@ enum class Node_kind
 template <class VertexDescriptor, class Scalar_>
 struct Node
 {
-  /// the vertex of the mesh; with `Ties::CONTRACT` the lowest critical one of those that the node stands for
-  VertexDescriptor vertex = VertexDescriptor();
   /// the scalar value at the vertex
   Scalar_ value = Scalar_();
+  /// the vertex of the mesh; with `Ties::CONTRACT` the lowest critical one of those that the node stands for
+  VertexDescriptor vertex = VertexDescriptor();
   /// what happens to the contours there
   Node_kind kind = Node_kind::ISOLATED;
 };
