@@ -116,8 +116,9 @@ public:
                       cell(num_edges(properties.graph)), cell(sort, 1), cell(measurements.sweep.median(), 1),
                       cell(sequential, 1), cell(ratio(sequential, sort), 2), cell(parallel, 1),
                       efficiency(sequential, parallel, threads), sorts_efficiency(measurements),
-                      efficiency(measurements.copy.median(), measurements.parallel_copy.median(), threads), cell(total(Method::CRITICAL_SETS, 1), 1),
-                      cell(total(Method::CRITICAL_SETS, threads), 1), cell(ratio(properties.extra_peak_bytes, n), 0),
+                      efficiency(measurements.copy.median(), measurements.parallel_copy.median(), threads),
+                      cell(total(Method::CRITICAL_SETS, 1), 1), cell(total(Method::CRITICAL_SETS, threads), 1),
+                      cell(ratio(properties.extra_peak_bytes, n), 0),
                       cell(ratio(measurements.vertex_places.median(), sort), 2),
                       cell(nanoseconds_per_crossed_edge(input, properties.graph), 0)});
   }
@@ -150,10 +151,8 @@ public:
 
   static const std::vector<std::pair<Stage, std::string>>& stages()
   {
-    static const std::vector<std::pair<Stage, std::string>> result = {{Stage::FLATTEN, "flatten"},
-                                                                      {Stage::CLASSIFY, "classify"},
-                                                                      {Stage::ARCS, "arcs"},
-                                                                      {Stage::WRITE, "write"}};
+    static const std::vector<std::pair<Stage, std::string>> result = {
+      {Stage::FLATTEN, "flatten"}, {Stage::CLASSIFY, "classify"}, {Stage::ARCS, "arcs"}, {Stage::WRITE, "write"}};
     return result;
   }
 

@@ -107,7 +107,8 @@ namespace CGAL {
 ///                       property map}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_index_map}
-///     \cgalParamDescription{the same for faces. Without it, they are not looked for in a mesh whose edges have constant
+///     \cgalParamDescription{the same for faces. Without it, they are not looked for in a mesh whose edges have
+///     constant
 ///                           indices.}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptors as key type and an integer type as
 ///                    value type}
@@ -183,7 +184,8 @@ void compute_reeb_graph(const FaceListGraph& mesh,
     visitor.begin_stage(Stage::ARCS);
     const auto critical_arcs =
       stages::find_critical_arcs<ConcurrencyTag>(surface.complex, order, critical_vertices, method, number_of_slabs);
-    flat_graph = stages::merge_arcs<ConcurrencyTag>(order, critical_vertices, critical_arcs, ties, are_degree_two_nodes_kept, false);
+    flat_graph = stages::merge_arcs<ConcurrencyTag>(order, critical_vertices, critical_arcs, ties,
+                                                    are_degree_two_nodes_kept, false);
     visitor.end_stage(Stage::ARCS);
     progress.report(0.8);
   }

@@ -32,8 +32,8 @@ public:
   /// The property of an arc, with the member `chain` of `CGAL::Reeb_graph::Arc`.
   typedef unspecified_type Arc;
 
-  /// The Reeb graph: a `boost::adjacency_list` that is `boost::bidirectionalS`, stores vertices by `boost::vecS` and edges
-  /// such that they can be parallel, by `boost::vecS` for example, and has `Node` and `Arc` as properties.
+  /// The Reeb graph: a `boost::adjacency_list` that is `boost::bidirectionalS`, stores vertices by `boost::vecS` and
+  /// edges such that they can be parallel, by `boost::vecS` for example, and has `Node` and `Arc` as properties.
   typedef unspecified_type Graph;
 
   /// A function object with `bool operator()(const Scalar& a, const Scalar& b) const`, a strict weak order of the

@@ -205,9 +205,8 @@ protected:
   std::vector<face_descriptor> star(node_descriptor node) const
   {
     std::vector<face_descriptor> faces;
-    surface_.complex.for_each_halfedge_around(node_vertex(node), [&](Index halfedge) {
-      faces.push_back(face(surface_.halfedges(mesh_, halfedge), mesh_));
-    });
+    surface_.complex.for_each_halfedge_around(
+      node_vertex(node), [&](Index halfedge) { faces.push_back(face(surface_.halfedges(mesh_, halfedge), mesh_)); });
     std::reverse(faces.begin(), faces.end()); // counterclockwise
     return faces;
   }
@@ -237,10 +236,10 @@ protected:
   Vertex_locations make_vertex_locations() const
   {
     const Critical_vertices all_vertices = sort_all_vertices<ConcurrencyTag>(surface_.complex, order_);
-    const Flat_graph all_arcs =
-      merge_arcs<ConcurrencyTag>(order_, all_vertices,
-                 find_critical_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices, Method::CONTOUR_TREES, 1),
-                 Ties::PERTURB, true, true);
+    const Flat_graph all_arcs = merge_arcs<ConcurrencyTag>(
+      order_, all_vertices,
+      find_critical_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices, Method::CONTOUR_TREES, 1),
+      Ties::PERTURB, true, true);
     const Critical_vertices critical_vertices = classify_vertices<ConcurrencyTag>(surface_.complex, order_);
     Large_vector<Critical_arc> critical_arcs;
     for(const Flat_arc& arc : all_arcs.arcs)

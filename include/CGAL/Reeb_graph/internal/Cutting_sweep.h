@@ -56,7 +56,8 @@ public:
   void merge_at(Index critical)
   {
     if(cuts_.size() != 0 && (are_all_changed_ || is_changed_[critical_vertices_.vertex(critical)]))
-      sweep_.find_path_ends_at(critical, [&](const Ascending_step& step) { return component_at(step); }, passed_);
+      sweep_.find_path_ends_at(
+        critical, [&](const Ascending_step& step) { return component_at(step); }, passed_);
     sweep_.merge_at(critical);
   }
 

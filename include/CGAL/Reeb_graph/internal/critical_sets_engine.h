@@ -70,9 +70,8 @@ private:
         return;
       const Index contour = static_cast<Index>(arcs_.size());
       arcs_.push_back({no_index, critical, {no_index, no_index}});
-      trace_contour(complex_, edge, is_below, [&](Index halfedge) {
-        contour_at_edge_[Triangle_complex::edge(halfedge)] = contour;
-      });
+      trace_contour(complex_, edge, is_below,
+                    [&](Index halfedge) { contour_at_edge_[Triangle_complex::edge(halfedge)] = contour; });
     });
   }
 

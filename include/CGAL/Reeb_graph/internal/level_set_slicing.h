@@ -112,8 +112,8 @@ private:
         const Index edge = static_cast<Index>(i);
         if(!complex_->is_on_triangle(edge))
           continue;
-        const auto range = std::minmax(slabs_of_vertices_[complex_->source(2 * edge)],
-                                       slabs_of_vertices_[complex_->target(2 * edge)]);
+        const auto range =
+          std::minmax(slabs_of_vertices_[complex_->source(2 * edge)], slabs_of_vertices_[complex_->target(2 * edge)]);
         for(Index level = range.first; level != range.second; ++level)
           levels_[level].add_crossed_edge(edge);
       }

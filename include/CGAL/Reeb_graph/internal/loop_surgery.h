@@ -64,8 +64,8 @@ public:
     return count_joined_lower_sectors(critical, is_on_border) > number_of_lower_classes;
   }
 
-  // Traces lower contours of the vertex, and calls visit(its sublevel class, halfedges of the crossed edges, whether they
-  // reach the border) for all but one of each sublevel component.
+  // Traces lower contours of the vertex, and calls visit(its sublevel class, halfedges of the crossed edges, whether
+  // they reach the border) for all but one of each sublevel component.
   template <class Visit>
   void visit_loop_contours(Index critical, const Visit& visit)
   {

@@ -39,9 +39,8 @@ class Numbered_halfedges
 public:
   typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
 
-  // With halfedges whose descriptors are made from the numbers, or without any.
   Numbered_halfedges() = default;
-  // From the halfedge with the even number of each edge.
+  // From the halfedge with the even number of each edge, or none if descriptors are made from the numbers.
   explicit Numbered_halfedges(Large_vector<halfedge_descriptor> even_halfedges)
     : even_halfedges_(std::move(even_halfedges))
   {}
@@ -58,7 +57,7 @@ public:
   }
 
 private:
-  Large_vector<halfedge_descriptor> even_halfedges_; // by edge; empty if descriptors are made from the numbers
+  Large_vector<halfedge_descriptor> even_halfedges_; // by edge
 };
 
 template <class FaceListGraph>
@@ -99,34 +98,67 @@ HalfedgeDescriptor find_halfedge_of_face(const FaceListGraph& mesh, HalfedgeDesc
   return null;
 }
 
-// For meshes that number their edges: copies the arrays that they have.
-template <class ConcurrencyTag, class FaceListGraph, class VertexList, class VertexPositions>
-Read_halfedges<FaceListGraph> read_halfedges_by_edges(const FaceListGraph& mesh,
-                                                      const VertexList& vertex_list,
-                                                       const VertexPositions& vertex_positions)
+// Numbers the halfedges of a mesh that numbers its edges.
+template <class FaceListGraph>
+class Halfedge_numbers
 {
   typedef boost::graph_traits<FaceListGraph> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
-  const Descriptor_list<FaceListGraph, typename Graph_traits::edge_descriptor> edge_list(
-    mesh, CGAL::make_range(edges(mesh)));
-  const auto edge_positions = make_positions_by_constant_index<boost::edge_index_t>(mesh, edge_list, "edges");
-  checked_index(2 * edge_list.size());
-  const auto number = [&, is_consecutive = edge_list.is_consecutive()](halfedge_descriptor h) -> Index {
+  typedef Descriptor_list<FaceListGraph, typename Graph_traits::edge_descriptor> Edge_list;
+
+public:
+  explicit Halfedge_numbers(const FaceListGraph& mesh)
+    : mesh_(mesh),
+      edge_list_(mesh, CGAL::make_range(edges(mesh))),
+      edge_positions_(make_positions_by_constant_index<boost::edge_index_t>(mesh, edge_list_, "edges")),
+      is_consecutive_(edge_list_.is_consecutive())
+  {
+    checked_index(2 * edge_list_.size());
+  }
+
+  Index operator()(halfedge_descriptor h) const
+  {
     if constexpr(Consecutive_descriptors<FaceListGraph>::are_possible)
     {
-      if(is_consecutive)
+      if(is_consecutive_)
         return static_cast<Index>(h);
     }
     // The edge that comes from h may not be that of the list: only the latter leads to the halfedge of even number.
-    const Index e = edge_positions[edge(h, mesh)];
-    return 2 * e + (halfedge(edge_list[e], mesh) == h ? 0 : 1);
-  };
+    const Index e = edge_positions_[edge(h, mesh_)];
+    return 2 * e + (even_halfedge(e) == h ? 0 : 1);
+  }
 
-  Read_halfedges<FaceListGraph> result;
-  Halfedge_arrays& arrays = result.arrays;
-  arrays.halfedges.resize(2 * edge_list.size());
+  std::size_t number_of_edges() const { return edge_list_.size(); }
+  halfedge_descriptor even_halfedge(std::size_t edge) const { return halfedge(edge_list_[edge], mesh_); }
+
+  Numbered_halfedges<FaceListGraph> numbered_halfedges() const
+  {
+    Large_vector<halfedge_descriptor> even_halfedges;
+    for(std::size_t e = 0; !is_consecutive_ && e != number_of_edges(); ++e)
+      even_halfedges.push_back(even_halfedge(e));
+    return Numbered_halfedges<FaceListGraph>(std::move(even_halfedges));
+  }
+
+private:
+  const FaceListGraph& mesh_;
+  const Edge_list edge_list_;
+  const decltype(make_positions_by_constant_index<boost::edge_index_t>(std::declval<const FaceListGraph&>(),
+                                                                       std::declval<const Edge_list&>(),
+                                                                       "")) edge_positions_;
+  const bool is_consecutive_;
+};
+
+// Fills the array of halfedges, and checks that they are those of triangles.
+template <class ConcurrencyTag, class FaceListGraph, class Numbers, class VertexPositions>
+void read_triangles(const FaceListGraph& mesh,
+                    const Numbers& number,
+                    const VertexPositions& vertex_positions,
+                    Halfedge_arrays& arrays)
+{
+  typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
+  arrays.halfedges.resize(2 * number.number_of_edges());
   Shared_counter<ConcurrencyTag> number_of_bad_halfedges, number_of_halfedges_of_triangles;
-  for_each_block<ConcurrencyTag>(edge_list.size(), [&](std::size_t begin, std::size_t end) {
+  for_each_block<ConcurrencyTag>(number.number_of_edges(), [&](std::size_t begin, std::size_t end) {
     std::size_t number_of_bad = 0, number_of_good = 0;
     const auto read = [&](std::size_t i, halfedge_descriptor h) {
       arrays.halfedges[i] = {vertex_positions[target(h, mesh)], no_index};
@@ -139,7 +171,7 @@ Read_halfedges<FaceListGraph> read_halfedges_by_edges(const FaceListGraph& mesh,
     };
     for(std::size_t e = begin; e != end; ++e)
     {
-      const halfedge_descriptor h = halfedge(edge_list[e], mesh);
+      const halfedge_descriptor h = number.even_halfedge(e);
       read(2 * e, h);
       read(2 * e + 1, opposite(h, mesh));
     }
@@ -149,33 +181,38 @@ Read_halfedges<FaceListGraph> read_halfedges_by_edges(const FaceListGraph& mesh,
   if(number_of_bad_halfedges.get() != 0)
     throw_error_of_first_bad_face(mesh);
   arrays.number_of_halfedges_of_triangles = number_of_halfedges_of_triangles.get();
+}
 
-  arrays.halfedges_of_vertices.resize(vertex_list.size());
+// For meshes that number their edges: copies the arrays that they have.
+template <class ConcurrencyTag, class FaceListGraph, class VertexList, class VertexPositions>
+Read_halfedges<FaceListGraph> read_halfedges_by_edges(const FaceListGraph& mesh,
+                                                      const VertexList& vertex_list,
+                                                      const VertexPositions& vertex_positions)
+{
+  typedef boost::graph_traits<FaceListGraph> Graph_traits;
+  const Halfedge_numbers<FaceListGraph> number(mesh);
+  Read_halfedges<FaceListGraph> result;
+  read_triangles<ConcurrencyTag>(mesh, number, vertex_positions, result.arrays);
+  Large_vector<Index>& halfedges_of_vertices = result.arrays.halfedges_of_vertices;
+  halfedges_of_vertices.resize(vertex_list.size());
   for_each_block<ConcurrencyTag>(vertex_list.size(), [&](std::size_t begin, std::size_t end) {
     for(std::size_t v = begin; v != end; ++v)
     {
-      const halfedge_descriptor h = find_halfedge_of_face(mesh, halfedge(vertex_list[v], mesh));
-      arrays.halfedges_of_vertices[v] = h == Graph_traits::null_halfedge() ? no_index : number(h);
+      const auto h = find_halfedge_of_face(mesh, halfedge(vertex_list[v], mesh));
+      halfedges_of_vertices[v] = h == Graph_traits::null_halfedge() ? no_index : number(h);
     }
   });
-  if(!edge_list.is_consecutive())
-  {
-    Large_vector<halfedge_descriptor> even_halfedges;
-    even_halfedges.reserve(edge_list.size());
-    for(std::size_t e = 0; e != edge_list.size(); ++e)
-      even_halfedges.push_back(halfedge(edge_list[e], mesh));
-    result.numbered_halfedges = Numbered_halfedges<FaceListGraph>(std::move(even_halfedges));
-  }
+  result.numbered_halfedges = number.numbered_halfedges();
   return result;
 }
 
 // For meshes that number at most their faces: numbers the edges as they are met.
 template <class FaceListGraph, class FaceList, class VertexList, class VertexPositions, class FacePositions>
 Read_halfedges<FaceListGraph> read_halfedges_by_faces(const FaceListGraph& mesh,
-                                                       const FaceList& face_list,
+                                                      const FaceList& face_list,
                                                       const VertexList& vertex_list,
-                                                       const VertexPositions& vertex_positions,
-                                                       const FacePositions& face_positions)
+                                                      const VertexPositions& vertex_positions,
+                                                      const FacePositions& face_positions)
 {
   typedef boost::graph_traits<FaceListGraph> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
@@ -220,9 +257,9 @@ Read_halfedges<FaceListGraph> read_halfedges_by_faces(const FaceListGraph& mesh,
 
 template <class ConcurrencyTag, class FaceListGraph, class VertexList, class VertexPositions, class NamedParameters>
 Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
-                                              const VertexList& vertex_list,
-                                              const VertexPositions& vertex_positions,
-                                              const NamedParameters& np)
+                                             const VertexList& vertex_list,
+                                             const VertexPositions& vertex_positions,
+                                             const NamedParameters& np)
 {
   typedef std::decay_t<decltype(parameters::get_parameter(np, internal_np::face_index))> Face_index_parameter;
   constexpr bool has_face_indices = !std::is_same_v<Face_index_parameter, internal_np::Param_not_found>;
