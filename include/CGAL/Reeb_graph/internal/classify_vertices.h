@@ -79,22 +79,28 @@ public:
     return entry.first_sector + (entry.is_first_upper == is_upper ? 0 : 1);
   }
 
-  void reserve(std::size_t number_of_vertices, std::size_t number_of_sectors)
+  void resize(std::size_t number_of_vertices, std::size_t number_of_sectors)
   {
-    entries_.reserve(number_of_vertices);
-    sectors_.reserve(number_of_sectors);
+    checked_index(number_of_sectors);
+    entries_.resize(number_of_vertices);
+    sectors_.resize(number_of_sectors);
   }
 
+  // Sets the critical vertex number `critical`, which has `number_of_sectors` from `first_sector` on.
   template <class Order>
-  void add(const Triangle_complex& complex, const Order& order, Index vertex)
+  void set(Index critical,
+           const Triangle_complex& complex,
+           const Order& order,
+           Index vertex,
+           Index first_sector,
+           Index number_of_sectors)
   {
-    const Index first = checked_index(sectors_.size());
-    const bool is_first_upper = append_link_sectors(complex, order, vertex, sectors_);
-    entries_.push_back(
-      {first, vertex, static_cast<Index>(sectors_.size() - first), is_first_upper, complex.is_on_border(vertex)});
+    const bool is_first_upper =
+      find_link_sectors(complex, order, vertex, number_of_sectors, sectors_.data() + first_sector);
+    entries_[critical] = {first_sector, vertex, number_of_sectors, is_first_upper, complex.is_on_border(vertex)};
   }
 
-  // To be called after the last vertex has been added. Ties are ordered by critical vertex as by vertex.
+  // To be called after the last vertex has been set. Ties are ordered by critical vertex as by vertex.
   template <class ConcurrencyTag, class Order>
   void sort(const Order& order)
   {
@@ -114,33 +120,6 @@ public:
 
   // All critical vertices, from the lowest to the highest.
   const Large_vector<Index>& ascending() const { return ascending_; }
-
-  // Takes those of all parts of the mesh, in their order.
-  template <class ConcurrencyTag>
-  static Critical_vertices concatenate(std::vector<Critical_vertices>& parts)
-  {
-    if(parts.size() == 1)
-      return std::move(parts[0]);
-    std::vector<std::size_t> first_entries(1, 0), first_sectors(1, 0);
-    for(const Critical_vertices& part : parts)
-    {
-      first_entries.push_back(first_entries.back() + part.entries_.size());
-      first_sectors.push_back(checked_index(first_sectors.back() + part.sectors_.size()));
-    }
-    Critical_vertices result;
-    result.entries_.resize(first_entries.back());
-    result.sectors_.resize(first_sectors.back());
-    for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t i) {
-      std::copy(parts[i].sectors_.begin(), parts[i].sectors_.end(), result.sectors_.begin() + first_sectors[i]);
-      Entry* entry = result.entries_.data() + first_entries[i];
-      for(const Entry& part_entry : parts[i].entries_)
-      {
-        *entry = part_entry;
-        entry++->first_sector += static_cast<Index>(first_sectors[i]);
-      }
-    });
-    return result;
-  }
 
   // The given ones alone. Their order has to be that of the names in the part.
   Critical_vertices part(const Large_vector<Index>& critical_vertices, Large_vector<Index> ascending) const
@@ -175,82 +154,84 @@ private:
   Large_vector<Index> ascending_;
 };
 
-// How often the neighbors of a vertex change between lower and higher ones as one turns around it, at a border vertex
-// from border edge to border edge.
-template <class Order>
-Index count_sector_changes(const Triangle_complex& complex, const Order& order, Index vertex)
+// Some of a part of the vertices.
+struct Found_vertices
 {
-  const Index first = complex.first_halfedge(vertex);
-  if(first == no_index)
-    return 0;
-  const bool is_first_upper = order(vertex, complex.source(first));
-  bool is_upper = is_first_upper;
-  Index number_of_changes = 0;
-  complex.for_each_halfedge_around(vertex, [&](Index halfedge) {
-    const bool is_next_upper = order(vertex, complex.target(complex.next(halfedge)));
-    number_of_changes += is_upper != is_next_upper;
-    is_upper = is_next_upper;
-  });
-  return number_of_changes;
-}
-
-// Adds the critical ones of a part of the vertices: all but those with one lower and one upper sector.
-template <class Order>
-void add_critical_vertices(const Triangle_complex& complex,
-                           const Order& order,
-                           std::size_t begin,
-                           std::size_t end,
-                           Critical_vertices& critical_vertices)
-{
-  Large_vector<Index> found(end - begin);
-  std::size_t number_of_found = 0, number_of_sectors = 0;
-  for(std::size_t i = begin; i != end; ++i)
+  struct Vertex
   {
-    const Index v = static_cast<Index>(i), border = complex.is_on_border(v) ? 1 : 0;
-    const Index number_of_changes = count_sector_changes(complex, order, v);
-    const bool is_critical = number_of_changes + border != 2;
-    found[number_of_found] = v;
-    number_of_found += is_critical;
-    number_of_sectors += is_critical ? (std::max)(number_of_changes + border, Index(1)) : 0;
-  }
-  critical_vertices.reserve(number_of_found, number_of_sectors);
-  for(std::size_t i = 0; i != number_of_found; ++i)
-    critical_vertices.add(complex, order, found[i]);
-}
+    Index vertex;
+    Index number_of_sectors;
+  };
 
-// Adds up the vertices that `add(begin, end, vertices)` finds in parts, and sorts them.
-template <class ConcurrencyTag, class Order, class Add>
-Critical_vertices collect_vertices(const Triangle_complex& complex, const Order& order, const Add& add)
+  Large_vector<Vertex> vertices;
+  std::size_t number_of_sectors = 0;
+};
+
+template <class Order, class IsWanted>
+Found_vertices find_vertices(const Triangle_complex& complex,
+                             const Order& order,
+                             std::size_t begin,
+                             std::size_t end,
+                             const IsWanted& is_wanted)
 {
-  std::vector<Critical_vertices> parts(number_of_parts<ConcurrencyTag>(complex.number_of_vertices()));
-  for_each_part<ConcurrencyTag>(
-    parts.size(), complex.number_of_vertices(),
-    [&](std::size_t part, std::size_t begin, std::size_t end) { add(begin, end, parts[part]); });
-  Critical_vertices vertices = Critical_vertices::concatenate<ConcurrencyTag>(parts);
-  vertices.sort<ConcurrencyTag>(order);
-  return vertices;
+  Found_vertices found;
+  found.vertices.resize(end - begin);
+  std::size_t number_of_found = 0;
+  for(std::size_t v = begin; v != end; ++v)
+  {
+    const Index number_of_sectors = count_link_sectors(complex, order, static_cast<Index>(v));
+    const bool is_found = is_wanted(number_of_sectors);
+    found.vertices[number_of_found] = {static_cast<Index>(v), number_of_sectors};
+    number_of_found += is_found;
+    found.number_of_sectors += is_found ? number_of_sectors : 0;
+  }
+  found.vertices.resize(number_of_found);
+  return found;
 }
 
-// Finds the critical vertices. (The paper, Section 3.1; a border vertex has a path as link, so its sectors are
-// counted.)
+// The vertices with wanted numbers of link sectors. They are found in parts, and then each part is put in its place.
+template <class ConcurrencyTag, class Order, class IsWanted>
+Critical_vertices collect_vertices(const Triangle_complex& complex, const Order& order, const IsWanted& is_wanted)
+{
+  const std::size_t size = complex.number_of_vertices();
+  std::vector<Found_vertices> parts(number_of_parts<ConcurrencyTag>(size));
+  for_each_part<ConcurrencyTag>(parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    parts[part] = find_vertices(complex, order, begin, end, is_wanted);
+  });
+  std::vector<std::size_t> first_vertices(1, 0), first_sectors(1, 0);
+  for(const Found_vertices& part : parts)
+  {
+    first_vertices.push_back(first_vertices.back() + part.vertices.size());
+    first_sectors.push_back(first_sectors.back() + part.number_of_sectors);
+  }
+  Critical_vertices result;
+  result.resize(first_vertices.back(), first_sectors.back());
+  for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t part) {
+    Index i = static_cast<Index>(first_vertices[part]), sector = static_cast<Index>(first_sectors[part]);
+    for(const Found_vertices::Vertex& found : parts[part].vertices)
+    {
+      result.set(i++, complex, order, found.vertex, sector, found.number_of_sectors);
+      sector += found.number_of_sectors;
+    }
+  });
+  result.sort<ConcurrencyTag>(order);
+  return result;
+}
+
+// Finds the critical vertices: all but those with one lower and one upper sector. (The paper, Section 3.1; a border
+// vertex has a path as link, so its sectors are counted.)
 template <class ConcurrencyTag, class Order>
 Critical_vertices classify_vertices(const Triangle_complex& complex, const Order& order)
 {
-  return collect_vertices<ConcurrencyTag>(
-    complex, order, [&](std::size_t begin, std::size_t end, Critical_vertices& critical_vertices) {
-      add_critical_vertices(complex, order, begin, end, critical_vertices);
-    });
+  return collect_vertices<ConcurrencyTag>(complex, order,
+                                          [](Index number_of_sectors) { return number_of_sectors != 2; });
 }
 
 // All vertices in the place of the critical ones: with them, the engines find where each vertex is in the graph.
 template <class ConcurrencyTag, class Order>
 Critical_vertices sort_all_vertices(const Triangle_complex& complex, const Order& order)
 {
-  return collect_vertices<ConcurrencyTag>(complex, order,
-                                          [&](std::size_t begin, std::size_t end, Critical_vertices& all_vertices) {
-                                            for(std::size_t v = begin; v != end; ++v)
-                                              all_vertices.add(complex, order, static_cast<Index>(v));
-                                          });
+  return collect_vertices<ConcurrencyTag>(complex, order, [](Index) { return true; });
 }
 
 inline Critical_vertex_counts count_critical_vertices(const Critical_vertices& critical_vertices)

@@ -11,8 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+
+#include <algorithm>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -26,38 +27,54 @@ struct Link_sector
   Index edge; // a halfedge of a triangle on the edge to that neighbor
 };
 
-// Appends the link sectors of `vertex` to `sectors`, in clockwise order. Upper and lower ones alternate.
-// Returns whether the first one is an upper one.
+// The number of link sectors: how often the neighbors change between lower and higher ones as one turns around the
+// vertex. At a border vertex one more, as the link is a path.
 template <class Order>
-bool append_link_sectors(const Triangle_complex& complex,
-                         const Order& order,
-                         Index vertex,
-                         Large_vector<Link_sector>& sectors)
+Index count_link_sectors(const Triangle_complex& complex, const Order& order, Index vertex)
 {
-  const auto is_more_extreme = [&](const Link_sector& a, const Link_sector& b, bool is_upper) {
-    return is_upper ? order(b.extreme_neighbor, a.extreme_neighbor) : order(a.extreme_neighbor, b.extreme_neighbor);
-  };
-  const std::size_t first = sectors.size();
+  const Index first = complex.first_halfedge(vertex);
+  if(first == no_index)
+    return 0;
+  bool is_upper = order(vertex, complex.source(first));
+  Index number_of_changes = 0;
+  complex.for_each_halfedge_around(vertex, [&](Index halfedge) {
+    const bool is_next_upper = order(vertex, complex.target(complex.next(halfedge)));
+    number_of_changes += is_upper != is_next_upper;
+    is_upper = is_next_upper;
+  });
+  return complex.is_on_border(vertex) ? number_of_changes + 1 : (std::max)(number_of_changes, Index(1));
+}
+
+// Writes the link sectors of `vertex`, `size` many, to `sectors`, in clockwise order. Upper and lower ones alternate.
+// Returns whether the first one is upper.
+template <class Order>
+bool find_link_sectors(const Triangle_complex& complex,
+                       const Order& order,
+                       Index vertex,
+                       Index size,
+                       Link_sector* sectors)
+{
   bool is_first_upper = false, is_last_upper = false;
+  Index number = 0;
+  Link_sector* last = sectors;
   complex.for_each_edge_around(vertex, [&](Index neighbor, Index halfedge) {
     const bool is_upper = order(vertex, neighbor);
     const Link_sector edge = {neighbor, halfedge};
-    if(sectors.size() == first)
-      is_first_upper = is_upper;
-    if(sectors.size() == first || is_last_upper != is_upper)
-      sectors.push_back(edge);
-    else if(is_more_extreme(edge, sectors.back(), is_upper))
-      sectors.back() = edge;
+    const bool is_changed = number != 0 && is_last_upper != is_upper;
     is_last_upper = is_upper;
+    if(number == 0)
+      is_first_upper = is_upper;
+    if(number == 0 || (is_changed && number != size))
+    {
+      last = sectors + number++;
+      *last = edge;
+      return;
+    }
+    if(is_changed) // The turn has begun within a sector, which goes on here.
+      last = sectors;
+    if(is_upper ? order(last->extreme_neighbor, neighbor) : order(neighbor, last->extreme_neighbor))
+      *last = edge;
   });
-  const bool is_split_by_the_start =
-    sectors.size() > first + 1 && is_first_upper == is_last_upper && !complex.is_on_border(vertex);
-  if(is_split_by_the_start)
-  {
-    if(is_more_extreme(sectors.back(), sectors[first], is_last_upper))
-      sectors[first] = sectors.back();
-    sectors.pop_back();
-  }
   return is_first_upper;
 }
 
