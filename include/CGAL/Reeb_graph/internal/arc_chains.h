@@ -63,7 +63,7 @@ Large_vector<Index> walk_chains(const Triangle_complex& complex,
                                 Flat_chains& chains)
 {
   Large_vector<Index> halfedges;
-  halfedges.reserve(2 * static_cast<std::size_t>(end - begin));
+  halfedges.reserve(3 * static_cast<std::size_t>(end - begin));
   const auto add = [&](const Ascending_step& step) {
     const bool is_ascending = complex.target(step.edge) == step.target;
     halfedges.push_back(is_ascending ? step.edge : Triangle_complex::opposite(step.edge));

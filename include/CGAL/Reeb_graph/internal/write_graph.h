@@ -84,6 +84,7 @@ void write_graph(const FaceListGraph& mesh,
     [&] {
       chains = find_arc_chains<ConcurrencyTag>(surface.complex, order, flat_graph);
       halfedges = chain_halfedges<ConcurrencyTag>(mesh, surface, chains);
+      Large_vector<Index>().swap(chains.halfedges); // The graph takes much memory.
     },
     [&] { write_nodes_and_arcs(surface, flat_graph, graph); });
   std::size_t i = 0;
