@@ -87,19 +87,18 @@ private:
                                          critical_vertices_.sector(first + 2).edge};
     std::array<Contour_walk, 2> walks = {Contour_walk(complex_, starts[0], is_below),
                                          Contour_walk(complex_, starts[1], is_below)};
-    for(Index side = 0; true; side = 1 - side)
+    Index side = 0;
+    std::array<Large_vector<Index>, 2> crossed_edges = {Large_vector<Index>(1, starts[0]),
+                                                        Large_vector<Index>(1, starts[1])};
+    for(; walks[side].go_on(is_below); side = 1 - side)
     {
-      Contour_walk& walk = walks[side];
-      if(!walk.go_on(is_below))
-      {
-        visit(sector_classes_[first], walk.crossed_edges(), walk.is_border_reached());
-        return;
-      }
+      crossed_edges[side].push_back(walks[side].crossed_edge());
       const bool is_same_contour =
-        Triangle_complex::edge(walk.crossed_edges().back()) == Triangle_complex::edge(starts[1 - side]);
+        Triangle_complex::edge(walks[side].crossed_edge()) == Triangle_complex::edge(starts[1 - side]);
       if(is_same_contour)
         return;
     }
+    visit(sector_classes_[first], crossed_edges[side], walks[side].is_border_reached());
   }
 
   template <class Visit>
