@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -71,7 +70,7 @@ public:
       first_piece_of_arc_.assign(arcs_.size(), no_index);
     }
     make_arcs();
-    sort_arcs();
+    sort_arcs_of_nodes();
     if(are_passing_arcs_named)
       name_passing_arcs();
     return std::move(graph_);
@@ -125,13 +124,16 @@ private:
       invoke_both<ConcurrencyTag>(count_leaving, count_arriving);
   }
 
-  // A node is at the lowest critical vertex of its group. Among the given vertices, regular ones can occur too.
+  // A node is at the lowest critical vertex of its group. Among the given vertices, regular ones can occur too. As many
+  // arcs leave the node as leave the group, which is all that there is to count.
   void make_nodes()
   {
     const Index size = critical_vertices_.size();
     graph_.node_of_critical.assign(size, no_index);
     Large_vector<Index>& node_of_group = graph_.node_of_critical;
     graph_.nodes.reserve(size);
+    ends_of_arcs_.reserve(size);
+    Index number_of_arcs = 0;
     constexpr std::size_t ahead = 16;
     const Large_vector<Index>& ascending = critical_vertices_.ascending();
     for(std::size_t place = 0; place != size; ++place)
@@ -151,25 +153,32 @@ private:
         continue;
       node_of_group[group] = static_cast<Index>(graph_.nodes.size());
       graph_.nodes.push_back({critical_vertices_.vertex(i), kind});
+      ends_of_arcs_.push_back(number_of_arcs);
+      number_of_arcs += leaving_arcs_[group].number;
     }
+    graph_.arcs.resize(number_of_arcs);
     for(Index i = 0; are_ties_contracted_ && i != size; ++i)
       graph_.node_of_critical[i] = node_of_group[groups_.top(i)];
   }
 
+  // Puts the arcs in order by lower node, as most nodes have few of them.
   void make_arcs()
   {
-    graph_.arcs.reserve(arcs_.size());
     graph_.pieces.reserve(arcs_.size());
+    constexpr Index ahead = 16;
     for(Index i = 0; i != arcs_.size(); ++i)
     {
-      if(graph_.node_of_critical[arcs_[i].lower] != no_index && !is_contracted(arcs_[i]))
-        make_arc(i);
+      if(i + ahead < arcs_.size())
+        prefetch(ends_of_arcs_.data() + graph_.node_of_critical[arcs_[i + ahead].lower]);
+      const Index lower = graph_.node_of_critical[arcs_[i].lower];
+      if(lower != no_index && !is_contracted(arcs_[i]))
+        graph_.arcs[ends_of_arcs_[lower]++] = make_arc(i);
     }
   }
 
   // Follows the arc over the groups that are no nodes. At a single vertex every ascending path goes on inside the arc;
   // on a plateau it can end, and a new piece of the chain begins where the arc leaves.
-  void make_arc(Index i)
+  Flat_arc make_arc(Index i)
   {
     const Index first_piece = static_cast<Index>(graph_.pieces.size());
     Flat_arc flat_arc = {graph_.node_of_critical[arcs_[i].lower], no_index, first_piece, 1};
@@ -190,7 +199,7 @@ private:
     }
     graph_.pieces.back().upper_vertex = critical_vertices_.vertex(arcs_[i].upper);
     flat_arc.upper = graph_.node_of_critical[arcs_[i].upper];
-    graph_.arcs.push_back(flat_arc);
+    return flat_arc;
   }
 
   static void name_piece(Large_vector<Index>& first_pieces, Index i, Index first_piece)
@@ -199,18 +208,8 @@ private:
       first_pieces[i] = first_piece;
   }
 
-  // Arcs are first put in order by lower node, as most nodes have few of them.
-  void sort_arcs()
+  void sort_arcs_of_nodes()
   {
-    Large_vector<Index> ends(graph_.nodes.size() + 1, 0);
-    for(const Flat_arc& arc : graph_.arcs)
-      ++ends[arc.lower + 1];
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    Large_vector<Flat_arc> sorted(graph_.arcs.size());
-    for(const Flat_arc& arc : graph_.arcs)
-      sorted[ends[arc.lower]++] = arc;
-    graph_.arcs.swap(sorted);
-
     const auto is_before = [&](const Flat_arc& a, const Flat_arc& b) {
       if(a.upper != b.upper)
         return a.upper < b.upper;
@@ -220,7 +219,8 @@ private:
     };
     for_each_block<ConcurrencyTag>(graph_.nodes.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t node = begin; node != end; ++node)
-        std::sort(graph_.arcs.begin() + (node == 0 ? 0 : ends[node - 1]), graph_.arcs.begin() + ends[node], is_before);
+        std::sort(graph_.arcs.begin() + (node == 0 ? 0 : ends_of_arcs_[node - 1]),
+                  graph_.arcs.begin() + ends_of_arcs_[node], is_before);
     });
   }
 
@@ -254,6 +254,7 @@ private:
   std::vector<bool> is_on_plateau_;          // by critical vertex: whether its group has other ones
   Large_vector<Leaving_arcs> leaving_arcs_;  // by group
   Large_vector<Index> in_degrees_;           // by group
+  Large_vector<Index> ends_of_arcs_;         // by node: the end of those that leave it and have been made
   Large_vector<Index> first_piece_of_group_; // by group: that of the arc that passes it
   Large_vector<Index> first_piece_of_arc_;   // by arc: that of the arc that it becomes part of
   Flat_graph graph_;

@@ -21,7 +21,10 @@
 
 #include <boost/graph/adjacency_list.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,10 +38,11 @@ auto chain_halfedges(const FaceListGraph& mesh,
                      const Flat_chains& chains)
 {
   typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
-  std::vector<halfedge_descriptor> halfedges(chains.halfedges.size());
-  for_each_block<ConcurrencyTag>(halfedges.size(), [&](std::size_t begin, std::size_t end) {
-    for(std::size_t i = begin; i != end; ++i)
-      halfedges[i] = surface.halfedges(mesh, chains.halfedges[i]);
+  std::vector<halfedge_descriptor> halfedges(chains.size());
+  for_each_index<ConcurrencyTag>(chains.parts.size(), [&](std::size_t part) {
+    std::transform(chains.parts[part].begin(), chains.parts[part].end(),
+                   halfedges.begin() + chains.begins_of_parts[part],
+                   [&](Index halfedge) { return surface.halfedges(mesh, halfedge); });
   });
   return std::make_shared<const std::vector<halfedge_descriptor>>(std::move(halfedges));
 }
@@ -52,20 +56,23 @@ void write_nodes_and_arcs(const Flat_surface<FaceListGraph, Scalar>& surface,
   typedef typename boost::vertex_bundle_type<ReebGraph>::type Node;
   graph.clear();
   reserve_nodes(graph, flat_graph.nodes.size());
-  for(const Flat_node& flat_node : flat_graph.nodes)
+  constexpr std::size_t ahead = 12;
+  for(std::size_t i = 0; i != flat_graph.nodes.size(); ++i)
   {
+    if(i + ahead < flat_graph.nodes.size())
+      prefetch(&surface.values[flat_graph.nodes[i + ahead].vertex]);
+    const Flat_node& flat_node = flat_graph.nodes[i];
     Node node;
     node.vertex = surface.vertices[flat_node.vertex];
     node.value = surface.values[flat_node.vertex];
     node.kind = flat_node.kind;
     add_vertex(std::move(node), graph);
   }
-  constexpr std::size_t arcs_ahead = 12;
   const std::size_t size = flat_graph.arcs.size();
   for(std::size_t i = 0; i != size; ++i)
   {
-    if(i + arcs_ahead < size)
-      prefetch(&graph[flat_graph.arcs[i + arcs_ahead].upper]);
+    if(i + ahead < size)
+      prefetch(&graph[flat_graph.arcs[i + ahead].upper]);
     add_edge(flat_graph.arcs[i].lower, flat_graph.arcs[i].upper, graph);
   }
 }
@@ -84,14 +91,17 @@ void write_graph(const FaceListGraph& mesh,
     [&] {
       chains = find_arc_chains<ConcurrencyTag>(surface.complex, order, flat_graph);
       halfedges = chain_halfedges<ConcurrencyTag>(mesh, surface, chains);
-      Large_vector<Index>().swap(chains.halfedges); // The graph takes much memory.
+      chains.parts.clear(); // The graph takes much memory.
     },
     [&] { write_nodes_and_arcs(surface, flat_graph, graph); });
+  constexpr std::size_t ahead = 12;
   std::size_t i = 0;
   for(const auto arc : CGAL::make_range(edges(graph)))
   {
-    graph[arc].chain = {halfedges, chains.first_halfedges[i], chains.sizes[i]};
-    ++i;
+    if(i + ahead < flat_graph.arcs.size())
+      prefetch(&chains.begins_of_pieces[flat_graph.arcs[i + ahead].first_piece]);
+    const Flat_arc& flat_arc = flat_graph.arcs[i++];
+    graph[arc].chain = {halfedges, chains.begin(flat_arc), chains.end(flat_arc) - chains.begin(flat_arc)};
   }
 }
 
