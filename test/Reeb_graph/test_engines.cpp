@@ -155,16 +155,14 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values)
   const auto& ascending = critical_vertices.ascending();
   const stages::Slab slab(surface.complex, critical_vertices);
 
-  stages::Sector_classes sector_classes(critical_vertices.total_number_of_sectors(), stages::no_index);
-  stages::Merge_tree_sweep<Order, false> upwards(slab, order, sector_classes);
+  stages::Merge_tree_sweep<Order, false> upwards(slab, order);
   upwards.find_path_ends<CGAL::Sequential_tag>();
   std::for_each(ascending.begin(), ascending.end(), [&](stages::Index critical) { upwards.merge_at(critical); });
 
-  stages::Cutting_sweep<Order> downwards(slab, order, sector_classes);
+  stages::Cutting_sweep<Order> downwards(slab, order);
   downwards.find_path_ends<CGAL::Sequential_tag>();
   const Counting_order counting_order(order);
-  stages::Loop_surgery<Counting_order> surgery(slab, counting_order, sector_classes, upwards.tree(),
-                                               downwards.tree());
+  stages::Loop_surgery<Counting_order> surgery(slab, counting_order, upwards.tree(), downwards.tree());
   std::for_each(ascending.rbegin(), ascending.rend(), [&](stages::Index critical) {
     downwards.merge_at(critical);
     if(surgery.can_close_loop(critical))

@@ -38,7 +38,7 @@ public:
     critical_vertices_.push_back(critical);
     sublevel_classes_.push_back(sublevel_class);
     is_edge_cut_.resize(complex.number_of_edges(), false);
-    if(crossed_edges.size() + few_lowest_cuts_.size() > complex.number_of_edges() / 128)
+    if(crossed_edges.size() + few_lowest_cuts_.size() > complex.number_of_edges() / 32)
       switch_to_array(complex.number_of_edges());
     for(const Index halfedge : crossed_edges)
     {

@@ -32,11 +32,11 @@ template <class Order>
 class Cutting_sweep
 {
 public:
-  Cutting_sweep(const Slab& slab, const Order& order, Sector_classes& sector_classes)
+  Cutting_sweep(const Slab& slab, const Order& order)
     : complex_(slab.complex()),
       order_(order),
       critical_vertices_(slab.critical_vertices()),
-      sweep_(slab, order, sector_classes),
+      sweep_(slab, order),
       cuts_(slab.number_of_nodes())
   {}
 
@@ -56,8 +56,11 @@ public:
   void merge_at(Index critical)
   {
     if(cuts_.size() != 0 && (are_all_changed_ || is_changed_[critical_vertices_.vertex(critical)]))
-      sweep_.find_path_ends_at(
-        critical, [&](const Ascending_step& step) { return component_at(step); }, passed_);
+    {
+      const auto end_of_step = [&](const Ascending_step& step) { return component_at(step); };
+      critical_vertices_.for_each_sector(critical, true,
+                                         [&](Index i) { sweep_.find_path_end(i, end_of_step, passed_); });
+    }
     sweep_.merge_at(critical);
   }
 
@@ -79,7 +82,7 @@ public:
 
   const Cut_contours& cuts() const { return cuts_; }
   Cut_contours take_cuts() { return std::move(cuts_); }
-  Merge_tree& tree() { return sweep_.tree(); }
+  const Merge_tree& tree() const { return sweep_.tree(); }
 
 private:
   // A path meets a cut before the upper level of the slab.

@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
 #include <CGAL/Reeb_graph_traits.h>
 
-
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {

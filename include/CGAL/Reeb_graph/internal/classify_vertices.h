@@ -18,9 +18,7 @@
 #include <CGAL/Reeb_graph/internal/prefetch.h>
 #include <CGAL/Reeb_graph/visitor.h>
 
-#include <CGAL/Iterator_range.h>
-
-#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -29,75 +27,73 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+typedef std::array<std::size_t, 2> Sector_counts; // of lower and of upper sectors
+
 // The vertices with link sectors other than one lower and one upper. Stages name a critical vertex by its position
-// here, which is that among the vertices of the mesh: what is near on the surface is then near in memory.
+// here, which is that among the vertices of the mesh: what is near on the surface is then near in memory. Its lower and
+// its upper link sectors are named by their positions among all lower and all upper ones.
 class Critical_vertices
 {
 public:
-  typedef Iterator_range<const Link_sector*> Sectors;
-
-  Index size() const { return static_cast<Index>(entries_.size()); }
+  Index size() const { return static_cast<Index>(entries_.size()) - 1; }
   Index vertex(Index critical) const { return entries_[critical].vertex; }
-  Index number_of_lower_sectors(Index critical) const { return number_of_sectors(critical, false); }
-  Index number_of_upper_sectors(Index critical) const { return number_of_sectors(critical, true); }
-
   bool is_on_border(Index critical) const { return entries_[critical].is_on_border; }
 
   Index number_of_sectors(Index critical, bool is_upper) const
   {
-    const Entry& entry = entries_[critical];
-    return (entry.number_of_sectors + (entry.is_first_upper == is_upper ? 1 : 0)) / 2;
+    return entries_[critical + 1].first_sectors[is_upper] - entries_[critical].first_sectors[is_upper];
   }
+  Index number_of_lower_sectors(Index critical) const { return number_of_sectors(critical, false); }
+  Index number_of_upper_sectors(Index critical) const { return number_of_sectors(critical, true); }
 
   bool is_critical(Index critical) const
   {
     return number_of_lower_sectors(critical) != 1 || number_of_upper_sectors(critical) != 1;
   }
 
-  // The link sectors in clockwise order; first_sector() is the position of the first one among all.
-  Sectors sectors(Index critical) const
-  {
-    const Link_sector* first = sectors_.data() + first_sector(critical);
-    return Sectors(first, first + entries_[critical].number_of_sectors);
-  }
-  Index first_sector(Index critical) const { return entries_[critical].first_sector; }
-  Index total_number_of_sectors() const { return static_cast<Index>(sectors_.size()); }
-  const Link_sector& sector(Index position) const { return sectors_[position]; }
+  // In clockwise order. The turn around a vertex begins with an upper sector or with a lower one, then they alternate.
+  Index first_sector(Index critical, bool is_upper) const { return entries_[critical].first_sectors[is_upper]; }
+  bool is_first_upper(Index critical) const { return entries_[critical].is_first_upper; }
 
-  // The positions among all of the upper or of the lower sectors: every second one.
+  Index total_number_of_sectors(bool is_upper) const { return static_cast<Index>(sectors_[is_upper].size()); }
+  const Link_sector& sector(bool is_upper, Index position) const { return sectors_[is_upper][position]; }
+
+  // Calls visit(position) for the upper or the lower sectors.
   template <class Visit>
   void for_each_sector(Index critical, bool is_upper, const Visit& visit) const
   {
-    const Index end = entries_[critical].first_sector + entries_[critical].number_of_sectors;
-    for(Index i = first_sector_of(critical, is_upper); i < end; i += 2)
+    const Index end = entries_[critical + 1].first_sectors[is_upper];
+    for(Index i = entries_[critical].first_sectors[is_upper]; i != end; ++i)
       visit(i);
   }
 
-  Index first_sector_of(Index critical, bool is_upper) const
+  void resize(std::size_t number_of_vertices, const Sector_counts& numbers_of_sectors)
   {
-    const Entry& entry = entries_[critical];
-    return entry.first_sector + (entry.is_first_upper == is_upper ? 0 : 1);
+    checked_index(numbers_of_sectors[false]);
+    checked_index(numbers_of_sectors[true]);
+    entries_.resize(number_of_vertices + 1);
+    for(const bool is_upper : {false, true})
+    {
+      sectors_[is_upper].resize(numbers_of_sectors[is_upper]);
+      entries_.back().first_sectors[is_upper] = static_cast<Index>(numbers_of_sectors[is_upper]);
+    }
   }
 
-  void resize(std::size_t number_of_vertices, std::size_t number_of_sectors)
-  {
-    checked_index(number_of_sectors);
-    entries_.resize(number_of_vertices);
-    sectors_.resize(number_of_sectors);
-  }
-
-  // Sets the critical vertex number `critical`, which has `number_of_sectors` from `first_sector` on.
+  // Sets the critical vertex number `critical`, which has the given sectors from `first_sectors` on.
   template <class Order>
   void set(Index critical,
            const Triangle_complex& complex,
            const Order& order,
            Index vertex,
-           Index first_sector,
-           Index number_of_sectors)
+           const Link_summary& link,
+           const Sector_counts& first_sectors)
   {
-    const bool is_first_upper =
-      find_link_sectors(complex, order, vertex, number_of_sectors, sectors_.data() + first_sector);
-    entries_[critical] = {first_sector, vertex, number_of_sectors, is_first_upper, complex.is_on_border(vertex)};
+    find_link_sectors(complex, order, vertex, link,
+                      {sectors_[false].data() + first_sectors[false], sectors_[true].data() + first_sectors[true]});
+    entries_[critical] = {{static_cast<Index>(first_sectors[false]), static_cast<Index>(first_sectors[true])},
+                          vertex,
+                          link.is_first_upper,
+                          complex.is_on_border(vertex)};
   }
 
   // To be called after the last vertex has been set. Ties are ordered by critical vertex as by vertex.
@@ -105,7 +101,7 @@ public:
   void sort(const Order& order)
   {
     Large_vector<typename Order::Key> keys;
-    keys.resize(entries_.size());
+    keys.resize(size());
     for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
         keys[i] = {order.key(entries_[i].vertex).value, static_cast<Index>(i)};
@@ -125,14 +121,20 @@ public:
   Critical_vertices part(const Large_vector<Index>& critical_vertices, Large_vector<Index> ascending) const
   {
     Critical_vertices result;
-    result.entries_.reserve(critical_vertices.size());
+    result.entries_.reserve(critical_vertices.size() + 1);
+    const auto add_entry = [&](Index critical) {
+      result.entries_.push_back(entries_[critical]);
+      for(const bool is_upper : {false, true})
+        result.entries_.back().first_sectors[is_upper] = result.total_number_of_sectors(is_upper);
+    };
     for(const Index critical : critical_vertices)
     {
-      result.entries_.push_back(entries_[critical]);
-      result.entries_.back().first_sector = result.total_number_of_sectors();
-      const Sectors sectors = this->sectors(critical);
-      result.sectors_.insert(result.sectors_.end(), sectors.begin(), sectors.end());
+      add_entry(critical);
+      for(const bool is_upper : {false, true})
+        for_each_sector(critical, is_upper,
+                        [&](Index i) { result.sectors_[is_upper].push_back(sectors_[is_upper][i]); });
     }
+    add_entry(size());
     result.ascending_ = std::move(ascending);
     return result;
   }
@@ -142,15 +144,14 @@ public:
 private:
   struct Entry
   {
-    Index first_sector;
+    std::array<Index, 2> first_sectors;
     Index vertex;
-    Index number_of_sectors;
     bool is_first_upper;
     bool is_on_border;
   };
 
-  Large_vector<Entry> entries_;
-  Large_vector<Link_sector> sectors_;
+  Large_vector<Entry> entries_; // and one behind the last, that tells where its sectors end
+  std::array<Large_vector<Link_sector>, 2> sectors_;
   Large_vector<Index> ascending_;
 };
 
@@ -160,11 +161,11 @@ struct Found_vertices
   struct Vertex
   {
     Index vertex;
-    Index number_of_sectors;
+    Link_summary link;
   };
 
   Large_vector<Vertex> vertices;
-  std::size_t number_of_sectors = 0;
+  Sector_counts numbers_of_sectors = {0, 0};
 };
 
 template <class Order, class IsWanted>
@@ -179,11 +180,12 @@ Found_vertices find_vertices(const Triangle_complex& complex,
   std::size_t number_of_found = 0;
   for(std::size_t v = begin; v != end; ++v)
   {
-    const Index number_of_sectors = count_link_sectors(complex, order, static_cast<Index>(v));
-    const bool is_found = is_wanted(number_of_sectors);
-    found.vertices[number_of_found] = {static_cast<Index>(v), number_of_sectors};
+    const Link_summary link = summarize_link(complex, order, static_cast<Index>(v));
+    const bool is_found = is_wanted(link.number_of_sectors);
+    found.vertices[number_of_found] = {static_cast<Index>(v), link};
     number_of_found += is_found;
-    found.number_of_sectors += is_found ? number_of_sectors : 0;
+    found.numbers_of_sectors[false] += is_found * link.number_of_lower_sectors();
+    found.numbers_of_sectors[true] += is_found * link.number_of_upper_sectors();
   }
   found.vertices.resize(number_of_found);
   return found;
@@ -198,20 +200,28 @@ Critical_vertices collect_vertices(const Triangle_complex& complex, const Order&
   for_each_part<ConcurrencyTag>(parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
     parts[part] = find_vertices(complex, order, begin, end, is_wanted);
   });
-  std::vector<std::size_t> first_vertices(1, 0), first_sectors(1, 0);
+  std::size_t number_of_vertices = 0;
+  Sector_counts numbers_of_sectors = {0, 0};
+  std::vector<std::size_t> first_vertices;
+  std::vector<Sector_counts> first_sectors;
   for(const Found_vertices& part : parts)
   {
-    first_vertices.push_back(first_vertices.back() + part.vertices.size());
-    first_sectors.push_back(first_sectors.back() + part.number_of_sectors);
+    first_vertices.push_back(number_of_vertices);
+    first_sectors.push_back(numbers_of_sectors);
+    number_of_vertices += part.vertices.size();
+    for(const bool is_upper : {false, true})
+      numbers_of_sectors[is_upper] += part.numbers_of_sectors[is_upper];
   }
   Critical_vertices result;
-  result.resize(first_vertices.back(), first_sectors.back());
+  result.resize(number_of_vertices, numbers_of_sectors);
   for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t part) {
-    Index i = static_cast<Index>(first_vertices[part]), sector = static_cast<Index>(first_sectors[part]);
+    std::size_t i = first_vertices[part];
+    Sector_counts sectors = first_sectors[part];
     for(const Found_vertices::Vertex& found : parts[part].vertices)
     {
-      result.set(i++, complex, order, found.vertex, sector, found.number_of_sectors);
-      sector += found.number_of_sectors;
+      result.set(static_cast<Index>(i++), complex, order, found.vertex, found.link, sectors);
+      sectors[false] += found.link.number_of_lower_sectors();
+      sectors[true] += found.link.number_of_upper_sectors();
     }
   });
   result.sort<ConcurrencyTag>(order);

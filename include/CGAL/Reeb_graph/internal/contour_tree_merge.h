@@ -28,8 +28,11 @@ class Shrinking_tree
 {
 public:
   Shrinking_tree() = default;
-  explicit Shrinking_tree(const Large_vector<Index>& parents) : nodes_(parents.size(), Node{no_index, 0, 0})
+  // Room that is left for more nodes is left here too.
+  explicit Shrinking_tree(const Large_vector<Index>& parents)
   {
+    nodes_.reserve(parents.capacity());
+    nodes_.assign(parents.size(), Node{no_index, 0, 0});
     constexpr Index ahead = 16;
     for(Index node = 0; node != parents.size(); ++node)
     {

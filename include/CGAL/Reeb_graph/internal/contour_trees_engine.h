@@ -45,7 +45,6 @@ public:
     : slab_(slab),
       order_(order),
       critical_vertices_(slab.critical_vertices()),
-      sector_classes_(critical_vertices_.total_number_of_sectors(), no_index),
       cuts_(slab.number_of_nodes())
   {}
 
@@ -54,8 +53,7 @@ public:
   {
     std::optional<Upward_sweep> upwards;
     std::optional<Cutting_sweep<Order>> downwards;
-    invoke_both<ConcurrencyTag>([&] { upwards.emplace(slab_, order_, sector_classes_); },
-                                [&] { downwards.emplace(slab_, order_, sector_classes_); });
+    invoke_both<ConcurrencyTag>([&] { upwards.emplace(slab_, order_); }, [&] { downwards.emplace(slab_, order_); });
     upwards->template find_path_ends<ConcurrencyTag>();
     invoke_both<ConcurrencyTag>([&] { sweep_upwards(*upwards); },
                                 [&] { downwards->template find_path_ends<ConcurrencyTag>(); });
@@ -67,8 +65,9 @@ public:
     insert_cuts(join_tree);
 
     Large_vector<Ascending_step> first_steps;
-    invoke_both<ConcurrencyTag>([&] { split_tree = Shrinking_tree(downwards->tree().parents); },
-                                [&] { first_steps = find_first_steps<ConcurrencyTag>(); });
+    invoke_both<ConcurrencyTag>(
+      [&] { split_tree = Shrinking_tree(downwards->tree().parents); },
+      [&] { first_steps = find_first_steps<ConcurrencyTag>(downwards->tree().sector_classes); });
     Large_vector<Critical_arc> arcs =
       Contour_tree_merge(std::move(join_tree), std::move(split_tree), std::move(first_steps))();
     glue_cuts(arcs);
@@ -102,7 +101,7 @@ private:
 
   void sweep_downwards(Cutting_sweep<Order>& sweep, const Merge_tree& join_tree) const
   {
-    Loop_surgery<Order> surgery(slab_, order_, sector_classes_, join_tree, sweep.tree());
+    Loop_surgery<Order> surgery(slab_, order_, join_tree, sweep.tree());
     const Large_vector<Index>& ascending = critical_vertices_.ascending();
     visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Index critical) {
       sweep.merge_at(critical);
@@ -130,21 +129,24 @@ private:
   // By node: the first step from its parent in the split tree towards it, in the highest of the sectors that lead
   // there. No node has two parents, so all sectors that lead to it are at one vertex.
   template <class ConcurrencyTag>
-  Large_vector<Ascending_step> find_first_steps() const
+  Large_vector<Ascending_step> find_first_steps(const Large_vector<Index>& superlevel_classes) const
   {
-    constexpr Index ahead = 24;
+    constexpr std::size_t ahead = 24;
     Large_vector<Ascending_step> first_steps(cuts_.number_of_nodes(), Ascending_step{no_index, no_index});
-    const auto find = [&](Index position) {
-      if(position + ahead < sector_classes_.size())
-        internal::prefetch(first_steps.data() + sector_classes_[position + ahead]);
-      const Link_sector& sector = critical_vertices_.sector(position);
-      Ascending_step& step = first_steps[sector_classes_[position]];
-      if(step.edge == no_index || order_(step.target, sector.extreme_neighbor))
-        step = {sector.edge, sector.extreme_neighbor};
+    const auto find = [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i != end; ++i)
+      {
+        if(i + ahead < end)
+          internal::prefetch(first_steps.data() + superlevel_classes[i + ahead]);
+        const Link_sector& sector = critical_vertices_.sector(true, static_cast<Index>(i));
+        Ascending_step& step = first_steps[superlevel_classes[i]];
+        if(step.edge == no_index || order_(step.target, sector.extreme_neighbor))
+          step = {sector.edge, sector.extreme_neighbor};
+      }
     };
     for_each_block<ConcurrencyTag>(critical_vertices_.size(), [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i != end; ++i)
-        critical_vertices_.for_each_sector(static_cast<Index>(i), true, find);
+      find(critical_vertices_.first_sector(static_cast<Index>(begin), true),
+           critical_vertices_.first_sector(static_cast<Index>(end), true));
     });
     return first_steps;
   }
@@ -166,7 +168,6 @@ private:
   const Slab& slab_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
-  Sector_classes sector_classes_;
   Cut_contours cuts_;
 };
 

@@ -65,7 +65,7 @@ private:
     const Index first_contour = static_cast<Index>(arcs_.size());
     critical_vertices_.for_each_sector(critical, false, [&](Index sector) {
       // A contour can pass several sectors of the vertex; then the earlier trace has been here.
-      const Index edge = critical_vertices_.sector(sector).edge, registered = contour_at(edge);
+      const Index edge = critical_vertices_.sector(false, sector).edge, registered = contour_at(edge);
       if(registered != no_index && registered >= first_contour)
         return;
       const Index contour = static_cast<Index>(arcs_.size());
@@ -80,7 +80,7 @@ private:
   void climb_from(Index critical)
   {
     critical_vertices_.for_each_sector(critical, true, [&](Index i) {
-      const Link_sector& sector = critical_vertices_.sector(i);
+      const Link_sector& sector = critical_vertices_.sector(true, i);
       const Ascending_step first_step = {sector.edge, sector.extreme_neighbor};
       Critical_arc& arc = arcs_[contour_above(first_step)];
       // Several sectors can lead to one arc, whose chain begins in the highest one.

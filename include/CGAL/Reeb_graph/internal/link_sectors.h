@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 
 #include <algorithm>
+#include <array>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -27,55 +28,62 @@ struct Link_sector
   Index edge; // a halfedge of a triangle on the edge to that neighbor
 };
 
-// The number of link sectors: how often the neighbors change between lower and higher ones as one turns around the
-// vertex. At a border vertex one more, as the link is a path.
+// Upper and lower link sectors alternate, so it is enough to know how many there are and with which a turn begins.
+struct Link_summary
+{
+  Index number_of_sectors;
+  bool is_first_upper;
+
+  Index number_of_upper_sectors() const { return (number_of_sectors + is_first_upper) / 2; }
+  Index number_of_lower_sectors() const { return number_of_sectors - number_of_upper_sectors(); }
+};
+
+// The number of link sectors is how often the neighbors change between lower and higher ones as one turns around the
+// vertex. At a border vertex it is one more, as the link is a path.
 template <class Order>
-Index count_link_sectors(const Triangle_complex& complex, const Order& order, Index vertex)
+Link_summary summarize_link(const Triangle_complex& complex, const Order& order, Index vertex)
 {
   const Index first = complex.first_halfedge(vertex);
   if(first == no_index)
-    return 0;
-  bool is_upper = order(vertex, complex.source(first));
+    return {0, false};
+  const bool is_first_upper = order(vertex, complex.source(first));
+  bool is_upper = is_first_upper;
   Index number_of_changes = 0;
   complex.for_each_halfedge_around(vertex, [&](Index halfedge) {
     const bool is_next_upper = order(vertex, complex.target(complex.next(halfedge)));
     number_of_changes += is_upper != is_next_upper;
     is_upper = is_next_upper;
   });
-  return complex.is_on_border(vertex) ? number_of_changes + 1 : (std::max)(number_of_changes, Index(1));
+  return {complex.is_on_border(vertex) ? number_of_changes + 1 : (std::max)(number_of_changes, Index(1)),
+          is_first_upper};
 }
 
-// Writes the link sectors of `vertex`, `size` many, to `sectors`, in clockwise order. Upper and lower ones alternate.
-// Returns whether the first one is upper.
+// Writes the link sectors of `vertex`, the lower ones and the upper ones each in clockwise order, to the two places.
 template <class Order>
-bool find_link_sectors(const Triangle_complex& complex,
+void find_link_sectors(const Triangle_complex& complex,
                        const Order& order,
                        Index vertex,
-                       Index size,
-                       Link_sector* sectors)
+                       const Link_summary& summary,
+                       const std::array<Link_sector*, 2>& places)
 {
-  bool is_first_upper = false, is_last_upper = false;
-  Index number = 0;
-  Link_sector* last = sectors;
+  bool is_last_upper = summary.is_first_upper;
+  for(Index i = 0; i != summary.number_of_sectors; ++i, is_last_upper = !is_last_upper)
+    places[is_last_upper][i / 2] = {vertex, no_index};
+
+  // Without a branch that could not be predicted.
+  is_last_upper = summary.is_first_upper;
+  Index i = 0;
   complex.for_each_edge_around(vertex, [&](Index neighbor, Index halfedge) {
     const bool is_upper = order(vertex, neighbor);
-    const Link_sector edge = {neighbor, halfedge};
-    const bool is_changed = number != 0 && is_last_upper != is_upper;
+    i += is_upper != is_last_upper;
+    i = i == summary.number_of_sectors ? 0 : i; // The turn has begun within a sector, which goes on here.
     is_last_upper = is_upper;
-    if(number == 0)
-      is_first_upper = is_upper;
-    if(number == 0 || (is_changed && number != size))
-    {
-      last = sectors + number++;
-      *last = edge;
-      return;
-    }
-    if(is_changed) // The turn has begun within a sector, which goes on here.
-      last = sectors;
-    if(is_upper ? order(last->extreme_neighbor, neighbor) : order(neighbor, last->extreme_neighbor))
-      *last = edge;
+    Link_sector sector = places[is_upper][i / 2];
+    const bool is_more_extreme = order(sector.extreme_neighbor, neighbor) == is_upper;
+    sector.extreme_neighbor = is_more_extreme ? neighbor : sector.extreme_neighbor;
+    sector.edge = is_more_extreme ? halfedge : sector.edge;
+    places[is_upper][i / 2] = sector;
   });
-  return is_first_upper;
 }
 
 } // namespace internal

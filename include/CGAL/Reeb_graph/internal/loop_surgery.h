@@ -33,15 +33,10 @@ template <class Order>
 class Loop_surgery
 {
 public:
-  Loop_surgery(const Slab& slab,
-               const Order& order,
-               const Sector_classes& sector_classes,
-               const Merge_tree& join_tree,
-               const Merge_tree& split_tree)
+  Loop_surgery(const Slab& slab, const Order& order, const Merge_tree& join_tree, const Merge_tree& split_tree)
     : complex_(slab.complex()),
       order_(order),
       critical_vertices_(slab.critical_vertices()),
-      sector_classes_(sector_classes),
       join_tree_(join_tree),
       split_tree_(split_tree)
   {}
@@ -81,10 +76,10 @@ private:
   template <class Visit>
   void visit_shorter_contour(Index critical, const Visit& visit)
   {
-    const Index first = critical_vertices_.first_sector_of(critical, false);
+    const Index first = critical_vertices_.first_sector(critical, false);
     const auto is_below = [&, vertex = critical_vertices_.vertex(critical)](Index u) { return order_(u, vertex); };
-    const std::array<Index, 2> starts = {critical_vertices_.sector(first).edge,
-                                         critical_vertices_.sector(first + 2).edge};
+    const std::array<Index, 2> starts = {critical_vertices_.sector(false, first).edge,
+                                         critical_vertices_.sector(false, first + 1).edge};
     std::array<Contour_walk, 2> walks = {Contour_walk(complex_, starts[0], is_below),
                                          Contour_walk(complex_, starts[1], is_below)};
     Index side = 0;
@@ -98,7 +93,7 @@ private:
       if(is_same_contour)
         return;
     }
-    visit(sector_classes_[first], crossed_edges[side], walks[side].is_border_reached());
+    visit(join_tree_.sector_classes[first], crossed_edges[side], walks[side].is_border_reached());
   }
 
   template <class Visit>
@@ -108,7 +103,7 @@ private:
     const auto is_below = [&](Index u) { return order_(u, vertex); };
     Large_vector<Index> kept_classes, edges_of_traced_sectors, crossed_edges;
     critical_vertices_.for_each_sector(critical, false, [&](Index position) {
-      const Index sector_edge = critical_vertices_.sector(position).edge;
+      const Index sector_edge = critical_vertices_.sector(false, position).edge;
       if(contains(edges_of_traced_sectors, Triangle_complex::edge(sector_edge)))
         return;
       crossed_edges.clear();
@@ -120,7 +115,7 @@ private:
           edges_of_traced_sectors.push_back(Triangle_complex::edge(halfedge));
       });
       std::sort(edges_of_traced_sectors.begin(), edges_of_traced_sectors.end());
-      const Index sublevel_class = sector_classes_[position];
+      const Index sublevel_class = join_tree_.sector_classes[position];
       if(contains(kept_classes, sublevel_class))
         visit(sublevel_class, crossed_edges, has_border);
       else
@@ -131,7 +126,8 @@ private:
   void sort_classes(Index critical, bool is_upper)
   {
     classes_.clear();
-    critical_vertices_.for_each_sector(critical, is_upper, [&](Index i) { classes_.push_back(sector_classes_[i]); });
+    critical_vertices_.for_each_sector(critical, is_upper,
+                                       [&](Index i) { classes_.push_back(tree(is_upper).sector_classes[i]); });
     std::sort(classes_.begin(), classes_.end());
   }
 
@@ -140,8 +136,8 @@ private:
   {
     if(critical_vertices_.number_of_sectors(critical, is_upper) == 2)
     {
-      const Index first = critical_vertices_.first_sector_of(critical, is_upper);
-      return sector_classes_[first] == sector_classes_[first + 2] ? 1 : 2;
+      const Index first = critical_vertices_.first_sector(critical, is_upper);
+      return tree(is_upper).sector_classes[first] == tree(is_upper).sector_classes[first + 1] ? 1 : 2;
     }
     sort_classes(critical, is_upper);
     return static_cast<Index>(std::unique(classes_.begin(), classes_.end()) - classes_.begin());
@@ -149,9 +145,10 @@ private:
 
   bool is_border_reached(Index critical, bool is_upper) const
   {
-    const std::vector<bool>& reached = (is_upper ? split_tree_ : join_tree_).is_border_reached;
     bool result = false;
-    critical_vertices_.for_each_sector(critical, is_upper, [&](Index i) { result |= reached[sector_classes_[i]]; });
+    critical_vertices_.for_each_sector(critical, is_upper, [&](Index i) {
+      result |= tree(is_upper).is_border_reached[tree(is_upper).sector_classes[i]];
+    });
     return result;
   }
 
@@ -160,24 +157,31 @@ private:
   Index count_joined_lower_sectors(Index critical, bool is_on_border)
   {
     sort_classes(critical, true);
-    const Index size = static_cast<Index>(critical_vertices_.sectors(critical).size());
-    const Index first = critical_vertices_.first_sector(critical);
-    Disjoint_sets sets(size);
-    Index number_of_sets = critical_vertices_.number_of_lower_sectors(critical);
-    critical_vertices_.for_each_sector(critical, true, [&](Index position) {
-      const Index i = position - first, upper_class = sector_classes_[position];
+    const Index number_of_lower_sectors = critical_vertices_.number_of_lower_sectors(critical);
+    const Index number_of_upper_sectors = critical_vertices_.number_of_upper_sectors(critical);
+    const Index first = critical_vertices_.first_sector(critical, true);
+    const bool is_first_upper = critical_vertices_.is_first_upper(critical);
+    Disjoint_sets sets(number_of_lower_sectors);
+    Index number_of_sets = number_of_lower_sectors;
+    for(Index i = 0; i != number_of_upper_sectors; ++i)
+    {
+      const Index upper_class = split_tree_.sector_classes[first + i];
       const auto range = std::equal_range(classes_.begin(), classes_.end(), upper_class);
-      if((is_on_border && (i == 0 || i + 1 == size)) || range.second - range.first != 1
-         || split_tree_.is_border_reached[upper_class])
-        return;
-      const Index left = sets.top((i + size - 1) % size), right = sets.top((i + 1) % size);
+      // The lower sector before upper sector i, and the one behind it.
+      const Index before = is_first_upper ? i + number_of_lower_sectors - 1 : i, behind = is_first_upper ? i : i + 1;
+      const bool is_at_end = (is_first_upper && i == 0) || behind == number_of_lower_sectors;
+      if((is_on_border && is_at_end) || range.second - range.first != 1 || split_tree_.is_border_reached[upper_class])
+        continue;
+      const Index left = sets.top(before % number_of_lower_sectors), right = sets.top(behind % number_of_lower_sectors);
       if(left == right)
-        return;
+        continue;
       sets.put_on(left, right);
       --number_of_sets;
-    });
+    }
     return number_of_sets;
   }
+
+  const Merge_tree& tree(bool is_upper) const { return is_upper ? split_tree_ : join_tree_; }
 
   static bool contains(const Large_vector<Index>& sorted, Index i)
   {
@@ -187,7 +191,6 @@ private:
   const Triangle_complex& complex_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
-  const Sector_classes& sector_classes_;
   const Merge_tree& join_tree_;
   const Merge_tree& split_tree_;
   Large_vector<Index> classes_;

@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/Merging_components.h>
 #include <CGAL/Reeb_graph/internal/Slab.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
@@ -30,11 +30,11 @@ struct Merge_tree
 {
   Large_vector<Index> parents;         // by node: where its component merges; no_index at a root
   std::vector<bool> is_border_reached; // by node: whether the component of which it is the top has border
-};
 
-// For each link sector, the top of the component that it is in when the sweep arrives at its vertex, and before that
-// the end of a monotone path: the join tree knows them for lower sectors, the split tree for upper ones.
-typedef Large_vector<Index> Sector_classes;
+  // By lower link sector in the join tree, by upper one in the split tree: the top of the component that it is in when
+  // the sweep arrives at its vertex. Before that, the component in which a monotone path from there ends.
+  Large_vector<Index> sector_classes;
+};
 
 // The sweep over the critical vertices that builds a merge tree from the ends of monotone paths. (Y. Chiang, T. Lenz,
 // X. Lu, G. Rote, Simple and optimal output-sensitive construction of contour trees using monotone paths, 2005.)
@@ -44,29 +44,31 @@ class Merge_tree_sweep
 public:
   typedef Monotone_path_ends<Order, is_split_tree> Path_ends;
 
-  Merge_tree_sweep(const Slab& slab, const Order& order, Sector_classes& sector_classes)
+  Merge_tree_sweep(const Slab& slab, const Order& order)
     : slab_(slab),
       order_(order),
       critical_vertices_(slab.critical_vertices()),
-      sector_classes_(sector_classes),
-      path_ends_(slab.complex(), order),
-      sets_(0)
+      path_ends_(slab.complex(), order)
   {
+    tree_.parents.reserve(slab.number_of_nodes() + slab.number_of_nodes() / 16); // There may be a few cuts.
     tree_.parents.assign(slab.number_of_nodes(), no_index);
     tree_.is_border_reached.assign(slab.number_of_nodes(), false);
+    tree_.sector_classes.resize(critical_vertices_.total_number_of_sectors(is_split_tree));
     for(Index i = 0; i != critical_vertices_.size(); ++i)
     {
       if(is_extremum(i))
-        path_ends_.set_end(critical_vertices_.vertex(i), add_component(i));
+        path_ends_.set_end(critical_vertices_.vertex(i), components_.add(i));
       // A border vertex reaches a critical one or a cut along the border, downwards or upwards: their flags suffice.
       if(critical_vertices_.is_on_border(i))
-        tree_.is_border_reached[i] = true;
+        set_border_reached(i);
     }
-    number_of_extrema_ = static_cast<Index>(tops_.size());
+    number_of_extrema_ = components_.size();
     for(Index i = 0; i != slab.number_of_contours(is_split_tree); ++i)
     {
-      add_component(slab.contour_node(is_split_tree, i));
-      tree_.is_border_reached[tops_.back()] = slab.is_border_reached(is_split_tree, i);
+      const Index node = slab.contour_node(is_split_tree, i);
+      components_.add(node);
+      if(slab.is_border_reached(is_split_tree, i))
+        set_border_reached(node);
     }
   }
 
@@ -89,14 +91,22 @@ public:
   template <class ConcurrencyTag>
   void find_path_ends()
   {
-    const std::size_t size = critical_vertices_.size();
+    const std::size_t size = tree_.sector_classes.size();
     for_each_part<ConcurrencyTag>(
       number_of_parts<ConcurrencyTag>(size), size, [&](std::size_t, std::size_t begin, std::size_t end) {
         Large_vector<Index> passed;
         for(std::size_t i = begin; i != end; ++i)
-          find_path_ends_at(
+          find_path_end(
             static_cast<Index>(i), [&](const Ascending_step& step) { return component_at_level(step); }, passed);
       });
+  }
+
+  template <class EndOfStep>
+  void find_path_end(Index position, const EndOfStep& end_of_step, Large_vector<Index>& passed)
+  {
+    const Link_sector& sector = critical_vertices_.sector(is_split_tree, position);
+    tree_.sector_classes[position] =
+      path_ends_(Ascending_step{sector.edge, sector.extreme_neighbor}, end_of_step, passed);
   }
 
   Index component_at_level(const Ascending_step& step) const
@@ -105,31 +115,22 @@ public:
     return contour == no_index ? no_index : number_of_extrema_ + contour;
   }
 
-  template <class EndOfStep>
-  void find_path_ends_at(Index critical, const EndOfStep& end_of_step, Large_vector<Index>& passed)
-  {
-    critical_vertices_.for_each_sector(critical, is_split_tree, [&](Index i) {
-      const Link_sector& sector = critical_vertices_.sector(i);
-      sector_classes_[i] = path_ends_(Ascending_step{sector.edge, sector.extreme_neighbor}, end_of_step, passed);
-    });
-  }
-
   // To be called for the critical vertices in the order of the sweep. All classes are named before the first of them
   // gets a new top.
   void merge_at(Index critical)
   {
     merged_components_.clear();
     critical_vertices_.for_each_sector(critical, is_split_tree, [&](Index i) {
-      const Index component = sets_.top(sector_classes_[i]);
+      const Index component = components_.find(tree_.sector_classes[i]);
       merged_components_.push_back(component);
-      sector_classes_[i] = tops_[component];
+      tree_.sector_classes[i] = components_.top(component);
     });
     for(const Index component : merged_components_)
     {
-      if(sets_.top(component) != component || tops_[component] == critical)
+      if(components_.find(component) != component || components_.top(component) == critical)
         continue;
       put_on(component, critical);
-      sets_.put_on(component, merged_components_.front());
+      components_.make_part_of(component, merged_components_.front());
     }
   }
 
@@ -150,7 +151,7 @@ public:
     {
       const Index contour = is_split_tree ? size - 1 - i : i;
       const Index end = path_ends_(slab_.step_from_contour(!is_split_tree, contour), end_of_step, passed);
-      put_on(sets_.top(end), slab_.contour_node(!is_split_tree, contour));
+      put_on(components_.find(end), slab_.contour_node(!is_split_tree, contour));
     }
   }
 
@@ -158,33 +159,34 @@ public:
   Index add_component_of_cut(Index node, bool is_border_reached)
   {
     add_nodes_up_to(node);
-    tree_.is_border_reached[node] = is_border_reached;
-    return add_component(node);
+    if(is_border_reached)
+      set_border_reached(node);
+    return components_.add(node);
   }
 
-  // To be called ahead of merge_at(), and again less far ahead.
+  // To be called ahead of merge_at(), and again less far ahead. Nearly all vertices have two sectors at most.
   void prefetch_classes(Index critical) const
   {
-    internal::prefetch(sector_classes_.data() + critical_vertices_.first_sector(critical));
+    internal::prefetch(tree_.sector_classes.data() + critical_vertices_.first_sector(critical, is_split_tree));
   }
   void prefetch_components(Index critical) const
   {
-    critical_vertices_.for_each_sector(critical, is_split_tree, [&](Index i) {
-      sets_.prefetch(sector_classes_[i]);
-      internal::prefetch(&tops_[sector_classes_[i]]);
-    });
+    const Index first = critical_vertices_.first_sector(critical, is_split_tree);
+    if(first + 1 >= tree_.sector_classes.size())
+      return;
+    components_.prefetch(tree_.sector_classes[first]);
+    components_.prefetch(tree_.sector_classes[first + 1]);
   }
 
-  Merge_tree& tree() { return tree_; }
+  const Merge_tree& tree() const { return tree_; }
 
 private:
   bool is_extremum(Index critical) const { return critical_vertices_.number_of_sectors(critical, is_split_tree) == 0; }
 
-  Index add_component(Index node)
+  void set_border_reached(Index node)
   {
-    sets_.add();
-    tops_.push_back(node);
-    return static_cast<Index>(tops_.size() - 1);
+    tree_.is_border_reached[node] = true;
+    has_border_ = true;
   }
 
   void add_nodes_up_to(Index node)
@@ -197,21 +199,20 @@ private:
 
   void put_on(Index component, Index top)
   {
-    const Index old_top = tops_[component];
+    const Index old_top = components_.top(component);
     tree_.parents[old_top] = top;
-    if(tree_.is_border_reached[old_top])
+    if(has_border_ && tree_.is_border_reached[old_top])
       tree_.is_border_reached[top] = true;
-    tops_[component] = top;
+    components_.set_top(component, top);
   }
 
   const Slab& slab_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
-  Sector_classes& sector_classes_;
   Path_ends path_ends_;
   Index number_of_extrema_;
-  Disjoint_sets sets_;       // of components
-  Large_vector<Index> tops_; // by component
+  Merging_components components_;
+  bool has_border_ = false;
   Large_vector<Index> merged_components_;
   Merge_tree tree_;
 };
