@@ -98,30 +98,16 @@ private:
 
   void count_degrees()
   {
-    const auto count_leaving = [&] {
-      leaving_arcs_.assign(critical_vertices_.size(), Leaving_arcs{0, no_index});
-      for(Index i = 0; i != arcs_.size(); ++i)
-      {
-        if(is_contracted(arcs_[i]))
-          continue;
-        Leaving_arcs& leaving = leaving_arcs_[group_of(arcs_[i].lower)];
-        ++leaving.number;
-        leaving.last = i;
-      }
-    };
-    const auto count_arriving = [&] {
-      in_degrees_.assign(critical_vertices_.size(), 0);
-      for(const Critical_arc& arc : arcs_)
-      {
-        if(!is_contracted(arc))
-          ++in_degrees_[group_of(arc.upper)];
-      }
-    };
-    // To find a group changes the disjoint sets.
-    if(are_ties_contracted_)
-      invoke_both<Sequential_tag>(count_leaving, count_arriving);
-    else
-      invoke_both<ConcurrencyTag>(count_leaving, count_arriving);
+    degrees_.assign(critical_vertices_.size(), Degrees{0, 0, no_index});
+    for(Index i = 0; i != arcs_.size(); ++i)
+    {
+      if(is_contracted(arcs_[i]))
+        continue;
+      Degrees& degrees = degrees_[group_of(arcs_[i].lower)];
+      ++degrees.out;
+      degrees.last_out_arc = i;
+      ++degrees_[group_of(arcs_[i].upper)].in;
+    }
   }
 
   // A node is at the lowest critical vertex of its group. Among the given vertices, regular ones can occur too. As many
@@ -141,20 +127,19 @@ private:
       if(place + ahead < size)
       {
         critical_vertices_.prefetch(ascending[place + ahead]);
-        prefetch(&leaving_arcs_[ascending[place + ahead]]);
-        prefetch(&in_degrees_[ascending[place + ahead]]);
+        prefetch(&degrees_[ascending[place + ahead]]);
         prefetch(&node_of_group[ascending[place + ahead]]);
       }
       const Index i = ascending[place], group = group_of(i);
-      const Node_kind kind = node_kind(in_degrees_[group], leaving_arcs_[group].number);
+      const Node_kind kind = node_kind(degrees_[group].in, degrees_[group].out);
       const bool is_node =
         kind != Node_kind::DEGREE_TWO || (are_degree_two_nodes_kept_ && critical_vertices_.is_critical(i));
-      if(!is_node || node_of_group[group] != no_index || !critical_vertices_.is_critical(i))
+      if(!is_node || node_of_group[group] != no_index)
         continue;
       node_of_group[group] = static_cast<Index>(graph_.nodes.size());
       graph_.nodes.push_back({critical_vertices_.vertex(i), kind});
       ends_of_arcs_.push_back(number_of_arcs);
-      number_of_arcs += leaving_arcs_[group].number;
+      number_of_arcs += degrees_[group].out;
     }
     graph_.arcs.resize(number_of_arcs);
     for(Index i = 0; are_ties_contracted_ && i != size; ++i)
@@ -187,7 +172,7 @@ private:
     while(graph_.node_of_critical[arcs_[i].upper] == no_index)
     {
       const Index critical = arcs_[i].upper, group = group_of(critical);
-      i = leaving_arcs_[group].last;
+      i = degrees_[group].last_out_arc;
       name_piece(first_piece_of_group_, group, first_piece);
       name_piece(first_piece_of_arc_, i, first_piece);
       if(are_ties_contracted_ && is_on_plateau_[critical])
@@ -239,10 +224,11 @@ private:
       graph_.arc_of_critical_arc.push_back(arc_of(first_piece));
   }
 
-  struct Leaving_arcs
+  struct Degrees
   {
-    Index number;
-    Index last; // the only one of a group that is no node
+    Index in;
+    Index out;
+    Index last_out_arc; // the only one of a group that is no node
   };
 
   const Order& order_;
@@ -252,8 +238,7 @@ private:
   const bool are_degree_two_nodes_kept_;
   Disjoint_sets groups_;
   std::vector<bool> is_on_plateau_;          // by critical vertex: whether its group has other ones
-  Large_vector<Leaving_arcs> leaving_arcs_;  // by group
-  Large_vector<Index> in_degrees_;           // by group
+  Large_vector<Degrees> degrees_;            // by group
   Large_vector<Index> ends_of_arcs_;         // by node: the end of those that leave it and have been made
   Large_vector<Index> first_piece_of_group_; // by group: that of the arc that passes it
   Large_vector<Index> first_piece_of_arc_;   // by arc: that of the arc that it becomes part of
