@@ -108,8 +108,7 @@ namespace CGAL {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_index_map}
 ///     \cgalParamDescription{the same for faces. Without it, they are not looked for in a mesh whose edges have
-///     constant
-///                           indices.}
+///                           constant indices.}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptors as key type and an integer type as
 ///                    value type}
 ///     \cgalParamDefault{as for vertices}

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/Vertex_locations.h>
-#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/augmentation_exceptions.h>
 #include <CGAL/Reeb_graph/internal/Augmentation_base.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
 #include <CGAL/Reeb_graph_traits.h>

@@ -77,8 +77,7 @@ namespace Reeb_graph {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_candidates}
 ///     \cgalParamDescription{the number of places that are tried for each curve, at least 1. They are evenly spread
-///     over
-///                           the edges of the chains of the arcs.}
+///                           over the edges of the chains of the arcs.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{16}
 ///     \cgalParamExtra{use the functions `parameters::number_of_candidates()`}
@@ -105,8 +104,7 @@ namespace Reeb_graph {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{cut_open}
 ///     \cgalParamDescription{whether the mesh is cut open along the curves, so that each closed curve becomes two
-///     border
-///                           cycles. The lower side gets new vertices at the points of the curve.}
+///                           border cycles. The lower side gets new vertices at the points of the curve.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///     \cgalParamExtra{use the functions `parameters::cut_open()`}

@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/Curve.h>
 #include <CGAL/Reeb_graph/curve_parameters.h>
-#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/curve_exceptions.h>
 #include <CGAL/Reeb_graph/internal/curves/contours_to_cut.h>
 #include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
 #include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
@@ -75,8 +75,7 @@ namespace Reeb_graph {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{cut_open}
 ///     \cgalParamDescription{whether the mesh is cut open along the curves, so that each closed curve becomes two
-///     border
-///                           cycles. The lower side gets new vertices at the points of the curve.}
+///                           border cycles. The lower side gets new vertices at the points of the curve.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///     \cgalParamExtra{use the functions `parameters::cut_open()`}

@@ -64,16 +64,14 @@ namespace Reeb_graph {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_candidates}
 ///     \cgalParamDescription{the number of places that are tried for each curve, at least 1. They are evenly spread
-///     over
-///                           the edges of the chains of the arcs.}
+///                           over the edges of the chains of the arcs.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{16}
 ///     \cgalParamExtra{use the functions `parameters::number_of_candidates()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{arc_weight}
 ///     \cgalParamDescription{chooses the curves: those of the arcs in a maximum spanning tree of the weights are not
-///     taken.
-///                           It is called with the candidate that has been chosen for the arc.}
+///                           taken. It is called with the candidate that has been chosen for the arc.}
 ///     \cgalParamType{a function object that is called with a `Reeb_graph::Candidate_curve` and returns a `double`}
 ///     \cgalParamDefault{the length}
 ///     \cgalParamExtra{use the functions `parameters::arc_weight()`}
@@ -100,8 +98,7 @@ namespace Reeb_graph {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{cut_open}
 ///     \cgalParamDescription{whether the mesh is cut open along the curves, so that each closed curve becomes two
-///     border
-///                           cycles. The lower side gets new vertices at the points of the curve.}
+///                           border cycles. The lower side gets new vertices at the points of the curve.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///     \cgalParamExtra{use the functions `parameters::cut_open()`}

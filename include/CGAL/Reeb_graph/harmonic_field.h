@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/scalar_field_exceptions.h>
 #include <CGAL/Reeb_graph/field_constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
@@ -88,8 +88,8 @@ struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_
 ///                           weights, diagonally dominant.}
 ///     \cgalParamType{a model of `SparseLinearAlgebraWithFactorTraits_d`}
 ///     \cgalParamDefault{`Eigen_solver_traits` with `Eigen::SimplicialLDLT`, if `CGAL_EIGEN3_ENABLED` is defined. The
-///     rows
-///                       come in the order of a nested dissection, which it keeps as long as its factor fills little.}
+///                       rows come in the order of a nested dissection, which it keeps as long as its factor fills
+///                       little.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{is called between the steps with the fraction that is done; `false` stops}

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/scalar_field_exceptions.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

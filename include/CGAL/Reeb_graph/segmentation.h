@@ -141,8 +141,7 @@ std::size_t segment_by_branches(MutableFaceGraph& mesh,
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{cut_open}
 ///     \cgalParamDescription{whether the mesh is cut open along the curves, so that each closed curve becomes two
-///     border
-///                           cycles. The lower side gets new vertices at the points of the curve.}
+///                           border cycles. The lower side gets new vertices at the points of the curve.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///     \cgalParamExtra{use the functions `parameters::cut_open()`}

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/Vertex_locations.h>
-#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/augmentation_exceptions.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Level.h>
 #include <CGAL/Reeb_graph/internal/Vertex_order.h>

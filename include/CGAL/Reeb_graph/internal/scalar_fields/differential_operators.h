@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/triangle_geometry.h>
