@@ -68,12 +68,12 @@ class Computation
   typedef typename Case::Mesh Mesh;
 
 public:
-  Computation(const Combinatorial_mesh& mesh, Method method)
+  Computation(const Combinatorial_mesh& mesh, Method method, std::size_t number_of_slabs)
     : mesh_(make_mesh<Mesh>(mesh)),
       scalar_map_(CGAL::Reeb_graph::make_scalar_map(mesh_, std::vector<double>(mesh.number_of_vertices, 1)))
   {
     settings_.method = method;
-    settings_.number_of_slabs = 3;
+    settings_.number_of_slabs = number_of_slabs;
   }
 
   void operator()(graph_checks::Graph_of<Mesh>& graph, Listener& listener) const
@@ -93,44 +93,60 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(fractions_grow_to_one, C, Cases)
 {
   for(const Combinatorial_mesh& mesh : meshes())
     for(const Method method : {Method::CONTOUR_TREES, Method::CRITICAL_SETS})
-    {
-      Listener listener;
-      graph_checks::Graph_of<typename C::Mesh> graph;
-      Computation<C>(mesh, method)(graph, listener);
-      BOOST_TEST_REQUIRE(listener.fractions().size() > 2u);
-      BOOST_TEST(listener.fractions().front() >= 0);
-      BOOST_TEST(std::is_sorted(listener.fractions().begin(), listener.fractions().end()));
-      BOOST_TEST(listener.fractions().back() == 1);
-    }
+      for(const std::size_t number_of_slabs : {std::size_t(1), std::size_t(3)})
+      {
+        Listener listener;
+        graph_checks::Graph_of<typename C::Mesh> graph;
+        Computation<C>(mesh, method, number_of_slabs)(graph, listener);
+        BOOST_TEST_REQUIRE(listener.fractions().size() > 2u);
+        BOOST_TEST(listener.fractions().front() >= 0);
+        BOOST_TEST(std::is_sorted(listener.fractions().begin(), listener.fractions().end()));
+        BOOST_TEST(listener.fractions().back() == 1);
+      }
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(work_can_be_stopped_at_each_call_but_the_last, C, Cases)
 {
   for(const Combinatorial_mesh& mesh : meshes())
     for(const Method method : {Method::CONTOUR_TREES, Method::CRITICAL_SETS})
-    {
-      const Computation<C> compute(mesh, method);
-      graph_checks::Graph_of<typename C::Mesh> expected, graph(2);
-      add_edge(0, 1, graph);
-      graph[1].value = 17;
-      Listener undisturbed;
-      compute(expected, undisturbed);
-      const std::size_t last_call = undisturbed.fractions().size();
-      for(std::size_t call = 1; call < last_call; ++call)
+      for(const std::size_t number_of_slabs : {std::size_t(1), std::size_t(3)})
       {
-        Listener listener(call);
-        BOOST_CHECK_THROW(compute(graph, listener), CGAL::Reeb_graph::Cancelled_error);
-        BOOST_TEST(listener.fractions().size() == call);
-        BOOST_TEST(num_vertices(graph) == 2u);
-        BOOST_TEST(num_edges(graph) == 1u);
-        BOOST_TEST(graph[1].value == 17);
+        const Computation<C> compute(mesh, method, number_of_slabs);
+        graph_checks::Graph_of<typename C::Mesh> expected, graph(2);
+        add_edge(0, 1, graph);
+        graph[1].value = 17;
+        Listener undisturbed;
+        compute(expected, undisturbed);
+        const std::size_t last_call = undisturbed.fractions().size();
+        for(std::size_t call = 1; call < last_call; ++call)
+        {
+          Listener listener(call);
+          BOOST_CHECK_THROW(compute(graph, listener), CGAL::Reeb_graph::Cancelled_error);
+          BOOST_TEST(listener.fractions().size() == call);
+          BOOST_TEST(num_vertices(graph) == 2u);
+          BOOST_TEST(num_edges(graph) == 1u);
+          BOOST_TEST(graph[1].value == 17);
+        }
+        // There is nothing left to stop at the end.
+        Listener listener(last_call);
+        compute(graph, listener);
+        BOOST_TEST(num_vertices(graph) == num_vertices(expected));
+        BOOST_TEST(num_edges(graph) == num_edges(expected));
       }
-      // There is nothing left to stop at the end.
-      Listener listener(last_call);
-      compute(graph, listener);
-      BOOST_TEST(num_vertices(graph) == num_vertices(expected));
-      BOOST_TEST(num_edges(graph) == num_edges(expected));
-    }
+}
+
+// The slow parts of the work are several steps each.
+BOOST_AUTO_TEST_CASE(arcs_are_found_in_steps)
+{
+  const auto number_of_calls_within = [](Method method, double begin, double end) {
+    Listener listener;
+    graph_checks::Graph_of<Surface_mesh> graph;
+    Computation<Case<Surface_mesh, CGAL::Sequential_tag>>(random_meshes::cylinder(110, 110), method, 1)(graph, listener);
+    return std::count_if(listener.fractions().begin(), listener.fractions().end(),
+                         [&](double fraction) { return fraction > begin && fraction < end; });
+  };
+  BOOST_TEST(number_of_calls_within(Method::CONTOUR_TREES, 0.3, 0.7) > 1);
+  BOOST_TEST(number_of_calls_within(Method::CRITICAL_SETS, 0.3, 0.7) > 0);
 }
 
 BOOST_AUTO_TEST_CASE(being_stopped_is_an_error)

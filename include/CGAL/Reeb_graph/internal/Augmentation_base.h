@@ -18,6 +18,7 @@
 #include <CGAL/Reeb_graph/internal/Level.h>
 #include <CGAL/Reeb_graph/internal/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/Progress.h>
 #include <CGAL/Reeb_graph/internal/contour_tracing.h>
 #include <CGAL/Reeb_graph/internal/find_critical_arcs.h>
 #include <CGAL/Reeb_graph/internal/flatten.h>
@@ -236,10 +237,11 @@ protected:
   Vertex_locations make_vertex_locations() const
   {
     const Critical_vertices all_vertices = sort_all_vertices<ConcurrencyTag>(surface_.complex, order_);
-    const Flat_graph all_arcs = merge_arcs<ConcurrencyTag>(
-      order_, all_vertices,
-      find_critical_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices, Method::CONTOUR_TREES, 1),
-      Ties::PERTURB, true, true);
+    const Flat_graph all_arcs =
+      merge_arcs<ConcurrencyTag>(order_, all_vertices,
+                                 find_critical_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices,
+                                                                    Method::CONTOUR_TREES, 1, No_progress()),
+                                 Ties::PERTURB, true, true);
     const Critical_vertices critical_vertices = classify_vertices<ConcurrencyTag>(surface_.complex, order_);
     Large_vector<Critical_arc> critical_arcs;
     for(const Flat_arc& arc : all_arcs.arcs)

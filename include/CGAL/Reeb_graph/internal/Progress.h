@@ -48,6 +48,25 @@ private:
   std::function<bool(double)> callback_;
 };
 
+// Tells how far a stage is, which begins and ends at fractions of the whole.
+class Stage_progress
+{
+public:
+  Stage_progress(const Progress& progress, double begin, double end) : progress_(progress), begin_(begin), end_(end) {}
+
+  void operator()(double fraction) const { progress_.report(begin_ + fraction * (end_ - begin_)); }
+
+private:
+  const Progress& progress_;
+  double begin_, end_;
+};
+
+// For who does not want to know.
+struct No_progress
+{
+  void operator()(double) const {}
+};
+
 } // namespace internal
 } // namespace Reeb_graph
 } // namespace CGAL

@@ -48,21 +48,25 @@ public:
       cuts_(slab.number_of_nodes())
   {}
 
-  template <class ConcurrencyTag>
-  Large_vector<Critical_arc> find_arcs()
+  // Calls report(fraction) now and then.
+  template <class ConcurrencyTag, class Report>
+  Large_vector<Critical_arc> find_arcs(const Report& report)
   {
     std::optional<Upward_sweep> upwards;
     std::optional<Cutting_sweep<Order>> downwards;
     invoke_both<ConcurrencyTag>([&] { upwards.emplace(slab_, order_); }, [&] { downwards.emplace(slab_, order_); });
     upwards->template find_path_ends<ConcurrencyTag>();
+    report(0.25);
     invoke_both<ConcurrencyTag>([&] { sweep_upwards(*upwards); },
                                 [&] { downwards->template find_path_ends<ConcurrencyTag>(); });
+    report(0.5);
 
     Shrinking_tree join_tree, split_tree;
     invoke_both<ConcurrencyTag>([&] { sweep_downwards(*downwards, upwards->tree()); },
                                 [&] { join_tree = Shrinking_tree(upwards->tree().parents); });
     cuts_ = downwards->take_cuts();
     insert_cuts(join_tree);
+    report(0.75);
 
     Large_vector<Ascending_step> first_steps;
     invoke_both<ConcurrencyTag>(

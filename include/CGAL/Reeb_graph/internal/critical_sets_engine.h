@@ -20,6 +20,7 @@
 #include <CGAL/Reeb_graph/internal/contour_tracing.h>
 #include <CGAL/Reeb_graph/internal/link_sectors.h>
 
+#include <cstddef>
 #include <utility>
 
 namespace CGAL {
@@ -42,14 +43,21 @@ public:
       contour_at_edge_(complex_.number_of_edges(), no_index)
   {}
 
-  // An edge keeps the contour of the lowest level: that is where an ascending path meets it first.
-  Large_vector<Critical_arc> find_arcs()
+  // An edge keeps the contour of the lowest level: that is where an ascending path meets it first. Calls
+  // report(fraction) now and then.
+  template <class Report>
+  Large_vector<Critical_arc> find_arcs(const Report& report)
   {
     for(Index i = 0; i != slab_.number_of_contours(true); ++i)
       arcs_.push_back({no_index, slab_.contour_node(true, i), {no_index, no_index}});
+    constexpr std::size_t vertices_per_report = 4096;
     const Large_vector<Index>& ascending = critical_vertices_.ascending();
-    for(auto critical = ascending.rbegin(); critical != ascending.rend(); ++critical)
-      register_lower_contours(*critical);
+    for(std::size_t i = ascending.size(); i-- != 0;)
+    {
+      register_lower_contours(ascending[i]);
+      if(i % vertices_per_report == 0)
+        report(0.7 * static_cast<double>(ascending.size() - i) / static_cast<double>(ascending.size()));
+    }
     for(Index i = 0; i != critical_vertices_.size(); ++i)
       climb_from(i);
     for(Index i = 0; i != slab_.number_of_contours(false); ++i)

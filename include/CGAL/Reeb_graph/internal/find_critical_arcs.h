@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/Critical_arc.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/Progress.h>
 #include <CGAL/Reeb_graph/internal/Slab.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/gluing.h>
@@ -31,22 +32,25 @@ namespace internal {
 
 // The slab stage between partition and gluing: finds the arcs between critical vertices, slab by slab. With one slab,
 // which needs neither, the engine itself runs in parallel where it can.
-template <class ConcurrencyTag, class Order>
+template <class ConcurrencyTag, class Order, class Report>
 Large_vector<Critical_arc> find_critical_arcs(const Triangle_complex& complex,
                                               const Order& order,
                                               const Critical_vertices& critical_vertices,
                                               Method method,
-                                              std::size_t number_of_slabs)
+                                              std::size_t number_of_slabs,
+                                              const Report& report)
 {
   number_of_slabs = (std::min)(number_of_slabs, static_cast<std::size_t>(critical_vertices.size()));
   if(number_of_slabs <= 1)
-    return find_arcs_of_slab<ConcurrencyTag>(Slab(complex, critical_vertices), order, method);
+    return find_arcs_of_slab<ConcurrencyTag>(Slab(complex, critical_vertices), order, method, report);
 
   const Slicing slicing =
     Slicing::make<ConcurrencyTag>(complex, order, critical_vertices, static_cast<Index>(number_of_slabs));
+  report(0.2);
   std::vector<Large_vector<Critical_arc>> arcs_of_slabs(number_of_slabs);
   for_each_index<ConcurrencyTag>(number_of_slabs, [&](std::size_t i) {
-    arcs_of_slabs[i] = find_arcs_of_slab<ConcurrencyTag>(slicing.slab(static_cast<Index>(i)), order, method);
+    arcs_of_slabs[i] =
+      find_arcs_of_slab<ConcurrencyTag>(slicing.slab(static_cast<Index>(i)), order, method, No_progress());
   });
   return Gluing(slicing, critical_vertices.size())(arcs_of_slabs);
 }
