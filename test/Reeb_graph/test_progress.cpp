@@ -141,7 +141,8 @@ BOOST_AUTO_TEST_CASE(arcs_are_found_in_steps)
   const auto number_of_calls_within = [](Method method, double begin, double end) {
     Listener listener;
     graph_checks::Graph_of<Surface_mesh> graph;
-    Computation<Case<Surface_mesh, CGAL::Sequential_tag>>(random_meshes::cylinder(110, 110), method, 1)(graph, listener);
+    const auto mesh = random_meshes::cylinder(110, 110);
+    Computation<Case<Surface_mesh, CGAL::Sequential_tag>>(mesh, method, 1)(graph, listener);
     return std::count_if(listener.fractions().begin(), listener.fractions().end(),
                          [&](double fraction) { return fraction > begin && fraction < end; });
   };
