@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
-#include <CGAL/Reeb_graph/internal/prefetch.h>
 
 #include <numeric>
 
@@ -21,7 +20,7 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Disjoint sets of numbers. The top of a set is the one that was put on it last.
+// Disjoint sets of numbers. The top of a set stands for all of it.
 class Disjoint_sets
 {
 public:
@@ -37,13 +36,7 @@ public:
   // Joins two sets, of which `old_top` and `top` are the tops; the latter is that of both then.
   void put_on(Index old_top, Index top) { parents_[old_top] = top; }
 
-  // Adds an element in a set of its own.
-  void add() { parents_.push_back(static_cast<Index>(parents_.size())); }
-
   void unite(Index a, Index b) { put_on(top(a), top(b)); }
-
-  // To be called some rounds ahead.
-  void prefetch(Index element) const { internal::prefetch(&parents_[element]); }
 
 private:
   Large_vector<Index> parents_;
