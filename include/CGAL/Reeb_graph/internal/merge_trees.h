@@ -60,15 +60,14 @@ public:
         path_ends_.set_end(critical_vertices_.vertex(i), components_.add(i));
       // A border vertex reaches a critical one or a cut along the border, downwards or upwards: their flags suffice.
       if(critical_vertices_.is_on_border(i))
-        set_border_reached(i);
+        tree_.is_border_reached[i] = true;
     }
     number_of_extrema_ = components_.size();
     for(Index i = 0; i != slab.number_of_contours(is_split_tree); ++i)
     {
       const Index node = slab.contour_node(is_split_tree, i);
       components_.add(node);
-      if(slab.is_border_reached(is_split_tree, i))
-        set_border_reached(node);
+      tree_.is_border_reached[node] = slab.is_border_reached(is_split_tree, i);
     }
   }
 
@@ -159,8 +158,7 @@ public:
   Index add_component_of_cut(Index node, bool is_border_reached)
   {
     add_nodes_up_to(node);
-    if(is_border_reached)
-      set_border_reached(node);
+    tree_.is_border_reached[node] = is_border_reached;
     return components_.add(node);
   }
 
@@ -183,12 +181,6 @@ public:
 private:
   bool is_extremum(Index critical) const { return critical_vertices_.number_of_sectors(critical, is_split_tree) == 0; }
 
-  void set_border_reached(Index node)
-  {
-    tree_.is_border_reached[node] = true;
-    has_border_ = true;
-  }
-
   void add_nodes_up_to(Index node)
   {
     if(node < tree_.parents.size())
@@ -201,7 +193,7 @@ private:
   {
     const Index old_top = components_.top(component);
     tree_.parents[old_top] = top;
-    if(has_border_ && tree_.is_border_reached[old_top])
+    if(tree_.is_border_reached[old_top])
       tree_.is_border_reached[top] = true;
     components_.set_top(component, top);
   }
@@ -212,7 +204,6 @@ private:
   Path_ends path_ends_;
   Index number_of_extrema_;
   Merging_components components_;
-  bool has_border_ = false;
   Large_vector<Index> merged_components_;
   Merge_tree tree_;
 };
