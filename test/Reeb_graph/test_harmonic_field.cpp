@@ -522,7 +522,7 @@ private:
   Eigen::VectorXd diagonal_;
 };
 
-// The lower half of a matrix with the given entries beside the diagonal.
+// A symmetric matrix with an entry beside the diagonal for each edge.
 Eigen_matrix matrix_of_graph(int size, const std::vector<std::pair<int, int>>& edges)
 {
   std::vector<Eigen::Triplet<double>> entries;

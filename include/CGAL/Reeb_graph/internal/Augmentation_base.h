@@ -16,9 +16,9 @@
 #include <CGAL/Reeb_graph/augmentation_exceptions.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Level.h>
+#include <CGAL/Reeb_graph/internal/Progress.h>
 #include <CGAL/Reeb_graph/internal/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
-#include <CGAL/Reeb_graph/internal/Progress.h>
 #include <CGAL/Reeb_graph/internal/contour_tracing.h>
 #include <CGAL/Reeb_graph/internal/find_critical_arcs.h>
 #include <CGAL/Reeb_graph/internal/flatten.h>
