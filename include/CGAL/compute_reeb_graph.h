@@ -107,8 +107,8 @@ namespace CGAL {
 ///                       property map}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_index_map}
-///     \cgalParamDescription{the same for faces. Without it, they are not looked for in a mesh whose edges have
-///                           constant indices.}
+///     \cgalParamDescription{the same for faces. A `CGAL::Surface_mesh` needs neither of the two; they are only
+///                           checked.}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptors as key type and an integer type as
 ///                    value type}
 ///     \cgalParamDefault{as for vertices}
@@ -167,7 +167,7 @@ void compute_reeb_graph(const FaceListGraph& mesh,
 
   progress.report(0);
   visitor.begin_stage(Stage::FLATTEN);
-  const auto surface = stages::flatten<ConcurrencyTag>(mesh, scalar_map, traits, np);
+  auto surface = stages::flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
   const stages::Vertex_order order(surface.values, traits.less_scalar_object());
   visitor.end_stage(Stage::FLATTEN);
   progress.report(0.2);
@@ -175,7 +175,7 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   stages::Flat_graph flat_graph;
   {
     visitor.begin_stage(Stage::CLASSIFY);
-    const auto critical_vertices = stages::classify_vertices<ConcurrencyTag>(surface.complex, order);
+    const auto critical_vertices = stages::check_and_classify_vertices<ConcurrencyTag>(surface.complex, order);
     visitor.critical_vertices(stages::count_critical_vertices(critical_vertices));
     visitor.end_stage(Stage::CLASSIFY);
     progress.report(0.3);

@@ -98,6 +98,7 @@ Combinatorial_mesh surface_of_high_genus(Random& random)
 
 typedef CGAL::Reeb_graph_traits<Surface_mesh, Scalar_map> Traits;
 typedef stages::Vertex_order<double, Traits::Less_scalar> Order;
+typedef stages::Surface_mesh_complex<Surface_mesh::Point> Complex;
 
 // The total order, which counts how often it is asked.
 class Counting_order
@@ -127,7 +128,7 @@ struct Surgery
 };
 
 // Follows each cut from an edge on which it is the lowest one, and looks whether another one is lower elsewhere.
-bool are_several_cuts_on_an_edge(const stages::Triangle_complex& complex, const Order& order,
+bool are_several_cuts_on_an_edge(const Complex& complex, const Order& order,
                                  const stages::Critical_vertices& critical_vertices, const stages::Cut_contours& cuts)
 {
   std::set<stages::Index> followed = {stages::no_index};
@@ -144,7 +145,7 @@ bool are_several_cuts_on_an_edge(const stages::Triangle_complex& complex, const 
   return are_several || followed.size() - 1 != cuts.size();
 }
 
-std::size_t length_of_shortest_lower_contour(const stages::Triangle_complex& complex, const Order& order,
+std::size_t length_of_shortest_lower_contour(const Complex& complex, const Order& order,
                                              const stages::Critical_vertices& critical_vertices,
                                              stages::Index critical)
 {
@@ -171,14 +172,14 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values)
   const auto& ascending = critical_vertices.ascending();
   const stages::Slab slab(surface.complex, critical_vertices);
 
-  stages::Merge_tree_sweep<Order, false> upwards(slab, order);
+  stages::Merge_tree_sweep<Complex, Order, false> upwards(slab, order);
   upwards.find_path_ends<CGAL::Sequential_tag>();
   std::for_each(ascending.begin(), ascending.end(), [&](stages::Index critical) { upwards.merge_at(critical); });
 
-  stages::Cutting_sweep<Order> downwards(slab, order);
+  stages::Cutting_sweep<Complex, Order> downwards(slab, order);
   downwards.find_path_ends<CGAL::Sequential_tag>();
   const Counting_order counting_order(order);
-  stages::Loop_surgery<Counting_order> surgery(slab, counting_order, upwards.tree(), downwards.tree());
+  stages::Loop_surgery<Complex, Counting_order> surgery(slab, counting_order, upwards.tree(), downwards.tree());
   bool is_longer_contour_cut = false;
   std::for_each(ascending.rbegin(), ascending.rend(), [&](stages::Index critical) {
     downwards.merge_at(critical);

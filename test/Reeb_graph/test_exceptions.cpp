@@ -90,6 +90,14 @@ bool mentions(const Error& error, const std::string& text)
   return std::string(error.what()).find(text) != std::string::npos;
 }
 
+template <class Mesh, class ScalarMap>
+std::size_t number_of_arcs(const Mesh& mesh, const ScalarMap& scalar_map)
+{
+  typename CGAL::Reeb_graph_traits<Mesh, ScalarMap>::Graph graph;
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+  return num_edges(graph);
+}
+
 // Lets all halfedges that end at u end at v. Where the two had a fan each, v has both, and its halfedge sees one.
 template <class Mesh, class Vertex>
 void merge_vertices(Mesh& mesh, Vertex u, Vertex v)
@@ -198,6 +206,30 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(nan_is_refused_everywhere, Mesh, Meshes)
       return error.vertex() == v && mentions(error, "vertex " + std::to_string(v) + " ");
     });
   }
+}
+
+// Errors name vertices by their positions among those that have not been removed, and nobody asks for the values and
+// the halfedges of the other ones.
+BOOST_AUTO_TEST_CASE(removed_vertices_do_not_count)
+{
+  const random_meshes::Combinatorial_mesh tetrahedron = random_meshes::tetrahedron();
+  Surface_mesh mesh;
+  mesh_builders::build_with_garbage(mesh, mesh_builders::make_soup(disjoint_union(tetrahedron, tetrahedron)));
+  BOOST_REQUIRE(mesh.has_garbage());
+  auto values = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:value", not_a_number).first;
+  for(std::size_t v = 0; v < 8; ++v)
+    values[element(vertices(mesh), v)] = static_cast<double>(v);
+  BOOST_TEST(number_of_arcs(mesh, values) == 2u);
+  for(std::size_t v = 0; v < 8; ++v)
+  {
+    values[element(vertices(mesh), v)] = not_a_number;
+    BOOST_CHECK_EXCEPTION(number_of_arcs(mesh, values), Unordered_scalar_error,
+                          [v](const Unordered_scalar_error& error) { return error.vertex() == v; });
+    values[element(vertices(mesh), v)] = 0;
+  }
+  merge_vertices(mesh, element(vertices(mesh), 7), element(vertices(mesh), 2));
+  BOOST_CHECK_EXCEPTION(number_of_arcs(mesh, values), Non_manifold_vertex_error,
+                        [](const Non_manifold_vertex_error& error) { return error.vertex() == 2; });
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(infinities_are_accepted, Mesh, Meshes)

@@ -56,8 +56,8 @@ std::vector<std::size_t> slab_counts_beyond(std::size_t number_of_vertices)
   return {1, 2, 3, 8, 64, number_of_vertices + 1};
 }
 
-template <class Mesh>
-void compare_on_random_meshes(std::size_t first_seed, std::size_t end_seed)
+template <class Mesh, class Make>
+void compare_on_random_meshes(std::size_t first_seed, std::size_t end_seed, const Make& make)
 {
   constexpr std::size_t number_of_classes = static_cast<std::size_t>(Mesh_class::NUMBER_OF_CLASSES);
   constexpr std::size_t number_of_field_classes = static_cast<std::size_t>(Field_class::NUMBER_OF_CLASSES);
@@ -69,12 +69,29 @@ void compare_on_random_meshes(std::size_t first_seed, std::size_t end_seed)
     const auto values = random_meshes::random_field(mesh, field_class, random);
     const Settings settings = settings_of_seed(seed / number_of_classes / number_of_field_classes);
     BOOST_TEST_CONTEXT("seed " << seed)
-    compare_slabs(make_mesh<Mesh>(mesh), values, slab_counts_beyond(mesh.number_of_vertices), settings);
+    compare_slabs(make(mesh), values, slab_counts_beyond(mesh.number_of_vertices), settings);
   }
+}
+
+template <class Mesh>
+void compare_on_random_meshes(std::size_t first_seed, std::size_t end_seed)
+{
+  compare_on_random_meshes<Mesh>(first_seed, end_seed, [](const Combinatorial_mesh& mesh) {
+    return make_mesh<Mesh>(mesh);
+  });
 }
 } // namespace
 
 BOOST_AUTO_TEST_CASE(random_surface_meshes) { compare_on_random_meshes<Surface_mesh>(0, 2500); }
+
+BOOST_AUTO_TEST_CASE(random_surface_meshes_with_garbage)
+{
+  compare_on_random_meshes<Surface_mesh>(3500, 4000, [](const Combinatorial_mesh& mesh) {
+    Surface_mesh garbage;
+    mesh_builders::build_with_garbage(garbage, mesh_builders::make_soup(mesh));
+    return garbage;
+  });
+}
 
 BOOST_AUTO_TEST_CASE(random_polyhedra) { compare_on_random_meshes<Polyhedron>(2500, 3500); }
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -79,13 +79,14 @@ public:
 #ifndef DOXYGEN_RUNNING
   // `sorted_places` has the place of each vertex of `sorted_vertices`, which is in ascending order.
   Vertex_locations(std::function<internal::Index(VertexDescriptor)> position,
+                   std::size_t number_of_positions,
                    std::size_t number_of_nodes,
                    std::vector<arc_descriptor> arcs,
                    const std::vector<std::pair<VertexDescriptor, internal::Index>>& sorted_places)
     : position_(std::move(position)),
       number_of_nodes_(number_of_nodes),
       arcs_(std::move(arcs)),
-      places_(sorted_places.size()),
+      places_(number_of_positions),
       first_vertices_(number_of_nodes_ + arcs_.size() + 1, 0),
       vertices_(sorted_places.size())
   {

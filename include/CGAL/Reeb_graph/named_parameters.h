@@ -91,6 +91,10 @@ auto append_parameter(const T& value, const Parameters& np)
   return Named_function_parameters<T, Tag, Parameters>(value, np);
 }
 
+// Whether get_parameter() has found one, by the type that it returns.
+template <class Parameter>
+constexpr bool is_given = !std::is_same_v<std::decay_t<Parameter>, internal_np::Param_not_found>;
+
 // A parameter that may be given by value or as std::reference_wrapper.
 template <class T>
 T& unwrap_reference(T& parameter)

@@ -22,8 +22,8 @@ namespace Reeb_graph {
 /// \brief the stages of `compute_reeb_graph()`, in the order in which they run.
 enum class Stage
 {
-  FLATTEN,  ///< the mesh and the scalar map are copied into flat arrays, and checked
-  CLASSIFY, ///< critical vertices are found and sorted
+  FLATTEN,  ///< the scalar map is copied, and the mesh, if it is no `CGAL::Surface_mesh`
+  CLASSIFY, ///< the mesh is checked; critical vertices are found and sorted
   ARCS,     ///< the arcs between critical vertices are found
   WRITE     ///< the halfedge chains of the arcs are walked, and the graph is written
 };

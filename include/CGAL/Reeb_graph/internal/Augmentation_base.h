@@ -74,7 +74,7 @@ protected:
         parameters::choose_parameter(parameters::get_parameter(np, keep_degree_two_nodes), false)),
       surface_(flatten<Sequential_tag>(mesh, scalar_map, traits_, np)),
       order_(surface_.values, traits_.less_scalar_object()),
-      position_(make_vertex_positions(mesh, surface_.vertices, np))
+      position_(find_vertex_numbers(mesh, surface_.vertices, np))
   {
     check_nodes();
   }
@@ -189,7 +189,7 @@ protected:
     for(const Index halfedge : crossed)
     {
       const bool is_target_below = level.is_below(surface_.complex.target(halfedge));
-      const Index ascending = is_target_below ? Triangle_complex::opposite(halfedge) : halfedge;
+      const Index ascending = is_target_below ? opposite_of(halfedge) : halfedge;
       contour.halfedges.push_back(surface_.halfedges(mesh_, ascending));
     }
     return contour;
@@ -218,7 +218,7 @@ protected:
     const Index v = node_vertex(node);
     if(!surface_.complex.is_on_border(v))
       return loop;
-    const Index along_border = Triangle_complex::opposite(surface_.complex.first_halfedge(v));
+    const Index along_border = opposite_of(surface_.complex.first_halfedge(v));
     const halfedge_descriptor first = surface_.halfedges(mesh_, along_border);
     halfedge_descriptor h = first;
     do
@@ -277,7 +277,7 @@ protected:
                                                       : place_on_arc(vertex, all_arcs.arc_of_critical[i]));
     }
     const auto arc_range = edges(graph_);
-    return Vertex_locations(position_, flat_graph.nodes.size(),
+    return Vertex_locations(position_, surface_.vertices.size(), flat_graph.nodes.size(),
                             std::vector<arc_descriptor>(arc_range.first, arc_range.second), sorted_places);
   }
 

@@ -12,7 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 
 #include <unordered_map>
 #include <vector>
@@ -31,8 +31,8 @@ public:
 
   // Adds a contour just below the critical vertex `critical`, the top of whose sublevel component is
   // `sublevel_class`. Critical vertices have to come in descending order: an edge keeps its lowest contour.
-  template <class HalfedgeRange>
-  void add(const Triangle_complex& complex, Index critical, Index sublevel_class, const HalfedgeRange& crossed_edges)
+  template <class Complex, class HalfedgeRange>
+  void add(const Complex& complex, Index critical, Index sublevel_class, const HalfedgeRange& crossed_edges)
   {
     const Index cut = size();
     critical_vertices_.push_back(critical);
@@ -42,7 +42,7 @@ public:
       switch_to_array(complex.number_of_edges());
     for(const Index halfedge : crossed_edges)
     {
-      const Index edge = Triangle_complex::edge(halfedge);
+      const Index edge = edge_of(halfedge);
       is_edge_cut_[edge] = true;
       (lowest_cuts_.empty() ? few_lowest_cuts_[edge] : lowest_cuts_[edge]) = cut;
     }
@@ -63,7 +63,7 @@ public:
   // The lowest contour that crosses the edge of the halfedge, no_index if there is none.
   Index lowest_at_edge(Index halfedge) const
   {
-    const Index edge = Triangle_complex::edge(halfedge);
+    const Index edge = edge_of(halfedge);
     if(is_edge_cut_.empty() || !is_edge_cut_[edge])
       return no_index;
     return lowest_cuts_.empty() ? few_lowest_cuts_.find(edge)->second : lowest_cuts_[edge];

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Number_set.h>
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/contour_tracing.h>
 
 #include <vector>
@@ -27,13 +27,13 @@ namespace internal {
 class Cut_level
 {
 public:
-  explicit Cut_level(const Triangle_complex& complex) : crossed_edges_(complex.number_of_edges()) {}
+  explicit Cut_level(Index number_of_edges) : crossed_edges_(number_of_edges) {}
 
   void add_crossed_edge(Index edge) { crossed_edges_.add(edge); }
 
   // To be called after the last edge has been added.
-  template <class IsBelow>
-  void find_contours(const Triangle_complex& complex, const IsBelow& is_below)
+  template <class Complex, class IsBelow>
+  void find_contours(const Complex& complex, const IsBelow& is_below)
   {
     crossed_edges_.count_ranks();
     contours_.assign(crossed_edges_.size(), no_index);
@@ -44,7 +44,7 @@ public:
       first_edges_.push_back(edge);
       is_border_reached_.push_back(false);
       trace_contour(complex, complex.halfedge_of_triangle(edge), is_below, [&](Index halfedge) {
-        contours_[crossed_edges_.rank(Triangle_complex::edge(halfedge))] = contour;
+        contours_[crossed_edges_.rank(edge_of(halfedge))] = contour;
         if(complex.is_on_border_edge(halfedge))
           is_border_reached_.back() = true;
       });
@@ -55,10 +55,7 @@ public:
   Index first_edge(Index contour) const { return first_edges_[contour]; }
   bool is_border_reached(Index contour) const { return is_border_reached_[contour]; }
 
-  Index contour_at_edge(Index halfedge) const
-  {
-    return contours_[crossed_edges_.rank(Triangle_complex::edge(halfedge))];
-  }
+  Index contour_at_edge(Index halfedge) const { return contours_[crossed_edges_.rank(edge_of(halfedge))]; }
 
 private:
   Number_set crossed_edges_;

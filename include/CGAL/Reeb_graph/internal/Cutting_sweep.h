@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/internal/Cut_contours.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Slab.h>
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/merge_trees.h>
 
@@ -28,11 +28,11 @@ namespace internal {
 
 // The sweep for the split tree of a surface that is cut on the way. A cut ends the paths of vertices further down, so
 // their ends, found before, have to be corrected.
-template <class Order>
+template <class Complex, class Order>
 class Cutting_sweep
 {
 public:
-  Cutting_sweep(const Slab& slab, const Order& order)
+  Cutting_sweep(const Slab<Complex>& slab, const Order& order)
     : complex_(slab.complex()),
       order_(order),
       critical_vertices_(slab.critical_vertices()),
@@ -121,17 +121,16 @@ private:
   {
     is_changed_[vertex] = true;
     auto& path_ends = sweep_.path_ends();
-    if(!path_ends.is_known(vertex)
-       || Triangle_complex::edge(path_ends.step(vertex).edge) != Triangle_complex::edge(edge))
+    if(!path_ends.is_known(vertex) || edge_of(path_ends.step(vertex).edge) != edge_of(edge))
       return;
     path_ends.set_end(vertex, components_of_cuts_.back());
     corrected.push_back(vertex);
   }
 
-  const Triangle_complex& complex_;
+  const Complex& complex_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
-  Merge_tree_sweep<Order, true> sweep_;
+  Merge_tree_sweep<Complex, Order, true> sweep_;
   Cut_contours cuts_;
   Large_vector<Index> components_of_cuts_;
   Large_vector<Index> passed_;

@@ -12,9 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/Descriptor_list.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/Named_function_parameters.h>
@@ -109,15 +108,6 @@ struct Has_constant_index<Graph, IndexTag, true>
 {
 };
 
-// By the index map of the mesh itself.
-template <class IndexTag, class Graph, class DescriptorList>
-auto make_positions_by_constant_index(const Graph& mesh, const DescriptorList& descriptors, const char* name)
-{
-  typedef Descriptor_positions<typename boost::property_map<Graph, IndexTag>::const_type> Positions;
-  return descriptors.is_consecutive() ? Positions(get(IndexTag(), mesh), descriptors.size())
-                                      : Positions(get(IndexTag(), mesh), descriptors, name);
-}
-
 template <class IndexTag, class DynamicTag, class Graph, class DescriptorList, class IndexParameter>
 auto make_descriptor_positions(const Graph& mesh,
                                const DescriptorList& descriptors,
@@ -127,7 +117,10 @@ auto make_descriptor_positions(const Graph& mesh,
   if constexpr(!std::is_same_v<IndexParameter, internal_np::Param_not_found>)
     return Descriptor_positions<IndexParameter>(index_parameter, descriptors, name);
   else if constexpr(Has_constant_index<Graph, IndexTag>::value)
-    return make_positions_by_constant_index<IndexTag>(mesh, descriptors, name);
+  {
+    typedef typename boost::property_map<Graph, IndexTag>::const_type Index_map;
+    return Descriptor_positions<Index_map>(get(IndexTag(), mesh), descriptors, name);
+  }
   else
   {
     auto index_map = get(DynamicTag(), mesh);

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/Cut_level.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 
@@ -26,17 +26,18 @@ namespace internal {
 // The part of the surface between two cut levels, or all of it. It is no copy: it has the numbers of the slabs in which
 // all vertices are, and its own critical vertices. Its nodes are these, followed by the contours of its lower level and
 // those of its upper level.
+template <class Complex>
 class Slab
 {
 public:
   // All of the surface.
-  Slab(const Triangle_complex& complex, const Critical_vertices& critical_vertices)
+  Slab(const Complex& complex, const Critical_vertices& critical_vertices)
     : complex_(&complex),
       critical_vertices_(&critical_vertices)
   {}
 
   // Slab `number`, between two levels, each of which can be missing.
-  Slab(const Triangle_complex& complex,
+  Slab(const Complex& complex,
        const Critical_vertices& critical_vertices,
        const Large_vector<Index>& slabs_of_vertices,
        Index number,
@@ -50,7 +51,7 @@ public:
       upper_level_(upper_level)
   {}
 
-  const Triangle_complex& complex() const { return *complex_; }
+  const Complex& complex() const { return *complex_; }
   const Critical_vertices& critical_vertices() const { return *critical_vertices_; }
 
   Index number_of_contours(bool is_upper) const
@@ -99,7 +100,7 @@ private:
     return is_upper ? slab > number_ : slab < number_;
   }
 
-  const Triangle_complex* complex_;
+  const Complex* complex_;
   const Critical_vertices* critical_vertices_;
   const Large_vector<Index>* slabs_of_vertices_ = nullptr;
   Index number_ = 0;

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
 
@@ -38,8 +38,8 @@ struct Flat_chains
 
 // Walks the pieces of chains from `begin` to `end`. A path that has entered an arc cannot leave it below the upper
 // node, so comparisons tell the end, and the chain does not depend on how the arc was found.
-template <class Order>
-Large_vector<Index> walk_pieces(const Triangle_complex& complex,
+template <class Complex, class Order>
+Large_vector<Index> walk_pieces(const Complex& complex,
                                 const Order& order,
                                 const Chain_piece* begin,
                                 const Chain_piece* end,
@@ -49,7 +49,7 @@ Large_vector<Index> walk_pieces(const Triangle_complex& complex,
   halfedges.reserve(3 * static_cast<std::size_t>(end - begin));
   const auto add = [&](const Ascending_step& step) {
     const bool is_ascending = complex.target(step.edge) == step.target;
-    halfedges.push_back(is_ascending ? step.edge : Triangle_complex::opposite(step.edge));
+    halfedges.push_back(is_ascending ? step.edge : opposite_of(step.edge));
   };
   for(const Chain_piece* piece = begin; piece != end; ++piece)
   {
@@ -62,8 +62,8 @@ Large_vector<Index> walk_pieces(const Triangle_complex& complex,
 }
 
 // Engines find arcs by and large in the order of where they begin on the mesh, and pieces have kept that order.
-template <class ConcurrencyTag, class Order>
-Flat_chains find_arc_chains(const Triangle_complex& complex, const Order& order, const Flat_graph& graph)
+template <class ConcurrencyTag, class Complex, class Order>
+Flat_chains find_arc_chains(const Complex& complex, const Order& order, const Flat_graph& graph)
 {
   const std::size_t size = graph.pieces.size();
   Flat_chains chains;

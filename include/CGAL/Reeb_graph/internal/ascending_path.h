@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -26,8 +26,8 @@ struct Ascending_step
 };
 
 // The step from `vertex`, which is no maximum, to its highest neighbor. Without a branch, as none could be predicted.
-template <class Order>
-Ascending_step steepest_step(const Triangle_complex& complex, const Order& order, Index vertex)
+template <class Complex, class Order>
+Ascending_step steepest_step(const Complex& complex, const Order& order, Index vertex)
 {
   Ascending_step step = {no_index, vertex};
   complex.for_each_edge_around(vertex, [&](Index neighbor, Index halfedge) {

@@ -11,8 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Triangle_complex_base.h>
 #include <CGAL/Reeb_graph/internal/link_sectors.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
 #include <CGAL/Reeb_graph/internal/prefetch.h>
@@ -80,9 +81,9 @@ public:
   }
 
   // Sets the critical vertex number `critical`, which has the given sectors from `first_sectors` on.
-  template <class Order>
+  template <class Complex, class Order>
   void set(Index critical,
-           const Triangle_complex& complex,
+           const Complex& complex,
            const Order& order,
            Index vertex,
            const Link_summary& link,
@@ -166,13 +167,15 @@ struct Found_vertices
 
   Large_vector<Vertex> vertices;
   Sector_counts numbers_of_sectors = {0, 0};
+  Fan_counts fan_counts; // if fans have been found on the way
 };
 
-template <class Order, class IsWanted>
-Found_vertices find_vertices(const Triangle_complex& complex,
-                             const Order& order,
+// summarize(vertex, fan counts) tells the link of a vertex, is_wanted(number of link sectors) whether to take it.
+template <class Complex, class Summarize, class IsWanted>
+Found_vertices find_vertices(const Complex& complex,
                              std::size_t begin,
                              std::size_t end,
+                             const Summarize& summarize,
                              const IsWanted& is_wanted)
 {
   Found_vertices found;
@@ -180,7 +183,9 @@ Found_vertices find_vertices(const Triangle_complex& complex,
   std::size_t number_of_found = 0;
   for(std::size_t v = begin; v != end; ++v)
   {
-    const Link_summary link = summarize_link(complex, order, static_cast<Index>(v));
+    if(!complex.has_vertex(static_cast<Index>(v)))
+      continue;
+    const Link_summary link = summarize(static_cast<Index>(v), found.fan_counts);
     const bool is_found = is_wanted(link.number_of_sectors);
     found.vertices[number_of_found] = {static_cast<Index>(v), link};
     number_of_found += is_found;
@@ -191,15 +196,23 @@ Found_vertices find_vertices(const Triangle_complex& complex,
   return found;
 }
 
-// The vertices with wanted numbers of link sectors. They are found in parts, and then each part is put in its place.
-template <class ConcurrencyTag, class Order, class IsWanted>
-Critical_vertices collect_vertices(const Triangle_complex& complex, const Order& order, const IsWanted& is_wanted)
+template <class ConcurrencyTag, class Complex, class Summarize, class IsWanted>
+std::vector<Found_vertices> find_vertices_in_parts(const Complex& complex,
+                                                   const Summarize& summarize,
+                                                   const IsWanted& is_wanted)
 {
   const std::size_t size = complex.number_of_vertices();
   std::vector<Found_vertices> parts(number_of_parts<ConcurrencyTag>(size));
   for_each_part<ConcurrencyTag>(parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
-    parts[part] = find_vertices(complex, order, begin, end, is_wanted);
+    parts[part] = find_vertices(complex, begin, end, summarize, is_wanted);
   });
+  return parts;
+}
+
+// Puts each part in its place.
+template <class ConcurrencyTag, class Complex, class Order>
+Critical_vertices join_parts(const Complex& complex, const Order& order, const std::vector<Found_vertices>& parts)
+{
   std::size_t number_of_vertices = 0;
   Sector_counts numbers_of_sectors = {0, 0};
   std::vector<std::size_t> first_vertices;
@@ -224,24 +237,44 @@ Critical_vertices collect_vertices(const Triangle_complex& complex, const Order&
       sectors[true] += found.link.number_of_upper_sectors();
     }
   });
-  result.sort<ConcurrencyTag>(order);
+  result.template sort<ConcurrencyTag>(order);
   return result;
 }
 
+inline bool has_critical_number_of_sectors(Index number_of_sectors) { return number_of_sectors != 2; }
+
 // Finds the critical vertices: all but those with one lower and one upper sector. (The paper, Section 3.1; a border
 // vertex has a path as link, so its sectors are counted.)
-template <class ConcurrencyTag, class Order>
-Critical_vertices classify_vertices(const Triangle_complex& complex, const Order& order)
+template <class ConcurrencyTag, class Complex, class Order>
+Critical_vertices classify_vertices(const Complex& complex, const Order& order)
 {
-  return collect_vertices<ConcurrencyTag>(complex, order,
-                                          [](Index number_of_sectors) { return number_of_sectors != 2; });
+  const auto summarize = [&](Index vertex, Fan_counts&) { return summarize_link(complex, order, vertex); };
+  return join_parts<ConcurrencyTag>(
+    complex, order, find_vertices_in_parts<ConcurrencyTag>(complex, summarize, has_critical_number_of_sectors));
+}
+
+// The same for a complex that has not been checked, which is done on the way: both have to turn around each vertex.
+template <class ConcurrencyTag, class Complex, class Order>
+Critical_vertices check_and_classify_vertices(Complex& complex, const Order& order)
+{
+  const auto summarize = [&](Index vertex, Fan_counts& counts) {
+    return find_fan_and_summarize_link(complex, order, vertex, counts);
+  };
+  const auto parts = find_vertices_in_parts<ConcurrencyTag>(complex, summarize, has_critical_number_of_sectors);
+  Fan_counts counts;
+  for(const Found_vertices& part : parts)
+    counts += part.fan_counts;
+  complex.check(counts);
+  return join_parts<ConcurrencyTag>(complex, order, parts);
 }
 
 // All vertices in the place of the critical ones: with them, the engines find where each vertex is in the graph.
-template <class ConcurrencyTag, class Order>
-Critical_vertices sort_all_vertices(const Triangle_complex& complex, const Order& order)
+template <class ConcurrencyTag, class Complex, class Order>
+Critical_vertices sort_all_vertices(const Complex& complex, const Order& order)
 {
-  return collect_vertices<ConcurrencyTag>(complex, order, [](Index) { return true; });
+  const auto summarize = [&](Index vertex, Fan_counts&) { return summarize_link(complex, order, vertex); };
+  return join_parts<ConcurrencyTag>(
+    complex, order, find_vertices_in_parts<ConcurrencyTag>(complex, summarize, [](Index) { return true; }));
 }
 
 inline Critical_vertex_counts count_critical_vertices(const Critical_vertices& critical_vertices)

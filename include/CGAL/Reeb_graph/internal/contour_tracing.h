@@ -12,7 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,11 +26,12 @@ namespace internal {
 //
 // All along a contour the source of the entered edge stays on the same side of the level, so that one comparison
 // per triangle tells the way: the contour keeps its apex on the side of that end which it does not separate from it.
+template <class Complex>
 class Contour_walk
 {
 public:
   template <class IsBelow>
-  Contour_walk(const Triangle_complex& complex, Index start, const IsBelow& is_below)
+  Contour_walk(const Complex& complex, Index start, const IsBelow& is_below)
     : complex_(&complex),
       start_(start),
       entered_(start),
@@ -46,13 +47,13 @@ public:
       return false;
     const Index next = complex_->next(entered_);
     const Index left = is_below(complex_->target(next)) == is_source_below_ ? next : complex_->next(next);
-    entered_ = Triangle_complex::opposite(left);
+    entered_ = opposite_of(left);
     is_border_reached_ |= !complex_->has_triangle(entered_);
     return entered_ != start_;
   }
 
   // A halfedge of a triangle on the edge that has been reached.
-  Index crossed_edge() const { return Triangle_complex::opposite(entered_); }
+  Index crossed_edge() const { return opposite_of(entered_); }
   bool is_border_reached() const { return is_border_reached_; }
   bool has_turned() const { return has_turned_; }
 
@@ -62,15 +63,15 @@ public:
 private:
   bool turn_round()
   {
-    if(has_turned_ || !complex_->has_triangle(Triangle_complex::opposite(start_)))
+    if(has_turned_ || !complex_->has_triangle(opposite_of(start_)))
       return false;
     has_turned_ = true;
-    entered_ = Triangle_complex::opposite(start_);
+    entered_ = opposite_of(start_);
     is_source_below_ = !is_source_below_;
     return true;
   }
 
-  const Triangle_complex* complex_;
+  const Complex* complex_;
   Index start_;
   Index entered_;
   bool is_source_below_;
@@ -80,8 +81,8 @@ private:
 
 // Calls visit(halfedge) once for each edge of the contour that crosses the edge of `start`, which has a triangle, as
 // have all the other ones.
-template <class IsBelow, class Visit>
-void trace_contour(const Triangle_complex& complex, Index start, const IsBelow& is_below, const Visit& visit)
+template <class Complex, class IsBelow, class Visit>
+void trace_contour(const Complex& complex, Index start, const IsBelow& is_below, const Visit& visit)
 {
   visit(start);
   Contour_walk walk(complex, start, is_below);
@@ -91,14 +92,11 @@ void trace_contour(const Triangle_complex& complex, Index start, const IsBelow& 
 
 // Replaces the content of `crossed` by halfedges of the edges of the contour that crosses the edge of `start`, in the
 // order in which they follow each other with the higher side on the left. Returns whether the contour is closed.
-template <class IsBelow>
-bool trace_oriented_contour(const Triangle_complex& complex,
-                            Index start,
-                            const IsBelow& is_below,
-                            Large_vector<Index>& crossed)
+template <class Complex, class IsBelow>
+bool trace_oriented_contour(const Complex& complex, Index start, const IsBelow& is_below, Large_vector<Index>& crossed)
 {
   // Who enters a triangle over an edge has the source of that edge on the left.
-  const Index forward = is_below(complex.source(start)) ? Triangle_complex::opposite(start) : start;
+  const Index forward = is_below(complex.source(start)) ? opposite_of(start) : start;
   Contour_walk walk(complex, forward, is_below);
   crossed.clear();
   std::ptrdiff_t number_of_forward_edges = 0;

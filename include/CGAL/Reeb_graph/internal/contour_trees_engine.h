@@ -35,13 +35,13 @@ namespace internal {
 // Contour trees joined by loop surgery: near-linear for any field. The surface is cut along the few contours that
 // close loops; what is left has a tree as Reeb graph, which comes from its join tree and its split tree. The sweep for
 // the split tree comes down to a contour just below a vertex after all that is above: it can cut there and go on.
-template <class Order>
+template <class Complex, class Order>
 class Contour_trees_engine
 {
-  typedef Merge_tree_sweep<Order, false> Upward_sweep;
+  typedef Merge_tree_sweep<Complex, Order, false> Upward_sweep;
 
 public:
-  Contour_trees_engine(const Slab& slab, const Order& order)
+  Contour_trees_engine(const Slab<Complex>& slab, const Order& order)
     : slab_(slab),
       order_(order),
       critical_vertices_(slab.critical_vertices()),
@@ -53,7 +53,7 @@ public:
   Large_vector<Critical_arc> find_arcs(const Report& report)
   {
     std::optional<Upward_sweep> upwards;
-    std::optional<Cutting_sweep<Order>> downwards;
+    std::optional<Cutting_sweep<Complex, Order>> downwards;
     invoke_both<ConcurrencyTag>([&] { upwards.emplace(slab_, order_); }, [&] { downwards.emplace(slab_, order_); });
     upwards->template find_path_ends<ConcurrencyTag>();
     report(0.25);
@@ -103,9 +103,9 @@ private:
     sweep.merge_last_contours([&](const Ascending_step& step) { return sweep.component_at_level(step); });
   }
 
-  void sweep_downwards(Cutting_sweep<Order>& sweep, const Merge_tree& join_tree) const
+  void sweep_downwards(Cutting_sweep<Complex, Order>& sweep, const Merge_tree& join_tree) const
   {
-    Loop_surgery<Order> surgery(slab_, order_, join_tree, sweep.tree());
+    Loop_surgery<Complex, Order> surgery(slab_, order_, join_tree, sweep.tree());
     const Large_vector<Index>& ascending = critical_vertices_.ascending();
     visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Index critical) {
       sweep.merge_at(critical);
@@ -169,7 +169,7 @@ private:
     }
   }
 
-  const Slab& slab_;
+  const Slab<Complex>& slab_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
   Cut_contours cuts_;

@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/internal/Critical_arc.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Slab.h>
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/contour_tracing.h>
@@ -31,11 +31,11 @@ namespace internal {
 // are registered at the edges that they cross; then a path climbs from each upper sector of each critical vertex to
 // the first edge where a contour is registered, which names the upper end of the arc. Each such contour ends one
 // arc. Cost: the lengths of the registered contours, and of the paths; those of different arcs do not overlap.
-template <class Order>
+template <class Complex, class Order>
 class Critical_sets_engine
 {
 public:
-  Critical_sets_engine(const Slab& slab, const Order& order)
+  Critical_sets_engine(const Slab<Complex>& slab, const Order& order)
     : slab_(slab),
       complex_(slab.complex()),
       order_(order),
@@ -78,12 +78,11 @@ private:
         return;
       const Index contour = static_cast<Index>(arcs_.size());
       arcs_.push_back({no_index, critical, {no_index, no_index}});
-      trace_contour(complex_, edge, is_below,
-                    [&](Index halfedge) { contour_at_edge_[Triangle_complex::edge(halfedge)] = contour; });
+      trace_contour(complex_, edge, is_below, [&](Index halfedge) { contour_at_edge_[edge_of(halfedge)] = contour; });
     });
   }
 
-  Index contour_at(Index halfedge) const { return contour_at_edge_[Triangle_complex::edge(halfedge)]; }
+  Index contour_at(Index halfedge) const { return contour_at_edge_[edge_of(halfedge)]; }
 
   void climb_from(Index critical)
   {
@@ -109,8 +108,8 @@ private:
     return contour_at(step.edge);
   }
 
-  const Slab& slab_;
-  const Triangle_complex& complex_;
+  const Slab<Complex>& slab_;
+  const Complex& complex_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
   Large_vector<Index> contour_at_edge_; // a contour has the number of the arc that ends there

@@ -32,8 +32,8 @@ namespace internal {
 
 // The slab stage between partition and gluing: finds the arcs between critical vertices, slab by slab. With one slab,
 // which needs neither, the engine itself runs in parallel where it can.
-template <class ConcurrencyTag, class Order, class Report>
-Large_vector<Critical_arc> find_critical_arcs(const Triangle_complex& complex,
+template <class ConcurrencyTag, class Complex, class Order, class Report>
+Large_vector<Critical_arc> find_critical_arcs(const Complex& complex,
                                               const Order& order,
                                               const Critical_vertices& critical_vertices,
                                               Method method,
@@ -44,8 +44,8 @@ Large_vector<Critical_arc> find_critical_arcs(const Triangle_complex& complex,
   if(number_of_slabs <= 1)
     return find_arcs_of_slab<ConcurrencyTag>(Slab(complex, critical_vertices), order, method, report);
 
-  const Slicing slicing =
-    Slicing::make<ConcurrencyTag>(complex, order, critical_vertices, static_cast<Index>(number_of_slabs));
+  const auto slicing = Slicing<Complex>::template make<ConcurrencyTag>(complex, order, critical_vertices,
+                                                                       static_cast<Index>(number_of_slabs));
   report(0.2);
   std::vector<Large_vector<Critical_arc>> arcs_of_slabs(number_of_slabs);
   for_each_index<ConcurrencyTag>(number_of_slabs, [&](std::size_t i) {

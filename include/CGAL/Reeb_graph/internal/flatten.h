@@ -12,35 +12,51 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/Descriptor_list.h>
 #include <CGAL/Reeb_graph/internal/Descriptor_positions.h>
+#include <CGAL/Reeb_graph/internal/Halfedge_list.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/Surface_mesh_complex.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Vertex_list.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
 #include <CGAL/Reeb_graph/internal/read_halfedges.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+
+#include <CGAL/Surface_mesh.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// A mesh with its field in flat arrays. Vertices are numbered by their positions in vertices(mesh), halfedges as in
-// Triangle_complex; the descriptors lead back.
+// The stages see a mesh of any type as a copy, but a Surface_mesh as it is.
+template <class FaceListGraph>
+struct Complex_of
+{
+  typedef Triangle_complex type;
+};
+
+template <class Point>
+struct Complex_of<Surface_mesh<Point>>
+{
+  typedef Surface_mesh_complex<Point> type;
+};
+
+// A mesh with its field by numbers; the lists lead back.
 template <class FaceListGraph, class Scalar>
 struct Flat_surface
 {
-  typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
-
-  Triangle_complex complex;
+  typename Complex_of<FaceListGraph>::type complex;
   Large_vector<Scalar> values;
-  Descriptor_list<FaceListGraph, vertex_descriptor> vertices;
-  Numbered_halfedges<FaceListGraph> halfedges;
+  Vertex_list<FaceListGraph> vertices;
+  Halfedge_list<FaceListGraph> halfedges;
 };
 
 // Only plain numbers are read in parallel: copies of others may share parts.
@@ -59,30 +75,106 @@ Large_vector<typename Traits::Scalar> read_values(const VertexList& vertices,
     std::size_t unordered = 0;
     for(std::size_t v = begin; v != end; ++v)
     {
+      if(!vertices.contains(v))
+      {
+        values[v] = Scalar();
+        continue;
+      }
       values[v] = get(scalar_map, vertices[v]);
       unordered += is_ordered(values[v]) ? 0 : 1;
     }
     number_of_unordered.add(unordered);
   });
-  if(number_of_unordered.get() != 0)
-    throw Unordered_scalar_error(
-      static_cast<std::size_t>(std::find_if_not(values.begin(), values.end(), is_ordered) - values.begin()));
+  for(std::size_t v = 0; number_of_unordered.get() != 0 && v != values.size(); ++v)
+  {
+    if(vertices.contains(v) && !is_ordered(values[v]))
+      throw Unordered_scalar_error(vertices.position(v));
+  }
   return values;
 }
 
-template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
-Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph& mesh,
-                                                             const ScalarMap& scalar_map,
-                                                             const Traits& traits,
-                                                             const NamedParameters& np)
+// From the vertices of a mesh to their numbers; no_index for any other descriptor that the mesh has an index for.
+template <class FaceListGraph, class NamedParameters>
+auto find_vertex_numbers(const FaceListGraph& mesh,
+                         const Vertex_list<FaceListGraph>& vertices,
+                         const NamedParameters& np)
 {
-  typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
-  Descriptor_list<FaceListGraph, vertex_descriptor> vertex_list(mesh, CGAL::make_range(vertices(mesh)));
-  checked_index(vertex_list.size());
+  return make_vertex_positions(mesh, vertices, np);
+}
+
+template <class Point, class NamedParameters>
+auto find_vertex_numbers(const Surface_mesh<Point>& mesh,
+                         const Vertex_list<Surface_mesh<Point>>&,
+                         const NamedParameters&)
+{
+  return [&mesh](typename Surface_mesh<Point>::Vertex_index v) {
+    return mesh.has_valid_index(v) && !mesh.is_removed(v) ? v.idx() : no_index;
+  };
+}
+
+// For a mesh that needs none: whoever gives one that is wrong is told so.
+template <class FaceListGraph, class NamedParameters>
+void check_index_maps(const FaceListGraph& mesh, const NamedParameters& np)
+{
+  typedef boost::graph_traits<FaceListGraph> Graph_traits;
+  using parameters::get_parameter;
+  if constexpr(is_given<decltype(get_parameter(np, internal_np::vertex_index))>)
+  {
+    const auto range = vertices(mesh);
+    make_vertex_positions(mesh, std::vector<typename Graph_traits::vertex_descriptor>(range.first, range.second), np);
+  }
+  if constexpr(is_given<decltype(get_parameter(np, internal_np::face_index))>)
+  {
+    const auto range = faces(mesh);
+    make_face_positions(mesh, std::vector<typename Graph_traits::face_descriptor>(range.first, range.second), np);
+  }
+}
+
+template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
+Flat_surface<FaceListGraph, typename Traits::Scalar> flatten_unchecked(const FaceListGraph& mesh,
+                                                                       const ScalarMap& scalar_map,
+                                                                       const Traits& traits,
+                                                                       const NamedParameters& np)
+{
+  Vertex_list<FaceListGraph> vertex_list(mesh);
   auto values = read_values<ConcurrencyTag>(vertex_list, scalar_map, traits);
-  auto read = read_halfedges<ConcurrencyTag>(mesh, vertex_list, make_vertex_positions(mesh, vertex_list, np), np);
-  return {Triangle_complex(ConcurrencyTag(), std::move(read.arrays)), std::move(values), std::move(vertex_list),
-          std::move(read.numbered_halfedges)};
+  const auto face_range = faces(mesh);
+  const std::vector<typename boost::graph_traits<FaceListGraph>::face_descriptor> face_list(face_range.first,
+                                                                                            face_range.second);
+  auto read = read_halfedges(mesh, face_list, vertex_list.size(), make_vertex_positions(mesh, vertex_list, np),
+                             make_face_positions(mesh, face_list, np));
+  return {Triangle_complex(std::move(read.arrays), face_list.size()), std::move(values), std::move(vertex_list),
+          std::move(read.halfedges)};
+}
+
+template <class ConcurrencyTag, class Point, class ScalarMap, class Traits, class NamedParameters>
+Flat_surface<Surface_mesh<Point>, typename Traits::Scalar> flatten_unchecked(const Surface_mesh<Point>& mesh,
+                                                                             const ScalarMap& scalar_map,
+                                                                             const Traits& traits,
+                                                                             const NamedParameters& np)
+{
+  Vertex_list<Surface_mesh<Point>> vertex_list(mesh);
+  auto values = read_values<ConcurrencyTag>(vertex_list, scalar_map, traits);
+  check_index_maps(mesh, np);
+  return {Surface_mesh_complex<Point>(mesh), std::move(values), std::move(vertex_list), {}};
+}
+
+// With a checked complex.
+template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
+auto flatten(const FaceListGraph& mesh, const ScalarMap& scalar_map, const Traits& traits, const NamedParameters& np)
+{
+  auto surface = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
+  Shared_counter<ConcurrencyTag> corners, bad_fans;
+  for_each_block<ConcurrencyTag>(surface.complex.number_of_vertices(), [&](std::size_t begin, std::size_t end) {
+    Fan_counts counts;
+    No_visitor_of_fan visitor;
+    for(std::size_t v = begin; v != end; ++v)
+      surface.complex.find_fan(static_cast<Index>(v), counts, visitor);
+    corners.add(counts.corners);
+    bad_fans.add(counts.bad_fans);
+  });
+  surface.complex.check({corners.get(), bad_fans.get()});
+  return surface;
 }
 
 } // namespace internal

@@ -26,10 +26,11 @@ namespace internal {
 
 // Joins the arcs of the slabs where they end and begin at the same cut contour. An arc of the surface can pass any
 // number of slabs. (The paper, Section 5.3.)
+template <class Complex>
 class Gluing
 {
 public:
-  explicit Gluing(const Slicing& slicing, Index number_of_critical_vertices)
+  explicit Gluing(const Slicing<Complex>& slicing, Index number_of_critical_vertices)
     : slicing_(slicing),
       first_contours_({number_of_critical_vertices})
   {
@@ -66,14 +67,14 @@ private:
   // Of a node of a slab: contours are numbered behind the critical vertices, level by level.
   Index name(Index number, Index node) const
   {
-    const Slab slab = slicing_.slab(number);
+    const Slab<Complex> slab = slicing_.slab(number);
     if(node < slab.critical_vertices().size())
       return slicing_.critical_vertex(number, node);
     const bool is_upper = slab.is_contour_node(true, node);
     return first_contours_[is_upper ? number : number - 1] + (node - slab.contour_node(is_upper, 0));
   }
 
-  const Slicing& slicing_;
+  const Slicing<Complex>& slicing_;
   Large_vector<Index> first_contours_; // by level
   Large_vector<Index> upper_ends_;     // by contour
 };

@@ -15,7 +15,7 @@
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Number_set.h>
 #include <CGAL/Reeb_graph/internal/Slab.h>
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
 
@@ -30,18 +30,19 @@ namespace internal {
 
 // The partition of the surface into slabs with about the same number of critical vertices, as those make the work.
 // There is a cut level just above the last critical vertex of each slab but the highest. (The paper, Section 5.1.)
+template <class Complex>
 class Slicing
 {
 public:
   template <class ConcurrencyTag, class Order>
-  static Slicing make(const Triangle_complex& complex,
+  static Slicing make(const Complex& complex,
                       const Order& order,
                       const Critical_vertices& critical_vertices,
                       Index number_of_slabs)
   {
     Slicing slicing(complex, critical_vertices, number_of_slabs);
-    slicing.find_slabs_of_vertices<ConcurrencyTag>(order);
-    slicing.find_crossed_edges<ConcurrencyTag>();
+    slicing.template find_slabs_of_vertices<ConcurrencyTag>(order);
+    slicing.template find_crossed_edges<ConcurrencyTag>();
     for_each_index<ConcurrencyTag>(slicing.levels_.size(), [&](std::size_t i) {
       const Index vertex = slicing.level_vertices_[i];
       slicing.levels_[i].find_contours(complex, [&](Index u) { return !order(vertex, u); });
@@ -53,10 +54,11 @@ public:
 
   Index number_of_slabs() const { return static_cast<Index>(parts_.size()); }
 
-  Slab slab(Index number) const
+  Slab<Complex> slab(Index number) const
   {
-    return Slab(*complex_, parts_[number].critical_vertices, slabs_of_vertices_, number,
-                number == 0 ? nullptr : &levels_[number - 1], number == levels_.size() ? nullptr : &levels_[number]);
+    return Slab<Complex>(*complex_, parts_[number].critical_vertices, slabs_of_vertices_, number,
+                         number == 0 ? nullptr : &levels_[number - 1],
+                         number == levels_.size() ? nullptr : &levels_[number]);
   }
 
   // The name of a slab's critical vertex among those of the surface.
@@ -73,11 +75,11 @@ private:
     Large_vector<Index> names;
   };
 
-  Slicing(const Triangle_complex& complex, const Critical_vertices& critical_vertices, Index number_of_slabs)
+  Slicing(const Complex& complex, const Critical_vertices& critical_vertices, Index number_of_slabs)
     : complex_(&complex),
       critical_vertices_(&critical_vertices),
       parts_(number_of_slabs),
-      levels_(number_of_slabs - 1, Cut_level(complex))
+      levels_(number_of_slabs - 1, Cut_level(complex.number_of_edges()))
   {
     for(Index slab = 1; slab != number_of_slabs; ++slab)
       level_vertices_.push_back(critical_vertices.vertex(critical_vertices.ascending()[first_of_slab(slab) - 1]));
@@ -141,7 +143,7 @@ private:
     parts_[slab].critical_vertices = critical_vertices_->part(parts_[slab].names, std::move(ascending_in_slab));
   }
 
-  const Triangle_complex* complex_;
+  const Complex* complex_;
   const Critical_vertices* critical_vertices_;
   std::vector<Part> parts_;
   std::vector<Cut_level> levels_;

@@ -11,7 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
+#include <CGAL/Reeb_graph/internal/Triangle_complex_base.h>
 
 #include <algorithm>
 #include <array>
@@ -38,29 +39,58 @@ struct Link_summary
   Index number_of_lower_sectors() const { return number_of_sectors - number_of_upper_sectors(); }
 };
 
-// The number of link sectors is how often the neighbors change between lower and higher ones as one turns around the
-// vertex. At a border vertex it is one more, as the link is a path.
+// Counts how often the neighbors of a vertex change between lower and higher ones. That is the number of link sectors if
+// the last neighbor is the first one again; on the border, where the link is a path, there is one more.
 template <class Order>
-Link_summary summarize_link(const Triangle_complex& complex, const Order& order, Index vertex)
+class Link_changes
+{
+public:
+  Link_changes(const Order& order, Index vertex) : order_(order), vertex_(vertex) {}
+
+  void begin(Index neighbor) { is_first_upper_ = is_last_upper_ = order_(vertex_, neighbor); }
+  void add(Index neighbor)
+  {
+    const bool is_upper = order_(vertex_, neighbor);
+    number_ += is_upper != is_last_upper_;
+    is_last_upper_ = is_upper;
+  }
+
+  Link_summary summary_of_closed_link() const { return {(std::max)(number_, Index(1)), is_first_upper_}; }
+  Link_summary summary_of_path() const { return {number_ + 1, is_first_upper_}; }
+
+private:
+  const Order& order_;
+  const Index vertex_;
+  Index number_ = 0;
+  bool is_first_upper_ = false;
+  bool is_last_upper_ = false;
+};
+
+template <class Complex, class Order>
+Link_summary summarize_link(const Complex& complex, const Order& order, Index vertex)
 {
   const Index first = complex.first_halfedge(vertex);
   if(first == no_index)
     return {0, false};
-  const bool is_first_upper = order(vertex, complex.source(first));
-  bool is_upper = is_first_upper;
-  Index number_of_changes = 0;
-  complex.for_each_halfedge_around(vertex, [&](Index halfedge) {
-    const bool is_next_upper = order(vertex, complex.target(complex.next(halfedge)));
-    number_of_changes += is_upper != is_next_upper;
-    is_upper = is_next_upper;
-  });
-  return {complex.is_on_border(vertex) ? number_of_changes + 1 : (std::max)(number_of_changes, Index(1)),
-          is_first_upper};
+  Link_changes<Order> changes(order, vertex);
+  changes.begin(complex.source(first));
+  complex.for_each_halfedge_around(vertex,
+                                   [&](Index halfedge) { changes.add(complex.target(complex.next(halfedge))); });
+  return complex.is_on_border(vertex) ? changes.summary_of_path() : changes.summary_of_closed_link();
+}
+
+// The same at a vertex whose fan has not been found yet: both in one turn if the vertex is inside of the surface.
+template <class Complex, class Order>
+Link_summary find_fan_and_summarize_link(Complex& complex, const Order& order, Index vertex, Fan_counts& counts)
+{
+  Link_changes<Order> changes(order, vertex);
+  return complex.find_fan(vertex, counts, changes) ? changes.summary_of_closed_link()
+                                                   : summarize_link(complex, order, vertex);
 }
 
 // Writes the link sectors of `vertex`, the lower ones and the upper ones each in clockwise order, to the two places.
-template <class Order>
-void find_link_sectors(const Triangle_complex& complex,
+template <class Complex, class Order>
+void find_link_sectors(const Complex& complex,
                        const Order& order,
                        Index vertex,
                        const Link_summary& summary,

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/contour_tracing.h>
 #include <CGAL/Reeb_graph/internal/merge_trees.h>
@@ -29,11 +29,11 @@ namespace internal {
 // Finds contours along which the surface has to be cut so that its Reeb graph becomes a tree: at each vertex where
 // several lower contours meet, one of each sublevel component stays, the others close loops. Contours are traced only
 // where counting the components cannot exclude a loop.
-template <class Order>
+template <class Complex, class Order>
 class Loop_surgery
 {
 public:
-  Loop_surgery(const Slab& slab, const Order& order, const Merge_tree& join_tree, const Merge_tree& split_tree)
+  Loop_surgery(const Slab<Complex>& slab, const Order& order, const Merge_tree& join_tree, const Merge_tree& split_tree)
     : complex_(slab.complex()),
       order_(order),
       critical_vertices_(slab.critical_vertices()),
@@ -80,16 +80,15 @@ private:
     const auto is_below = [&, vertex = critical_vertices_.vertex(critical)](Index u) { return order_(u, vertex); };
     const std::array<Index, 2> starts = {critical_vertices_.sector(false, first).edge,
                                          critical_vertices_.sector(false, first + 1).edge};
-    std::array<Contour_walk, 2> walks = {Contour_walk(complex_, starts[0], is_below),
-                                         Contour_walk(complex_, starts[1], is_below)};
+    std::array<Contour_walk<Complex>, 2> walks = {Contour_walk(complex_, starts[0], is_below),
+                                                  Contour_walk(complex_, starts[1], is_below)};
     Index side = 0;
     std::array<Large_vector<Index>, 2> crossed_edges = {Large_vector<Index>(1, starts[0]),
                                                         Large_vector<Index>(1, starts[1])};
     for(; walks[side].go_on(is_below); side = 1 - side)
     {
       crossed_edges[side].push_back(walks[side].crossed_edge());
-      const bool is_same_contour =
-        Triangle_complex::edge(walks[side].crossed_edge()) == Triangle_complex::edge(starts[1 - side]);
+      const bool is_same_contour = edge_of(walks[side].crossed_edge()) == edge_of(starts[1 - side]);
       if(is_same_contour)
         return;
     }
@@ -104,7 +103,7 @@ private:
     Large_vector<Index> kept_classes, edges_of_traced_sectors, crossed_edges;
     critical_vertices_.for_each_sector(critical, false, [&](Index position) {
       const Index sector_edge = critical_vertices_.sector(false, position).edge;
-      if(contains(edges_of_traced_sectors, Triangle_complex::edge(sector_edge)))
+      if(contains(edges_of_traced_sectors, edge_of(sector_edge)))
         return;
       crossed_edges.clear();
       bool has_border = false;
@@ -112,7 +111,7 @@ private:
         crossed_edges.push_back(halfedge);
         has_border |= complex_.is_on_border_edge(halfedge);
         if(complex_.source(halfedge) == vertex || complex_.target(halfedge) == vertex)
-          edges_of_traced_sectors.push_back(Triangle_complex::edge(halfedge));
+          edges_of_traced_sectors.push_back(edge_of(halfedge));
       });
       std::sort(edges_of_traced_sectors.begin(), edges_of_traced_sectors.end());
       const Index sublevel_class = join_tree_.sector_classes[position];
@@ -188,7 +187,7 @@ private:
     return std::binary_search(sorted.begin(), sorted.end(), i);
   }
 
-  const Triangle_complex& complex_;
+  const Complex& complex_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
   const Merge_tree& join_tree_;

@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Merging_components.h>
 #include <CGAL/Reeb_graph/internal/Slab.h>
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/monotone_paths.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
@@ -38,13 +38,13 @@ struct Merge_tree
 
 // The sweep over the critical vertices that builds a merge tree from the ends of monotone paths. (Y. Chiang, T. Lenz,
 // X. Lu, G. Rote, Simple and optimal output-sensitive construction of contour trees using monotone paths, 2005.)
-template <class Order, bool is_split_tree>
+template <class Complex, class Order, bool is_split_tree>
 class Merge_tree_sweep
 {
 public:
-  typedef Monotone_path_ends<Order, is_split_tree> Path_ends;
+  typedef Monotone_path_ends<Complex, Order, is_split_tree> Path_ends;
 
-  Merge_tree_sweep(const Slab& slab, const Order& order)
+  Merge_tree_sweep(const Slab<Complex>& slab, const Order& order)
     : slab_(slab),
       order_(order),
       critical_vertices_(slab.critical_vertices()),
@@ -198,7 +198,7 @@ private:
     components_.set_top(component, top);
   }
 
-  const Slab& slab_;
+  const Slab<Complex>& slab_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
   Path_ends path_ends_;

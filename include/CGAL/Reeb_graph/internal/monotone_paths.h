@@ -12,7 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/Zeroed_array.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
 
@@ -22,18 +23,18 @@ namespace internal {
 
 // Finds the extremum in which a monotone path ends: a minimum for the join tree, a maximum for the split tree.
 // A vertex is passed once: its end is kept. Several threads that pass it keep the same end.
-template <class Order, bool is_ascending>
+template <class Complex, class Order, bool is_ascending>
 class Monotone_path_ends
 {
 public:
-  Monotone_path_ends(const Triangle_complex& complex, const Order& order)
+  Monotone_path_ends(const Complex& complex, const Order& order)
     : complex_(&complex),
       order_(&order),
-      ends_(complex.number_of_vertices(), Relaxed_value<Index>(no_index))
+      ends_(complex.number_of_vertices())
   {}
 
-  void set_end(Index vertex, Index end) { ends_[vertex].set(end); }
-  Index end(Index vertex) const { return ends_[vertex].get(); }
+  void set_end(Index vertex, Index end) { ends_[vertex].set(end + 1); }
+  Index end(Index vertex) const { return ends_[vertex].get() - 1; }
   bool is_known(Index vertex) const { return end(vertex) != no_index; }
 
   // A path goes on to the first suitable neighbor.
@@ -68,9 +69,9 @@ public:
   }
 
 private:
-  const Triangle_complex* complex_;
+  const Complex* complex_;
   const Order* order_;
-  Large_vector<Relaxed_value<Index>> ends_; // by vertex
+  Zeroed_array<Relaxed_value<Index>> ends_; // by vertex: the number behind the end, so that 0 is no_index
 };
 
 } // namespace internal

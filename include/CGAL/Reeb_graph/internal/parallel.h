@@ -110,14 +110,6 @@ template <class T>
 class Relaxed_value
 {
 public:
-  explicit Relaxed_value(T value) : value_(value) {}
-  Relaxed_value(const Relaxed_value& other) : value_(other.get()) {}
-  Relaxed_value& operator=(const Relaxed_value& other)
-  {
-    set(other.get());
-    return *this;
-  }
-
   T get() const { return value_.load(std::memory_order_relaxed); }
   void set(T value) { value_.store(value, std::memory_order_relaxed); }
 

@@ -23,12 +23,15 @@ namespace internal {
 
 // Finds the arcs between the nodes of a slab by one of the two engines. They return the same arcs, in any order. First
 // steps are those of arcs that begin at a critical vertex.
-template <class ConcurrencyTag, class Order, class Report>
-Large_vector<Critical_arc> find_arcs_of_slab(const Slab& slab, const Order& order, Method method, const Report& report)
+template <class ConcurrencyTag, class Complex, class Order, class Report>
+Large_vector<Critical_arc> find_arcs_of_slab(const Slab<Complex>& slab,
+                                             const Order& order,
+                                             Method method,
+                                             const Report& report)
 {
   if(method == Method::CRITICAL_SETS)
-    return Critical_sets_engine<Order>(slab, order).find_arcs(report);
-  return Contour_trees_engine<Order>(slab, order).template find_arcs<ConcurrencyTag>(report);
+    return Critical_sets_engine<Complex, Order>(slab, order).find_arcs(report);
+  return Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report);
 }
 
 } // namespace internal

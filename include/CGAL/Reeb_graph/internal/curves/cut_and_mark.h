@@ -29,9 +29,6 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-template <class Parameter>
-constexpr bool is_given = !std::is_same<std::decay_t<Parameter>, internal_np::Param_not_found>::value;
-
 template <class Mesh, class NamedParameters>
 auto choose_refinement_visitor(const Mesh&, const NamedParameters& np)
 {
