@@ -76,9 +76,8 @@ void compare_on_random_meshes(std::size_t first_seed, std::size_t end_seed, cons
 template <class Mesh>
 void compare_on_random_meshes(std::size_t first_seed, std::size_t end_seed)
 {
-  compare_on_random_meshes<Mesh>(first_seed, end_seed, [](const Combinatorial_mesh& mesh) {
-    return make_mesh<Mesh>(mesh);
-  });
+  compare_on_random_meshes<Mesh>(first_seed, end_seed,
+                                 [](const Combinatorial_mesh& mesh) { return make_mesh<Mesh>(mesh); });
 }
 } // namespace
 

@@ -179,12 +179,14 @@ Found_vertices find_vertices(const Complex& complex,
                              const IsWanted& is_wanted)
 {
   Found_vertices found;
-  found.vertices.resize(end - begin);
+  constexpr std::size_t first_room = 1024;
   std::size_t number_of_found = 0;
   for(std::size_t v = begin; v != end; ++v)
   {
     if(!complex.has_vertex(static_cast<Index>(v)))
       continue;
+    if(number_of_found == found.vertices.size())
+      found.vertices.resize(2 * number_of_found + first_room);
     const Link_summary link = summarize(static_cast<Index>(v), found.fan_counts);
     const bool is_found = is_wanted(link.number_of_sectors);
     found.vertices[number_of_found] = {static_cast<Index>(v), link};

@@ -83,17 +83,18 @@ void for_each_block(std::size_t size, const Function& function)
 // Calls function(part, begin, end) for number_of_parts() parts of the numbers from 0 to size - 1, in which order they
 // may be put together again.
 template <class ConcurrencyTag>
-std::size_t number_of_parts(std::size_t size)
+std::size_t number_of_parts(std::size_t size, std::size_t smallest_part = 4096)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr(is_parallel<ConcurrencyTag>())
   {
-    constexpr std::size_t smallest_part = 4096;
+    constexpr std::size_t parts_per_thread = 16; // Some take longer than others, and some threads start late.
     const std::size_t number_of_threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-    return number_of_threads == 1 ? 1 : (std::min)(size / smallest_part + 1, 4 * number_of_threads);
+    return number_of_threads == 1 ? 1 : (std::min)(size / smallest_part + 1, parts_per_thread * number_of_threads);
   }
 #endif
   static_cast<void>(size);
+  static_cast<void>(smallest_part);
   return 1;
 }
 
@@ -164,7 +165,7 @@ void sort(Iterator first, Iterator last, const Less& less, std::size_t parts)
 template <class ConcurrencyTag, class Iterator, class Less>
 void sort(Iterator first, Iterator last, const Less& less)
 {
-  sort<ConcurrencyTag>(first, last, less, number_of_parts<ConcurrencyTag>(static_cast<std::size_t>(last - first)) / 4);
+  sort<ConcurrencyTag>(first, last, less, number_of_parts<ConcurrencyTag>(static_cast<std::size_t>(last - first)) / 16);
 }
 
 } // namespace internal
