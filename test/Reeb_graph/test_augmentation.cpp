@@ -214,6 +214,24 @@ BOOST_AUTO_TEST_CASE(all_types_of_meshes_give_the_same)
   });
 }
 
+BOOST_AUTO_TEST_CASE(places_of_vertices_do_not_need_the_mesh)
+{
+  Random random(1);
+  const auto combinatorial_mesh = random_meshes::random_closed_surface(1, 20, random);
+  const auto values = random_meshes::random_field(combinatorial_mesh, Field_class::PERMUTATION, random);
+  auto mesh = make_mesh<Surface_mesh>(mesh_builders::make_soup(combinatorial_mesh));
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+  const auto graph = graph_checks::compute(mesh, values);
+  const auto locations = CGAL::Reeb_graph::Augmentation(mesh, scalar_map, graph).locate_vertices();
+  const std::vector<Surface_mesh::Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end());
+  std::vector<std::size_t> places;
+  for(const auto v : vertices)
+    places.push_back(locations.index(v));
+  mesh.clear();
+  for(std::size_t i = 0; i != vertices.size(); ++i)
+    BOOST_TEST(locations.index(vertices[i]) == places[i]);
+}
+
 BOOST_AUTO_TEST_CASE(several_edges_between_two_vertices)
 {
   for(std::size_t seed = 0; seed < 150; ++seed)

@@ -208,6 +208,26 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(nan_is_refused_everywhere, Mesh, Meshes)
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_removed_vertex_that_has_faces_is_refused)
+{
+  auto mesh = make_mesh<Surface_mesh>(random_meshes::tetrahedron());
+  const auto values = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:value", 0).first;
+  mesh.remove_vertex(element(vertices(mesh), 2));
+  BOOST_CHECK_EXCEPTION(number_of_arcs(mesh, values), Non_manifold_vertex_error,
+                        [](const Non_manifold_vertex_error& error) { return error.vertex() == 2; });
+}
+
+BOOST_AUTO_TEST_CASE(vertices_with_the_halfedge_of_another_one_are_refused)
+{
+  const random_meshes::Combinatorial_mesh tetrahedron = random_meshes::tetrahedron();
+  auto mesh = make_mesh<Surface_mesh>(disjoint_union(tetrahedron, tetrahedron));
+  for(const auto v : vertices(mesh))
+    set_halfedge(v, halfedge(element(vertices(mesh), 1), mesh), mesh);
+  expect<Non_manifold_vertex_error>(mesh, ascending_values(8), [](const Non_manifold_vertex_error& error) {
+    return error.vertex() == 0;
+  });
+}
+
 // Errors name vertices by their positions among those that have not been removed, and nobody asks for the values and
 // the halfedges of the other ones.
 BOOST_AUTO_TEST_CASE(removed_vertices_do_not_count)
@@ -385,7 +405,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(other_named_parameters_than_those_of_the_graph_are
 
 BOOST_AUTO_TEST_CASE(more_vertices_than_32_bit_indices_are_refused)
 {
-  // the mesh would be too large for a test: only the check that every count of the flat arrays goes through
+  // the mesh would be too large for a test: only the check that every count goes through
   BOOST_CHECK_THROW(internal::checked_index(std::size_t(1) << 32), Mesh_size_error);
   BOOST_CHECK_THROW(internal::checked_index((std::size_t(1) << 32) - 1), Mesh_size_error);
   BOOST_TEST(internal::checked_index((std::size_t(1) << 32) - 2) == 4294967294u);

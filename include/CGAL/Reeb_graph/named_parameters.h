@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <type_traits>
 
 namespace CGAL {
 

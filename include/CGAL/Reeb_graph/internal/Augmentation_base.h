@@ -338,7 +338,8 @@ private:
     for(const node_descriptor node : CGAL::make_range(vertices(graph_)))
     {
       const Index v = node_vertex(node);
-      const bool is_vertex = v < surface_.vertices.size() && surface_.vertices[v] == graph_[node].vertex;
+      const bool is_vertex =
+        v < surface_.vertices.size() && surface_.vertices.contains(v) && surface_.vertices[v] == graph_[node].vertex;
       if(!is_vertex || order_.is_lower(v, graph_[node].value) || order_.is_higher(v, graph_[node].value)
          || (lower_vertex != no_index && !order_(lower_vertex, v)))
         throw Graph_mismatch_error();

@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Index.h>
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 
 #include <numeric>
 

@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Index.h>
+#include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/prefetch.h>
 
 namespace CGAL {
@@ -47,7 +47,7 @@ public:
   void make_part_of(Index component, Index larger) { components_[component].parent = larger; }
 
   // To be called ahead of find(). For any number.
-  void prefetch(Index component) const { internal::prefetch(components_.data() + component); }
+  void prefetch(Index component) const { prefetch_element(components_, component); }
 
 private:
   struct Component

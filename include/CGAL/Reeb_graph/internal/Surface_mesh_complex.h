@@ -16,7 +16,7 @@
 #include <CGAL/Reeb_graph/internal/Triangle_complex_base.h>
 #include <CGAL/Reeb_graph/internal/mesh_faces.h>
 
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
 #include <cstddef>
 

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Of some vertices: how many corners of triangles their fans have, and how many fans have a face that is no triangle.
+// Of some vertices: how many corners of triangles their fans have, and how many fans there are that have other faces.
 struct Fan_counts
 {
   std::size_t corners = 0;
@@ -137,8 +137,8 @@ public:
   // Finds the fan of a vertex, and adds to `counts`. Nothing else may be asked about the vertex before. When all fans
   // have been found, check() has to be called with the sums of the counts.
   //
-  // Shows the neighbors on the way, in clockwise order: visitor.begin(neighbor), then visitor.add(neighbor) for each next
-  // one. Returns whether that has led back to the first one, as it does inside of the surface.
+  // Shows the neighbors on the way, in clockwise order: visitor.begin(neighbor), then visitor.add(neighbor) for each
+  // next one. Returns whether that has led back to the first one, as it does inside of the surface.
   template <class Visitor>
   bool find_fan(Index vertex, Fan_counts& counts, Visitor& visitor)
   {
@@ -146,6 +146,8 @@ public:
     first = complex().halfedge_of_face_at(vertex);
     if(first == no_index)
       return false;
+    if(complex().target(first) != vertex)
+      return give_up(first, counts);
     visitor.begin(source(first));
     Index halfedge = first;
     do
@@ -169,8 +171,8 @@ public:
     return false;
   }
 
-  // Throws if a face is no triangle, or has a corner that belongs to no fan: a mesh leads to one fan per vertex only, but
-  // there may be more.
+  // Throws if a face is no triangle, or has a corner that belongs to no fan: a mesh leads to one fan per vertex only,
+  // but there may be more.
   void check(const Fan_counts& counts) const
   {
     if(counts.bad_fans == 0 && counts.corners == 3 * complex().number_of_faces())
@@ -188,7 +190,7 @@ protected:
 private:
   const Complex& complex() const { return static_cast<const Complex&>(*this); }
 
-  // From a face that is no triangle on, turning might never end.
+  // From a halfedge that is not that of a triangle at the vertex on, turning might never end.
   static bool give_up(Index& first, Fan_counts& counts)
   {
     first = no_index;
@@ -215,12 +217,11 @@ private:
     std::size_t position = 0;
     for(Index v = 0; v != number_of_vertices(); ++v)
     {
-      if(!complex().has_vertex(v))
-        continue;
-      for_each_halfedge_around(v, [&](Index) { --unreached[v]; });
+      if(complex().has_vertex(v))
+        for_each_halfedge_around(v, [&](Index) { --unreached[v]; });
       if(unreached[v] != 0)
         throw Non_manifold_vertex_error(position);
-      ++position;
+      position += complex().has_vertex(v) ? 1 : 0;
     }
   }
 

@@ -22,7 +22,7 @@ namespace Reeb_graph {
 namespace internal {
 
 // An array of zeros, for few of which another value comes: most systems let the pages where none does take neither
-// memory nor time.
+// memory nor time. For numbers, and atomic ones, whose zero has no bit set.
 template <class T>
 class Zeroed_array
 {

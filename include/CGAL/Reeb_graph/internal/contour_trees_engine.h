@@ -141,7 +141,7 @@ private:
       for(std::size_t i = begin; i != end; ++i)
       {
         if(i + ahead < end)
-          internal::prefetch(first_steps.data() + superlevel_classes[i + ahead]);
+          prefetch_element(first_steps, superlevel_classes[i + ahead]);
         const Link_sector& sector = critical_vertices_.sector(true, static_cast<Index>(i));
         Ascending_step& step = first_steps[superlevel_classes[i]];
         if(step.edge == no_index || order_(step.target, sector.extreme_neighbor))

@@ -23,7 +23,7 @@
 #include <CGAL/Reeb_graph/internal/read_halfedges.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -93,7 +93,7 @@ Large_vector<typename Traits::Scalar> read_values(const VertexList& vertices,
   return values;
 }
 
-// From the vertices of a mesh to their numbers; no_index for any other descriptor that the mesh has an index for.
+// From the vertices of a mesh to their numbers. It can outlive the mesh if its index map can.
 template <class FaceListGraph, class NamedParameters>
 auto find_vertex_numbers(const FaceListGraph& mesh,
                          const Vertex_list<FaceListGraph>& vertices,
@@ -103,13 +103,9 @@ auto find_vertex_numbers(const FaceListGraph& mesh,
 }
 
 template <class Point, class NamedParameters>
-auto find_vertex_numbers(const Surface_mesh<Point>& mesh,
-                         const Vertex_list<Surface_mesh<Point>>&,
-                         const NamedParameters&)
+auto find_vertex_numbers(const Surface_mesh<Point>&, const Vertex_list<Surface_mesh<Point>>&, const NamedParameters&)
 {
-  return [&mesh](typename Surface_mesh<Point>::Vertex_index v) {
-    return mesh.has_valid_index(v) && !mesh.is_removed(v) ? v.idx() : no_index;
-  };
+  return [](typename Surface_mesh<Point>::Vertex_index v) { return static_cast<Index>(v); };
 }
 
 // For a mesh that needs none: whoever gives one that is wrong is told so.

@@ -12,10 +12,10 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/Cut_level.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Number_set.h>
 #include <CGAL/Reeb_graph/internal/Slab.h>
-#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
 
@@ -91,11 +91,13 @@ private:
   template <class ConcurrencyTag, class Order>
   void find_slabs_of_vertices(const Order& order)
   {
-    slabs_of_vertices_.resize(complex_->number_of_vertices());
+    slabs_of_vertices_.resize(complex_->number_of_vertices(), 0);
     for_each_block<ConcurrencyTag>(slabs_of_vertices_.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
       {
         const Index v = static_cast<Index>(i);
+        if(!complex_->has_vertex(v))
+          continue;
         const auto level = std::partition_point(level_vertices_.begin(), level_vertices_.end(),
                                                 [&](Index level_vertex) { return order(level_vertex, v); });
         slabs_of_vertices_[i] = static_cast<Index>(level - level_vertices_.begin());

@@ -12,8 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/Critical_arc.h>
-#include <CGAL/Reeb_graph/internal/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/Disjoint_sets.h>
+#include <CGAL/Reeb_graph/internal/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
@@ -154,7 +154,7 @@ private:
     for(Index i = 0; i != arcs_.size(); ++i)
     {
       if(i + ahead < arcs_.size())
-        prefetch(ends_of_arcs_.data() + graph_.node_of_critical[arcs_[i + ahead].lower]);
+        prefetch_element(ends_of_arcs_, graph_.node_of_critical[arcs_[i + ahead].lower]);
       const Index lower = graph_.node_of_critical[arcs_[i].lower];
       if(lower != no_index && !is_contracted(arcs_[i]))
         graph_.arcs[ends_of_arcs_[lower]++] = make_arc(i);

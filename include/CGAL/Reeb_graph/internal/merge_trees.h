@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Merging_components.h>
 #include <CGAL/Reeb_graph/internal/Slab.h>
-#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/monotone_paths.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
@@ -166,7 +166,7 @@ public:
   // To be called ahead of merge_at(), and again less far ahead. Nearly all vertices have two sectors at most.
   void prefetch_classes(Index critical) const
   {
-    internal::prefetch(tree_.sector_classes.data() + critical_vertices_.first_sector(critical, is_split_tree));
+    prefetch_element(tree_.sector_classes, critical_vertices_.first_sector(critical, is_split_tree));
   }
   void prefetch_components(Index critical) const
   {

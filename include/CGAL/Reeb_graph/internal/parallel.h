@@ -80,22 +80,25 @@ void for_each_block(std::size_t size, const Function& function)
   function(std::size_t(0), size);
 }
 
+template <class ConcurrencyTag>
+std::size_t number_of_threads()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel<ConcurrencyTag>())
+    return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+#endif
+  static_cast<void>(is_parallel<ConcurrencyTag>());
+  return 1;
+}
+
 // Calls function(part, begin, end) for number_of_parts() parts of the numbers from 0 to size - 1, in which order they
 // may be put together again.
 template <class ConcurrencyTag>
 std::size_t number_of_parts(std::size_t size, std::size_t smallest_part = 4096)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr(is_parallel<ConcurrencyTag>())
-  {
-    constexpr std::size_t parts_per_thread = 16; // Some take longer than others, and some threads start late.
-    const std::size_t number_of_threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-    return number_of_threads == 1 ? 1 : (std::min)(size / smallest_part + 1, parts_per_thread * number_of_threads);
-  }
-#endif
-  static_cast<void>(size);
-  static_cast<void>(smallest_part);
-  return 1;
+  constexpr std::size_t parts_per_thread = 16; // Some take longer than others, and some threads start late.
+  const std::size_t threads = number_of_threads<ConcurrencyTag>();
+  return threads == 1 ? 1 : (std::min)(size / smallest_part + 1, parts_per_thread * threads);
 }
 
 template <class ConcurrencyTag, class Function>
@@ -149,23 +152,26 @@ void invoke_both(const First& first, const Second& second)
 // Sorts by an order without ties, so that the result is the same in any case. Faster on one thread than
 // tbb::parallel_sort on two, if comparisons are cheap.
 template <class ConcurrencyTag, class Iterator, class Less>
-void sort(Iterator first, Iterator last, const Less& less, std::size_t parts)
+void sort(Iterator first, Iterator last, const Less& less, std::size_t number_of_runs)
 {
-  if(parts <= 1)
+  if(number_of_runs <= 1)
   {
     boost::sort::pdqsort_branchless(first, last, less);
     return;
   }
   const Iterator middle = first + (last - first) / 2;
-  invoke_both<ConcurrencyTag>([&] { sort<ConcurrencyTag>(first, middle, less, parts / 2); },
-                              [&] { sort<ConcurrencyTag>(middle, last, less, parts / 2); });
+  invoke_both<ConcurrencyTag>([&] { sort<ConcurrencyTag>(first, middle, less, number_of_runs / 2); },
+                              [&] { sort<ConcurrencyTag>(middle, last, less, number_of_runs / 2); });
   std::inplace_merge(first, middle, last, less);
 }
 
 template <class ConcurrencyTag, class Iterator, class Less>
 void sort(Iterator first, Iterator last, const Less& less)
 {
-  sort<ConcurrencyTag>(first, last, less, number_of_parts<ConcurrencyTag>(static_cast<std::size_t>(last - first)) / 16);
+  constexpr std::size_t smallest_run = 16384;
+  const std::size_t number_of_runs =
+    (std::min)(static_cast<std::size_t>(last - first) / smallest_run, number_of_threads<ConcurrencyTag>());
+  sort<ConcurrencyTag>(first, last, less, number_of_runs);
 }
 
 } // namespace internal

@@ -11,6 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <cstddef>
+#include <cstdint>
+
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
@@ -23,6 +26,15 @@ inline void prefetch(const void* address)
 #else
   static_cast<void>(address);
 #endif
+}
+
+// The place where element number `i` of a vector is or would be: for any number.
+template <class Vector>
+void prefetch_element(const Vector& vector, std::size_t i)
+{
+  // Computed as a number, as a pointer must not leave its array.
+  const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(vector.data());
+  prefetch(reinterpret_cast<const void*>(begin + i * sizeof(typename Vector::value_type)));
 }
 
 } // namespace internal

@@ -60,7 +60,7 @@ void write_nodes_and_arcs(const Flat_surface<FaceListGraph, Scalar>& surface,
   for(std::size_t i = 0; i != flat_graph.nodes.size(); ++i)
   {
     if(i + ahead < flat_graph.nodes.size())
-      prefetch(surface.values.data() + flat_graph.nodes[i + ahead].vertex);
+      prefetch_element(surface.values, flat_graph.nodes[i + ahead].vertex);
     const Flat_node& flat_node = flat_graph.nodes[i];
     Node node;
     node.vertex = surface.vertices[flat_node.vertex];
