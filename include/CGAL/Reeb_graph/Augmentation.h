@@ -31,8 +31,8 @@ namespace Reeb_graph {
 ///
 /// It implements the map \f$ F: R(M, f) \to M \f$ of M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb
 /// Graph Algorithm*, 2020, Section 6. At construction it copies the field, and a mesh that is no `CGAL::Surface_mesh`,
-/// in linear time and memory. The mesh, the scalar map and the graph have to outlive it and must not change. All member functions can be called
-/// from several threads at a time.
+/// in linear time and memory. The mesh, the scalar map and the graph have to outlive it and must not change. All member
+/// functions can be called from several threads at a time.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type

@@ -39,8 +39,8 @@ struct Link_summary
   Index number_of_lower_sectors() const { return number_of_sectors - number_of_upper_sectors(); }
 };
 
-// Counts how often the neighbors of a vertex change between lower and higher ones. That is the number of link sectors if
-// the last neighbor is the first one again; on the border, where the link is a path, there is one more.
+// Counts how often the neighbors of a vertex change between lower and higher ones. That is the number of link sectors
+// if the last neighbor is the first one again; on the border, where the link is a path, there is one more.
 template <class Order>
 class Link_changes
 {
