@@ -31,15 +31,15 @@ public:
 
   // Adds a contour just below the critical vertex `critical`, the top of whose sublevel component is
   // `sublevel_class`. Critical vertices have to come in descending order: an edge keeps its lowest contour.
-  template <class Complex, class HalfedgeRange>
-  void add(const Complex& complex, Index critical, Index sublevel_class, const HalfedgeRange& crossed_edges)
+  template <class HalfedgeRange>
+  void add(Index number_of_edges, Index critical, Index sublevel_class, const HalfedgeRange& crossed_edges)
   {
     const Index cut = size();
     critical_vertices_.push_back(critical);
     sublevel_classes_.push_back(sublevel_class);
-    is_edge_cut_.resize(complex.number_of_edges(), false);
-    if(crossed_edges.size() + few_lowest_cuts_.size() > complex.number_of_edges() / 32)
-      switch_to_array(complex.number_of_edges());
+    is_edge_cut_.resize(number_of_edges, false);
+    if(crossed_edges.size() + few_lowest_cuts_.size() > number_of_edges / 32)
+      switch_to_array(number_of_edges);
     for(const Index halfedge : crossed_edges)
     {
       const Index edge = edge_of(halfedge);

@@ -68,7 +68,7 @@ public:
   void cut(Index critical, Index sublevel_class, const Large_vector<Index>& crossed_edges, bool has_border)
   {
     const Index cut = cuts_.size();
-    cuts_.add(complex_, critical, sublevel_class, crossed_edges);
+    cuts_.add(complex_.number_of_edges(), critical, sublevel_class, crossed_edges);
     sweep_.put_on_last(cuts_.node_above(cut));
     components_of_cuts_.push_back(sweep_.add_component_of_cut(cuts_.node_below(cut), has_border));
     if(!are_all_changed_)

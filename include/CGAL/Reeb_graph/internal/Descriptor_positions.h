@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The position of each vertex (or face) in the list given at construction, found through an index map, which
-// can have holes, such as the one of a Surface_mesh with removed elements. Without holes there is nothing to store.
+// The position of each vertex (or face) in the list given at construction, found through an index map, which can have
+// holes, such as those that removed elements leave. Without holes there is nothing to store.
 template <class IndexMap>
 class Descriptor_positions
 {
