@@ -301,18 +301,62 @@ BOOST_AUTO_TEST_CASE(generated_surfaces_with_noise_and_ties)
     {
       const Surface_mesh mesh = make_surface_mesh(soup);
       Random random(++seed);
-      std::vector<double> tilted_height, noisy_height;
+      std::vector<double> tilted_height, noisy_height, half_noise;
       for(const auto& p : soup.points)
       {
         tilted_height.push_back(0.9 * p[0] + 0.3 * p[1] + 0.2 * p[2]);
         noisy_height.push_back(std::round(20 * tilted_height.back()) + static_cast<double>(random.below(3)));
+        half_noise.push_back(p[0] < 0 ? tilted_height.back() : static_cast<double>(random.below(1000)) / 500 - 1);
       }
       compare_methods(mesh, tilted_height);
       compare_methods(mesh, noisy_height);
+      compare_methods(mesh, half_noise);
       compare_methods(mesh, noise(mesh, seed));
       compare_methods(mesh, random_meshes::random_integers(soup.points.size(), 5, random));
       compare_methods(mesh, std::vector<double>(soup.points.size(), 1));
     }
+}
+
+// Spheres, disks and vertices alone have no loops. Beside other components, their Euler characteristics hide those of
+// the others.
+BOOST_AUTO_TEST_CASE(components_without_loops_beside_others)
+{
+  for(std::size_t seed = 0; seed < 400; ++seed)
+  {
+    Random random(300000 + seed);
+    Combinatorial_mesh mesh;
+    const auto add = [&](std::size_t number, const auto& random_component) {
+      for(std::size_t i = 0; i != number; ++i)
+        mesh = random_meshes::disjoint_union(mesh, random_component());
+    };
+    add(1 + random.below(3), [&] { return random_meshes::random_closed_surface(0, random.below(4), random); });
+    add(random.below(3), [&] { return random_meshes::disk(3 + random.below(4)); });
+    add(random.below(3), [&] { return random_meshes::random_closed_surface(1, random.below(4), random); });
+    add(random.below(3), [&] { return random_meshes::cylinder(3 + random.below(4), 3); });
+    mesh.number_of_vertices += random.below(3);
+    BOOST_TEST_CONTEXT("seed " << seed)
+      compare_methods(make_surface_mesh(mesh), random_meshes::random_field(mesh, Field_class::PERMUTATION, random));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(critical_vertices_tell_the_euler_characteristic)
+{
+  constexpr std::size_t number_of_classes = static_cast<std::size_t>(Mesh_class::NUMBER_OF_CLASSES);
+  for(std::size_t seed = 0; seed < 1200; ++seed)
+  {
+    Random random(400000 + seed);
+    const Surface_mesh mesh =
+      make_surface_mesh(random_meshes::random_mesh(static_cast<Mesh_class>(seed % number_of_classes), random));
+    const auto values = noise(mesh, seed);
+    const auto surface = stages::flatten<CGAL::Sequential_tag>(
+      mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values), Traits(), CGAL::parameters::default_values());
+    const Order order(surface.values, Traits().less_scalar_object());
+    const auto characteristic = static_cast<std::ptrdiff_t>(mesh.number_of_vertices() + mesh.number_of_faces())
+                              - static_cast<std::ptrdiff_t>(mesh.number_of_edges());
+    BOOST_TEST_CONTEXT("seed " << seed)
+      BOOST_TEST(stages::euler_characteristic(stages::classify_vertices<CGAL::Sequential_tag>(surface.complex, order))
+                 == characteristic);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(there_are_as_many_cuts_as_loops_along_the_shorter_contours)

@@ -57,9 +57,8 @@ public:
   {
     if(cuts_.size() != 0 && (are_all_changed_ || is_changed_[critical_vertices_.vertex(critical)]))
     {
-      const auto end_of_step = [&](const Ascending_step& step) { return component_at(step); };
       critical_vertices_.for_each_sector(critical, true,
-                                         [&](Index i) { sweep_.find_path_end(i, end_of_step, passed_); });
+                                         [&](Index i) { sweep_.find_path_end(i, end_at_cut_or_level(), passed_); });
     }
     sweep_.merge_at(critical);
   }
@@ -75,10 +74,7 @@ public:
       correct_path_ends(crossed_edges);
   }
 
-  void merge_last_contours()
-  {
-    sweep_.merge_last_contours([&](const Ascending_step& step) { return component_at(step); });
-  }
+  void merge_last_contours() { sweep_.merge_last_contours(end_at_cut_or_level()); }
 
   const Cut_contours& cuts() const { return cuts_; }
   Cut_contours take_cuts() { return std::move(cuts_); }
@@ -86,10 +82,12 @@ public:
 
 private:
   // A path meets a cut before the upper level of the slab.
-  Index component_at(const Ascending_step& step) const
+  auto end_at_cut_or_level() const
   {
-    const Index cut = cuts_.lowest_at_edge(step.edge);
-    return cut == no_index ? sweep_.component_at_level(step) : components_of_cuts_[cut];
+    return [this, end_at_level = sweep_.end_at_level()](Index target, const auto& find_edge) {
+      const Index cut = cuts_.lowest_at_edge(find_edge());
+      return cut == no_index ? end_at_level(target, find_edge) : components_of_cuts_[cut];
+    };
   }
 
   // Goes down against the paths from where they meet the last cut. If that gets more expensive than to walk all of them
@@ -98,18 +96,26 @@ private:
   {
     is_changed_.resize(complex_.number_of_vertices(), false);
     Large_vector<Index> corrected;
-    for(const Index edge : crossed_edges)
+    constexpr std::size_t ahead = 12;
+    for(std::size_t i = 0; i != crossed_edges.size(); ++i)
     {
-      const Index source = complex_.source(edge), target = complex_.target(edge);
-      correct_path_end(order_(source, target) ? source : target, edge, corrected);
+      if(i + ahead < crossed_edges.size())
+        critical_vertices_.kept_neighbors().prefetch(ends(crossed_edges[i + ahead]).first);
+      const auto [lower, higher] = ends(crossed_edges[i]);
+      is_changed_[lower] = true;
+      if(is_on_known_path(lower, higher) && edge_of(sweep_.path_ends().next_edge(lower)) == edge_of(crossed_edges[i]))
+        correct_path_end(lower, corrected);
     }
     for(; !corrected.empty() && !are_all_changed_; ++number_of_corrections_)
     {
       const Index vertex = corrected.back();
       corrected.pop_back();
-      complex_.for_each_edge_around(vertex, [&](Index neighbor, Index edge) {
-        if(order_(neighbor, vertex))
-          correct_path_end(neighbor, edge, corrected);
+      complex_.for_each_edge_around(vertex, [&](Index neighbor, Index) {
+        if(!order_(neighbor, vertex))
+          return;
+        is_changed_[neighbor] = true;
+        if(is_on_known_path(neighbor, vertex))
+          correct_path_end(neighbor, corrected);
       });
       are_all_changed_ = number_of_corrections_ >= critical_vertices_.size();
     }
@@ -117,13 +123,21 @@ private:
       sweep_.forget_path_ends();
   }
 
-  void correct_path_end(Index vertex, Index edge, Large_vector<Index>& corrected)
+  std::pair<Index, Index> ends(Index edge) const
   {
-    is_changed_[vertex] = true;
-    auto& path_ends = sweep_.path_ends();
-    if(!path_ends.is_known(vertex) || edge_of(path_ends.step(vertex).edge) != edge_of(edge))
-      return;
-    path_ends.set_end(vertex, components_of_cuts_.back());
+    const Index source = complex_.source(edge), target = complex_.target(edge);
+    return order_(source, target) ? std::make_pair(source, target) : std::make_pair(target, source);
+  }
+
+  // Whether the end of a path that goes from `lower` to `higher` is known.
+  bool is_on_known_path(Index lower, Index higher) const
+  {
+    return sweep_.path_ends().is_known(lower) && sweep_.path_ends().next_vertex(lower) == higher;
+  }
+
+  void correct_path_end(Index vertex, Large_vector<Index>& corrected)
+  {
+    sweep_.path_ends().set_end(vertex, components_of_cuts_.back());
     corrected.push_back(vertex);
   }
 

@@ -51,6 +51,8 @@ public:
       upper_level_(upper_level)
   {}
 
+  bool is_whole_surface() const { return slabs_of_vertices_ == nullptr; }
+
   const Complex& complex() const { return *complex_; }
   const Critical_vertices& critical_vertices() const { return *critical_vertices_; }
 
@@ -75,13 +77,15 @@ public:
     return (is_upper ? upper_level_ : lower_level_)->is_border_reached(contour);
   }
 
-  // The contour at which a monotone path leaves the slab with that step, no_index if it does not.
-  Index contour_at_step(bool is_upper, const Ascending_step& step) const
+  // The contour at which a monotone path leaves the slab with a step to `target` over the edge find_edge(), no_index if
+  // it does not.
+  template <class FindEdge>
+  Index contour_at_step(bool is_upper, Index target, const FindEdge& find_edge) const
   {
     const Cut_level* level = is_upper ? upper_level_ : lower_level_;
-    if(level == nullptr || !is_outside(is_upper, step.target))
+    if(level == nullptr || !is_outside(is_upper, target))
       return no_index;
-    return level->contour_at_edge(step.edge);
+    return level->contour_at_edge(find_edge());
   }
 
   // A step from a contour of the upper or the lower level into the slab, or across all of it.

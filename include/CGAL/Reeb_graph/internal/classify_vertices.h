@@ -21,6 +21,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,10 @@ public:
     for(Index i = entries_[critical].first_sectors[is_upper]; i != end; ++i)
       visit(i);
   }
+
+  // Of vertices of the surface, critical or not.
+  const Kept_neighbors& kept_neighbors() const { return *kept_neighbors_; }
+  void set_kept_neighbors(std::shared_ptr<const Kept_neighbors> neighbors) { kept_neighbors_ = std::move(neighbors); }
 
   void resize(std::size_t number_of_vertices, const Sector_counts& numbers_of_sectors)
   {
@@ -137,6 +142,7 @@ public:
     }
     add_entry(size());
     result.ascending_ = std::move(ascending);
+    result.kept_neighbors_ = kept_neighbors_;
     return result;
   }
 
@@ -154,6 +160,7 @@ private:
   Large_vector<Entry> entries_; // and one behind the last, that tells where its sectors end
   std::array<Large_vector<Link_sector>, 2> sectors_;
   Large_vector<Index> ascending_;
+  std::shared_ptr<const Kept_neighbors> kept_neighbors_; // shared with the parts
 };
 
 // Some of a part of the vertices.
@@ -170,51 +177,65 @@ struct Found_vertices
   Fan_counts fan_counts; // if fans have been found on the way
 };
 
-// summarize(vertex, fan counts) tells the link of a vertex, is_wanted(number of link sectors) whether to take it.
-template <class Complex, class Summarize, class IsWanted>
+// find_link(vertex, fan counts) tells the link of a vertex, is_wanted(number of link sectors) whether to take it.
+template <class Complex, class FindLink, class IsWanted>
 Found_vertices find_vertices(const Complex& complex,
                              std::size_t begin,
                              std::size_t end,
-                             const Summarize& summarize,
-                             const IsWanted& is_wanted)
+                             const FindLink& find_link,
+                             const IsWanted& is_wanted,
+                             Kept_neighbors& kept_neighbors)
 {
   Found_vertices found;
-  constexpr std::size_t first_room = 1024;
+  Kept_neighbors::Block neighbors = {};
   std::size_t number_of_found = 0;
-  for(std::size_t v = begin; v != end; ++v)
+  for(std::size_t block = begin; block < end; block += neighbors.size())
   {
-    if(!complex.has_vertex(static_cast<Index>(v)))
-      continue;
-    if(number_of_found == found.vertices.size())
-      found.vertices.resize(2 * number_of_found + first_room);
-    const Link_summary link = summarize(static_cast<Index>(v), found.fan_counts);
-    const bool is_found = is_wanted(link.number_of_sectors);
-    found.vertices[number_of_found] = {static_cast<Index>(v), link};
-    number_of_found += is_found;
-    found.numbers_of_sectors[false] += is_found * link.number_of_lower_sectors();
-    found.numbers_of_sectors[true] += is_found * link.number_of_upper_sectors();
+    const std::size_t end_of_block = (std::min)(block + neighbors.size(), end), number_of_earlier = number_of_found;
+    if(found.vertices.size() < number_of_found + neighbors.size())
+      found.vertices.resize(2 * (number_of_found + neighbors.size()));
+    for(std::size_t v = block; v != end_of_block; ++v)
+    {
+      if(!complex.has_vertex(static_cast<Index>(v)))
+        continue;
+      const Vertex_link link = find_link(static_cast<Index>(v), found.fan_counts);
+      neighbors[v - block] = link.neighbors;
+      const bool is_found = is_wanted(link.summary.number_of_sectors);
+      found.vertices[number_of_found] = {static_cast<Index>(v), link.summary};
+      number_of_found += is_found;
+      found.numbers_of_sectors[false] += is_found * link.summary.number_of_lower_sectors();
+      found.numbers_of_sectors[true] += is_found * link.summary.number_of_upper_sectors();
+    }
+    if(Kept_neighbors::are_worth_keeping(number_of_found - number_of_earlier, end_of_block - block))
+      kept_neighbors.keep(neighbors, block, end_of_block);
   }
   found.vertices.resize(number_of_found);
   return found;
 }
 
-template <class ConcurrencyTag, class Complex, class Summarize, class IsWanted>
-std::vector<Found_vertices> find_vertices_in_parts(const Complex& complex,
-                                                   const Summarize& summarize,
-                                                   const IsWanted& is_wanted)
+struct Found_parts
+{
+  std::vector<Found_vertices> parts;
+  std::shared_ptr<Kept_neighbors> kept_neighbors;
+};
+
+template <class ConcurrencyTag, class Complex, class FindLink, class IsWanted>
+Found_parts find_vertices_in_parts(const Complex& complex, const FindLink& find_link, const IsWanted& is_wanted)
 {
   const std::size_t size = complex.number_of_vertices();
-  std::vector<Found_vertices> parts(number_of_parts<ConcurrencyTag>(size));
-  for_each_part<ConcurrencyTag>(parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
-    parts[part] = find_vertices(complex, begin, end, summarize, is_wanted);
+  Found_parts found = {std::vector<Found_vertices>(number_of_parts<ConcurrencyTag>(size)),
+                       std::make_shared<Kept_neighbors>(size)};
+  for_each_part<ConcurrencyTag>(found.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    found.parts[part] = find_vertices(complex, begin, end, find_link, is_wanted, *found.kept_neighbors);
   });
-  return parts;
+  return found;
 }
 
 // Puts each part in its place.
 template <class ConcurrencyTag, class Complex, class Order>
-Critical_vertices join_parts(const Complex& complex, const Order& order, const std::vector<Found_vertices>& parts)
+Critical_vertices join_parts(const Complex& complex, const Order& order, const Found_parts& found)
 {
+  const std::vector<Found_vertices>& parts = found.parts;
   std::size_t number_of_vertices = 0;
   Sector_counts numbers_of_sectors = {0, 0};
   std::vector<std::size_t> first_vertices;
@@ -232,14 +253,15 @@ Critical_vertices join_parts(const Complex& complex, const Order& order, const s
   for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t part) {
     std::size_t i = first_vertices[part];
     Sector_counts sectors = first_sectors[part];
-    for(const Found_vertices::Vertex& found : parts[part].vertices)
+    for(const auto& [vertex, link] : parts[part].vertices)
     {
-      result.set(static_cast<Index>(i++), complex, order, found.vertex, found.link, sectors);
-      sectors[false] += found.link.number_of_lower_sectors();
-      sectors[true] += found.link.number_of_upper_sectors();
+      result.set(static_cast<Index>(i++), complex, order, vertex, link, sectors);
+      sectors[false] += link.number_of_lower_sectors();
+      sectors[true] += link.number_of_upper_sectors();
     }
   });
   result.template sort<ConcurrencyTag>(order);
+  result.set_kept_neighbors(found.kept_neighbors);
   return result;
 }
 
@@ -250,33 +272,31 @@ inline bool has_critical_number_of_sectors(Index number_of_sectors) { return num
 template <class ConcurrencyTag, class Complex, class Order>
 Critical_vertices classify_vertices(const Complex& complex, const Order& order)
 {
-  const auto summarize = [&](Index vertex, Fan_counts&) { return summarize_link(complex, order, vertex); };
+  const auto find = [&](Index vertex, Fan_counts&) { return find_link(complex, order, vertex); };
   return join_parts<ConcurrencyTag>(
-    complex, order, find_vertices_in_parts<ConcurrencyTag>(complex, summarize, has_critical_number_of_sectors));
+    complex, order, find_vertices_in_parts<ConcurrencyTag>(complex, find, has_critical_number_of_sectors));
 }
 
 // The same for a complex that has not been checked, which is done on the way: both have to turn around each vertex.
 template <class ConcurrencyTag, class Complex, class Order>
 Critical_vertices check_and_classify_vertices(Complex& complex, const Order& order)
 {
-  const auto summarize = [&](Index vertex, Fan_counts& counts) {
-    return find_fan_and_summarize_link(complex, order, vertex, counts);
-  };
-  const auto parts = find_vertices_in_parts<ConcurrencyTag>(complex, summarize, has_critical_number_of_sectors);
+  const auto find = [&](Index vertex, Fan_counts& counts) { return find_fan_and_link(complex, order, vertex, counts); };
+  const auto found = find_vertices_in_parts<ConcurrencyTag>(complex, find, has_critical_number_of_sectors);
   Fan_counts counts;
-  for(const Found_vertices& part : parts)
+  for(const Found_vertices& part : found.parts)
     counts += part.fan_counts;
   complex.check(counts);
-  return join_parts<ConcurrencyTag>(complex, order, parts);
+  return join_parts<ConcurrencyTag>(complex, order, found);
 }
 
 // All vertices in the place of the critical ones: with them, the engines find where each vertex is in the graph.
 template <class ConcurrencyTag, class Complex, class Order>
 Critical_vertices sort_all_vertices(const Complex& complex, const Order& order)
 {
-  const auto summarize = [&](Index vertex, Fan_counts&) { return summarize_link(complex, order, vertex); };
-  return join_parts<ConcurrencyTag>(
-    complex, order, find_vertices_in_parts<ConcurrencyTag>(complex, summarize, [](Index) { return true; }));
+  const auto find = [&](Index vertex, Fan_counts&) { return find_link(complex, order, vertex); };
+  return join_parts<ConcurrencyTag>(complex, order,
+                                    find_vertices_in_parts<ConcurrencyTag>(complex, find, [](Index) { return true; }));
 }
 
 inline Critical_vertex_counts count_critical_vertices(const Critical_vertices& critical_vertices)
@@ -298,6 +318,21 @@ inline Critical_vertex_counts count_critical_vertices(const Critical_vertices& c
       ++counts.saddles[number_of_lower_sectors - 1];
   }
   return counts;
+}
+
+// That of the surface, to which a vertex contributes 1 minus the Euler characteristic of its lower link. (T. Banchoff,
+// Critical points and curvature for embedded polyhedra, 1967.)
+inline std::ptrdiff_t euler_characteristic(const Critical_vertices& critical_vertices)
+{
+  std::ptrdiff_t result = 0;
+  for(Index i = 0; i != critical_vertices.size(); ++i)
+  {
+    const bool is_lower_link_closed =
+      critical_vertices.number_of_upper_sectors(i) == 0 && !critical_vertices.is_on_border(i);
+    result +=
+      1 - (is_lower_link_closed ? 0 : static_cast<std::ptrdiff_t>(critical_vertices.number_of_lower_sectors(i)));
+  }
+  return result;
 }
 
 } // namespace internal

@@ -39,6 +39,7 @@ template <class Complex, class Order>
 class Contour_trees_engine
 {
   typedef Merge_tree_sweep<Complex, Order, false> Upward_sweep;
+  typedef Cutting_sweep<Complex, Order> Downward_sweep;
 
 public:
   Contour_trees_engine(const Slab<Complex>& slab, const Order& order)
@@ -53,17 +54,34 @@ public:
   Large_vector<Critical_arc> find_arcs(const Report& report)
   {
     std::optional<Upward_sweep> upwards;
-    std::optional<Cutting_sweep<Complex, Order>> downwards;
+    std::optional<Downward_sweep> downwards;
     invoke_both<ConcurrencyTag>([&] { upwards.emplace(slab_, order_); }, [&] { downwards.emplace(slab_, order_); });
     upwards->template find_path_ends<ConcurrencyTag>();
     report(0.25);
+
+    // Where no loop can be, the sweeps do not need each other. Whether that is so is only known after the first one.
+    bool is_forest = slab_.is_whole_surface() && euler_characteristic(critical_vertices_) > 0;
     invoke_both<ConcurrencyTag>([&] { sweep_upwards(*upwards); },
-                                [&] { downwards->template find_path_ends<ConcurrencyTag>(); });
+                                [&] {
+                                  downwards->template find_path_ends<ConcurrencyTag>();
+                                  if(is_forest)
+                                    sweep_downwards(*downwards);
+                                });
     report(0.5);
+    if(is_forest && !is_surface_without_loops(upwards->tree()))
+    {
+      is_forest = false;
+      downwards.emplace(slab_, order_);
+      downwards->template find_path_ends<ConcurrencyTag>();
+    }
 
     Shrinking_tree join_tree, split_tree;
-    invoke_both<ConcurrencyTag>([&] { sweep_downwards(*downwards, upwards->tree()); },
-                                [&] { join_tree = Shrinking_tree(upwards->tree().parents); });
+    invoke_both<ConcurrencyTag>(
+      [&] {
+        if(!is_forest)
+          sweep_downwards_and_cut(*downwards, upwards->tree());
+      },
+      [&] { join_tree = Shrinking_tree(upwards->tree().parents); });
     cuts_ = downwards->take_cuts();
     insert_cuts(join_tree);
     report(0.75);
@@ -100,10 +118,31 @@ private:
   {
     const Large_vector<Index>& ascending = critical_vertices_.ascending();
     visit_in_order(sweep, ascending.begin(), ascending.end(), [&](Index critical) { sweep.merge_at(critical); });
-    sweep.merge_last_contours([&](const Ascending_step& step) { return sweep.component_at_level(step); });
+    sweep.merge_last_contours(sweep.end_at_level());
   }
 
-  void sweep_downwards(Cutting_sweep<Complex, Order>& sweep, const Merge_tree& join_tree) const
+  void sweep_downwards(Downward_sweep& sweep) const
+  {
+    const Large_vector<Index>& ascending = critical_vertices_.ascending();
+    visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Index critical) { sweep.merge_at(critical); });
+    sweep.merge_last_contours();
+  }
+
+  // Whether all components are spheres and disks, or single vertices: no other ones have as large Euler characteristics.
+  bool is_surface_without_loops(const Merge_tree& join_tree) const
+  {
+    std::ptrdiff_t largest_characteristic = 0;
+    for(Index i = 0; i != critical_vertices_.size(); ++i)
+    {
+      if(join_tree.parents[i] != no_index)
+        continue;
+      const bool is_sphere = !join_tree.is_border_reached[i] && critical_vertices_.number_of_lower_sectors(i) != 0;
+      largest_characteristic += is_sphere ? 2 : 1;
+    }
+    return euler_characteristic(critical_vertices_) == largest_characteristic;
+  }
+
+  void sweep_downwards_and_cut(Downward_sweep& sweep, const Merge_tree& join_tree) const
   {
     Loop_surgery<Complex, Order> surgery(slab_, order_, join_tree, sweep.tree());
     const Large_vector<Index>& ascending = critical_vertices_.ascending();

@@ -101,7 +101,7 @@ private:
   {
     for(; contour_at(step.edge) == no_index; step = steepest_step(complex_, order_, step.target))
     {
-      const Index contour = slab_.contour_at_step(true, step);
+      const Index contour = slab_.contour_at_step(true, step.target, [&] { return step.edge; });
       if(contour != no_index)
         return contour;
     }

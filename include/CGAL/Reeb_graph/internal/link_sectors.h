@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/Index.h>
+#include <CGAL/Reeb_graph/internal/Monotone_neighbors.h>
 #include <CGAL/Reeb_graph/internal/Triangle_complex_base.h>
 
 #include <algorithm>
@@ -39,6 +40,13 @@ struct Link_summary
   Index number_of_lower_sectors() const { return number_of_sectors - number_of_upper_sectors(); }
 };
 
+// What one turn around a vertex finds.
+struct Vertex_link
+{
+  Link_summary summary;
+  Monotone_neighbors neighbors;
+};
+
 // Counts how often the neighbors of a vertex change between lower and higher ones. That is the number of link sectors
 // if the last neighbor is the first one again; on the border, where the link is a path, there is one more.
 template <class Order>
@@ -47,45 +55,58 @@ class Link_changes
 public:
   Link_changes(const Order& order, Index vertex) : order_(order), vertex_(vertex) {}
 
-  void begin(Index neighbor) { is_first_upper_ = is_last_upper_ = order_(vertex_, neighbor); }
+  void begin(Index neighbor)
+  {
+    is_first_upper_ = is_last_upper_ = order_(vertex_, neighbor);
+    set_neighbor(neighbor);
+  }
   void add(Index neighbor)
   {
     const bool is_upper = order_(vertex_, neighbor);
     number_ += is_upper != is_last_upper_;
     is_last_upper_ = is_upper;
+    set_neighbor(neighbor);
   }
 
-  Link_summary summary_of_closed_link() const { return {(std::max)(number_, Index(1)), is_first_upper_}; }
-  Link_summary summary_of_path() const { return {number_ + 1, is_first_upper_}; }
+  Vertex_link closed_link() const { return {{(std::max)(number_, Index(1)), is_first_upper_}, {lower_, higher_}}; }
+  Vertex_link path() const { return {{number_ + 1, is_first_upper_}, {lower_, higher_}}; }
 
 private:
+  // Without a branch that could not be predicted, nor an array, which would have to be in memory.
+  void set_neighbor(Index neighbor)
+  {
+    lower_ = is_last_upper_ ? lower_ : neighbor;
+    higher_ = is_last_upper_ ? neighbor : higher_;
+  }
+
   const Order& order_;
   const Index vertex_;
   Index number_ = 0;
+  Index lower_ = no_index;
+  Index higher_ = no_index;
   bool is_first_upper_ = false;
   bool is_last_upper_ = false;
 };
 
 template <class Complex, class Order>
-Link_summary summarize_link(const Complex& complex, const Order& order, Index vertex)
+Vertex_link find_link(const Complex& complex, const Order& order, Index vertex)
 {
   const Index first = complex.first_halfedge(vertex);
   if(first == no_index)
-    return {0, false};
+    return {{0, false}, {no_index, no_index}};
   Link_changes<Order> changes(order, vertex);
   changes.begin(complex.source(first));
   complex.for_each_halfedge_around(vertex,
                                    [&](Index halfedge) { changes.add(complex.target(complex.next(halfedge))); });
-  return complex.is_on_border(vertex) ? changes.summary_of_path() : changes.summary_of_closed_link();
+  return complex.is_on_border(vertex) ? changes.path() : changes.closed_link();
 }
 
 // The same at a vertex whose fan has not been found yet: both in one turn if the vertex is inside of the surface.
 template <class Complex, class Order>
-Link_summary find_fan_and_summarize_link(Complex& complex, const Order& order, Index vertex, Fan_counts& counts)
+Vertex_link find_fan_and_link(Complex& complex, const Order& order, Index vertex, Fan_counts& counts)
 {
   Link_changes<Order> changes(order, vertex);
-  return complex.find_fan(vertex, counts, changes) ? changes.summary_of_closed_link()
-                                                   : summarize_link(complex, order, vertex);
+  return complex.find_fan(vertex, counts, changes) ? changes.closed_link() : find_link(complex, order, vertex);
 }
 
 // Writes the link sectors of `vertex`, the lower ones and the upper ones each in clockwise order, to the two places.

@@ -45,16 +45,14 @@ public:
   // of the superlevel components can be those of the surface with the cuts further up: that can only exclude more.
   bool can_close_loop(Index critical)
   {
+    if(!join_tree_.is_class_shared[critical])
+      return false;
     const Index number_of_lower_sectors = critical_vertices_.number_of_lower_sectors(critical);
-    if(number_of_lower_sectors < 2)
-      return false;
     const Index number_of_lower_classes = count_classes(critical, false);
-    if(number_of_lower_classes == number_of_lower_sectors)
-      return false;
     // With closed contours on one side, as many loops are closed at the vertex, here or above and below, as its
     // multiplicity exceeds the merges of both trees.
     const bool is_on_border = critical_vertices_.is_on_border(critical);
-    if(!is_on_border && !(is_border_reached(critical, false) && is_border_reached(critical, true)))
+    if(!is_on_border && !(is_border_reached(critical, true) && is_border_reached(critical, false)))
       return number_of_lower_sectors + 1 > number_of_lower_classes + count_classes(critical, true);
     return count_joined_lower_sectors(critical, is_on_border) > number_of_lower_classes;
   }
@@ -134,10 +132,7 @@ private:
   Index count_classes(Index critical, bool is_upper)
   {
     if(critical_vertices_.number_of_sectors(critical, is_upper) == 2)
-    {
-      const Index first = critical_vertices_.first_sector(critical, is_upper);
-      return tree(is_upper).sector_classes[first] == tree(is_upper).sector_classes[first + 1] ? 1 : 2;
-    }
+      return tree(is_upper).is_class_shared[critical] ? 1 : 2;
     sort_classes(critical, is_upper);
     return static_cast<Index>(std::unique(classes_.begin(), classes_.end()) - classes_.begin());
   }

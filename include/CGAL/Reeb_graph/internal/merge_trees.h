@@ -30,6 +30,7 @@ struct Merge_tree
 {
   Large_vector<Index> parents;         // by node: where its component merges; no_index at a root
   std::vector<bool> is_border_reached; // by node: whether the component of which it is the top has border
+  std::vector<bool> is_class_shared;   // by critical vertex: whether two of its sectors are in one component
 
   // By lower link sector in the join tree, by upper one in the split tree: the top of the component that it is in when
   // the sweep arrives at its vertex. Before that, the component in which a monotone path from there ends.
@@ -48,11 +49,12 @@ public:
     : slab_(slab),
       order_(order),
       critical_vertices_(slab.critical_vertices()),
-      path_ends_(slab.complex(), order)
+      path_ends_(slab.complex(), order, slab.critical_vertices().kept_neighbors())
   {
     tree_.parents.reserve(slab.number_of_nodes() + slab.number_of_nodes() / 16); // There may be a few cuts.
     tree_.parents.assign(slab.number_of_nodes(), no_index);
     tree_.is_border_reached.assign(slab.number_of_nodes(), false);
+    tree_.is_class_shared.assign(critical_vertices_.size(), false);
     tree_.sector_classes.resize(critical_vertices_.total_number_of_sectors(is_split_tree));
     for(Index i = 0; i != critical_vertices_.size(); ++i)
     {
@@ -74,10 +76,11 @@ public:
   // The ends that paths are known to have are the numbers of components that begin with extrema, then with contours of
   // the level from which the sweep comes.
   Path_ends& path_ends() { return path_ends_; }
+  const Path_ends& path_ends() const { return path_ends_; }
 
   void forget_path_ends()
   {
-    path_ends_ = Path_ends(slab_.complex(), order_);
+    path_ends_ = Path_ends(slab_.complex(), order_, critical_vertices_.kept_neighbors());
     Index component = 0;
     for(Index i = 0; i != critical_vertices_.size(); ++i)
     {
@@ -92,13 +95,12 @@ public:
   {
     const std::size_t size = tree_.sector_classes.size();
     constexpr std::size_t smallest_part = 4; // On a smooth field there are few paths, but long ones.
-    for_each_part<ConcurrencyTag>(
-      number_of_parts<ConcurrencyTag>(size, smallest_part), size, [&](std::size_t, std::size_t begin, std::size_t end) {
-        Large_vector<Index> passed;
-        for(std::size_t i = begin; i != end; ++i)
-          find_path_end(
-            static_cast<Index>(i), [&](const Ascending_step& step) { return component_at_level(step); }, passed);
-      });
+    for_each_part<ConcurrencyTag>(number_of_parts<ConcurrencyTag>(size, smallest_part), size,
+                                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                                    Large_vector<Index> passed;
+                                    for(std::size_t i = begin; i != end; ++i)
+                                      find_path_end(static_cast<Index>(i), end_at_level(), passed);
+                                  });
   }
 
   template <class EndOfStep>
@@ -109,10 +111,13 @@ public:
       path_ends_(Ascending_step{sector.edge, sector.extreme_neighbor}, end_of_step, passed);
   }
 
-  Index component_at_level(const Ascending_step& step) const
+  // Of a step that leaves the slab; see Monotone_path_ends.
+  auto end_at_level() const
   {
-    const Index contour = slab_.contour_at_step(is_split_tree, step);
-    return contour == no_index ? no_index : number_of_extrema_ + contour;
+    return [this](Index target, const auto& find_edge) {
+      const Index contour = slab_.contour_at_step(is_split_tree, target, find_edge);
+      return contour == no_index ? no_index : number_of_extrema_ + contour;
+    };
   }
 
   // To be called for the critical vertices in the order of the sweep. All classes are named before the first of them
@@ -128,7 +133,10 @@ public:
     for(const Index component : merged_components_)
     {
       if(components_.find(component) != component || components_.top(component) == critical)
+      {
+        tree_.is_class_shared[critical] = true;
         continue;
+      }
       put_on(component, critical);
       components_.make_part_of(component, merged_components_.front());
     }

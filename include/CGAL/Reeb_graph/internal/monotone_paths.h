@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/Monotone_neighbors.h>
 #include <CGAL/Reeb_graph/internal/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
@@ -27,9 +28,10 @@ template <class Complex, class Order, bool is_ascending>
 class Monotone_path_ends
 {
 public:
-  Monotone_path_ends(const Complex& complex, const Order& order)
+  Monotone_path_ends(const Complex& complex, const Order& order, const Kept_neighbors& kept_neighbors)
     : complex_(&complex),
       order_(&order),
+      kept_neighbors_(&kept_neighbors),
       ends_(complex.number_of_vertices())
   {}
 
@@ -37,31 +39,33 @@ public:
   Index end(Index vertex) const { return ends_[vertex].get() - 1; }
   bool is_known(Index vertex) const { return end(vertex) != no_index; }
 
-  // A path goes on to the first suitable neighbor.
-  Ascending_step step(Index vertex) const
+  // The neighbor to which a path goes on, always the same one.
+  Index next_vertex(Index vertex) const
   {
-    Ascending_step step = {no_index, no_index};
-    complex_->visit_edges_around(vertex, [&](Index neighbor, Index halfedge) {
-      if(is_ascending ? !(*order_)(vertex, neighbor) : !(*order_)(neighbor, vertex))
-        return false;
-      step = {halfedge, neighbor};
-      return true;
-    });
-    return step;
+    return kept_neighbors_->has_neighbors(vertex) ? kept_neighbors_->neighbor(vertex, is_ascending)
+                                                  : find_next_vertex(vertex);
   }
 
-  // The end of the path that begins with `step`. A step of which end_of_step(step) is not no_index is the last one.
-  // `passed` is storage for the vertices on the way.
+  // The edge over which it goes.
+  Index next_edge(Index vertex) const
+  {
+    const Index next = next_vertex(vertex);
+    return find_edge(vertex, [&](Index neighbor) { return neighbor == next; }).edge;
+  }
+
+  // The end of the path that begins with `step`. A step to `target` is the last one if end_of_step(target, find_edge)
+  // is not no_index, where find_edge() tells its edge. `passed` is storage for the vertices on the way.
   template <class EndOfStep>
-  Index operator()(Ascending_step step, const EndOfStep& end_of_step, Large_vector<Index>& passed)
+  Index operator()(const Ascending_step& step, const EndOfStep& end_of_step, Large_vector<Index>& passed)
   {
     passed.clear();
-    Index end = end_of_step(step);
-    while(end == no_index && (end = this->end(step.target)) == no_index)
+    Index vertex = step.target;
+    Index end = end_of_step(vertex, [&] { return step.edge; });
+    while(end == no_index && (end = this->end(vertex)) == no_index)
     {
-      passed.push_back(step.target);
-      step = this->step(step.target);
-      end = end_of_step(step);
+      passed.push_back(vertex);
+      vertex = next_vertex(vertex);
+      end = end_of_step(vertex, [&] { return next_edge(passed.back()); });
     }
     for(const Index vertex : passed)
       set_end(vertex, end);
@@ -69,8 +73,28 @@ public:
   }
 
 private:
+  Index find_next_vertex(Index vertex) const
+  {
+    return find_edge(vertex, [&](Index neighbor) { return (*order_)(vertex, neighbor) == is_ascending; }).target;
+  }
+
+  // The first one to a neighbor that is wanted.
+  template <class IsWanted>
+  Ascending_step find_edge(Index vertex, const IsWanted& is_wanted) const
+  {
+    Ascending_step step = {no_index, no_index};
+    complex_->visit_edges_around(vertex, [&](Index neighbor, Index halfedge) {
+      if(!is_wanted(neighbor))
+        return false;
+      step = {halfedge, neighbor};
+      return true;
+    });
+    return step;
+  }
+
   const Complex* complex_;
   const Order* order_;
+  const Kept_neighbors* kept_neighbors_;
   Zeroed_array<Relaxed_value<Index>> ends_; // by vertex: the number behind the end, so that 0 is no_index
 };
 
