@@ -12,6 +12,9 @@
 // TBB_USE_PROFILING_TOOLS is 2. This function, and those that spawn tasks and get memory for them, are defined here
 // again, in front of those of the library: they tell the sanitizer, and call the library. So nothing has to be
 // suppressed, which would hide races of our own as well. They are those of the TBB of Debian 12, 2021.8.
+//
+// At the end of the program, the threads of TBB free what they share with the main thread, which the sanitizer does not
+// see to be in order either. So the program ends before they are told to.
 
 #include <oneapi/tbb/detail/_small_object_pool.h>
 #include <oneapi/tbb/detail/_task.h>
@@ -20,12 +23,26 @@
 #include <dlfcn.h>
 #include <sanitizer/tsan_interface.h>
 
+#include <stdlib.h>
+#include <unistd.h>
+
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 
 #if TBB_USE_PROFILING_TOOLS != 2
 #error "TBB_USE_PROFILING_TOOLS has to be 2 for the whole program"
 #endif
+
+namespace {
+// Handlers run in reverse order: after those of the tests, and before those of libraries that have been loaded earlier.
+const int is_handler_set = on_exit(
+  [](int status, void*) {
+    std::fflush(nullptr);
+    _exit(status);
+  },
+  nullptr);
+} // namespace
 
 namespace tbb {
 namespace detail {
