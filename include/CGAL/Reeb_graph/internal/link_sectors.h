@@ -109,6 +109,15 @@ Vertex_link find_fan_and_link(Complex& complex, const Order& order, Index vertex
   return complex.find_fan(vertex, counts, changes) ? changes.closed_link() : find_link(complex, order, vertex);
 }
 
+// Makes `neighbor` the extreme one of its sector if it is. Without a branch that could not be predicted.
+template <class Order>
+void add_to_sector(Link_sector& sector, const Order& order, bool is_upper, Index neighbor, Index halfedge)
+{
+  const bool is_more_extreme = order(sector.extreme_neighbor, neighbor) == is_upper;
+  sector.extreme_neighbor = is_more_extreme ? neighbor : sector.extreme_neighbor;
+  sector.edge = is_more_extreme ? halfedge : sector.edge;
+}
+
 // Writes the link sectors of `vertex`, the lower ones and the upper ones each in clockwise order, to the two places.
 template <class Complex, class Order>
 void find_link_sectors(const Complex& complex,
@@ -117,11 +126,21 @@ void find_link_sectors(const Complex& complex,
                        const Link_summary& summary,
                        const std::array<Link_sector*, 2>& places)
 {
+  // Half of the critical vertices are extrema, if there are many: their only sector can stay in registers.
+  if(summary.number_of_sectors == 1)
+  {
+    Link_sector sector = {vertex, no_index};
+    complex.for_each_edge_around(vertex, [&, is_upper = summary.is_first_upper](Index neighbor, Index halfedge) {
+      add_to_sector(sector, order, is_upper, neighbor, halfedge);
+    });
+    *places[summary.is_first_upper] = sector;
+    return;
+  }
+
   bool is_last_upper = summary.is_first_upper;
   for(Index i = 0; i != summary.number_of_sectors; ++i, is_last_upper = !is_last_upper)
     places[is_last_upper][i / 2] = {vertex, no_index};
 
-  // Without a branch that could not be predicted.
   is_last_upper = summary.is_first_upper;
   Index i = 0;
   complex.for_each_edge_around(vertex, [&](Index neighbor, Index halfedge) {
@@ -130,9 +149,7 @@ void find_link_sectors(const Complex& complex,
     i = i == summary.number_of_sectors ? 0 : i; // The turn has begun within a sector, which goes on here.
     is_last_upper = is_upper;
     Link_sector sector = places[is_upper][i / 2];
-    const bool is_more_extreme = order(sector.extreme_neighbor, neighbor) == is_upper;
-    sector.extreme_neighbor = is_more_extreme ? neighbor : sector.extreme_neighbor;
-    sector.edge = is_more_extreme ? halfedge : sector.edge;
+    add_to_sector(sector, order, is_upper, neighbor, halfedge);
     places[is_upper][i / 2] = sector;
   });
 }

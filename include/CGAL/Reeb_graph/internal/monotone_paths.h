@@ -67,8 +67,8 @@ public:
       vertex = next_vertex(vertex);
       end = end_of_step(vertex, [&] { return next_edge(passed.back()); });
     }
-    for(const Index vertex : passed)
-      set_end(vertex, end);
+    for(const Index passed_vertex : passed)
+      set_end(passed_vertex, end);
     return end;
   }
 
