@@ -95,12 +95,12 @@ public:
   {
     const std::size_t size = tree_.sector_classes.size();
     constexpr std::size_t smallest_part = 4; // On a smooth field there are few paths, but long ones.
-    for_each_part<ConcurrencyTag>(number_of_parts<ConcurrencyTag>(size, smallest_part), size,
-                                  [&](std::size_t, std::size_t begin, std::size_t end) {
-                                    Large_vector<Index> passed;
-                                    for(std::size_t i = begin; i != end; ++i)
-                                      find_path_end(static_cast<Index>(i), end_at_level(), passed);
-                                  });
+    const auto find_ends = [&](std::size_t, std::size_t begin, std::size_t end) {
+      Large_vector<Index> passed;
+      for(std::size_t i = begin; i != end; ++i)
+        find_path_end(static_cast<Index>(i), end_at_level(), passed);
+    };
+    for_each_part<ConcurrencyTag>(number_of_parts<ConcurrencyTag>(size, smallest_part), size, find_ends);
   }
 
   template <class EndOfStep>
