@@ -135,7 +135,7 @@ private:
     return sweep_.path_ends().is_known(lower) && sweep_.path_ends().next_vertex(lower) == higher;
   }
 
-  // There may be several edges to a vertex.
+  // Once, as several edges may lead to a vertex.
   void correct_path_end(Index vertex, Large_vector<Index>& corrected)
   {
     if(sweep_.path_ends().end(vertex) == components_of_cuts_.back())

@@ -60,7 +60,8 @@ public:
     report(0.25);
 
     // Where no loop can be, the sweeps do not need each other. Whether that is so is only known after the first one.
-    bool is_forest = slab_.is_whole_surface() && euler_characteristic(critical_vertices_) > 0;
+    const std::ptrdiff_t characteristic = slab_.is_whole_surface() ? euler_characteristic(critical_vertices_) : 0;
+    bool is_forest = characteristic > 0;
     invoke_both<ConcurrencyTag>([&] { sweep_upwards(*upwards); },
                                 [&] {
                                   downwards->template find_path_ends<ConcurrencyTag>();
@@ -68,7 +69,7 @@ public:
                                     sweep_downwards(*downwards);
                                 });
     report(0.5);
-    if(is_forest && !is_surface_without_loops(upwards->tree()))
+    if(is_forest && characteristic != largest_euler_characteristic(upwards->tree()))
     {
       is_forest = false;
       downwards.emplace(slab_, order_);
@@ -128,18 +129,19 @@ private:
     sweep.merge_last_contours();
   }
 
-  // Whether all components are spheres and disks, or single vertices: no other ones have as large Euler characteristics.
-  bool is_surface_without_loops(const Merge_tree& join_tree) const
+  // That of as many components, with and without border, if they are spheres, disks, and single vertices. Those have no
+  // loops, and all other ones smaller Euler characteristics.
+  std::ptrdiff_t largest_euler_characteristic(const Merge_tree& join_tree) const
   {
-    std::ptrdiff_t largest_characteristic = 0;
+    std::ptrdiff_t result = 0;
     for(Index i = 0; i != critical_vertices_.size(); ++i)
     {
       if(join_tree.parents[i] != no_index)
         continue;
       const bool is_sphere = !join_tree.is_border_reached[i] && critical_vertices_.number_of_lower_sectors(i) != 0;
-      largest_characteristic += is_sphere ? 2 : 1;
+      result += is_sphere ? 2 : 1;
     }
-    return euler_characteristic(critical_vertices_) == largest_characteristic;
+    return result;
   }
 
   void sweep_downwards_and_cut(Downward_sweep& sweep, const Merge_tree& join_tree) const
