@@ -33,6 +33,14 @@ public:
     return element;
   }
 
+  // Several threads can ask at once.
+  Index top(Index element) const
+  {
+    while(parents_[element] != element)
+      element = parents_[element];
+    return element;
+  }
+
   // Joins two sets, of which `old_top` and `top` are the tops; the latter is that of both then.
   void put_on(Index old_top, Index top) { parents_[old_top] = top; }
 

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -94,17 +95,18 @@ private:
     }
   }
 
-  Index group_of(Index critical) { return are_ties_contracted_ ? groups_.top(critical) : critical; }
+  Index group_of(Index critical) const { return are_ties_contracted_ ? groups_.top(critical) : critical; }
 
   void count_degrees()
   {
     degrees_.assign(critical_vertices_.size(), Degrees{0, 0, no_index});
+    ranks_.resize(arcs_.size());
     for(Index i = 0; i != arcs_.size(); ++i)
     {
       if(is_contracted(arcs_[i]))
         continue;
       Degrees& degrees = degrees_[group_of(arcs_[i].lower)];
-      ++degrees.out;
+      ranks_[i] = degrees.out++;
       degrees.last_out_arc = i;
       ++degrees_[group_of(arcs_[i].upper)].in;
     }
@@ -118,7 +120,7 @@ private:
     graph_.node_of_critical.assign(size, no_index);
     Large_vector<Index>& node_of_group = graph_.node_of_critical;
     graph_.nodes.reserve(size);
-    ends_of_arcs_.reserve(size);
+    begins_of_arcs_.reserve(size + 1);
     Index number_of_arcs = 0;
     constexpr std::size_t ahead = 16;
     const Large_vector<Index>& ascending = critical_vertices_.ascending();
@@ -138,53 +140,98 @@ private:
         continue;
       node_of_group[group] = static_cast<Index>(graph_.nodes.size());
       graph_.nodes.push_back({critical_vertices_.vertex(i), kind});
-      ends_of_arcs_.push_back(number_of_arcs);
+      begins_of_arcs_.push_back(number_of_arcs);
       number_of_arcs += degrees_[group].out;
     }
+    begins_of_arcs_.push_back(number_of_arcs);
     graph_.arcs.resize(number_of_arcs);
     for(Index i = 0; are_ties_contracted_ && i != size; ++i)
       graph_.node_of_critical[i] = node_of_group[groups_.top(i)];
   }
 
-  // Puts the arcs in order by lower node, as most nodes have few of them.
+  // Puts the arcs in order by lower node, and their pieces in the order of the critical arcs that they begin with.
   void make_arcs()
   {
-    graph_.pieces.reserve(arcs_.size());
-    constexpr Index ahead = 16;
-    for(Index i = 0; i != arcs_.size(); ++i)
+    const std::size_t number_of_parts = internal::number_of_parts<ConcurrencyTag>(arcs_.size());
+    const std::vector<std::size_t> begins_of_pieces = find_begins_of_pieces(number_of_parts);
+    graph_.pieces.resize(begins_of_pieces.back());
+    const auto make_arcs_of_part = [&](std::size_t part, std::size_t begin, std::size_t end) {
+      Index piece = static_cast<Index>(begins_of_pieces[part]);
+      for_each_first_arc(begin, end, [&](Index i, Index lower) {
+        graph_.arcs[begins_of_arcs_[lower] + ranks_[i]] = make_arc(i, lower, piece);
+      });
+    };
+    for_each_part<ConcurrencyTag>(number_of_parts, arcs_.size(), make_arcs_of_part);
+  }
+
+  // For the parts of the critical arcs: where their pieces begin in the sequence of all pieces; and how many these are.
+  std::vector<std::size_t> find_begins_of_pieces(std::size_t number_of_parts) const
+  {
+    std::vector<std::size_t> begins_of_pieces(number_of_parts + 1, 0);
+    const auto count_pieces = [&](std::size_t part, std::size_t begin, std::size_t end) {
+      std::size_t count = 0;
+      for_each_first_arc(begin, end, [&](Index i, Index) {
+        follow_arc(
+          i, [&](const Chain_piece&) { ++count; }, [](Index, Index) {});
+      });
+      begins_of_pieces[part + 1] = count;
+    };
+    for_each_part<ConcurrencyTag>(number_of_parts, arcs_.size(), count_pieces);
+    std::partial_sum(begins_of_pieces.begin(), begins_of_pieces.end(), begins_of_pieces.begin());
+    return begins_of_pieces;
+  }
+
+  // Calls visit(critical arc, lower node) where an arc of the graph begins.
+  template <class Visit>
+  void for_each_first_arc(std::size_t begin, std::size_t end, const Visit& visit) const
+  {
+    constexpr std::size_t far_ahead = 32, ahead = 16;
+    for(std::size_t i = begin; i != end; ++i)
     {
-      if(i + ahead < arcs_.size())
-        prefetch_element(ends_of_arcs_, graph_.node_of_critical[arcs_[i + ahead].lower]);
+      if(i + far_ahead < end)
+        prefetch_element(graph_.node_of_critical, arcs_[i + far_ahead].lower);
+      if(i + ahead < end)
+        prefetch_element(begins_of_arcs_, graph_.node_of_critical[arcs_[i + ahead].lower]);
       const Index lower = graph_.node_of_critical[arcs_[i].lower];
       if(lower != no_index && !is_contracted(arcs_[i]))
-        graph_.arcs[ends_of_arcs_[lower]++] = make_arc(i);
+        visit(static_cast<Index>(i), lower);
     }
   }
 
-  // Follows the arc over the groups that are no nodes. At a single vertex every ascending path goes on inside the arc;
-  // on a plateau it can end, and a new piece of the chain begins where the arc leaves.
-  Flat_arc make_arc(Index i)
+  Flat_arc make_arc(Index i, Index lower, Index& piece)
   {
-    const Index first_piece = static_cast<Index>(graph_.pieces.size());
-    Flat_arc flat_arc = {graph_.node_of_critical[arcs_[i].lower], no_index, first_piece, 1};
-    graph_.pieces.push_back({arcs_[i].first_step, no_index});
+    const Index first_piece = piece;
     name_piece(first_piece_of_arc_, i, first_piece);
-    while(graph_.node_of_critical[arcs_[i].upper] == no_index)
+    const Index upper = follow_arc(
+      i, [&](const Chain_piece& chain_piece) { graph_.pieces[piece++] = chain_piece; },
+      [&](Index group, Index next_arc) {
+        name_piece(first_piece_of_group_, group, first_piece);
+        name_piece(first_piece_of_arc_, next_arc, first_piece);
+      });
+    return {lower, upper, first_piece, piece - first_piece};
+  }
+
+  // Follows an arc over the groups that are no nodes. Calls add_piece(piece of its chain), and pass(group, critical arc
+  // that leaves it). At a single vertex every ascending path goes on inside the arc; on a plateau it can end, and a new
+  // piece begins where the arc leaves. Returns the upper node.
+  template <class AddPiece, class Pass>
+  Index follow_arc(Index i, const AddPiece& add_piece, const Pass& pass) const
+  {
+    Ascending_step first_step = arcs_[i].first_step;
+    while(true)
     {
-      const Index critical = arcs_[i].upper, group = group_of(critical);
+      const Index critical = arcs_[i].upper, node = graph_.node_of_critical[critical];
+      const bool is_piece_ended = node != no_index || (are_ties_contracted_ && is_on_plateau_[critical]);
+      if(is_piece_ended)
+        add_piece(Chain_piece{first_step, critical_vertices_.vertex(critical)});
+      if(node != no_index)
+        return node;
+      const Index group = group_of(critical);
       i = degrees_[group].last_out_arc;
-      name_piece(first_piece_of_group_, group, first_piece);
-      name_piece(first_piece_of_arc_, i, first_piece);
-      if(are_ties_contracted_ && is_on_plateau_[critical])
-      {
-        graph_.pieces.back().upper_vertex = critical_vertices_.vertex(critical);
-        graph_.pieces.push_back({arcs_[i].first_step, no_index});
-        ++flat_arc.number_of_pieces;
-      }
+      pass(group, i);
+      if(is_piece_ended)
+        first_step = arcs_[i].first_step;
     }
-    graph_.pieces.back().upper_vertex = critical_vertices_.vertex(arcs_[i].upper);
-    flat_arc.upper = graph_.node_of_critical[arcs_[i].upper];
-    return flat_arc;
   }
 
   static void name_piece(Large_vector<Index>& first_pieces, Index i, Index first_piece)
@@ -204,8 +251,8 @@ private:
     };
     for_each_block<ConcurrencyTag>(graph_.nodes.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t node = begin; node != end; ++node)
-        std::sort(graph_.arcs.begin() + (node == 0 ? 0 : ends_of_arcs_[node - 1]),
-                  graph_.arcs.begin() + ends_of_arcs_[node], is_before);
+        std::sort(graph_.arcs.begin() + begins_of_arcs_[node], graph_.arcs.begin() + begins_of_arcs_[node + 1],
+                  is_before);
     });
   }
 
@@ -239,7 +286,8 @@ private:
   Disjoint_sets groups_;
   std::vector<bool> is_on_plateau_;          // by critical vertex: whether its group has other ones
   Large_vector<Degrees> degrees_;            // by group
-  Large_vector<Index> ends_of_arcs_;         // by node: the end of those that leave it and have been made
+  Large_vector<Index> ranks_;                // by critical arc: how many before it leave the same group
+  Large_vector<Index> begins_of_arcs_;       // by node: of those that leave it; and the end of the last ones
   Large_vector<Index> first_piece_of_group_; // by group: that of the arc that passes it
   Large_vector<Index> first_piece_of_arc_;   // by arc: that of the arc that it becomes part of
   Flat_graph graph_;
