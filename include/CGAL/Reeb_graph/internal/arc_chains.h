@@ -67,7 +67,8 @@ Flat_chains find_arc_chains(const Complex& complex, const Order& order, const Fl
 {
   const std::size_t size = graph.pieces.size();
   Flat_chains chains;
-  chains.parts.resize(number_of_parts<ConcurrencyTag>(size));
+  constexpr std::size_t smallest_part = 4; // On a smooth field there are few chains, but long ones.
+  chains.parts.resize(number_of_parts<ConcurrencyTag>(size, smallest_part));
   chains.begins_of_pieces.resize(size + 1);
   for_each_part<ConcurrencyTag>(chains.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
     chains.parts[part] = walk_pieces(complex, order, graph.pieces.data() + begin, graph.pieces.data() + end,
