@@ -125,6 +125,7 @@ struct Surgery
   std::size_t number_of_traced_edges = 0; // one comparison each, and one more for each contour
   bool are_several_cuts_on_an_edge = false;
   bool is_longer_contour_cut = false; // where there is a choice between two
+  std::vector<stages::Index> split_tree, sector_classes;
 };
 
 // Follows each cut from an edge on which it is the lowest one, and looks whether another one is lower elsewhere.
@@ -161,7 +162,7 @@ std::size_t length_of_shortest_lower_contour(const Complex& complex, const Order
 }
 
 // runs the stages up to the cuts
-Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values)
+Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, bool are_paths_walked_first = true)
 {
   const Traits traits;
   const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
@@ -177,7 +178,8 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values)
   std::for_each(ascending.begin(), ascending.end(), [&](stages::Index critical) { upwards.merge_at(critical); });
 
   stages::Cutting_sweep<Complex, Order> downwards(slab, order);
-  downwards.find_path_ends<CGAL::Sequential_tag>();
+  if(are_paths_walked_first)
+    downwards.find_path_ends<CGAL::Sequential_tag>();
   const Counting_order counting_order(order);
   stages::Loop_surgery<Complex, Counting_order> surgery(slab, counting_order, upwards.tree(), downwards.tree());
   bool is_longer_contour_cut = false;
@@ -191,9 +193,12 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values)
           && crossed.size() != length_of_shortest_lower_contour(surface.complex, order, critical_vertices, critical);
       });
   });
+  const stages::Merge_tree& tree = downwards.tree();
   return {downwards.cuts().size(), counting_order.number_of_calls(),
           are_several_cuts_on_an_edge(surface.complex, order, critical_vertices, downwards.cuts()),
-          is_longer_contour_cut};
+          is_longer_contour_cut,
+          {tree.parents.begin(), tree.parents.end()},
+          {tree.sector_classes.begin(), tree.sector_classes.end()}};
 }
 
 std::vector<double> noise(const Surface_mesh& mesh, std::size_t seed)
@@ -371,6 +376,28 @@ BOOST_AUTO_TEST_CASE(there_are_as_many_cuts_as_loops_along_the_shorter_contours)
       BOOST_TEST(surgery.number_of_cuts == num_edges(graph) + 1 - num_vertices(graph));
       BOOST_TEST(!surgery.is_longer_contour_cut);
     }
+}
+
+BOOST_AUTO_TEST_CASE(cuts_do_not_depend_on_when_paths_are_walked)
+{
+  constexpr std::size_t number_of_classes = static_cast<std::size_t>(Mesh_class::NUMBER_OF_CLASSES);
+  std::size_t number_of_cuts = 0;
+  for(std::size_t seed = 0; seed < 1200; ++seed)
+  {
+    Random random(500000 + seed);
+    const Surface_mesh mesh =
+      make_surface_mesh(random_meshes::random_mesh(static_cast<Mesh_class>(seed % number_of_classes), random));
+    const auto values = noise(mesh, seed);
+    const Surgery early = cut_loops(mesh, values, true), late = cut_loops(mesh, values, false);
+    number_of_cuts += early.number_of_cuts;
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      BOOST_TEST(late.number_of_cuts == early.number_of_cuts);
+      BOOST_TEST(late.split_tree == early.split_tree, "other split trees");
+      BOOST_TEST(late.sector_classes == early.sector_classes, "other classes");
+    }
+  }
+  BOOST_TEST(number_of_cuts > 1000u);
 }
 
 BOOST_AUTO_TEST_CASE(the_traced_edges_of_noise_grow_linearly)

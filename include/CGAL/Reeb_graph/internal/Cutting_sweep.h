@@ -27,7 +27,7 @@ namespace Reeb_graph {
 namespace internal {
 
 // The sweep for the split tree of a surface that is cut on the way. A cut ends the paths of vertices further down, so
-// their ends, found before, have to be corrected.
+// their ends, if found before, have to be corrected.
 template <class Complex, class Order>
 class Cutting_sweep
 {
@@ -44,18 +44,19 @@ public:
   void find_path_ends()
   {
     sweep_.template find_path_ends<ConcurrencyTag>();
+    are_paths_walked_late_ = false;
   }
 
   void prefetch_classes(Index critical) const { sweep_.prefetch_classes(critical); }
   void prefetch_components(Index critical) const
   {
-    if(!are_all_changed_)
+    if(!are_paths_walked_late_)
       sweep_.prefetch_components(critical);
   }
 
   void merge_at(Index critical)
   {
-    if(cuts_.size() != 0 && (are_all_changed_ || is_changed_[critical_vertices_.vertex(critical)]))
+    if(are_paths_walked_late_ || (cuts_.size() != 0 && is_changed_[critical_vertices_.vertex(critical)]))
     {
       critical_vertices_.for_each_sector(critical, true,
                                          [&](Index i) { sweep_.find_path_end(i, end_at_cut_or_level(), passed_); });
@@ -70,7 +71,7 @@ public:
     cuts_.add(complex_.number_of_edges(), critical, sublevel_class, crossed_edges);
     sweep_.put_on_last(cuts_.node_above(cut));
     components_of_cuts_.push_back(sweep_.add_component_of_cut(cuts_.node_below(cut), has_border));
-    if(!are_all_changed_)
+    if(!are_paths_walked_late_)
       correct_path_ends(crossed_edges);
   }
 
@@ -106,7 +107,7 @@ private:
       if(is_on_known_path(lower, higher) && edge_of(sweep_.path_ends().next_edge(lower)) == edge_of(crossed_edges[i]))
         correct_path_end(lower, corrected);
     }
-    for(; !corrected.empty() && !are_all_changed_; ++number_of_corrections_)
+    for(; !corrected.empty() && !are_paths_walked_late_; ++number_of_corrections_)
     {
       const Index vertex = corrected.back();
       corrected.pop_back();
@@ -117,9 +118,9 @@ private:
         if(is_on_known_path(neighbor, vertex))
           correct_path_end(neighbor, corrected);
       });
-      are_all_changed_ = number_of_corrections_ >= critical_vertices_.size();
+      are_paths_walked_late_ = number_of_corrections_ >= critical_vertices_.size();
     }
-    if(are_all_changed_)
+    if(are_paths_walked_late_)
       sweep_.forget_path_ends();
   }
 
@@ -151,8 +152,8 @@ private:
   Cut_contours cuts_;
   Large_vector<Index> components_of_cuts_;
   Large_vector<Index> passed_;
-  std::vector<bool> is_changed_; // by vertex: whether a path that begins at it may meet a cut
-  bool are_all_changed_ = false;
+  std::vector<bool> is_changed_;      // by vertex: whether a path that begins at it may meet a cut
+  bool are_paths_walked_late_ = true; // each when its vertex is merged
   std::size_t number_of_corrections_ = 0;
 };
 

@@ -64,7 +64,8 @@ public:
     bool is_forest = characteristic > 0;
     invoke_both<ConcurrencyTag>([&] { sweep_upwards(*upwards); },
                                 [&] {
-                                  downwards->template find_path_ends<ConcurrencyTag>();
+                                  if(is_forest || has_many_critical_vertices())
+                                    downwards->template find_path_ends<ConcurrencyTag>();
                                   if(is_forest)
                                     sweep_downwards(*downwards);
                                 });
@@ -73,7 +74,8 @@ public:
     {
       is_forest = false;
       downwards.emplace(slab_, order_);
-      downwards->template find_path_ends<ConcurrencyTag>();
+      if(has_many_critical_vertices())
+        downwards->template find_path_ends<ConcurrencyTag>();
     }
 
     Shrinking_tree join_tree, split_tree;
@@ -113,6 +115,12 @@ private:
         sweep.prefetch_components(critical[near_ahead]);
       visit(*critical);
     }
+  }
+
+  // Then paths are best walked in the order of the mesh. Otherwise they are long, and cuts change most of their ends.
+  bool has_many_critical_vertices() const
+  {
+    return critical_vertices_.size() > slab_.complex().number_of_vertices() / 64;
   }
 
   void sweep_upwards(Upward_sweep& sweep) const
