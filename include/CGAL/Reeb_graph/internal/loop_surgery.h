@@ -47,14 +47,14 @@ public:
   {
     if(!join_tree_.is_class_shared[critical])
       return false;
-    const Index number_of_lower_sectors = critical_vertices_.number_of_lower_sectors(critical);
-    const Index number_of_lower_classes = count_classes(critical, false);
     // With closed contours on one side, as many loops are closed at the vertex, here or above and below, as its
-    // multiplicity exceeds the merges of both trees.
+    // multiplicity exceeds the merges of both trees: none if all upper classes are different.
     const bool is_on_border = critical_vertices_.is_on_border(critical);
-    if(!is_on_border && !(is_border_reached(critical, true) && is_border_reached(critical, false)))
-      return number_of_lower_sectors + 1 > number_of_lower_classes + count_classes(critical, true);
-    return count_joined_lower_sectors(critical, is_on_border) > number_of_lower_classes;
+    if(is_on_border || (is_border_reached(critical, true) && is_border_reached(critical, false)))
+      return count_joined_lower_sectors(critical, is_on_border) > count_classes(critical, false);
+    return split_tree_.is_class_shared[critical]
+        && critical_vertices_.number_of_lower_sectors(critical) + 1
+             > count_classes(critical, false) + count_classes(critical, true);
   }
 
   // Traces lower contours of the vertex, and calls visit(its sublevel class, halfedges of the crossed edges, whether
