@@ -193,9 +193,11 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
           && crossed.size() != length_of_shortest_lower_contour(surface.complex, order, critical_vertices, critical);
       });
   });
+  stages::Cut_contours cuts = downwards.take_cuts();
+  cuts.register_edges();
   const stages::Merge_tree& tree = downwards.tree();
-  return {downwards.cuts().size(), counting_order.number_of_calls(),
-          are_several_cuts_on_an_edge(surface.complex, order, critical_vertices, downwards.cuts()),
+  return {cuts.size(), counting_order.number_of_calls(),
+          are_several_cuts_on_an_edge(surface.complex, order, critical_vertices, cuts),
           is_longer_contour_cut,
           {tree.parents.begin(), tree.parents.end()},
           {tree.sector_classes.begin(), tree.sector_classes.end()}};

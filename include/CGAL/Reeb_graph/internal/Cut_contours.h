@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 
+#include <cstddef>
 #include <unordered_map>
 #include <vector>
 
@@ -27,25 +28,40 @@ namespace internal {
 class Cut_contours
 {
 public:
-  explicit Cut_contours(Index number_of_other_nodes) : number_of_other_nodes_(number_of_other_nodes) {}
+  Cut_contours(Index number_of_other_nodes, Index number_of_edges)
+    : number_of_other_nodes_(number_of_other_nodes),
+      number_of_edges_(number_of_edges)
+  {}
 
   // Adds a contour just below the critical vertex `critical`, the top of whose sublevel component is
   // `sublevel_class`. Critical vertices have to come in descending order: an edge keeps its lowest contour.
   template <class HalfedgeRange>
-  void add(Index number_of_edges, Index critical, Index sublevel_class, const HalfedgeRange& crossed_edges)
+  void add(Index critical, Index sublevel_class, const HalfedgeRange& crossed_edges)
   {
-    const Index cut = size();
     critical_vertices_.push_back(critical);
     sublevel_classes_.push_back(sublevel_class);
-    is_edge_cut_.resize(number_of_edges, false);
-    if(crossed_edges.size() + few_lowest_cuts_.size() > number_of_edges / 32)
-      switch_to_array(number_of_edges);
-    for(const Index halfedge : crossed_edges)
+    unregistered_edges_.insert(unregistered_edges_.end(), crossed_edges.begin(), crossed_edges.end());
+    ends_of_unregistered_.push_back(unregistered_edges_.size());
+    if(unregistered_edges_.size() > number_of_edges_) // So that they never take more memory than the registered ones.
+      register_edges();
+  }
+
+  // Lets lowest_at_edge() know the contours that have been added since the last call: few ask for it.
+  void register_edges()
+  {
+    is_edge_cut_.resize(number_of_edges_, false);
+    if(unregistered_edges_.size() + few_lowest_cuts_.size() > number_of_edges_ / 32)
+      switch_to_array();
+    std::size_t i = 0;
+    Index cut = size() - static_cast<Index>(ends_of_unregistered_.size());
+    for(const std::size_t end : ends_of_unregistered_)
     {
-      const Index edge = edge_of(halfedge);
-      is_edge_cut_[edge] = true;
-      (lowest_cuts_.empty() ? few_lowest_cuts_[edge] : lowest_cuts_[edge]) = cut;
+      for(; i != end; ++i)
+        register_edge(edge_of(unregistered_edges_[i]), cut);
+      ++cut;
     }
+    unregistered_edges_.clear();
+    ends_of_unregistered_.clear();
   }
 
   Index size() const { return static_cast<Index>(critical_vertices_.size()); }
@@ -60,7 +76,7 @@ public:
   Index critical_vertex(Index cut) const { return critical_vertices_[cut]; }
   Index sublevel_class(Index cut) const { return sublevel_classes_[cut]; }
 
-  // The lowest contour that crosses the edge of the halfedge, no_index if there is none.
+  // The lowest registered contour that crosses the edge of the halfedge, no_index if there is none.
   Index lowest_at_edge(Index halfedge) const
   {
     const Index edge = edge_of(halfedge);
@@ -70,9 +86,15 @@ public:
   }
 
 private:
-  void switch_to_array(Index number_of_edges)
+  void register_edge(Index edge, Index cut)
   {
-    lowest_cuts_.resize(number_of_edges);
+    is_edge_cut_[edge] = true;
+    (lowest_cuts_.empty() ? few_lowest_cuts_[edge] : lowest_cuts_[edge]) = cut;
+  }
+
+  void switch_to_array()
+  {
+    lowest_cuts_.resize(number_of_edges_);
     for(const auto& [edge, cut] : few_lowest_cuts_)
       lowest_cuts_[edge] = cut;
     few_lowest_cuts_.clear();
@@ -81,8 +103,11 @@ private:
   bool is_cut_node(Index node) const { return node >= number_of_other_nodes_; }
 
   Index number_of_other_nodes_;
+  Index number_of_edges_;
   Large_vector<Index> critical_vertices_;
   Large_vector<Index> sublevel_classes_;
+  Large_vector<Index> unregistered_edges_;
+  std::vector<std::size_t> ends_of_unregistered_; // by cut
   // By edge. With few cut edges, to touch the pages of an array would take longer than all else that
   // has to do with cuts; with many, a hash map would.
   std::unordered_map<Index, Index> few_lowest_cuts_;

@@ -15,12 +15,14 @@
 #include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Slab.h>
+#include <CGAL/Reeb_graph/internal/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/merge_trees.h>
+#include <CGAL/Reeb_graph/internal/prefetch.h>
 
 #include <cstddef>
+#include <optional>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -37,7 +39,7 @@ public:
       order_(order),
       critical_vertices_(slab.critical_vertices()),
       sweep_(slab, order),
-      cuts_(slab.number_of_nodes())
+      cuts_(slab.number_of_nodes(), slab.complex().number_of_edges())
   {}
 
   template <class ConcurrencyTag>
@@ -56,7 +58,7 @@ public:
 
   void merge_at(Index critical)
   {
-    if(are_paths_walked_late_ || (cuts_.size() != 0 && is_changed_[critical_vertices_.vertex(critical)]))
+    if(are_paths_walked_late_)
     {
       critical_vertices_.for_each_sector(critical, true,
                                          [&](Index i) { sweep_.find_path_end(i, end_at_cut_or_level(), passed_); });
@@ -68,16 +70,18 @@ public:
   void cut(Index critical, Index sublevel_class, const Large_vector<Index>& crossed_edges, bool has_border)
   {
     const Index cut = cuts_.size();
-    cuts_.add(complex_.number_of_edges(), critical, sublevel_class, crossed_edges);
+    cuts_.add(critical, sublevel_class, crossed_edges);
     sweep_.put_on_last(cuts_.node_above(cut));
     components_of_cuts_.push_back(sweep_.add_component_of_cut(cuts_.node_below(cut), has_border));
     if(!are_paths_walked_late_)
       correct_path_ends(crossed_edges);
+    if(are_paths_walked_late_)
+      cuts_.register_edges();
   }
 
-  void merge_last_contours() { sweep_.merge_last_contours(end_at_cut_or_level()); }
+  // At the end, what a cut has parted is one component again, so paths may pass cuts.
+  void merge_last_contours() { sweep_.merge_last_contours(); }
 
-  const Cut_contours& cuts() const { return cuts_; }
   Cut_contours take_cuts() { return std::move(cuts_); }
   const Merge_tree& tree() const { return sweep_.tree(); }
 
@@ -95,16 +99,23 @@ private:
   // again, this is left to merge_at(); then no later cut, as it is further down, can change an end that is known.
   void correct_path_ends(const Large_vector<Index>& crossed_edges)
   {
-    is_changed_.resize(complex_.number_of_vertices(), false);
+    if(!critical_numbers_)
+      number_critical_vertices();
     Large_vector<Index> corrected;
-    constexpr std::size_t ahead = 12;
+    constexpr std::size_t ahead = 16;
     for(std::size_t i = 0; i != crossed_edges.size(); ++i)
     {
       if(i + ahead < crossed_edges.size())
-        critical_vertices_.kept_neighbors().prefetch(ends(crossed_edges[i + ahead]).first);
+      {
+        const Index lower = ends(crossed_edges[i + ahead]).first;
+        critical_vertices_.kept_neighbors().prefetch(lower);
+        prefetch(&(*critical_numbers_)[lower]);
+        sweep_.path_ends().prefetch(lower);
+      }
       const auto [lower, higher] = ends(crossed_edges[i]);
-      is_changed_[lower] = true;
-      if(is_on_known_path(lower, higher) && edge_of(sweep_.path_ends().next_edge(lower)) == edge_of(crossed_edges[i]))
+      const Index edge = edge_of(crossed_edges[i]);
+      correct_classes(lower, [edge](const Link_sector& sector) { return edge_of(sector.edge) == edge; });
+      if(is_on_known_path(lower, higher) && edge_of(sweep_.path_ends().next_edge(lower)) == edge)
         correct_path_end(lower, corrected);
     }
     for(; !corrected.empty() && !are_paths_walked_late_; ++number_of_corrections_)
@@ -114,7 +125,7 @@ private:
       complex_.for_each_edge_around(vertex, [&](Index neighbor, Index) {
         if(!order_(neighbor, vertex))
           return;
-        is_changed_[neighbor] = true;
+        correct_classes(neighbor, [vertex](const Link_sector& sector) { return sector.extreme_neighbor == vertex; });
         if(is_on_known_path(neighbor, vertex))
           correct_path_end(neighbor, corrected);
       });
@@ -122,6 +133,26 @@ private:
     }
     if(are_paths_walked_late_)
       sweep_.forget_path_ends();
+  }
+
+  void number_critical_vertices()
+  {
+    critical_numbers_.emplace(complex_.number_of_vertices());
+    for(Index i = 0; i != critical_vertices_.size(); ++i)
+      (*critical_numbers_)[critical_vertices_.vertex(i)] = i + 1;
+  }
+
+  // Of the upper sectors, those from which a path now meets the last cut.
+  template <class IsChanged>
+  void correct_classes(Index vertex, const IsChanged& is_changed)
+  {
+    const Index number = (*critical_numbers_)[vertex];
+    if(number == 0)
+      return;
+    critical_vertices_.for_each_sector(number - 1, true, [&](Index i) {
+      if(is_changed(critical_vertices_.sector(true, i)))
+        sweep_.set_path_end(i, components_of_cuts_.back());
+    });
   }
 
   std::pair<Index, Index> ends(Index edge) const
@@ -152,8 +183,8 @@ private:
   Cut_contours cuts_;
   Large_vector<Index> components_of_cuts_;
   Large_vector<Index> passed_;
-  std::vector<bool> is_changed_;      // by vertex: whether a path that begins at it may meet a cut
-  bool are_paths_walked_late_ = true; // each when its vertex is merged
+  std::optional<Zeroed_array<Index>> critical_numbers_; // by vertex, from 1 on; 0 if it is not critical
+  bool are_paths_walked_late_ = true;                   // each when its vertex is merged
   std::size_t number_of_corrections_ = 0;
 };
 

@@ -46,7 +46,7 @@ public:
     : slab_(slab),
       order_(order),
       critical_vertices_(slab.critical_vertices()),
-      cuts_(slab.number_of_nodes())
+      cuts_(slab.number_of_nodes(), slab.complex().number_of_edges())
   {}
 
   // Calls report(fraction) now and then.
@@ -127,7 +127,7 @@ private:
   {
     const Large_vector<Index>& ascending = critical_vertices_.ascending();
     visit_in_order(sweep, ascending.begin(), ascending.end(), [&](Index critical) { sweep.merge_at(critical); });
-    sweep.merge_last_contours(sweep.end_at_level());
+    sweep.merge_last_contours();
   }
 
   void sweep_downwards(Downward_sweep& sweep) const

@@ -111,6 +111,8 @@ public:
       path_ends_(Ascending_step{sector.edge, sector.extreme_neighbor}, end_of_step, passed);
   }
 
+  void set_path_end(Index position, Index end) { tree_.sector_classes[position] = end; }
+
   // Of a step that leaves the slab; see Monotone_path_ends.
   auto end_at_level() const
   {
@@ -150,15 +152,14 @@ public:
   }
 
   // Puts the contours of the level at which the sweep ends on their components. To be called at last.
-  template <class EndOfStep>
-  void merge_last_contours(const EndOfStep& end_of_step)
+  void merge_last_contours()
   {
     Large_vector<Index> passed;
     const Index size = slab_.number_of_contours(!is_split_tree);
     for(Index i = 0; i != size; ++i)
     {
       const Index contour = is_split_tree ? size - 1 - i : i;
-      const Index end = path_ends_(slab_.step_from_contour(!is_split_tree, contour), end_of_step, passed);
+      const Index end = path_ends_(slab_.step_from_contour(!is_split_tree, contour), end_at_level(), passed);
       put_on(components_.find(end), slab_.contour_node(!is_split_tree, contour));
     }
   }

@@ -37,6 +37,7 @@ public:
 
   void set_end(Index vertex, Index end) { ends_[vertex].set(end + 1); }
   Index end(Index vertex) const { return ends_[vertex].get() - 1; }
+  void prefetch(Index vertex) const { internal::prefetch(&ends_[vertex]); }
   bool is_known(Index vertex) const { return end(vertex) != no_index; }
 
   // The neighbor to which a path goes on, always the same one.
