@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 
 #include <numeric>
+#include <utility>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -33,18 +34,18 @@ public:
     return element;
   }
 
-  // Several threads can ask at once.
-  Index top(Index element) const
-  {
-    while(parents_[element] != element)
-      element = parents_[element];
-    return element;
-  }
-
   // Joins two sets, of which `old_top` and `top` are the tops; the latter is that of both then.
   void put_on(Index old_top, Index top) { parents_[old_top] = top; }
 
   void unite(Index a, Index b) { put_on(top(a), top(b)); }
+
+  // By element, the top of its set. To be called at last.
+  Large_vector<Index> take_tops()
+  {
+    for(Index& parent : parents_)
+      parent = top(parent);
+    return std::move(parents_);
+  }
 
 private:
   Large_vector<Index> parents_;

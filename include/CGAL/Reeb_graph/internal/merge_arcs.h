@@ -55,7 +55,6 @@ public:
       arcs_(arcs),
       are_ties_contracted_(ties == Ties::CONTRACT),
       are_degree_two_nodes_kept_(are_degree_two_nodes_kept),
-      groups_(ties == Ties::CONTRACT ? critical_vertices.size() : 0),
       is_on_plateau_(ties == Ties::CONTRACT ? critical_vertices.size() : 0, false)
   {}
 
@@ -86,16 +85,18 @@ private:
 
   void group_ties()
   {
+    Disjoint_sets groups(critical_vertices_.size());
     for(const Critical_arc& arc : arcs_)
     {
       if(!is_contracted(arc))
         continue;
-      groups_.unite(arc.lower, arc.upper);
+      groups.unite(arc.lower, arc.upper);
       is_on_plateau_[arc.lower] = is_on_plateau_[arc.upper] = true;
     }
+    groups_ = groups.take_tops();
   }
 
-  Index group_of(Index critical) const { return are_ties_contracted_ ? groups_.top(critical) : critical; }
+  Index group_of(Index critical) const { return are_ties_contracted_ ? groups_[critical] : critical; }
 
   void count_degrees()
   {
@@ -146,7 +147,7 @@ private:
     begins_of_arcs_.push_back(number_of_arcs);
     graph_.arcs.resize(number_of_arcs);
     for(Index i = 0; are_ties_contracted_ && i != size; ++i)
-      graph_.node_of_critical[i] = node_of_group[groups_.top(i)];
+      graph_.node_of_critical[i] = node_of_group[groups_[i]];
   }
 
   // Puts the arcs in order by lower node, and their pieces in the order of the critical arcs that they begin with.
@@ -283,7 +284,7 @@ private:
   const Large_vector<Critical_arc>& arcs_;
   const bool are_ties_contracted_;
   const bool are_degree_two_nodes_kept_;
-  Disjoint_sets groups_;
+  Large_vector<Index> groups_;               // by critical vertex, if ties are contracted
   std::vector<bool> is_on_plateau_;          // by critical vertex: whether its group has other ones
   Large_vector<Degrees> degrees_;            // by group
   Large_vector<Index> ranks_;                // by critical arc: how many before it leave the same group
