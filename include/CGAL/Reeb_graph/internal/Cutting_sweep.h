@@ -101,18 +101,17 @@ private:
   {
     if(!critical_numbers_)
       number_critical_vertices();
+    Large_vector<std::pair<Index, Index>> ends;
+    ends.reserve(crossed_edges.size());
+    for(const Index edge : crossed_edges)
+      ends.push_back(ends_of(edge));
     Large_vector<Index> corrected;
     constexpr std::size_t ahead = 16;
     for(std::size_t i = 0; i != crossed_edges.size(); ++i)
     {
       if(i + ahead < crossed_edges.size())
-      {
-        const Index lower = ends(crossed_edges[i + ahead]).first;
-        critical_vertices_.kept_neighbors().prefetch(lower);
-        prefetch(&(*critical_numbers_)[lower]);
-        sweep_.path_ends().prefetch(lower);
-      }
-      const auto [lower, higher] = ends(crossed_edges[i]);
+        prefetch_lower_end(ends[i + ahead].first);
+      const auto [lower, higher] = ends[i];
       const Index edge = edge_of(crossed_edges[i]);
       correct_classes(lower, [edge](const Link_sector& sector) { return edge_of(sector.edge) == edge; });
       if(is_on_known_path(lower, higher) && edge_of(sweep_.path_ends().next_edge(lower)) == edge)
@@ -155,7 +154,15 @@ private:
     });
   }
 
-  std::pair<Index, Index> ends(Index edge) const
+  void prefetch_lower_end(Index vertex) const
+  {
+    prefetch(&(*critical_numbers_)[vertex]);
+    critical_vertices_.kept_neighbors().prefetch(vertex);
+    sweep_.path_ends().prefetch(vertex);
+  }
+
+  // The lower one first.
+  std::pair<Index, Index> ends_of(Index edge) const
   {
     const Index source = complex_.source(edge), target = complex_.target(edge);
     return order_(source, target) ? std::make_pair(source, target) : std::make_pair(target, source);
