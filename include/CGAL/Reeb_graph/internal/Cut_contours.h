@@ -46,7 +46,8 @@ public:
       register_edges();
   }
 
-  // Lets lowest_at_edge() know the contours that have been added since the last call: few ask for it.
+  // Lets lowest_at_edge() know the contours that have been added since the last call. Done on demand, as it takes longer
+  // than all else here, and is seldom needed.
   void register_edges()
   {
     is_edge_cut_.resize(number_of_edges_, false);
@@ -107,12 +108,12 @@ private:
   Large_vector<Index> critical_vertices_;
   Large_vector<Index> sublevel_classes_;
   Large_vector<Index> unregistered_edges_;
-  std::vector<std::size_t> ends_of_unregistered_; // by cut
+  std::vector<std::size_t> ends_of_unregistered_; // of the last cuts, each in unregistered_edges_
   // By edge. With few cut edges, to touch the pages of an array would take longer than all else that
   // has to do with cuts; with many, a hash map would.
   std::unordered_map<Index, Index> few_lowest_cuts_;
   Large_vector<Index> lowest_cuts_; // unset where no cut is
-  std::vector<bool> is_edge_cut_;   // asked first; empty as long as nothing is cut
+  std::vector<bool> is_edge_cut_;   // asked first; empty as long as nothing is registered
 };
 
 } // namespace internal
