@@ -46,8 +46,8 @@ public:
       register_edges();
   }
 
-  // Lets lowest_at_edge() know the contours that have been added since the last call. Done on demand, as it takes longer
-  // than all else here, and is seldom needed.
+  // Lets lowest_at_edge() know the contours that have been added since the last call. Done on demand, as it takes
+  // longer than all else here, and is seldom needed.
   void register_edges()
   {
     is_edge_cut_.resize(number_of_edges_, false);
