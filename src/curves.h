@@ -21,7 +21,7 @@ struct Cut_result
 {
   std::vector<Polyline> polylines; // of the curves
   Patch_map patch_map;
-  std::size_t number_of_patches;
+  std::size_t number_of_patches = 0;
 };
 
 // Refines the surface, and finds the curves and the patches between them.

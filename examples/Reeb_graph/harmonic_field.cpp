@@ -2,11 +2,13 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <CGAL/Reeb_graph/field_constraints.h>
 #include <CGAL/Reeb_graph/harmonic_field.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,9 +46,15 @@ int main(int argc, char* argv[])
     CGAL::Reeb_graph::compute_harmonic_field(mesh, scalar_map);
     print_graph(mesh, scalar_map);
 
-    std::cout << "with three given values: ";
-    const std::vector<std::pair<vertex_descriptor, double>> constraints = {
-      {vertex_descriptor(0), 0}, {vertex_descriptor(100), 1}, {vertex_descriptor(200), 2}};
+    std::cout << "with given values: ";
+    std::vector<std::pair<vertex_descriptor, vertex_descriptor>> far_apart;
+    CGAL::Reeb_graph::find_far_apart_vertices(mesh, std::back_inserter(far_apart));
+    std::vector<std::pair<vertex_descriptor, double>> constraints;
+    for(const auto& pair : far_apart) // one pair for each component
+    {
+      constraints.emplace_back(pair.first, -1);
+      constraints.emplace_back(pair.second, 3);
+    }
     CGAL::Reeb_graph::compute_harmonic_field(
       mesh, scalar_map, constraints,
       CGAL::parameters::laplacian_weights(CGAL::Reeb_graph::Laplacian_weights::COTANGENT));

@@ -16,6 +16,7 @@
 
 #include <boost/mpl/list.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -37,6 +38,7 @@ using random_meshes::Mesh_class;
 using random_meshes::Random;
 
 typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
+typedef boost::mpl::list<double, int> Scalars;
 
 namespace
 {
@@ -296,6 +298,13 @@ BOOST_AUTO_TEST_CASE(the_field_as_second_field_changes_nothing)
         const double length = a.values[a.upper(arc)] - a.values[a.lower(arc)];
         if(!std::isfinite(length) || length == 0)
           continue;
+        const auto& chain = a.graph[arc].chain;
+        if(!std::all_of(chain.begin(), chain.end(),
+                        [&](const auto h) { return std::isfinite(get(a.scalar_map, target(h, mesh))); }))
+        {
+          BOOST_CHECK_THROW(a.augmentation.contour(arc, 0.5, a.scalar_map), CGAL::Reeb_graph::Non_finite_scalar_error);
+          continue;
+        }
         for(const double t : {0.01, 0.123, 0.5, 0.789, 0.99})
         {
           const double expected = a.augmentation.contour(arc, t).value;
@@ -308,6 +317,58 @@ BOOST_AUTO_TEST_CASE(the_field_as_second_field_changes_nothing)
     }
   });
   BOOST_TEST(number_of_contours > 1000u);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(the_order_of_the_traits_class, Scalar, Scalars)
+{
+  namespace parameters = CGAL::parameters;
+  using CGAL::Reeb_graph::Augmentation;
+  typedef graph_checks::Scalar_map_of<Surface_mesh, Scalar> Scalar_map;
+  struct Descending : CGAL::Reeb_graph_traits<Surface_mesh, Scalar_map>
+  {
+    struct Less_scalar
+    {
+      bool operator()(Scalar a, Scalar b) const { return a > b; }
+    };
+    Less_scalar less_scalar_object() const { return Less_scalar(); }
+  };
+  for_each_sample(240, [](const Sample& sample) {
+    const auto mesh = make_mesh<Surface_mesh>(sample.soup);
+    std::vector<Scalar> values, negative_values;
+    for(const double value : sample.values)
+      values.push_back(static_cast<Scalar>((std::max)((std::min)(value, 1e6), -1e6)));
+    for(const Scalar value : values)
+      negative_values.push_back(-value);
+    const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+    const auto negative_map = CGAL::Reeb_graph::make_scalar_map(mesh, negative_values);
+    for(const Ties ties : {Ties::PERTURB, Ties::CONTRACT})
+    {
+      const auto np = parameters::ties(ties), np_descending = np.geom_traits(Descending());
+      graph_checks::Graph_of<Surface_mesh, Scalar> graph, negative_graph;
+      CGAL::compute_reeb_graph(mesh, scalar_map, graph, np_descending);
+      CGAL::compute_reeb_graph(mesh, negative_map, negative_graph, np);
+      const Augmentation descending(mesh, scalar_map, graph, np_descending);
+      const Augmentation ascending(mesh, negative_map, negative_graph, np);
+      const auto check_same = [](const auto& contour, const auto& expected) {
+        BOOST_TEST(contour.value == -expected.value);
+        BOOST_TEST((contour.halfedges == expected.halfedges));
+      };
+      BOOST_TEST_REQUIRE(num_edges(graph) == num_edges(negative_graph));
+      auto expected_arc = edges(negative_graph).first;
+      for(const auto arc : CGAL::make_range(edges(graph)))
+      {
+        for(const double t : {0.01, 0.25, 0.5, 0.99})
+        {
+          check_same(descending.contour(arc, t), ascending.contour(*expected_arc, t));
+          check_same(descending.contour(arc, t, negative_map), ascending.contour(*expected_arc, t, negative_map));
+        }
+        ++expected_arc;
+      }
+      const auto locations = descending.locate_vertices(), expected_locations = ascending.locate_vertices();
+      for(const auto v : mesh.vertices())
+        BOOST_TEST(locations.index(v) == expected_locations.index(v));
+    }
+  });
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_contours_lie_on_their_edges, Mesh, Meshes)

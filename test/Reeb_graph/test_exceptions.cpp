@@ -13,6 +13,7 @@
 #include "random_meshes.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/segmentation.h>
 
 #include <boost/mpl/list.hpp>
 #include <boost/property_map/function_property_map.hpp>
@@ -23,6 +24,7 @@
 #include <iterator>
 #include <limits>
 #include <list>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -375,9 +377,20 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(graphs_of_other_fields_and_meshes_are_refused, Mes
   const auto other_graph = graph_checks::compute(other_mesh, ascending_values(8));
   BOOST_CHECK_THROW(Augmentation_of_mesh(mesh, scalar_map, other_graph), Graph_mismatch_error);
 
-  add_edge(0, 1, graph);
-  const Augmentation_of_mesh with_another_arc(mesh, scalar_map, graph);
-  BOOST_CHECK_THROW(with_another_arc.locate_vertices(), Graph_mismatch_error);
+  const graph_checks::Graph_of<Mesh> empty_graph;
+  BOOST_CHECK_THROW(Augmentation_of_mesh(mesh, scalar_map, empty_graph), Graph_mismatch_error);
+  const auto with_another_arc = [&](std::size_t lower, std::size_t upper) {
+    auto changed = graph;
+    changed[add_edge(lower, upper, changed).first].chain = changed[*edges(changed).first].chain;
+    return changed;
+  };
+  const auto with_parallel_arc = with_another_arc(0, target(*edges(graph).first, graph));
+  const Augmentation_of_mesh augmentation(mesh, scalar_map, with_parallel_arc);
+  BOOST_CHECK_THROW(augmentation.locate_vertices(), Graph_mismatch_error);
+  const auto with_descending_arc = with_another_arc(1, 0);
+  BOOST_CHECK_THROW(Augmentation_of_mesh(mesh, scalar_map, with_descending_arc), Graph_mismatch_error);
+  add_edge(0, 1, graph); // without a chain
+  BOOST_CHECK_THROW(Augmentation_of_mesh(mesh, scalar_map, graph), Graph_mismatch_error);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(other_named_parameters_than_those_of_the_graph_are_refused, Mesh, Meshes)
@@ -390,9 +403,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(other_named_parameters_than_those_of_the_graph_are
     CGAL::compute_reeb_graph(mesh, scalar_map, graph, np);
     CGAL::compute_reeb_graph(mesh, scalar_map, other_graph, other_np);
     BOOST_TEST_REQUIRE(num_vertices(graph) != num_vertices(other_graph));
-    const Augmentation augmentation(mesh, scalar_map, graph, np), other(mesh, scalar_map, graph, other_np);
-    BOOST_CHECK_NO_THROW(augmentation.locate_vertices());
-    BOOST_CHECK_THROW(other.locate_vertices(), Graph_mismatch_error);
+    BOOST_CHECK_NO_THROW(Augmentation(mesh, scalar_map, graph, np).locate_vertices());
+    BOOST_CHECK_THROW(Augmentation(mesh, scalar_map, graph, other_np).locate_vertices(), Graph_mismatch_error);
   };
   const std::vector<double> constant(7, 1);
   is_refused(constant, parameters::ties(Ties::PERTURB), parameters::ties(Ties::CONTRACT));
@@ -401,6 +413,63 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(other_named_parameters_than_those_of_the_graph_are
   const std::vector<double> with_multiple_saddle = {3, 0, 1, 4, 2, 6, 5};
   is_refused(with_multiple_saddle, parameters::keep_degree_two_nodes(true), parameters::keep_degree_two_nodes(false));
   is_refused(with_multiple_saddle, parameters::keep_degree_two_nodes(false), parameters::keep_degree_two_nodes(true));
+}
+
+// The levels next to its nodes could miss an arc.
+BOOST_AUTO_TEST_CASE_TEMPLATE(other_ties_than_those_of_the_graph_are_refused_at_once, Mesh, Meshes)
+{
+  namespace parameters = CGAL::parameters;
+  const auto mesh = make_mesh<Mesh>(random_meshes::seven_vertex_torus());
+  std::size_t number_of_refused = 0;
+  for(unsigned seed = 0; seed != 200; ++seed)
+  {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 random(seed);
+      std::vector<double> values(7);
+      for(double& value : values)
+        value = random() % 3;
+      const auto scalar_map = make_scalar_map(mesh, values);
+      graph_checks::Graph_of<Mesh> perturbed, contracted;
+      CGAL::compute_reeb_graph(mesh, scalar_map, perturbed);
+      CGAL::compute_reeb_graph(mesh, scalar_map, contracted, parameters::ties(Ties::CONTRACT));
+      const auto arcs = edges(perturbed);
+      const bool has_flat_arc = std::any_of(arcs.first, arcs.second, [&](const auto& arc) {
+        return perturbed[source(arc, perturbed)].value == perturbed[target(arc, perturbed)].value;
+      });
+      const auto use = [&](const auto& graph, Ties ties) {
+        const Augmentation augmentation(mesh, scalar_map, graph, parameters::ties(ties));
+        for(const auto node : CGAL::make_range(vertices(graph)))
+          for(const auto& contour : augmentation.critical_set(node).upper_contours)
+            for(const auto h : contour.halfedges)
+              BOOST_TEST(get(scalar_map, source(h, mesh)) <= get(scalar_map, target(h, mesh)));
+      };
+      if(has_flat_arc)
+        BOOST_CHECK_THROW(use(perturbed, Ties::CONTRACT), Graph_mismatch_error);
+      try
+      {
+        use(contracted, Ties::PERTURB);
+      }
+      catch(const Graph_mismatch_error&)
+      {
+        ++number_of_refused;
+      }
+    }
+  }
+  BOOST_TEST(number_of_refused > 0u);
+
+  // The contracted node of vertices 0 and 2 is named 0, but its arcs leave from 2.
+  const auto scalar_map = make_scalar_map(mesh, std::vector<double>{0, 0, 0, 3, 4, 5, 6});
+  graph_checks::Graph_of<Mesh> graph;
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph, parameters::ties(Ties::CONTRACT));
+  BOOST_CHECK_THROW(Augmentation(mesh, scalar_map, graph), Graph_mismatch_error);
+  Mesh copy = mesh;
+  const auto patch_map = get(CGAL::dynamic_face_property_t<std::size_t>(), copy);
+  const auto map_of_copy = make_scalar_map(copy, std::vector<double>{0, 0, 0, 3, 4, 5, 6});
+  BOOST_CHECK_THROW(segment_by_arcs(copy, map_of_copy, graph_checks::Graph_of<Mesh>(), patch_map), Graph_mismatch_error);
+  CGAL::compute_reeb_graph(copy, map_of_copy, graph, parameters::ties(Ties::CONTRACT));
+  BOOST_CHECK_THROW(segment_by_arcs(copy, map_of_copy, graph, patch_map), Graph_mismatch_error);
+  BOOST_TEST(num_faces(copy) == num_faces(mesh));
 }
 
 BOOST_AUTO_TEST_CASE(more_vertices_than_32_bit_indices_are_refused)

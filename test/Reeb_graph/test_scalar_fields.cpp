@@ -522,6 +522,7 @@ BOOST_AUTO_TEST_CASE(bad_constraints_are_refused)
   check_throws<Non_finite_scalar_error>(small_mesh(), with({{v, not_a_number}}), "vertex 3 ");
   check_throws<Unconstrained_component_error>(small_mesh(), with({}), "component 0,");
   check_throws<Unknown_vertex_error>(small_mesh(), with({{Surface_mesh::null_vertex(), 1}}), "vertex");
+  check_throws<Unknown_vertex_error>(small_mesh(), with({{Surface_mesh::Vertex_index(1000000), 1}}), "vertex");
   Surface_mesh mesh = small_mesh();
   const auto removed = mesh.add_vertex();
   mesh.remove_vertex(removed);

@@ -31,13 +31,16 @@ namespace Reeb_graph {
 ///
 /// It implements the map \f$ F: R(M, f) \to M \f$ of M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb
 /// Graph Algorithm*, 2020, Section 6. At construction it copies the field, and a mesh that is no `CGAL::Surface_mesh`,
-/// in linear time and memory. The mesh, the scalar map and the graph have to outlive it and must not change. All member
-/// functions can be called from several threads at a time.
+/// in linear time and memory. The mesh and the graph have to outlive it and must not change, and neither must what a
+/// `vertex_index_map` refers to. It can be neither copied nor moved. All member functions can be called from several
+/// threads at a time.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
-/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
+///         type that `CGAL::to_double()` takes, and that a `double` can be converted to
 /// \tparam ReebGraph the type `Graph` of the traits class
-/// \tparam Traits a model of `ReebGraphTraits`
+/// \tparam Traits a model of `ReebGraphTraits`: the type of the named parameter `geom_traits`, if that is given. It is
+///         deduced by `Augmentation augmentation(mesh, scalar_map, graph, np)`.
 template <class FaceListGraph,
           class ScalarMap,
           class ReebGraph = typename Reeb_graph_traits<FaceListGraph, ScalarMap>::Graph,
@@ -75,7 +78,8 @@ public:
   /// \param np the named parameters that the graph has been computed with: `ties`, `keep_degree_two_nodes`,
   ///        `vertex_index_map`, `face_index_map` and `geom_traits` count
   ///
-  /// \exception Graph_mismatch_error if the graph is not one of this mesh and field
+  /// \exception Graph_mismatch_error if a node is not one of this mesh and field, or an arc none that `ties` gives.
+  ///            That all nodes and arcs are there is checked by `locate_vertices()` only.
   ///
   /// and the exceptions of `compute_reeb_graph()`.
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -86,12 +90,26 @@ public:
     : Base(mesh, scalar_map, graph, np)
   {}
 
+#ifndef DOXYGEN_RUNNING
+  // Neither the mesh nor the graph is copied.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  Augmentation(const FaceListGraph&&,
+               ScalarMap,
+               const ReebGraph&,
+               const NamedParameters& = parameters::default_values()) = delete;
+  template <class NamedParameters = parameters::Default_named_parameters>
+  Augmentation(const FaceListGraph&,
+               ScalarMap,
+               const ReebGraph&&,
+               const NamedParameters& = parameters::default_values()) = delete;
+#endif
+
   /// \brief returns the contour of an arc at a place between its ends.
   ///
   /// The values along the arc are parametrized linearly, `t` = 0 at the lower node and `t` = 1 at the upper one. The
   /// contour is one of the arc for any `t`; where no value lies between those of the ends, the vertices of the chain
-  /// are counted instead. It takes time proportional to the length of the contour, and logarithmic in that of the
-  /// chain.
+  /// are counted instead. It takes time proportional to the length of the contour and to the degrees of the ends of
+  /// the arc and of the halfedge it starts from, and logarithmic in the length of the chain.
   ///
   /// \exception Parameter_error if `t` is not greater than 0 and less than 1
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
@@ -106,13 +124,14 @@ public:
   ///
   /// The absolute differences of the values of `parametrization` along the chain of the arc are added up: `t` is the
   /// fraction of the whole sum. With a field of unit gradient and the same level sets, equal steps of `t` are equal
-  /// distances on the surface.
+  /// distances on the surface. If the sum is 0, the result is the same as without `parametrization`.
   ///
   /// \tparam ParametrizationMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type,
   ///         and a value type that can be converted to `double`. Its time is linear in the length of the chain.
   ///
   /// \exception Parameter_error if `t` is not greater than 0 and less than 1
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
+  /// \exception Non_finite_scalar_error if the sum is infinite or NaN
   template <class ParametrizationMap>
   Contour contour(arc_descriptor arc, double t, ParametrizationMap parametrization) const
   {
@@ -136,6 +155,9 @@ public:
 
   /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
   /// connected components of a level set, in the order of the arcs.
+  ///
+  /// It takes time proportional to the number of arcs and to the lengths of the contours, and for each contour the same
+  /// as `contour()` to find its start.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether the contours are
   ///         traced in parallel
@@ -193,6 +215,9 @@ public:
   /// \brief returns what a node stands for: the contours just below and just above it that touch it, each with its
   /// arc, its star, and the border loop that it collapses.
   ///
+  /// It takes time proportional to the lengths of the contours, and for each of them the same as `contour()` to find
+  /// its start.
+  ///
   /// \exception Unknown_node_error if `node` is not a node of the graph
   Critical_set critical_set(node_descriptor node) const
   {
@@ -220,6 +245,15 @@ public:
     return this->template make_vertex_locations<ConcurrencyTag>();
   }
 };
+
+#ifndef DOXYGEN_RUNNING
+template <class FaceListGraph, class ScalarMap, class ReebGraph, class NamedParameters>
+Augmentation(const FaceListGraph&, ScalarMap, const ReebGraph&, const NamedParameters&)
+  -> Augmentation<FaceListGraph,
+                  ScalarMap,
+                  ReebGraph,
+                  internal::Chosen_traits<FaceListGraph, ScalarMap, NamedParameters>>;
+#endif
 
 } // namespace Reeb_graph
 } // namespace CGAL

@@ -24,6 +24,8 @@
 #include <CGAL/Reeb_graph/internal/flatten.h>
 #include <CGAL/Reeb_graph/internal/merge_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/scalar_field_exceptions.h>
+#include <CGAL/Reeb_graph_traits.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
@@ -39,6 +41,14 @@
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+// The type of the named parameter geom_traits, or else the default.
+template <class FaceListGraph,
+          class ScalarMap,
+          class NamedParameters,
+          class Default = Reeb_graph_traits<FaceListGraph, ScalarMap>>
+using Chosen_traits = std::decay_t<decltype(parameters::choose_parameter<Default>(
+  parameters::get_parameter(std::declval<const NamedParameters&>(), internal_np::geom_traits)))>;
 
 // What Augmentation does, on the flat surface. See there.
 template <class FaceListGraph, class ScalarMap, class ReebGraph, class Traits>
@@ -76,7 +86,10 @@ protected:
       order_(surface_.values, traits_.less_scalar_object()),
       position_(find_vertex_numbers(mesh, surface_.vertices, np))
   {
+    static_assert(std::is_same_v<Chosen_traits<FaceListGraph, ScalarMap, NamedParameters, Traits>, Traits>,
+                  "The last template parameter of Augmentation must be the type of the named parameter geom_traits.");
     check_nodes();
+    check_arcs();
   }
 
   Augmentation_base(const Augmentation_base&) = delete;
@@ -100,10 +113,14 @@ protected:
 
   void check_arc(arc_descriptor arc) const
   {
-    if(source(arc, graph_) >= num_vertices(graph_))
+    const node_descriptor lower = source(arc, graph_), upper = target(arc, graph_);
+    if(lower >= num_vertices(graph_) || upper >= num_vertices(graph_))
       throw Unknown_arc_error();
-    const auto leaving = out_edges(source(arc, graph_), graph_);
-    if(std::find(leaving.first, leaving.second, arc) == leaving.second)
+    const auto is_in = [&](const auto& range) { return std::find(range.first, range.second, arc) != range.second; };
+    // Nodes of high degree mostly have neighbors of low degree.
+    const bool is_known = out_degree(lower, graph_) < in_degree(upper, graph_) ? is_in(out_edges(lower, graph_))
+                                                                               : is_in(in_edges(upper, graph_));
+    if(!is_known)
       throw Unknown_arc_error();
   }
 
@@ -149,12 +166,15 @@ protected:
     std::vector<double> sums = {0};
     for(std::size_t i = 0; i != chain.size(); ++i)
     {
-      const double difference = static_cast<double>(get(parametrization, target(chain[i], mesh_)))
-                              - static_cast<double>(get(parametrization, source(chain[i], mesh_)));
+      const vertex_descriptor from = source(chain[i], mesh_), to = target(chain[i], mesh_);
+      const double difference =
+        static_cast<double>(get(parametrization, to)) - static_cast<double>(get(parametrization, from));
       sums.push_back(sums.back() + std::abs(difference) * used_fraction(arc, i));
+      if(!std::isfinite(sums.back()))
+        throw Non_finite_scalar_error(surface_.vertices.position(position_(to)));
     }
     const double sum = t * sums.back();
-    if(!(sum > 0) || !std::isfinite(sum))
+    if(!(sum > 0))
       return level_of_parameter(arc, t);
     const std::size_t step =
       (std::min)(std::size_t(std::lower_bound(sums.begin() + 1, sums.end(), sum) - sums.begin()), chain.size()) - 1;
@@ -175,7 +195,10 @@ protected:
     const auto& chain = graph_[arc].chain;
     const auto first_above = std::partition_point(
       chain.begin() + 1, chain.end(), [&](halfedge_descriptor h) { return is_below(position_(source(h, mesh_))); });
-    return number_of(first_above[-1]);
+    const halfedge_descriptor h = first_above[-1];
+    if(!is_below(position_(source(h, mesh_))) || is_below(position_(target(h, mesh_))))
+      throw Graph_mismatch_error();
+    return number_of(h);
   }
 
   Contour trace_from(arc_descriptor arc, Index start, const Valued_level& level) const
@@ -289,21 +312,25 @@ private:
 
   // The level of the value, if that is inside the arc. If it has been rounded up to the upper end, it is the last level
   // of lower values; if values do not tell, because they are tied or infinite, it is next to a vertex of the chain.
+  // With another order than that of numbers, values can fall along an arc.
   Valued_level level_between(arc_descriptor arc, double value, Index chain_vertex) const
   {
     const Index upper = upper_vertex(arc);
-    const Scalar& upper_value = surface_.values[upper];
-    if(value >= value_of(lower_vertex(arc)) && value < value_of(upper))
+    const double lower_end = value_of(lower_vertex(arc)), upper_end = value_of(upper);
+    const bool is_falling = upper_end < lower_end;
+    const bool is_rounded_up = is_falling ? value <= upper_end : value >= upper_end;
+    if(!is_rounded_up && (is_falling ? value <= lower_end : value >= lower_end))
     {
       // For integers, the vertices below 2.5 are those below 2.
-      const Scalar scalar = static_cast<Scalar>(std::is_integral<Scalar>::value ? std::floor(value) : value);
+      const double rounded = is_falling ? std::ceil(value) : std::floor(value);
+      const Scalar scalar = static_cast<Scalar>(std::is_integral<Scalar>::value ? rounded : value);
       if(is_alive_at(arc, scalar))
         return {Level<Scalar, Order>::above_value(order_, scalar), value};
     }
+    const Scalar& upper_value = surface_.values[upper];
     const bool is_chain_vertex_lower = order_.is_lower(chain_vertex, upper_value);
-    const bool is_rounded_up = std::isfinite(value) && value >= value_of(upper);
-    if(is_chain_vertex_lower ? is_rounded_up : ties_ == Ties::CONTRACT)
-      return {Level<Scalar, Order>::below_value(order_, upper_value), value_of(upper)};
+    if(is_chain_vertex_lower ? is_rounded_up && std::isfinite(value) : ties_ == Ties::CONTRACT)
+      return {Level<Scalar, Order>::below_value(order_, upper_value), upper_end};
     return {ties_ == Ties::CONTRACT ? Level<Scalar, Order>::above_value(order_, surface_.values[chain_vertex])
                                     : Level<Scalar, Order>::above_vertex(order_, chain_vertex),
             value_of(chain_vertex)};
@@ -334,6 +361,9 @@ private:
 
   void check_nodes() const
   {
+    const auto mesh_vertices = vertices(mesh_);
+    if(num_vertices(graph_) == 0 && mesh_vertices.first != mesh_vertices.second)
+      throw Graph_mismatch_error();
     Index lower_vertex = no_index;
     for(const node_descriptor node : CGAL::make_range(vertices(graph_)))
     {
@@ -344,6 +374,22 @@ private:
          || (lower_vertex != no_index && !order_(lower_vertex, v)))
         throw Graph_mismatch_error();
       lower_vertex = v;
+    }
+  }
+
+  // With other ties than those of the graph, the levels next to a node could miss its arcs.
+  void check_arcs() const
+  {
+    for(const arc_descriptor arc : arcs())
+    {
+      const Index lower = lower_vertex(arc), upper = upper_vertex(arc);
+      if(!order_(lower, upper) || graph_[arc].chain.empty())
+        throw Graph_mismatch_error();
+      const Index first = position_(source(graph_[arc].chain.front(), mesh_));
+      const bool fits =
+        ties_ == Ties::CONTRACT ? order_.are_tied(lower, first) && !order_.are_tied(lower, upper) : lower == first;
+      if(!fits)
+        throw Graph_mismatch_error();
     }
   }
 

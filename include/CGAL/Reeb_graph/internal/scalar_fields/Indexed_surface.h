@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/Descriptor_positions.h>
 #include <CGAL/Reeb_graph/scalar_field_exceptions.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -28,6 +29,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -71,12 +73,10 @@ public:
   Indexed_surface(const FaceListGraph& mesh, const NamedParameters& np)
     : vertices_(vertices(mesh).first, vertices(mesh).second),
       faces_(faces(mesh).first, faces(mesh).second),
-      positions_(get(dynamic_vertex_property_t<Position>(), mesh))
+      positions_(make_vertex_positions(mesh, vertices_, parameters::default_values()))
   {
     if(vertices_.size() >= no_position || faces_.size() >= no_position / 3)
       throw Mesh_size_error();
-    for(std::size_t i = 0; i != vertices_.size(); ++i)
-      put(positions_, vertices_[i], static_cast<Position>(i));
     read_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                              get_const_property_map(CGAL::vertex_point, mesh)));
     read_triangles(mesh);
@@ -96,7 +96,7 @@ public:
   {
     if(v == Graph_traits::null_vertex())
       return no_position;
-    const Position position = get(positions_, v);
+    const Position position = positions_(v);
     return position < vertices_.size() && vertices_[position] == v ? position : no_position;
   }
 
@@ -131,8 +131,8 @@ private:
       const auto h = halfedge(f, mesh), h1 = next(h, mesh), h2 = next(h1, mesh);
       if(h1 == h || h2 == h || next(h2, mesh) != h)
         throw Non_triangular_face_error(triangles_.size());
-      const Position a = get(positions_, source(h, mesh)), b = get(positions_, source(h1, mesh));
-      const Position c = get(positions_, source(h2, mesh));
+      const Position a = positions_[source(h, mesh)], b = positions_[source(h1, mesh)];
+      const Position c = positions_[source(h2, mesh)];
       if(a == b || b == c || c == a)
         throw Degenerate_face_error(triangles_.size());
       triangles_.push_back({{a, b, c},
@@ -165,7 +165,9 @@ private:
 
   std::vector<vertex_descriptor> vertices_;
   std::vector<face_descriptor> faces_;
-  typename boost::property_map<FaceListGraph, dynamic_vertex_property_t<Position>>::const_type positions_;
+  decltype(make_vertex_positions(std::declval<const FaceListGraph&>(),
+                                 std::declval<const std::vector<vertex_descriptor>&>(),
+                                 parameters::default_values())) positions_;
   std::vector<Vector> points_;
   std::vector<Indexed_triangle> triangles_;
   double scale_ = 1;
