@@ -184,7 +184,7 @@ void compute_reeb_graph(const FaceListGraph& mesh,
     const auto critical_arcs = stages::find_critical_arcs<ConcurrencyTag>(
       surface.complex, order, critical_vertices, method, number_of_slabs, stages::Stage_progress(progress, 0.3, 0.7));
     progress.report(0.7);
-    flat_graph = stages::merge_arcs<ConcurrencyTag>(order, critical_vertices, critical_arcs, ties,
+    flat_graph = stages::merge_arcs<ConcurrencyTag>(surface.complex, order, critical_vertices, critical_arcs, ties,
                                                     are_degree_two_nodes_kept, false);
     visitor.end_stage(Stage::ARCS);
     progress.report(0.8);

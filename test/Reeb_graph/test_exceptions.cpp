@@ -472,6 +472,53 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(other_ties_than_those_of_the_graph_are_refused_at_
   BOOST_TEST(num_faces(copy) == num_faces(mesh));
 }
 
+// Whatever the order throws, and whenever: the graph is the old one, or empty, but never half a new one.
+BOOST_AUTO_TEST_CASE(an_order_that_throws_leaves_no_half_graph)
+{
+  typedef graph_checks::Scalar_map_of<Surface_mesh> Scalar_map;
+  struct Throwing_traits : CGAL::Reeb_graph_traits<Surface_mesh, Scalar_map>
+  {
+    struct Less_scalar
+    {
+      std::size_t* number_of_calls;
+      std::size_t last_call;
+      bool operator()(double a, double b) const
+      {
+        if(++*number_of_calls > last_call)
+          throw std::runtime_error("enough");
+        return a < b;
+      }
+    };
+    Less_scalar less_scalar_object() const { return less; }
+    Less_scalar less;
+  };
+  const auto mesh = make_mesh<Surface_mesh>(random_meshes::seven_vertex_torus());
+  const auto scalar_map = make_scalar_map(mesh, ascending_values(7));
+  const auto old_graph = graph_checks::compute(make_mesh<Surface_mesh>(random_meshes::tetrahedron()), ascending_values(4));
+  const auto new_graph = graph_checks::compute(mesh, ascending_values(7));
+  bool is_thrown = true, was_empty = false;
+  for(std::size_t last_call = 0; is_thrown; ++last_call)
+  {
+    std::size_t number_of_calls = 0;
+    Throwing_traits traits;
+    traits.less = {&number_of_calls, last_call};
+    auto graph = old_graph;
+    is_thrown = false;
+    try
+    {
+      CGAL::compute_reeb_graph(mesh, scalar_map, graph, CGAL::parameters::geom_traits(traits));
+    }
+    catch(const std::runtime_error&)
+    {
+      is_thrown = true;
+    }
+    const bool is_old = graph_checks::are_identical(graph, old_graph), is_empty = num_vertices(graph) == 0;
+    BOOST_TEST((is_thrown ? is_old || is_empty : graph_checks::are_identical(graph, new_graph)));
+    was_empty = was_empty || is_empty;
+  }
+  BOOST_TEST(was_empty);
+}
+
 BOOST_AUTO_TEST_CASE(more_vertices_than_32_bit_indices_are_refused)
 {
   // the mesh would be too large for a test: only the check that every count goes through

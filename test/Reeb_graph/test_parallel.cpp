@@ -274,6 +274,23 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(small_meshes, Mesh, Meshes)
 }
 
 // Of several faults of a kind the first one is named.
+// To read such a value stores it in the map.
+BOOST_AUTO_TEST_CASE(dynamic_property_maps_with_unset_values)
+{
+  const auto mesh = make_mesh<Polyhedron>(generated_surfaces::closed_surface(0, 25000));
+  const auto make_scalar_map = [&] {
+    const auto scalar_map = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
+    for(const std::size_t v : {0, 1000, 20000})
+      put(scalar_map, *std::next(vertices(mesh).first, v), static_cast<double>(v) - 500);
+    return scalar_map;
+  };
+  const auto expected = compute<CGAL::Sequential_tag>(mesh, make_scalar_map(), Settings());
+  for(std::size_t repetition = 0; repetition != 5; ++repetition)
+    run_with_threads(4, [&] {
+      BOOST_TEST(graph_checks::are_identical(compute<Parallel>(mesh, make_scalar_map(), Settings()), expected));
+    });
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(vertices_without_value, Mesh, Meshes)
 {
   const auto mesh = two_cylinders<Mesh>();

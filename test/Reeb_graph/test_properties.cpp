@@ -87,6 +87,15 @@ Plain_graph surface_mesh_graph(const Sample& sample, bool keeps_degree_two_nodes
   return compute_plain(make_mesh<Surface_mesh>(sample.soup), sample.values, keeps_degree_two_nodes);
 }
 
+Plain_graph contracted_graph(const Sample& sample)
+{
+  const auto mesh = make_mesh<Surface_mesh>(sample.soup);
+  graph_checks::Graph_of<Surface_mesh> graph;
+  CGAL::compute_reeb_graph(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, sample.values), graph,
+                           CGAL::parameters::ties(CGAL::Reeb_graph::Ties::CONTRACT));
+  return graph_checks::plain(mesh_builders::Mesh_numbers<Surface_mesh>(mesh), graph);
+}
+
 typedef std::multiset<std::pair<std::size_t, std::size_t>> Ends_of_arcs;
 
 Ends_of_arcs ends_of_arcs(const Plain_graph& graph)
@@ -210,7 +219,37 @@ BOOST_AUTO_TEST_CASE(the_order_of_the_faces_changes_nothing)
     for(auto& t : shuffled.soup.triangles)
       std::rotate(t.begin(), t.begin() + random.below(3), t.end());
     BOOST_TEST((surface_mesh_graph(shuffled) == surface_mesh_graph(sample)));
+    BOOST_TEST((contracted_graph(shuffled) == contracted_graph(sample)));
   });
+}
+
+// Two arcs between the same nodes, whose chains end at the same vertex: only where they begin can tell them apart.
+BOOST_AUTO_TEST_CASE(the_order_of_the_faces_changes_nothing_at_plateaus)
+{
+  for(std::size_t seed = 0; seed < 200; ++seed)
+  {
+    Random random(seed);
+    Sample sample = {generated_surfaces::torus(3 + random.below(2), 4), {}};
+    for(std::size_t v = 0; v != sample.soup.points.size(); ++v)
+      sample.values.push_back(static_cast<double>(random.below(2)));
+    Sample shuffled = sample;
+    random.shuffle(shuffled.soup.triangles);
+    BOOST_TEST_CONTEXT("seed " << seed)
+      BOOST_TEST((contracted_graph(shuffled) == contracted_graph(sample)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(chains_that_have_been_moved_from_are_empty)
+{
+  auto graph = graph_checks::compute(make_mesh<Surface_mesh>(generated_surfaces::torus(4, 4)),
+                                     std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
+  auto& chain = graph[*edges(graph).first].chain;
+  const auto copy = chain;
+  BOOST_TEST_REQUIRE(!copy.empty());
+  const auto moved = std::move(chain);
+  BOOST_TEST((moved == copy));
+  BOOST_TEST(chain.empty());
+  BOOST_TEST((chain.begin() == chain.end()));
 }
 
 BOOST_AUTO_TEST_CASE(the_orientation_changes_nothing)

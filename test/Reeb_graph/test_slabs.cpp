@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // The graph is the same for any number of slabs, those without vertices and cylinders through a slab included.
@@ -135,6 +136,32 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(cylinders_through_slabs_without_vertices, Mesh, Me
   const std::vector<double> values = {0, 0, 0, 0, 0, 9, 9, 9, 9, 9, 4, 5, 6, 7};
   for(std::size_t seed = 0; seed < 4; ++seed)
     compare_slabs(make_mesh<Mesh>(mesh), values, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 64}, settings_of_seed(seed));
+}
+
+// Fewer slabs are made than asked for where their levels would take more memory than the mesh.
+BOOST_AUTO_TEST_CASE(as_many_slabs_as_vertices_of_noise)
+{
+  namespace stages = CGAL::Reeb_graph::internal;
+  typedef CGAL::Reeb_graph_traits<Surface_mesh, graph_checks::Scalar_map_of<Surface_mesh>> Traits;
+  const auto soup = generated_surfaces::closed_surface(2, 12000);
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
+  Random random(1);
+  const auto values = random_meshes::random_permutation(soup.points.size(), random);
+  const std::vector<double> noise(values.begin(), values.end());
+  compare_slabs(mesh, noise, {soup.points.size()}, Settings());
+
+  const auto surface = stages::flatten<CGAL::Sequential_tag>(
+    mesh, CGAL::Reeb_graph::make_scalar_map(mesh, noise), Traits(), CGAL::parameters::default_values());
+  const stages::Vertex_order order(surface.values, Traits().less_scalar_object());
+  const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.complex, order);
+  typedef stages::Slicing<std::decay_t<decltype(surface.complex)>> Slicing;
+  const auto number_of_slabs = [&](stages::Index wanted) {
+    return Slicing::make<CGAL::Sequential_tag>(surface.complex, order, critical_vertices, wanted).number_of_slabs();
+  };
+  for(const stages::Index few : {2, 3, 8, 64})
+    BOOST_TEST(number_of_slabs(few) == few);
+  BOOST_TEST(number_of_slabs(critical_vertices.size()) > 8u);
+  BOOST_TEST(number_of_slabs(critical_vertices.size()) < 1000u);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(meshes_without_faces, Mesh, Meshes)

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,6 +44,18 @@ public:
 
   /// constructs an empty chain.
   Halfedge_chain() = default;
+
+#ifndef DOXYGEN_RUNNING
+  Halfedge_chain(const Halfedge_chain&) = default;
+  Halfedge_chain& operator=(const Halfedge_chain&) = default;
+  Halfedge_chain(Halfedge_chain&& other) noexcept { *this = std::move(other); }
+  Halfedge_chain& operator=(Halfedge_chain&& other) noexcept
+  {
+    first_ = std::move(other.first_);
+    size_ = std::exchange(other.size_, 0);
+    return *this;
+  }
+#endif
 
   /// constructs the chain of the elements `first` to `first + size - 1` of `storage`.
   Halfedge_chain(const std::shared_ptr<const std::vector<HalfedgeDescriptor>>& storage, size_type first, size_type size)

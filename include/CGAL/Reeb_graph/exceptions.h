@@ -115,13 +115,14 @@ public:
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown for an index map that does not number vertices, edges or faces one to one by non-negative integers.
+/// \brief thrown for an index map that does not number vertices, edges or faces one to one by non-negative integers
+/// less than 2<sup>32</sup> - 1.
 class Invalid_index_map_error : public Error
 {
 public:
   /// constructs the exception for an index map over `simplices` (`"vertices"`, `"edges"` or `"faces"`).
   explicit Invalid_index_map_error(const std::string& simplices)
-    : Error("the index map of the " + simplices + " is negative, or the same for two of them")
+    : Error("the index map of the " + simplices + " is negative, too large, or the same for two of them")
   {}
 };
 

@@ -19,6 +19,7 @@
 #include <boost/range/size.hpp>
 #include <boost/range/value_type.hpp>
 
+#include <iterator>
 #include <type_traits>
 
 namespace CGAL {

@@ -103,7 +103,9 @@ Plain_graph plain(const Mesh_numbers<Mesh>& numbers, const Graph& graph)
   BGL_FORALL_EDGES_T(arc, graph, Graph)
   {
     const std::size_t lower = numbers.vertex(graph[source(arc, graph)].vertex);
-    Plain_arc plain_arc = {lower, numbers.vertex(graph[target(arc, graph)].vertex), {lower}};
+    Plain_arc plain_arc = {lower, numbers.vertex(graph[target(arc, graph)].vertex), {}};
+    if(!graph[arc].chain.empty())
+      plain_arc.chain_vertices.push_back(numbers.source_vertex(graph[arc].chain.front()));
     for(const auto h : graph[arc].chain)
       plain_arc.chain_vertices.push_back(numbers.target_vertex(h));
     result.arcs.push_back(plain_arc);

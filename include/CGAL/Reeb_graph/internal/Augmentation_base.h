@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/augmentation_exceptions.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Level.h>
 #include <CGAL/Reeb_graph/internal/Progress.h>
@@ -261,7 +262,7 @@ protected:
   {
     const Critical_vertices all_vertices = sort_all_vertices<ConcurrencyTag>(surface_.complex, order_);
     const Flat_graph all_arcs =
-      merge_arcs<ConcurrencyTag>(order_, all_vertices,
+      merge_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices,
                                  find_critical_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices,
                                                                     Method::CONTOUR_TREES, 1, No_progress()),
                                  Ties::PERTURB, true, true);
@@ -270,8 +271,8 @@ protected:
     for(const Flat_arc& arc : all_arcs.arcs)
       critical_arcs.push_back({critical_vertices.ascending()[arc.lower], critical_vertices.ascending()[arc.upper],
                                all_arcs.pieces[arc.first_piece].first_step});
-    const Flat_graph flat_graph =
-      merge_arcs<ConcurrencyTag>(order_, critical_vertices, critical_arcs, ties_, are_degree_two_nodes_kept_, true);
+    const Flat_graph flat_graph = merge_arcs<ConcurrencyTag>(surface_.complex, order_, critical_vertices, critical_arcs,
+                                                             ties_, are_degree_two_nodes_kept_, true);
     check_same_graph(flat_graph);
 
     const auto place_of_critical = [&](Index critical) {

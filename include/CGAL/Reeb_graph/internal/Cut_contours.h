@@ -77,11 +77,13 @@ public:
   Index critical_vertex(Index cut) const { return critical_vertices_[cut]; }
   Index sublevel_class(Index cut) const { return sublevel_classes_[cut]; }
 
+  bool has_registered_edges() const { return !is_edge_cut_.empty(); }
+
   // The lowest registered contour that crosses the edge of the halfedge, no_index if there is none.
   Index lowest_at_edge(Index halfedge) const
   {
     const Index edge = edge_of(halfedge);
-    if(is_edge_cut_.empty() || !is_edge_cut_[edge])
+    if(!has_registered_edges() || !is_edge_cut_[edge])
       return no_index;
     return lowest_cuts_.empty() ? few_lowest_cuts_.find(edge)->second : lowest_cuts_[edge];
   }

@@ -90,7 +90,7 @@ private:
   auto end_at_cut_or_level() const
   {
     return [this, end_at_level = sweep_.end_at_level()](Index target, const auto& find_edge) {
-      const Index cut = cuts_.lowest_at_edge(find_edge());
+      const Index cut = cuts_.has_registered_edges() ? cuts_.lowest_at_edge(find_edge()) : no_index;
       return cut == no_index ? end_at_level(target, find_edge) : components_of_cuts_[cut];
     };
   }
@@ -107,6 +107,7 @@ private:
       ends.push_back(ends_of(edge));
     Large_vector<Index> corrected;
     constexpr std::size_t ahead = 16;
+    Index last = no_index, next_of_last = no_index; // Many edges in a row can end at one vertex.
     for(std::size_t i = 0; i != crossed_edges.size(); ++i)
     {
       if(i + ahead < crossed_edges.size())
@@ -114,7 +115,12 @@ private:
       const auto [lower, higher] = ends[i];
       const Index edge = edge_of(crossed_edges[i]);
       correct_classes(lower, [edge](const Link_sector& sector) { return edge_of(sector.edge) == edge; });
-      if(is_on_known_path(lower, higher) && edge_of(sweep_.path_ends().next_edge(lower)) == edge)
+      if(lower != last)
+      {
+        last = lower;
+        next_of_last = sweep_.path_ends().is_known(lower) ? sweep_.path_ends().next_vertex(lower) : no_index;
+      }
+      if(higher == next_of_last && edge_of(sweep_.path_ends().next_edge(lower)) == edge)
         correct_path_end(lower, corrected);
     }
     for(; !corrected.empty() && !are_paths_walked_late_; ++number_of_corrections_)

@@ -19,6 +19,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 

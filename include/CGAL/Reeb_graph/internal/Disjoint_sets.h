@@ -21,6 +21,16 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+// The top of the set of an element, where parent(element) is a reference to what it has been put on: itself at the top.
+// Paths are halved on the way.
+template <class Parent>
+Index find_top(Index element, const Parent& parent)
+{
+  while(parent(element) != element)
+    element = parent(element) = parent(parent(element));
+  return element;
+}
+
 // Disjoint sets of numbers. The top of a set stands for all of it.
 class Disjoint_sets
 {
@@ -29,9 +39,7 @@ public:
 
   Index top(Index element)
   {
-    while(parents_[element] != element)
-      element = parents_[element] = parents_[parents_[element]];
-    return element;
+    return find_top(element, [&](Index i) -> Index& { return parents_[i]; });
   }
 
   // Joins two sets, of which `old_top` and `top` are the tops; the latter is that of both then.

@@ -23,7 +23,7 @@ namespace internal {
 
 // Vertices, edges and halfedges are numbered by 32-bit integers: half the memory traffic of the sweeps.
 typedef std::uint32_t Index;
-constexpr Index no_index = (std::numeric_limits<Index>::max)();
+inline constexpr Index no_index = (std::numeric_limits<Index>::max)();
 
 inline Index checked_index(std::size_t i)
 {

@@ -45,14 +45,10 @@ inline void advise_large_pages(void* memory, std::size_t size)
 }
 
 template <class T>
-class Large_page_allocator : public std::allocator<T>
+class Large_page_allocator
 {
 public:
-  template <class U>
-  struct rebind
-  {
-    typedef Large_page_allocator<U> other;
-  };
+  typedef T value_type;
 
   Large_page_allocator() = default;
   template <class U>
@@ -89,6 +85,9 @@ public:
   {
     ::new(static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
   }
+
+  friend bool operator==(const Large_page_allocator&, const Large_page_allocator&) { return true; }
+  friend bool operator!=(const Large_page_allocator&, const Large_page_allocator&) { return false; }
 
 private:
   static bool has_large_pages(std::size_t size) { return size * sizeof(T) >= large_page_size; }

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/prefetch.h>
@@ -36,9 +37,7 @@ public:
   // The component of which the given one has become part.
   Index find(Index component)
   {
-    while(components_[component].parent != component)
-      component = components_[component].parent = components_[components_[component].parent].parent;
-    return component;
+    return find_top(component, [&](Index i) -> Index& { return components_[i].parent; });
   }
 
   // For components that are no part of another one.

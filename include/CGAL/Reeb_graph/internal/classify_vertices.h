@@ -19,6 +19,7 @@
 #include <CGAL/Reeb_graph/internal/prefetch.h>
 #include <CGAL/Reeb_graph/visitor.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -78,6 +79,7 @@ public:
     checked_index(numbers_of_sectors[false]);
     checked_index(numbers_of_sectors[true]);
     entries_.resize(number_of_vertices + 1);
+    entries_.back() = Entry();
     for(const bool is_upper : {false, true})
     {
       sectors_[is_upper].resize(numbers_of_sectors[is_upper]);

@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/prefetch.h>
 
+#include <cstddef>
 #include <utility>
 
 namespace CGAL {

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/Critical_arc.h>
 #include <CGAL/Reeb_graph/internal/Cut_contours.h>
 #include <CGAL/Reeb_graph/internal/Cutting_sweep.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Slab.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
@@ -45,13 +46,12 @@ public:
   Contour_trees_engine(const Slab<Complex>& slab, const Order& order)
     : slab_(slab),
       order_(order),
-      critical_vertices_(slab.critical_vertices()),
-      cuts_(slab.number_of_nodes(), slab.complex().number_of_edges())
+      critical_vertices_(slab.critical_vertices())
   {}
 
   // Calls report(fraction) now and then.
   template <class ConcurrencyTag, class Report>
-  Large_vector<Critical_arc> find_arcs(const Report& report)
+  Large_vector<Critical_arc> find_arcs(const Report& report) const
   {
     std::optional<Upward_sweep> upwards;
     std::optional<Downward_sweep> downwards;
@@ -59,24 +59,8 @@ public:
     upwards->template find_path_ends<ConcurrencyTag>();
     report(0.25);
 
-    // Where no loop can be, the sweeps do not need each other. Whether that is so is only known after the first one.
-    const std::ptrdiff_t characteristic = slab_.is_whole_surface() ? euler_characteristic(critical_vertices_) : 0;
-    bool is_forest = characteristic > 0;
-    invoke_both<ConcurrencyTag>([&] { sweep_upwards(*upwards); },
-                                [&] {
-                                  if(is_forest || has_many_critical_vertices())
-                                    downwards->template find_path_ends<ConcurrencyTag>();
-                                  if(is_forest)
-                                    sweep_downwards(*downwards);
-                                });
+    const bool is_forest = sweep_first_trees<ConcurrencyTag>(*upwards, downwards);
     report(0.5);
-    if(is_forest && characteristic != largest_euler_characteristic(upwards->tree()))
-    {
-      is_forest = false;
-      downwards.emplace(slab_, order_);
-      if(has_many_critical_vertices())
-        downwards->template find_path_ends<ConcurrencyTag>();
-    }
 
     Shrinking_tree join_tree, split_tree;
     invoke_both<ConcurrencyTag>(
@@ -85,21 +69,50 @@ public:
           sweep_downwards_and_cut(*downwards, upwards->tree());
       },
       [&] { join_tree = Shrinking_tree(upwards->tree().parents); });
-    cuts_ = downwards->take_cuts();
-    insert_cuts(join_tree);
+    const Cut_contours cuts = downwards->take_cuts();
+    insert_cuts(cuts, join_tree);
     report(0.75);
 
     Large_vector<Ascending_step> first_steps;
-    invoke_both<ConcurrencyTag>(
-      [&] { split_tree = Shrinking_tree(downwards->tree().parents); },
-      [&] { first_steps = find_first_steps<ConcurrencyTag>(downwards->tree().sector_classes); });
+    invoke_both<ConcurrencyTag>([&] { split_tree = Shrinking_tree(downwards->tree().parents); },
+                                [&] {
+                                  first_steps = find_first_steps<ConcurrencyTag>(downwards->tree().sector_classes,
+                                                                                 cuts.number_of_nodes());
+                                });
     Large_vector<Critical_arc> arcs =
       Contour_tree_merge(std::move(join_tree), std::move(split_tree), std::move(first_steps))();
-    glue_cuts(arcs);
+    glue_cuts(cuts, arcs);
     return arcs;
   }
 
 private:
+  // The sweep for the join tree, and for the split tree as much as can be done: all of it where no loop can be, as the
+  // sweeps do not need each other then. Whether that is so, the result, is only known after the first one; to run the
+  // second one beside it is a guess.
+  template <class ConcurrencyTag>
+  bool sweep_first_trees(Upward_sweep& upwards, std::optional<Downward_sweep>& downwards) const
+  {
+    const std::ptrdiff_t characteristic = slab_.is_whole_surface() ? euler_characteristic(critical_vertices_) : 0;
+    const bool is_guess_made = is_parallel<ConcurrencyTag>() && characteristic > 0;
+    invoke_both<ConcurrencyTag>([&] { sweep_upwards(upwards); },
+                                [&] {
+                                  if(is_guess_made || has_many_critical_vertices())
+                                    downwards->template find_path_ends<ConcurrencyTag>();
+                                  if(is_guess_made)
+                                    sweep_downwards(*downwards);
+                                });
+    const bool is_forest = characteristic > 0 && characteristic == largest_euler_characteristic(upwards.tree());
+    if(is_forest && !is_guess_made)
+      sweep_downwards(*downwards);
+    if(!is_forest && is_guess_made)
+    {
+      downwards.emplace(slab_, order_);
+      if(has_many_critical_vertices())
+        downwards->template find_path_ends<ConcurrencyTag>();
+    }
+    return is_forest;
+  }
+
   // Calls visit(critical vertex) for positions in the order of the field, and lets the sweep know ahead.
   template <class Sweep, class Iterator, class Visit>
   void visit_in_order(const Sweep& sweep, Iterator begin, Iterator end, const Visit& visit) const
@@ -169,23 +182,24 @@ private:
   }
 
   // Cuts do not change the join tree but for their own nodes.
-  void insert_cuts(Shrinking_tree& join_tree) const
+  static void insert_cuts(const Cut_contours& cuts, Shrinking_tree& join_tree)
   {
-    join_tree.resize(cuts_.number_of_nodes());
-    for(Index cut = 0; cut != cuts_.size(); ++cut)
+    join_tree.resize(cuts.number_of_nodes());
+    for(Index cut = 0; cut != cuts.size(); ++cut)
     {
-      join_tree.put_above(cuts_.sublevel_class(cut), cuts_.node_below(cut));
-      join_tree.put_leaf_below(cuts_.critical_vertex(cut), cuts_.node_above(cut));
+      join_tree.put_above(cuts.sublevel_class(cut), cuts.node_below(cut));
+      join_tree.put_leaf_below(cuts.critical_vertex(cut), cuts.node_above(cut));
     }
   }
 
   // By node: the first step from its parent in the split tree towards it, in the highest of the sectors that lead
   // there. No node has two parents, so all sectors that lead to it are at one vertex.
   template <class ConcurrencyTag>
-  Large_vector<Ascending_step> find_first_steps(const Large_vector<Index>& superlevel_classes) const
+  Large_vector<Ascending_step> find_first_steps(const Large_vector<Index>& superlevel_classes,
+                                                Index number_of_nodes) const
   {
     constexpr std::size_t ahead = 24;
-    Large_vector<Ascending_step> first_steps(cuts_.number_of_nodes(), Ascending_step{no_index, no_index});
+    Large_vector<Ascending_step> first_steps(number_of_nodes, Ascending_step{no_index, no_index});
     const auto find = [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
       {
@@ -205,23 +219,22 @@ private:
   }
 
   // Where an arc ends at a cut it goes on to the vertex just above, and the short arc from the cut to there is dropped.
-  void glue_cuts(Large_vector<Critical_arc>& arcs) const
+  static void glue_cuts(const Cut_contours& cuts, Large_vector<Critical_arc>& arcs)
   {
-    if(cuts_.size() == 0)
+    if(cuts.size() == 0)
       return;
-    const auto begins_at_cut = [&](const Critical_arc& arc) { return cuts_.is_node_above(arc.lower); };
+    const auto begins_at_cut = [&](const Critical_arc& arc) { return cuts.is_node_above(arc.lower); };
     arcs.erase(std::remove_if(arcs.begin(), arcs.end(), begins_at_cut), arcs.end());
     for(Critical_arc& arc : arcs)
     {
-      if(cuts_.is_node_below(arc.upper))
-        arc.upper = cuts_.critical_vertex(cuts_.cut_of_node(arc.upper));
+      if(cuts.is_node_below(arc.upper))
+        arc.upper = cuts.critical_vertex(cuts.cut_of_node(arc.upper));
     }
   }
 
   const Slab<Complex>& slab_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
-  Cut_contours cuts_;
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/Critical_arc.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Progress.h>
 #include <CGAL/Reeb_graph/internal/Slab.h>
@@ -47,8 +48,8 @@ Large_vector<Critical_arc> find_critical_arcs(const Complex& complex,
   const auto slicing = Slicing<Complex>::template make<ConcurrencyTag>(complex, order, critical_vertices,
                                                                        static_cast<Index>(number_of_slabs));
   report(0.2);
-  std::vector<Large_vector<Critical_arc>> arcs_of_slabs(number_of_slabs);
-  for_each_index<ConcurrencyTag>(number_of_slabs, [&](std::size_t i) {
+  std::vector<Large_vector<Critical_arc>> arcs_of_slabs(slicing.number_of_slabs());
+  for_each_index<ConcurrencyTag>(arcs_of_slabs.size(), [&](std::size_t i) {
     arcs_of_slabs[i] =
       find_arcs_of_slab<ConcurrencyTag>(slicing.slab(static_cast<Index>(i)), order, method, No_progress());
   });

@@ -23,6 +23,7 @@
 #include <CGAL/Reeb_graph/internal/read_halfedges.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
+#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -59,6 +60,17 @@ struct Flat_surface
   Halfedge_list<FaceListGraph> halfedges;
 };
 
+// A map that stores a default when a vertex without a value is read.
+template <class Map>
+struct Is_changed_by_reading : std::false_type
+{
+};
+
+template <class Key, class Value>
+struct Is_changed_by_reading<CGAL::internal::Dynamic_property_map<Key, Value>> : std::true_type
+{
+};
+
 // Only plain numbers are read in parallel: copies of others may share parts.
 template <class ConcurrencyTag, class VertexList, class ScalarMap, class Traits>
 Large_vector<typename Traits::Scalar> read_values(const VertexList& vertices,
@@ -66,7 +78,9 @@ Large_vector<typename Traits::Scalar> read_values(const VertexList& vertices,
                                                   const Traits& traits)
 {
   typedef typename Traits::Scalar Scalar;
-  typedef std::conditional_t<std::is_arithmetic_v<Scalar>, ConcurrencyTag, Sequential_tag> Tag;
+  static_assert(!std::is_same_v<Scalar, bool>, "Scalar values of type bool are not supported: use char.");
+  constexpr bool is_read_in_parallel = std::is_arithmetic_v<Scalar> && !Is_changed_by_reading<ScalarMap>::value;
+  typedef std::conditional_t<is_read_in_parallel, ConcurrencyTag, Sequential_tag> Tag;
   const auto is_ordered = traits.is_ordered_object();
   Large_vector<Scalar> values;
   values.resize(vertices.size());

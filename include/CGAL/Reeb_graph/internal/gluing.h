@@ -12,11 +12,11 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/Critical_arc.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/Slab.h>
 #include <CGAL/Reeb_graph/internal/level_set_slicing.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -35,7 +35,8 @@ public:
       first_contours_({number_of_critical_vertices})
   {
     for(Index level = 0; level != slicing.number_of_levels(); ++level)
-      first_contours_.push_back(first_contours_.back() + slicing.level(level).number_of_contours());
+      first_contours_.push_back(
+        checked_index(std::size_t(first_contours_.back()) + slicing.level(level).number_of_contours()));
     upper_ends_.resize(first_contours_.back() - first_contours_.front());
   }
 

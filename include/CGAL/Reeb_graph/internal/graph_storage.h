@@ -62,6 +62,8 @@ public:
   typedef std::false_type is_always_equal;
 
   Block_allocator() : pool_(std::make_shared<Pool>(sizeof(T), smallest_block, largest_block)) {}
+  Block_allocator(const Block_allocator&) = default; // and no move, which would leave an allocator without a pool
+  Block_allocator& operator=(const Block_allocator&) = default;
   template <class U>
   Block_allocator(const Block_allocator<U>&) : Block_allocator()
   {}

@@ -42,6 +42,13 @@ public:
   {
     Slicing slicing(complex, critical_vertices, number_of_slabs);
     slicing.template find_slabs_of_vertices<ConcurrencyTag>(order);
+    while(number_of_slabs > 2 && slicing.template size_of_levels<ConcurrencyTag>() > largest_size_of_levels(complex))
+    {
+      number_of_slabs = (number_of_slabs + 1) / 2;
+      slicing = Slicing(complex, critical_vertices, number_of_slabs);
+      slicing.template find_slabs_of_vertices<ConcurrencyTag>(order);
+    }
+    slicing.levels_.assign(number_of_slabs - 1, Cut_level(complex.number_of_edges()));
     slicing.template find_crossed_edges<ConcurrencyTag>();
     for_each_index<ConcurrencyTag>(slicing.levels_.size(), [&](std::size_t i) {
       const Index vertex = slicing.level_vertices_[i];
@@ -78,8 +85,7 @@ private:
   Slicing(const Complex& complex, const Critical_vertices& critical_vertices, Index number_of_slabs)
     : complex_(&complex),
       critical_vertices_(&critical_vertices),
-      parts_(number_of_slabs),
-      levels_(number_of_slabs - 1, Cut_level(complex.number_of_edges()))
+      parts_(number_of_slabs)
   {
     for(Index slab = 1; slab != number_of_slabs; ++slab)
       level_vertices_.push_back(critical_vertices.vertex(critical_vertices.ascending()[first_of_slab(slab) - 1]));
@@ -105,6 +111,36 @@ private:
     });
   }
 
+  // In places of an array that takes one index: at most a few for each edge, whatever the number of slabs asked for.
+  static std::size_t largest_size_of_levels(const Complex& complex)
+  {
+    return 8 * std::size_t(complex.number_of_edges()) + (std::size_t(1) << 20);
+  }
+
+  template <class ConcurrencyTag>
+  std::size_t size_of_levels() const
+  {
+    Shared_counter<ConcurrencyTag> number_of_crossings;
+    for_each_block<ConcurrencyTag>(complex_->number_of_edges(), [&](std::size_t begin, std::size_t end) {
+      std::size_t crossings = 0;
+      for(std::size_t i = begin; i != end; ++i)
+      {
+        const Index edge = static_cast<Index>(i);
+        if(complex_->is_on_triangle(edge))
+          crossings += range_of_levels(edge).second - range_of_levels(edge).first;
+      }
+      number_of_crossings.add(crossings);
+    });
+    return number_of_crossings.get() + (parts_.size() - 1) * (complex_->number_of_edges() / 16);
+  }
+
+  // Those that the edge crosses, and the one behind them.
+  std::pair<Index, Index> range_of_levels(Index edge) const
+  {
+    return std::minmax<Index>(
+      {slabs_of_vertices_[complex_->source(2 * edge)], slabs_of_vertices_[complex_->target(2 * edge)]});
+  }
+
   // One sweep for all levels, in blocks that do not share a word of the sets.
   template <class ConcurrencyTag>
   void find_crossed_edges()
@@ -116,8 +152,7 @@ private:
         const Index edge = static_cast<Index>(i);
         if(!complex_->is_on_triangle(edge))
           continue;
-        const auto range =
-          std::minmax(slabs_of_vertices_[complex_->source(2 * edge)], slabs_of_vertices_[complex_->target(2 * edge)]);
+        const auto range = range_of_levels(edge);
         for(Index level = range.first; level != range.second; ++level)
           levels_[level].add_crossed_edge(edge);
       }

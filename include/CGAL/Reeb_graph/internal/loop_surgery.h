@@ -14,12 +14,14 @@
 #include <CGAL/Reeb_graph/internal/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/Slab.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/contour_tracing.h>
 #include <CGAL/Reeb_graph/internal/merge_trees.h>
 
 #include <algorithm>
 #include <array>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -98,25 +100,32 @@ private:
   {
     const Index vertex = critical_vertices_.vertex(critical);
     const auto is_below = [&](Index u) { return order_(u, vertex); };
-    Large_vector<Index> kept_classes, edges_of_traced_sectors, crossed_edges;
+    Large_vector<Index> sector_edges, crossed_edges;
     critical_vertices_.for_each_sector(critical, false, [&](Index position) {
-      const Index sector_edge = critical_vertices_.sector(false, position).edge;
-      if(contains(edges_of_traced_sectors, edge_of(sector_edge)))
+      sector_edges.push_back(edge_of(critical_vertices_.sector(false, position).edge));
+    });
+    std::sort(sector_edges.begin(), sector_edges.end());
+    const auto place = [&](Index edge) {
+      return std::lower_bound(sector_edges.begin(), sector_edges.end(), edge) - sector_edges.begin();
+    };
+    std::vector<bool> is_traced(sector_edges.size(), false);
+    std::unordered_set<Index> kept_classes;
+    critical_vertices_.for_each_sector(critical, false, [&](Index position) {
+      const Index start = critical_vertices_.sector(false, position).edge;
+      if(is_traced[place(edge_of(start))])
         return;
       crossed_edges.clear();
       bool has_border = false;
-      trace_contour(complex_, sector_edge, is_below, [&](Index halfedge) {
+      trace_contour(complex_, start, is_below, [&](Index halfedge) {
         crossed_edges.push_back(halfedge);
         has_border |= complex_.is_on_border_edge(halfedge);
-        if(complex_.source(halfedge) == vertex || complex_.target(halfedge) == vertex)
-          edges_of_traced_sectors.push_back(edge_of(halfedge));
+        const bool is_at_vertex = complex_.source(halfedge) == vertex || complex_.target(halfedge) == vertex;
+        if(is_at_vertex && std::binary_search(sector_edges.begin(), sector_edges.end(), edge_of(halfedge)))
+          is_traced[place(edge_of(halfedge))] = true;
       });
-      std::sort(edges_of_traced_sectors.begin(), edges_of_traced_sectors.end());
       const Index sublevel_class = join_tree_.sector_classes[position];
-      if(contains(kept_classes, sublevel_class))
+      if(!kept_classes.insert(sublevel_class).second)
         visit(sublevel_class, crossed_edges, has_border);
-      else
-        kept_classes.insert(std::upper_bound(kept_classes.begin(), kept_classes.end(), sublevel_class), sublevel_class);
     });
   }
 
@@ -162,8 +171,8 @@ private:
       const Index upper_class = split_tree_.sector_classes[first + i];
       const auto range = std::equal_range(classes_.begin(), classes_.end(), upper_class);
       // The lower sector before upper sector i, and the one behind it.
-      const Index before = is_first_upper ? i + number_of_lower_sectors - 1 : i, behind = is_first_upper ? i : i + 1;
-      const bool is_at_end = (is_first_upper && i == 0) || behind == number_of_lower_sectors;
+      const Index behind = is_first_upper ? i : i + 1, before = behind + number_of_lower_sectors - 1;
+      const bool is_at_end = behind % number_of_lower_sectors == 0;
       if((is_on_border && is_at_end) || range.second - range.first != 1 || split_tree_.is_border_reached[upper_class])
         continue;
       const Index left = sets.top(before % number_of_lower_sectors), right = sets.top(behind % number_of_lower_sectors);
@@ -176,11 +185,6 @@ private:
   }
 
   const Merge_tree& tree(bool is_upper) const { return is_upper ? split_tree_ : join_tree_; }
-
-  static bool contains(const Large_vector<Index>& sorted, Index i)
-  {
-    return std::binary_search(sorted.begin(), sorted.end(), i);
-  }
 
   const Complex& complex_;
   const Order& order_;

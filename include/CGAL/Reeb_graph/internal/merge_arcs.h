@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/Critical_arc.h>
 #include <CGAL/Reeb_graph/internal/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/Flat_graph.h>
+#include <CGAL/Reeb_graph/internal/Index.h>
 #include <CGAL/Reeb_graph/internal/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
@@ -41,16 +42,18 @@ inline Node_kind node_kind(Index in_degree, Index out_degree)
 
 // Makes nodes and arcs of the critical vertices and the arcs between them. Critical vertices form groups: each one
 // alone, or those that arcs of length zero connect. A group is a node, unless one arc enters it and one leaves it.
-template <class ConcurrencyTag, class Order>
+template <class ConcurrencyTag, class Complex, class Order>
 class Arc_merging
 {
 public:
-  Arc_merging(const Order& order,
+  Arc_merging(const Complex& complex,
+              const Order& order,
               const Critical_vertices& critical_vertices,
               const Large_vector<Critical_arc>& arcs,
               Ties ties,
               bool are_degree_two_nodes_kept)
-    : order_(order),
+    : complex_(complex),
+      order_(order),
       critical_vertices_(critical_vertices),
       arcs_(arcs),
       are_ties_contracted_(ties == Ties::CONTRACT),
@@ -241,14 +244,27 @@ private:
       first_pieces[i] = first_piece;
   }
 
+  Index first_vertex(const Ascending_step& step) const
+  {
+    const Index source = complex_.source(step.edge);
+    return source == step.target ? complex_.target(step.edge) : source;
+  }
+
+  // Halfedges count only if there are several between two vertices: meshes number them in different ways.
+  bool is_step_before(const Ascending_step& a, const Ascending_step& b) const
+  {
+    if(a.target != b.target)
+      return order_(a.target, b.target);
+    const Index first_of_a = first_vertex(a), first_of_b = first_vertex(b);
+    return first_of_a != first_of_b ? order_(first_of_a, first_of_b) : a.edge < b.edge;
+  }
+
   void sort_arcs_of_nodes()
   {
     const auto is_before = [&](const Flat_arc& a, const Flat_arc& b) {
-      if(a.upper != b.upper)
-        return a.upper < b.upper;
-      const Ascending_step& step_a = graph_.pieces[a.first_piece].first_step;
-      const Ascending_step& step_b = graph_.pieces[b.first_piece].first_step;
-      return step_a.target != step_b.target ? order_(step_a.target, step_b.target) : step_a.edge < step_b.edge;
+      return a.upper != b.upper
+             ? a.upper < b.upper
+             : is_step_before(graph_.pieces[a.first_piece].first_step, graph_.pieces[b.first_piece].first_step);
     };
     for_each_block<ConcurrencyTag>(graph_.nodes.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t node = begin; node != end; ++node)
@@ -279,6 +295,7 @@ private:
     Index last_out_arc; // the only one of a group that is no node
   };
 
+  const Complex& complex_;
   const Order& order_;
   const Critical_vertices& critical_vertices_;
   const Large_vector<Critical_arc>& arcs_;
@@ -294,16 +311,17 @@ private:
   Flat_graph graph_;
 };
 
-template <class ConcurrencyTag, class Order>
-Flat_graph merge_arcs(const Order& order,
+template <class ConcurrencyTag, class Complex, class Order>
+Flat_graph merge_arcs(const Complex& complex,
+                      const Order& order,
                       const Critical_vertices& critical_vertices,
                       const Large_vector<Critical_arc>& arcs,
                       Ties ties,
                       bool are_degree_two_nodes_kept,
                       bool are_passing_arcs_named)
 {
-  return Arc_merging<ConcurrencyTag, Order>(order, critical_vertices, arcs, ties,
-                                            are_degree_two_nodes_kept)(are_passing_arcs_named);
+  return Arc_merging<ConcurrencyTag, Complex, Order>(complex, order, critical_vertices, arcs, ties,
+                                                     are_degree_two_nodes_kept)(are_passing_arcs_named);
 }
 
 } // namespace internal

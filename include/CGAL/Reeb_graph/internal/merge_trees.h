@@ -20,6 +20,7 @@
 #include <CGAL/Reeb_graph/internal/parallel.h>
 #include <CGAL/Reeb_graph/internal/prefetch.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {

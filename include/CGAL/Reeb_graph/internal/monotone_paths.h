@@ -17,6 +17,7 @@
 #include <CGAL/Reeb_graph/internal/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/ascending_path.h>
 #include <CGAL/Reeb_graph/internal/parallel.h>
+#include <CGAL/Reeb_graph/internal/prefetch.h>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -41,11 +42,7 @@ public:
   bool is_known(Index vertex) const { return end(vertex) != no_index; }
 
   // The neighbor to which a path goes on, always the same one.
-  Index next_vertex(Index vertex) const
-  {
-    return kept_neighbors_->has_neighbors(vertex) ? kept_neighbors_->neighbor(vertex, is_ascending)
-                                                  : find_next_vertex(vertex);
-  }
+  Index next_vertex(Index vertex) const { return next_step(vertex).target; }
 
   // The edge over which it goes.
   Index next_edge(Index vertex) const
@@ -57,16 +54,16 @@ public:
   // The end of the path that begins with `step`. A step to `target` is the last one if end_of_step(target, find_edge)
   // is not no_index, where find_edge() tells its edge. `passed` is storage for the vertices on the way.
   template <class EndOfStep>
-  Index operator()(const Ascending_step& step, const EndOfStep& end_of_step, Large_vector<Index>& passed)
+  Index operator()(Ascending_step step, const EndOfStep& end_of_step, Large_vector<Index>& passed)
   {
     passed.clear();
-    Index vertex = step.target;
-    Index end = end_of_step(vertex, [&] { return step.edge; });
-    while(end == no_index && (end = this->end(vertex)) == no_index)
+    const auto find_edge = [&] { return step.edge != no_index ? step.edge : next_edge(passed.back()); };
+    Index end = end_of_step(step.target, find_edge);
+    while(end == no_index && (end = this->end(step.target)) == no_index)
     {
-      passed.push_back(vertex);
-      vertex = next_vertex(vertex);
-      end = end_of_step(vertex, [&] { return next_edge(passed.back()); });
+      passed.push_back(step.target);
+      step = next_step(step.target);
+      end = end_of_step(step.target, find_edge);
     }
     for(const Index passed_vertex : passed)
       set_end(passed_vertex, end);
@@ -74,9 +71,12 @@ public:
   }
 
 private:
-  Index find_next_vertex(Index vertex) const
+  // Without its edge if the neighbor is kept: few steps need it.
+  Ascending_step next_step(Index vertex) const
   {
-    return find_edge(vertex, [&](Index neighbor) { return (*order_)(vertex, neighbor) == is_ascending; }).target;
+    if(kept_neighbors_->has_neighbors(vertex))
+      return {no_index, kept_neighbors_->neighbor(vertex, is_ascending)};
+    return find_edge(vertex, [&](Index neighbor) { return (*order_)(vertex, neighbor) == is_ascending; });
   }
 
   // The first one to a neighbor that is wanted.

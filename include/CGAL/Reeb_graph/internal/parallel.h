@@ -15,6 +15,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
@@ -85,14 +86,14 @@ std::size_t number_of_threads()
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr(is_parallel<ConcurrencyTag>())
-    return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    return (std::min)(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()),
+                      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 #endif
   static_cast<void>(is_parallel<ConcurrencyTag>());
   return 1;
 }
 
-// Calls function(part, begin, end) for number_of_parts() parts of the numbers from 0 to size - 1, in which order they
-// may be put together again.
+// Into how many parts to divide numbers from 0 to size - 1 for for_each_part().
 template <class ConcurrencyTag>
 std::size_t number_of_parts(std::size_t size, std::size_t smallest_part = 4096)
 {
@@ -101,6 +102,7 @@ std::size_t number_of_parts(std::size_t size, std::size_t smallest_part = 4096)
   return threads == 1 ? 1 : (std::min)(size / smallest_part + 1, parts_per_thread * threads);
 }
 
+// Calls function(part, begin, end) for the parts, in which order what they give may be put together again.
 template <class ConcurrencyTag, class Function>
 void for_each_part(std::size_t number_of_parts, std::size_t size, const Function& function)
 {

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,11 @@ void write_nodes_and_arcs(const Flat_surface<FaceListGraph, Scalar>& surface,
                           const Flat_graph& flat_graph,
                           ReebGraph& graph)
 {
+  typedef boost::graph_traits<ReebGraph> Graph_traits;
+  static_assert(std::is_convertible_v<typename Graph_traits::edge_parallel_category, boost::allow_parallel_edge_tag>,
+                "A Reeb graph has parallel arcs: choose a type of graph that allows parallel edges.");
+  static_assert(std::is_convertible_v<typename Graph_traits::directed_category, boost::bidirectional_tag>,
+                "The arcs of a Reeb graph are directed upwards: choose a bidirectional type of graph.");
   typedef typename boost::vertex_bundle_type<ReebGraph>::type Node;
   graph.clear();
   reserve_nodes(graph, flat_graph.nodes.size());
@@ -87,13 +93,21 @@ void write_graph(const FaceListGraph& mesh,
 {
   Flat_chains chains;
   decltype(chain_halfedges<ConcurrencyTag>(mesh, surface, chains)) halfedges;
-  invoke_both<ConcurrencyTag>(
-    [&] {
-      chains = find_arc_chains<ConcurrencyTag>(surface.complex, order, flat_graph);
-      halfedges = chain_halfedges<ConcurrencyTag>(mesh, surface, chains);
-      chains.parts.clear(); // The graph takes much memory.
-    },
-    [&] { write_nodes_and_arcs(surface, flat_graph, graph); });
+  try
+  {
+    invoke_both<ConcurrencyTag>(
+      [&] {
+        chains = find_arc_chains<ConcurrencyTag>(surface.complex, order, flat_graph);
+        halfedges = chain_halfedges<ConcurrencyTag>(mesh, surface, chains);
+        chains.parts.clear(); // The graph takes much memory.
+      },
+      [&] { write_nodes_and_arcs(surface, flat_graph, graph); });
+  }
+  catch(...) // Memory has run out, or the order of the user throws.
+  {
+    graph.clear();
+    throw;
+  }
   constexpr std::size_t ahead = 12;
   std::size_t i = 0;
   for(const auto arc : CGAL::make_range(edges(graph)))
