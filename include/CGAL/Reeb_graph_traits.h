@@ -29,7 +29,7 @@ namespace Reeb_graph {
 /// \brief what happens to the contours at a node of the Reeb graph.
 enum class Node_kind
 {
-  ISOLATED,  ///< no contour below and none above: a vertex of the mesh without a face
+  ISOLATED,  ///< no contour below and none above: a vertex without a face, or a component that ties contract
   MINIMUM,   ///< a contour is born: no arc below
   SADDLE,    ///< contours join, split, or both: at least three arcs
   MAXIMUM,   ///< a contour dies: no arc above

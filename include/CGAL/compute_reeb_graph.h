@@ -39,15 +39,17 @@ namespace CGAL {
 /// A node is a vertex at which the contours, the connected components of the level sets, are born, die, join or
 /// split. An arc is a maximal family of contours in between, directed from its lower to its upper node. Each arc
 /// carries a chain of ascending mesh halfedges, from which every contour of the arc can be reached.
-/// Nodes are numbered in the order of their vertices, arcs are sorted by lower node, upper node, and the second
-/// vertex of their chain. The same input gives the same graph, whatever the type of the mesh.
+/// Nodes are numbered in the order of their vertices, arcs are sorted by lower node, upper node, and the second, then
+/// the first vertex of their chain. The same input gives the same graph, whatever the type of the mesh.
 ///
-/// The method follows M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, and
-/// for noise Y. Chiang, T. Lenz, X. Lu, G. Rote, *Simple and optimal output-sensitive construction of contour trees
-/// using monotone paths*, 2005, after the surface is cut along one contour per loop of the graph. With \f$ n \f$
-/// vertices and faces, \f$ c \f$ critical vertices, and \f$ l \f$ the length of the contours at the vertices
-/// where loops close, it takes \f$ O(n + c \log c + l \log l) \f$ time, up to the inverse Ackermann function, and
-/// \f$ O(n + l) \f$ memory. On a closed surface of genus \f$ g \f$ there are at most \f$ 2g \f$ such vertices.
+/// The named parameter `method` has two values. Critical sets are those of M. Hajij and P. Rosen, *An Efficient Data
+/// Retrieval Parallel Reeb Graph Algorithm*, 2020. By default the surface is cut along one contour per loop of the
+/// graph, what is left has a contour tree, made as by Y. Chiang, T. Lenz, X. Lu, G. Rote, *Simple and optimal
+/// output-sensitive construction of contour trees using monotone paths*, 2005, and H. Carr, J. Snoeyink, U. Axen,
+/// *Computing contour trees in all dimensions*, 2003, and the cuts are glued. With \f$ n \f$ vertices and faces,
+/// \f$ c \f$ critical vertices, and \f$ l \f$ the length of the contours at the vertices where loops close, this
+/// takes \f$ O(n + c \log c + l \log l) \f$ time and \f$ O(n + l) \f$ memory. On a closed surface of genus
+/// \f$ g \f$ there are at most \f$ 2g \f$ such vertices.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`. It has no influence on the
 ///         result. `Parallel_tag` needs TBB; the threads are those of the calling `tbb::task_arena`. Meshes of fewer
@@ -55,7 +57,8 @@ namespace CGAL {
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. The value
 ///         type is the scalar type of the traits class. With `Parallel_tag`, built-in numbers are read from several
-///         threads at once
+///         threads at once, but from a dynamic property map of a mesh that is no `Surface_mesh`; and values of any type
+///         are copied and compared by several threads
 /// \tparam ReebGraph the type `Graph` of the traits class
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
@@ -87,7 +90,8 @@ namespace CGAL {
 ///   \cgalParamNBegin{number_of_slabs}
 ///     \cgalParamDescription{into how many slabs, between level sets, the surface is cut so that the arcs of each are
 ///                           found on their own; 0 leaves the choice to the function. It has no influence on the
-///                           result. There are never more slabs than critical vertices.}
+///                           result. There are never more slabs than critical vertices, and fewer where the edges
+///                           that they cross would take much more memory than the mesh.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
 ///     \cgalParamExtra{use the functions `parameters::number_of_slabs()`}
@@ -100,7 +104,8 @@ namespace CGAL {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_index_map}
 ///     \cgalParamDescription{a property map that gives each vertex a different non-negative integer, used to find
-///                           vertices fast. It has no influence on the result.}
+///                           vertices fast. It has no influence on the result. Memory is taken for the largest
+///                           index.}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type and an integer type
 ///                    as value type}
 ///     \cgalParamDefault{the index that the mesh has for its vertices, if it has a constant one, else a dynamic
@@ -131,9 +136,10 @@ namespace CGAL {
 /// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN
 /// \exception Reeb_graph::Invalid_index_map_error if an index map is not one to one
 /// \exception Reeb_graph::Cancelled_error if `callback` returns `false`
-/// \exception Reeb_graph::Mesh_size_error if there are too many vertices or faces for 32-bit indices
+/// \exception Reeb_graph::Mesh_size_error if there are too many vertices or halfedges for 32-bit indices
 ///
-/// When one of these is thrown, `graph` is as it was before.
+/// When one of these is thrown, `graph` is as it was before. When anything else is, such as `std::bad_alloc`, it can be
+/// empty instead.
 template <class ConcurrencyTag = Sequential_tag,
           class FaceListGraph,
           class ScalarMap,

@@ -234,6 +234,26 @@ BOOST_AUTO_TEST_CASE(places_of_vertices_do_not_need_the_mesh)
     BOOST_TEST(locations.index(vertices[i]) == places[i]);
 }
 
+template <class Mesh>
+void check_that_unknown_vertices_have_no_place(Mesh mesh, const std::vector<double>& values)
+{
+  remove_vertex(add_vertex(mesh), mesh);
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+  const auto graph = graph_checks::compute(mesh, values);
+  const auto locations = CGAL::Reeb_graph::Augmentation(mesh, scalar_map, graph).locate_vertices();
+  for(const auto v : CGAL::make_range(vertices(mesh)))
+    BOOST_CHECK_NO_THROW(locations[v]);
+  BOOST_CHECK_THROW(locations.index(add_vertex(mesh)), CGAL::Reeb_graph::Unknown_vertex_error);
+}
+
+BOOST_AUTO_TEST_CASE(unknown_vertices_have_no_place)
+{
+  const auto soup = generated_surfaces::torus(4, 5);
+  const auto values = coordinate_field(soup, 1, 0.5, 0.25);
+  check_that_unknown_vertices_have_no_place(make_mesh<Surface_mesh>(soup), values);
+  check_that_unknown_vertices_have_no_place(make_mesh<Polyhedron>(soup), values);
+}
+
 BOOST_AUTO_TEST_CASE(several_edges_between_two_vertices)
 {
   for(std::size_t seed = 0; seed < 150; ++seed)

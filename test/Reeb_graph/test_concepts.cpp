@@ -14,6 +14,7 @@
 #include "random_meshes.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
@@ -25,7 +26,9 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -308,6 +311,25 @@ BOOST_AUTO_TEST_CASE(scalars_float) { test_scalar_type<float>(); }
 BOOST_AUTO_TEST_CASE(scalars_int) { test_scalar_type<int>(); }
 BOOST_AUTO_TEST_CASE(scalars_unsigned_char) { test_scalar_type<unsigned char>(); }
 BOOST_AUTO_TEST_CASE(scalars_exact_rational) { test_scalar_type<CGAL::Exact_rational>(); }
+
+BOOST_AUTO_TEST_CASE(small_integers_are_written_as_numbers)
+{
+  Surface_mesh mesh;
+  mesh_builders::build(mesh, mesh_builders::make_soup(random_meshes::tetrahedron()));
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, std::vector<unsigned char>{0, 65, 66, 200});
+  CGAL::Reeb_graph_traits<Surface_mesh, std::decay_t<decltype(scalar_map)>>::Graph graph;
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+  const auto vertex_index_map = get(boost::vertex_index, mesh);
+  std::ostringstream graphml, graphviz;
+  CGAL::Reeb_graph::write_graphml(graphml, graph, vertex_index_map);
+  CGAL::Reeb_graph::write_graphviz(graphviz, graph, vertex_index_map);
+  for(const std::string& text : {graphml.str(), graphviz.str()})
+  {
+    BOOST_TEST(std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+    BOOST_TEST(text.find("200") != std::string::npos);
+  }
+  BOOST_TEST(graphml.str().find(">0<") != std::string::npos);
+}
 
 BOOST_AUTO_TEST_CASE(exact_rationals_are_not_rounded)
 {

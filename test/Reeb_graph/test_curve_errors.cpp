@@ -120,6 +120,27 @@ BOOST_AUTO_TEST_CASE(surfaces_without_a_pants_decomposition)
   check_no_pants(both, rising_values(both.number_of_vertices), first.triangles.size(), 2, "sphere");
 }
 
+BOOST_AUTO_TEST_CASE(thresholds_that_are_no_thresholds)
+{
+  Surface_mesh mesh;
+  mesh_builders::build(mesh, mesh_builders::make_soup(random_meshes::seven_vertex_torus()));
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, rising_values(7));
+  const auto number_of_branches = [&](const auto& np) {
+    Curves curves;
+    CGAL::Reeb_graph::branch_curves(mesh, scalar_map, std::back_inserter(curves), np);
+    return curves.size();
+  };
+  for(const double threshold : {-1., std::numeric_limits<double>::quiet_NaN()})
+  {
+    BOOST_CHECK_THROW(number_of_branches(CGAL::parameters::persistence_threshold(threshold)),
+                      CGAL::Reeb_graph::Threshold_error);
+    BOOST_CHECK_THROW(number_of_branches(CGAL::parameters::area_threshold(threshold)),
+                      CGAL::Reeb_graph::Threshold_error);
+  }
+  BOOST_TEST(num_vertices(mesh) == 7u);
+  BOOST_TEST(number_of_branches(CGAL::parameters::persistence_threshold(1e9)) == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(surfaces_without_curves)
 {
   BOOST_TEST(number_of_curves(Kind::CUTTING_SYSTEM, random_meshes::tetrahedron(), rising_values(4)) == 0u);

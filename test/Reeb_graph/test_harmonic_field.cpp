@@ -384,6 +384,10 @@ BOOST_AUTO_TEST_CASE(a_border_can_be_a_level_set)
   CGAL::Reeb_graph::fix_border_cycle(cycles[0], mesh, -1, std::back_inserter(constraints));
   CGAL::Reeb_graph::fix_border_cycle(cycles[1], mesh, 2, std::back_inserter(constraints));
   BOOST_TEST(constraints.size() == 24u);
+  BOOST_CHECK_THROW(CGAL::Reeb_graph::fix_border_cycle(opposite(cycles[0], mesh), mesh, -1,
+                                                       std::back_inserter(constraints)),
+                    CGAL::Reeb_graph::Not_on_border_error);
+  BOOST_TEST(constraints.size() == 24u);
   auto field_map = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:field").first;
   compute_harmonic_field(mesh, field_map, constraints);
   for(const auto v : mesh.vertices())

@@ -17,6 +17,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 // Pants decompositions without a field of the user, with any number of borders.
@@ -29,16 +30,18 @@ typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
 
 namespace {
 // The numbers of curves and pieces are right, for a mesh all of whose components have negative Euler characteristic.
+// Returns the number of borders of such a mesh, nothing for another one.
 template <class Mesh>
-void test_harmonic_pants(const generated_surfaces::Triangle_soup& soup)
+std::optional<std::size_t> test_harmonic_pants(const generated_surfaces::Triangle_soup& soup)
 {
   Mesh mesh = curve_samples::make_mesh<Mesh>(soup);
   std::vector<Piece> expected;
-  std::size_t number_of_curves = 0;
+  std::size_t number_of_curves = 0, number_of_borders = 0;
   for(const Piece& component : pieces_of(mesh))
   {
     if(component.euler_characteristic >= 0)
-      return;
+      return std::nullopt;
+    number_of_borders += component.border_loops;
     expected.insert(expected.end(), static_cast<std::size_t>(-component.euler_characteristic), {-1, 3, 0});
     number_of_curves += (3 * static_cast<std::size_t>(-component.euler_characteristic) - component.border_loops) / 2;
   }
@@ -46,15 +49,24 @@ void test_harmonic_pants(const generated_surfaces::Triangle_soup& soup)
   CGAL::Reeb_graph::pants_decomposition(mesh, std::back_inserter(curves));
   BOOST_TEST(curves.size() == number_of_curves);
   BOOST_TEST(fault_of_cut_mesh(mesh, curves, expected) == "");
+  return number_of_borders;
 }
 } // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(random_surfaces, Mesh, Meshes)
 {
+  std::size_t number_of_closed = 0, number_of_bordered = 0;
   for(std::size_t seed = 0; seed < 150; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
-  test_harmonic_pants<Mesh>(
-    curve_samples::random_sample(seed, seed % 3 != 0, 1 + seed % 2, seed % 3 == 0 ? 2 : seed % 2).soup);
+    {
+      const auto sample =
+        curve_samples::random_sample(seed, seed % 3 != 0, 1 + seed % 2, seed % 3 == 0 ? 2 : seed % 2);
+      const auto number_of_borders = test_harmonic_pants<Mesh>(sample.soup);
+      number_of_closed += number_of_borders == std::size_t(0) ? 1 : 0;
+      number_of_bordered += number_of_borders.value_or(0) > 0 ? 1 : 0;
+    }
+  BOOST_TEST(number_of_closed > 20u);
+  BOOST_TEST(number_of_bordered > 20u);
 }
 
 BOOST_AUTO_TEST_CASE(smooth_surfaces_with_and_without_holes)
@@ -68,7 +80,7 @@ BOOST_AUTO_TEST_CASE(smooth_surfaces_with_and_without_holes)
         curve_samples::Random random(genus);
         random_meshes::remove_far_triangles(mesh, number_of_holes, random);
         soup.triangles = mesh.triangles;
-        test_harmonic_pants<Surface_mesh>(soup);
+        BOOST_TEST((test_harmonic_pants<Surface_mesh>(soup) == number_of_holes));
       }
 }
 

@@ -39,7 +39,10 @@ std::string to_string_with_precision(const Value& value, int precision)
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(precision);
-  text << value;
+  if constexpr(std::is_integral_v<Value>)
+    text << +value; // those of 8 bits are no characters
+  else
+    text << value;
   return text.str();
 }
 

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/Index.h>
+#include <CGAL/Reeb_graph/scalar_field_exceptions.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -31,8 +32,9 @@ namespace Reeb_graph {
 ///
 /// \brief the place of each vertex of the mesh in the Reeb graph, and the vertices of each arc and node.
 ///
-/// It is made by `Augmentation::locate_vertices()`, and holds copies of the arc descriptors: the graph must not lose
-/// arcs as long as it is used. `get(vertex_locations, v)` is the same as `vertex_locations[v]`.
+/// It is made by `Augmentation::locate_vertices()`. It can outlive the `Augmentation` and the mesh, but holds copies of
+/// the arc descriptors and of a `vertex_index_map`: as long as it is used, the graph must not lose arcs, and the map
+/// must stay valid. `get(vertex_locations, v)` is the same as `vertex_locations[v]`.
 ///
 /// \tparam VertexDescriptor a vertex descriptor of the mesh
 /// \tparam ReebGraph the type of the Reeb graph
@@ -55,9 +57,11 @@ public:
   typedef Iterator_range<const VertexDescriptor*> Vertex_range; ///< the type of a range of vertices
 
   /// returns the place of the vertex `v`: the node that it belongs to, or the arc that passes it.
+  ///
+  /// \exception Unknown_vertex_error if the mesh had no such vertex
   Location operator[](VertexDescriptor v) const
   {
-    const std::size_t place = places_[position_(v)];
+    const std::size_t place = index(v);
     if(place < number_of_nodes_)
       return node_descriptor(place);
     return arcs_[place - number_of_nodes_];
@@ -65,12 +69,21 @@ public:
 
   /// returns the number of the place of the vertex `v`: nodes are numbered from 0 by their descriptors, arcs after the
   /// last node, in the order of `edges(graph)`.
-  std::size_t index(VertexDescriptor v) const { return places_[position_(v)]; }
+  ///
+  /// \exception Unknown_vertex_error if the mesh had no such vertex
+  std::size_t index(VertexDescriptor v) const
+  {
+    const internal::Index position = position_(v);
+    if(position >= places_.size() || places_[position] == internal::no_index)
+      throw Unknown_vertex_error();
+    return places_[position];
+  }
 
   /// returns the vertices of a node in ascending order. It has more than one if ties are contracted.
   Vertex_range vertices_of_node(node_descriptor node) const { return vertices_of_place(node); }
 
-  /// returns the vertices of the arc number `i`, in the order of `edges(graph)`, in ascending order.
+  /// returns the vertices of the arc number `i`, in the order of `edges(graph)`, in ascending order. That is the arc of
+  /// the vertices whose `index()` is the number of nodes plus `i`.
   Vertex_range vertices_of_arc(std::size_t i) const { return vertices_of_place(number_of_nodes_ + i); }
 
   /// returns the place of `v`.
@@ -86,7 +99,7 @@ public:
     : position_(std::move(position)),
       number_of_nodes_(number_of_nodes),
       arcs_(std::move(arcs)),
-      places_(number_of_positions),
+      places_(number_of_positions, internal::no_index),
       first_vertices_(number_of_nodes_ + arcs_.size() + 1, 0),
       vertices_(sorted_places.size())
   {

@@ -131,6 +131,7 @@ namespace Reeb_graph {
 ///
 /// \exception Reeb_graph::Border_level_error if the vertices of a border component do not have one value, or have lower
 ///            as well as higher neighbors
+/// \exception Reeb_graph::Threshold_error if a threshold is negative or NaN
 ///
 /// and the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
 template <class MutableFaceGraph,
@@ -142,6 +143,7 @@ OutputIterator branch_curves(MutableFaceGraph& mesh,
                              OutputIterator curves,
                              const NamedParameters& np = parameters::default_values())
 {
+  internal::check_thresholds(np);
   const auto traits = internal::choose_traits(mesh, scalar_map, np);
   internal::check_input(mesh, scalar_map, traits);
   auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);

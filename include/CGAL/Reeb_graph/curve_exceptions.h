@@ -77,6 +77,16 @@ private:
 
 /// \ingroup PkgReebGraphExceptions
 ///
+/// \brief thrown for a threshold that is negative or NaN.
+class Threshold_error : public Error
+{
+public:
+  /// constructs the exception for the named parameter `name`.
+  explicit Threshold_error(const std::string& name) : Error("the " + name + " is negative or not a number (NaN)") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
 /// \brief thrown for a sequence of halfedges that is no contour of the scalar field.
 class Invalid_contour_error : public Error
 {

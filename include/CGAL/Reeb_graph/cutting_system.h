@@ -38,7 +38,7 @@ namespace Reeb_graph {
 ///
 /// The method follows M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, Section
 /// 7. In advance, saddles of higher multiplicity, which could hide handles, are made simple as in
-/// `unfold_multi_saddles()`. It takes \f$ O(n \log n + l) \f$ time up to the inverse Ackermann function, where
+/// `unfold_multi_saddles()`. It takes \f$ O(n \log n + l) \f$ time, where
 /// \f$ n \f$ is the number of vertices and faces, and \f$ l \f$ is the number of edges that are crossed by the contours
 /// that the computation of the graph traces, by the candidates, and by the curves.
 ///

@@ -140,7 +140,7 @@ public:
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown for a mesh of more than 2<sup>32</sup> - 2 vertices or halfedges.
+/// \brief thrown for a mesh of more than 2<sup>32</sup> - 2 vertices, halfedges or corners of faces.
 class Mesh_size_error : public Error
 {
 public:

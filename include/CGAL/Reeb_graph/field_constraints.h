@@ -65,12 +65,16 @@ OutputIterator find_far_apart_vertices(const FaceListGraph& mesh,
 /// \param out a model of `OutputIterator` for `std::pair` of a vertex descriptor and `double`
 ///
 /// \returns the past-the-end iterator of the output
+///
+/// \exception Not_on_border_error if `border_halfedge` is the halfedge of a face
 template <class FaceListGraph, class OutputIterator>
 OutputIterator fix_border_cycle(typename boost::graph_traits<FaceListGraph>::halfedge_descriptor border_halfedge,
                                 const FaceListGraph& mesh,
                                 double value,
                                 OutputIterator out)
 {
+  if(!is_border(border_halfedge, mesh))
+    throw Not_on_border_error();
   for(const auto v : vertices_around_face(border_halfedge, mesh))
     *out++ = std::make_pair(v, value);
   return out;

@@ -88,7 +88,7 @@ void compute_geodesic_field(const FaceListGraph& mesh,
   std::vector<double> distances = geodesic_distances.distances();
   for(double& distance : distances)
     distance *= surface.scale();
-  fields::write_field(surface, distances, field_map);
+  fields::write_field(surface, distances, field_map, progress);
 }
 
 } // namespace Reeb_graph

@@ -92,7 +92,8 @@ struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_
 ///                       little.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is called between the steps with the fraction that is done; `false` stops}
+///     \cgalParamDescription{is called between the steps with the fraction that is done; `false` stops, but for the
+///                           last call, with 1}
 ///     \cgalParamType{a function object that takes a `double` and returns a `bool`}
 ///     \cgalParamDefault{a function that returns `true`}
 ///   \cgalParamNEnd
@@ -106,7 +107,7 @@ struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_
 /// \exception Non_triangular_face_error if a face is not a triangle
 /// \exception Degenerate_face_error if a face has one vertex at two corners
 /// \exception Non_manifold_vertex_error if the faces of a vertex form more than one fan
-/// \exception Mesh_size_error if there are too many vertices or faces for 32-bit indices
+/// \exception Mesh_size_error if there are too many vertices or face corners for 32-bit indices
 /// \exception Non_finite_point_error if a coordinate is infinite or NaN
 /// \exception Zero_area_error if a face has no area, and the weights are not uniform
 /// \exception Unknown_vertex_error if a vertex of `constraints` is not one of the mesh
@@ -142,7 +143,7 @@ void compute_harmonic_field(const FaceListGraph& mesh,
   const auto fixed = fields::read_constraints<Scalar>(surface, constraints);
   const fields::Weighted_graph graph = fields::laplacian_graph(surface, fields::choose_weights(np));
   fields::check_components(graph, fixed.is_fixed);
-  fields::write_field(surface, fields::harmonic_values(surface, graph, fixed, progress, np), field_map);
+  fields::write_field(surface, fields::harmonic_values(surface, graph, fixed, progress, np), field_map, progress);
 }
 
 /// \ingroup PkgReebGraphFields
@@ -194,7 +195,7 @@ void compute_harmonic_field(const FaceListGraph& mesh,
     if(pair.second != pair.first)
       fixed.fix(pair.second, Scalar(1));
   }
-  fields::write_field(surface, fields::harmonic_values(surface, graph, fixed, progress, np), field_map);
+  fields::write_field(surface, fields::harmonic_values(surface, graph, fixed, progress, np), field_map, progress);
 }
 
 } // namespace Reeb_graph

@@ -44,7 +44,7 @@ void solve_poisson_equation(const FaceListGraph& mesh,
   const auto fixed = read_constraints<double>(surface, constraints);
   const Weighted_graph graph = cotangent_graph(surface);
   auto right_side = integrated_right_side(surface, graph);
-  write_field(surface, poisson_values(surface, graph, fixed, std::move(right_side), progress, np), field_map);
+  write_field(surface, poisson_values(surface, graph, fixed, std::move(right_side), progress, np), field_map, progress);
 }
 
 } // namespace scalar_fields

@@ -57,7 +57,7 @@ public:
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown by `Reeb_graph::compute_divergence()` for a vector that is infinite or NaN.
+/// \brief thrown for a vector of a face that is infinite or NaN, one that is given or a gradient.
 class Non_finite_vector_error : public Face_error
 {
 public:
@@ -75,6 +75,16 @@ class Unknown_vertex_error : public Error
 public:
   /// constructs the exception.
   Unknown_vertex_error() : Error("the vertex is not one of the mesh") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a halfedge that has a face, where one of a border cycle is asked for.
+class Not_on_border_error : public Error
+{
+public:
+  /// constructs the exception.
+  Not_on_border_error() : Error("the halfedge is not on the border, it has a face; its opposite may be meant") {}
 };
 
 /// \ingroup PkgReebGraphExceptions

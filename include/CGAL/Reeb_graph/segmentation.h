@@ -105,8 +105,8 @@ std::size_t segment_by_branches(MutableFaceGraph& mesh,
 /// those of `cut_along_contours()`, and so is the time, for the contours next to the nodes.
 ///
 /// Any mesh and any field will do, borders need not be levels. A component on which the field is constant has no arc if
-/// ties are contracted; its faces get the number of arcs as their number. The halfedges of the chains of `graph` are
-/// those of the mesh before: an edge that has been split has kept its upper part.
+/// ties are contracted; it is a patch of its own, numbered behind those of the arcs. The halfedges of the chains of
+/// `graph` are those of the mesh before: an edge that has been split has kept its upper part.
 ///
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
@@ -159,9 +159,10 @@ std::size_t segment_by_branches(MutableFaceGraph& mesh,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the number of patches, which is that of the arcs.
+/// \returns the number of patches: that of the arcs, and of the components without an arc.
 ///
-/// \exception Reeb_graph::Graph_mismatch_error if the graph is not one of this mesh and field
+/// \exception Reeb_graph::Graph_mismatch_error if the graph is not one of this mesh and field, or has been computed
+///            with other `ties`
 ///
 /// and the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
 template <class MutableFaceGraph,
@@ -183,8 +184,7 @@ std::size_t segment_by_arcs(MutableFaceGraph& mesh,
     mesh, scalar_map, graph, np);
   const auto borders = internal::find_arc_borders(ranked, graph, augmentation);
   const auto curves = internal::cut_and_mark(ranked, borders.contours, np);
-  internal::mark_arc_patches(ranked, graph, borders, curves, face_patch_map);
-  return num_edges(graph);
+  return internal::mark_arc_patches(ranked, graph, borders, curves, face_patch_map);
 }
 
 } // namespace Reeb_graph

@@ -83,7 +83,7 @@ void compute_unit_gradient_field(const FaceListGraph& mesh,
     fields::poisson_values(surface, graph, lowest_vertices, fields::scaled_divergences(surface, vectors), progress, np);
   for(double& value : unit_values)
     value *= surface.scale();
-  fields::write_field(surface, unit_values, field_map);
+  fields::write_field(surface, unit_values, field_map, progress);
 }
 
 } // namespace Reeb_graph

@@ -58,8 +58,11 @@ inline Sample random_sample(std::size_t seed, bool has_borders, std::size_t numb
       component = random_meshes::connected_sum(component, random_meshes::bipyramid(8 + random.below(20)), random);
     mesh = random_meshes::disjoint_union(mesh, component);
   }
-  if(has_borders)
-    random_meshes::remove_far_triangles(mesh, 1 + random.below(5), random);
+  const std::size_t number_of_holes = has_borders ? 1 + random.below(5) : 0;
+  if(seed % 4 == 3)
+    random_meshes::remove_far_stars(mesh, number_of_holes, random);
+  else
+    random_meshes::remove_far_triangles(mesh, number_of_holes, random);
   random_meshes::relabel(mesh, random);
   Sample sample;
   sample.values = random_meshes::random_field(mesh, field_class(seed), random);

@@ -59,6 +59,29 @@ inline void make_borders_extremal(const Combinatorial_mesh& mesh, std::vector<do
   }
 }
 
+// removes all triangles of vertices, no two of which have a common neighbor: the holes have many vertices, and some of
+// the edges that are left join two of them
+inline void remove_far_stars(Combinatorial_mesh& mesh, std::size_t number, Random& random)
+{
+  std::vector<bool> is_used(mesh.number_of_vertices, false);
+  for(std::size_t trial = 0; trial < 20 * number && number > 0; ++trial)
+  {
+    const std::size_t center = random.below(mesh.number_of_vertices);
+    const auto is_in_star = [&](const Vertex_triple& t) { return std::count(t.begin(), t.end(), center) != 0; };
+    bool is_far = true;
+    for(const Vertex_triple& t : mesh.triangles)
+      is_far = is_far && !(is_in_star(t) && (is_used[t[0]] || is_used[t[1]] || is_used[t[2]]));
+    if(!is_far)
+      continue;
+    for(const Vertex_triple& t : mesh.triangles)
+      if(is_in_star(t))
+        is_used[t[0]] = is_used[t[1]] = is_used[t[2]] = true;
+    mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), is_in_star),
+                         mesh.triangles.end());
+    --number;
+  }
+}
+
 // removes triangles no two of which have a common vertex
 inline void remove_far_triangles(Combinatorial_mesh& mesh, std::size_t number, Random& random)
 {

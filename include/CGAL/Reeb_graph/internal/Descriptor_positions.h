@@ -33,12 +33,6 @@ template <class IndexMap>
 class Descriptor_positions
 {
 public:
-  // For indices that are the positions.
-  Descriptor_positions(const IndexMap& index_map, std::size_t number_of_descriptors)
-    : index_map_(index_map),
-      number_of_equal_indices_(number_of_descriptors)
-  {}
-
   template <class DescriptorList>
   Descriptor_positions(const IndexMap& index_map, const DescriptorList& descriptors, const char* name)
     : index_map_(index_map)
@@ -95,6 +89,34 @@ private:
   Large_vector<Index> positions_;           // empty if the indices are the positions
 };
 
+// The same for a mesh that has no index map, found through a dynamic property map.
+template <class DynamicMap>
+class Dynamic_positions
+{
+public:
+  template <class DescriptorList>
+  Dynamic_positions(const DynamicMap& map, const DescriptorList& descriptors) : map_(map)
+  {
+    for(std::size_t position = 0; position != descriptors.size(); ++position)
+      put(map_, descriptors[position], static_cast<Index>(position + 1));
+  }
+
+  // no_index if nothing has been put there.
+  template <class Descriptor>
+  Index operator[](const Descriptor& d) const
+  {
+    return get(map_, d) - 1;
+  }
+  template <class Descriptor>
+  Index operator()(const Descriptor& d) const
+  {
+    return (*this)[d];
+  }
+
+private:
+  DynamicMap map_; // by descriptor: one more than its position, so that 0 is no_index
+};
+
 // Whether the mesh has indices that cannot be written. Writable ones, such as the ids of a Polyhedron_3, may never
 // have been set, and setting them here would change the mesh.
 template <class Graph, class IndexTag, bool has_index = graph_has_property<Graph, IndexTag>::value>
@@ -124,10 +146,7 @@ auto make_descriptor_positions(const Graph& mesh,
   }
   else
   {
-    auto index_map = get(DynamicTag(), mesh);
-    for(std::size_t position = 0; position != descriptors.size(); ++position)
-      put(index_map, descriptors[position], static_cast<Index>(position));
-    return Descriptor_positions<decltype(index_map)>(index_map, descriptors.size());
+    return Dynamic_positions<decltype(get(DynamicTag(), mesh))>(get(DynamicTag(), mesh), descriptors);
   }
 }
 

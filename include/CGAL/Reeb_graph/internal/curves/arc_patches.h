@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -74,17 +75,19 @@ Arc_borders<RankedMesh, ReebGraph> find_arc_borders(const RankedMesh& ranked,
   return result;
 }
 
-// Writes the number of its arc for each face of a mesh that has been cut along those contours.
+// Writes the number of its arc for each face of a mesh that has been cut along those contours. Components without an
+// arc get the numbers behind. Returns how many numbers there are.
 template <class RankedMesh, class ReebGraph, class PatchMap>
-void mark_arc_patches(const RankedMesh& ranked,
-                      const ReebGraph& graph,
-                      const Arc_borders<RankedMesh, ReebGraph>& borders,
-                      const std::vector<Curve<typename RankedMesh::halfedge_descriptor>>& curves,
-                      PatchMap patch_map)
+std::size_t mark_arc_patches(const RankedMesh& ranked,
+                             const ReebGraph& graph,
+                             const Arc_borders<RankedMesh, ReebGraph>& borders,
+                             const std::vector<Curve<typename RankedMesh::halfedge_descriptor>>& curves,
+                             PatchMap patch_map)
 {
   const auto& mesh = ranked.mesh();
   const auto piece_map = get(dynamic_face_property_t<std::size_t>(), mesh);
-  std::vector<std::size_t> arc_of_piece(number_patches(mesh, curves, piece_map), num_edges(graph));
+  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  std::vector<std::size_t> arc_of_piece(number_patches(mesh, curves, piece_map), none);
   const auto set_arc = [&](typename RankedMesh::halfedge_descriptor h, std::size_t arc) {
     arc_of_piece[get(piece_map, face(h, mesh))] = arc;
   };
@@ -104,8 +107,14 @@ void mark_arc_patches(const RankedMesh& ranked,
     }
     ++number;
   }
+  for(std::size_t& arc : arc_of_piece)
+  {
+    if(arc == none)
+      arc = number++;
+  }
   for(const auto f : faces(mesh))
     put(patch_map, f, arc_of_piece[get(piece_map, f)]);
+  return number;
 }
 
 // Calls cut(patch map), copies what it writes to the map of the user, and returns the number of patches.

@@ -160,6 +160,17 @@ std::vector<double> areas_of_arcs(const RankedMesh& ranked, const Simple_reeb_gr
   return areas;
 }
 
+template <class NamedParameters>
+void check_thresholds(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  if(!(choose_parameter(get_parameter(np, persistence_threshold), 0.) >= 0))
+    throw Threshold_error("persistence threshold");
+  if(!(choose_parameter(get_parameter(np, area_threshold), 0.) >= 0))
+    throw Threshold_error("area threshold");
+}
+
 template <class RankedMesh, class NamedParameters>
 std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_branch_curves(
   const RankedMesh& ranked,

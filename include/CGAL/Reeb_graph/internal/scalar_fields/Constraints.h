@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/scalar_field_exceptions.h>
+#include <CGAL/Reeb_graph/internal/Progress.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 
 #include <CGAL/number_utils.h>
@@ -102,6 +103,17 @@ void write_field(const Surface& surface, const std::vector<Scalar>& values, Fiel
       throw Non_finite_scalar_error(v);
   for(std::size_t v = 0; v != values.size(); ++v)
     put(field_map, surface.vertex_handles()[v], static_cast<Value>(values[v]));
+}
+
+// The last step: nothing can be cancelled any more.
+template <class Surface, class Scalar, class FieldMap>
+void write_field(const Surface& surface,
+                 const std::vector<Scalar>& values,
+                 FieldMap field_map,
+                 const Progress& progress)
+{
+  write_field(surface, values, field_map);
+  progress.report_end();
 }
 
 // Reads a field all of whose values have to be finite.

@@ -40,8 +40,6 @@ namespace scalar_fields {
 class Geodesic_distances
 {
 public:
-  typedef CGAL::Surface_mesh<Simple_cartesian<double>::Point_3> Copy;
-
   template <class Surface>
   Geodesic_distances(const Surface& surface, const std::vector<bool>& is_source)
     : is_source_(is_source),
@@ -54,66 +52,102 @@ public:
            const std::vector<Position>& component_of_vertex,
            const Progress& progress)
   {
-    Copy copy;
-    auto positions = copy.add_property_map<Copy::Vertex_index, Position>("v:position", no_position).first;
-    copy_face_graph(mesh, copy,
-                    parameters::vertex_to_vertex_output_iterator(boost::make_function_output_iterator(
-                      [&](const auto& pair) { positions[pair.second] = surface.position(pair.first); })));
-    for(const Copy::Vertex_index v : copy.vertices())
+    Copy copy(
+      mesh, [&](const auto v) { return surface.position(v); },
+      [&](const auto f) { return component_of_vertex[surface.position(target(halfedge(f, mesh), mesh))]; });
+    for(const auto v : copy.mesh.vertices())
     {
-      const Vector& p = surface.point(positions[v]);
-      copy.point(v) = Copy::Point(p[0], p[1], p[2]);
+      const Vector& p = surface.point(copy.positions[v]);
+      copy.mesh.point(v) = Mesh::Point(p[0], p[1], p[2]);
     }
-    auto components = copy.add_property_map<Copy::Face_index, std::size_t>("f:component").first;
-    std::vector<std::size_t> names_of_components;
-    for(const Copy::Face_index f : copy.faces())
-    {
-      components[f] = component_of_vertex[positions[copy.target(copy.halfedge(f))]];
-      names_of_components.push_back(components[f]);
-    }
-    std::sort(names_of_components.begin(), names_of_components.end());
-    names_of_components.erase(std::unique(names_of_components.begin(), names_of_components.end()),
-                              names_of_components.end());
-    for(std::size_t i = 0; i != names_of_components.size(); ++i)
-    {
-      const Face_filtered_graph<Copy> filtered(copy, names_of_components[i], components);
-      run_on_component(filtered, positions);
-      progress.report(0.1 + 0.9 * static_cast<double>(i + 1) / static_cast<double>(names_of_components.size()));
-    }
+    std::vector<std::size_t> components;
+    for(const auto f : copy.mesh.faces())
+      components.push_back(copy.components[f]);
+    std::sort(components.begin(), components.end());
+    components.erase(std::unique(components.begin(), components.end()), components.end());
+    number_of_components_ = components.size();
+    if(!components.empty())
+      run_on_components(copy, components, progress);
   }
 
   // for the points divided by Indexed_surface::scale()
   const std::vector<double>& distances() const { return distances_; }
 
 private:
-  template <class Filtered_graph, class Positions>
-  void run_on_component(const Filtered_graph& filtered, const Positions& positions)
+  typedef CGAL::Surface_mesh<Simple_cartesian<double>::Point_3> Mesh;
+
+  // A copy of the faces of a mesh.
+  struct Copy
   {
-    typedef Heat_method_3::Surface_mesh_geodesic_distances_3<Copy, Heat_method_3::Intrinsic_Delaunay> Heat_method;
-    Copy component;
-    std::vector<std::pair<Copy::Vertex_index, Position>> vertices;
-    copy_face_graph(filtered, component,
-                    parameters::vertex_to_vertex_output_iterator(boost::make_function_output_iterator(
-                      [&](const auto& pair) { vertices.emplace_back(pair.second, positions[pair.first]); })));
-    auto distance_map = component.add_property_map<Copy::Vertex_index, double>("v:distance", 0).first;
+    template <class Graph, class PositionOf, class ComponentOf>
+    Copy(const Graph& graph, const PositionOf& position_of, const ComponentOf& component_of)
+      : positions(mesh.add_property_map<Mesh::Vertex_index, Position>("v:position", no_position).first),
+        components(mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first)
+    {
+      copy_face_graph(
+        graph, mesh,
+        parameters::vertex_to_vertex_output_iterator(boost::make_function_output_iterator([&](const auto& pair) {
+          positions[pair.second] = position_of(pair.first);
+        }))
+          .face_to_face_output_iterator(boost::make_function_output_iterator(
+            [&](const auto& pair) { components[pair.second] = component_of(pair.first); })));
+      for(const auto v : mesh.vertices())
+        if(mesh.is_isolated(v))
+          mesh.remove_vertex(v);
+      mesh.collect_garbage();
+    }
+
+    Mesh mesh;
+    Mesh::Property_map<Mesh::Vertex_index, Position> positions;
+    Mesh::Property_map<Mesh::Face_index, std::size_t> components;
+  };
+
+  // In halves, as to take one component after the other from all of them would be quadratic.
+  void run_on_components(Copy& copy, const std::vector<std::size_t>& components, const Progress& progress)
+  {
+    if(components.size() == 1)
+    {
+      run_on_component(copy);
+      ++number_of_finished_components_;
+      progress.report(
+        0.1 + 0.8 * static_cast<double>(number_of_finished_components_) / static_cast<double>(number_of_components_));
+      return;
+    }
+    const auto middle = components.begin() + components.size() / 2;
+    for(const auto& half :
+        {std::vector<std::size_t>(components.begin(), middle), std::vector<std::size_t>(middle, components.end())})
+    {
+      const Face_filtered_graph<Mesh> faces_of_half(copy.mesh, half, copy.components);
+      Copy copy_of_half(
+        faces_of_half, [&](const auto v) { return copy.positions[v]; },
+        [&](const auto f) { return copy.components[f]; });
+      run_on_components(copy_of_half, half, progress);
+    }
+  }
+
+  void run_on_component(Copy& component)
+  {
+    typedef Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Heat_method_3::Intrinsic_Delaunay> Heat_method;
+    auto distance_map = component.mesh.add_property_map<Mesh::Vertex_index, double>("v:distance", 0).first;
     try
     {
-      Heat_method heat_method(component);
-      for(const auto& vertex : vertices)
-        if(is_source_[vertex.second])
-          heat_method.add_source(vertex.first);
+      Heat_method heat_method(component.mesh);
+      for(const auto v : component.mesh.vertices())
+        if(is_source_[component.positions[v]])
+          heat_method.add_source(v);
       heat_method.estimate_geodesic_distances(distance_map);
     }
     catch(const Failure_exception&)
     {
       throw Linear_solver_error();
     }
-    for(const auto& vertex : vertices)
-      distances_[vertex.second] = distance_map[vertex.first];
+    for(const auto v : component.mesh.vertices())
+      distances_[component.positions[v]] = distance_map[v];
   }
 
   const std::vector<bool>& is_source_;
   std::vector<double> distances_;
+  std::size_t number_of_components_ = 0, number_of_finished_components_ = 0;
 };
 
 } // namespace scalar_fields

@@ -97,7 +97,7 @@ std::vector<Scalar> harmonic_values(const Surface& surface,
       throw Non_finite_scalar_error(problem.vertex(row));
   }
   remove_extrema(graph, constraints.is_fixed, values);
-  progress.report(1);
+  progress.report(0.9);
   return values;
 }
 

@@ -45,7 +45,7 @@ std::vector<double> poisson_values(const Surface& surface,
   progress.report(0.2);
   auto solver = choose_solver(np);
   const std::vector<double> solution = solve_symmetric(problem, solver);
-  progress.report(1);
+  progress.report(0.9);
   std::vector<double> values = constraints.values;
   for(std::size_t row = 0; row != solution.size(); ++row)
     values[problem.vertex(row)] = solution[row];
