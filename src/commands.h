@@ -47,8 +47,7 @@ struct Curves_options
 {
   Input_options input;
   Curves_type type = Curves_type::PANTS;
-  double persistence = 0; // of branches
-  double area = 0;
+  std::optional<double> persistence, area; // thresholds of branches
   bool is_cut_open = false;
   std::string curves_path; // empty if they are not written
   std::string cut_mesh_path;

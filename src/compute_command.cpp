@@ -11,6 +11,7 @@
 #include "commands.h"
 #include "field_input.h"
 #include "graph_output.h"
+#include "output_file.h"
 #include "report.h"
 #include "stopwatch.h"
 
@@ -21,6 +22,7 @@ void run_compute(const Compute_options& options)
 {
   if(!options.graph_path.empty())
     check_graph_format(options.graph_path);
+  check_distinct_paths({options.graph_path, options.vertex_arcs_path});
 
   Report report;
   const Stopwatch read_stopwatch;

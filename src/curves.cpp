@@ -61,7 +61,8 @@ std::vector<Curve> find_curves(Surface& surface,
   case Curves_type::BRANCH:
     CGAL::Reeb_graph::branch_curves(
       surface, scalar_map, std::back_inserter(curves),
-      parameters::persistence_threshold(options.persistence, parameters::area_threshold(options.area, cut)));
+      parameters::persistence_threshold(options.persistence.value_or(0),
+                                        parameters::area_threshold(options.area.value_or(0), cut)));
     break;
   }
   return curves;
@@ -75,7 +76,6 @@ Cut_result cut_along_curves(Surface& surface, Scalar_map scalar_map, const Curve
   result.patch_map = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
   for(const Curve& curve : find_curves(surface, scalar_map, options, result.patch_map))
     result.polylines.push_back(make_polyline(surface, curve));
-  result.number_of_patches = 0;
   for(const Surface::Face_index f : surface.faces())
     result.number_of_patches = (std::max)(result.number_of_patches, std::size_t(result.patch_map[f]) + 1);
   return result;

@@ -16,6 +16,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace reeb_graph_program {
 namespace {
@@ -23,6 +24,18 @@ void check_mesh_format(const std::filesystem::path& path)
 {
   if(path.extension() != ".off" && path.extension() != ".ply")
     throw std::runtime_error(path.string() + ": the file name of a cut mesh ends in .off or .ply");
+}
+
+void check_thresholds(const Curves_options& options)
+{
+  for(const auto& [name, threshold] : {std::make_pair("--persistence", options.persistence),
+                                       std::make_pair("--area", options.area)})
+  {
+    if(threshold && options.type != Curves_type::BRANCH)
+      throw std::runtime_error(std::string(name) + " goes with the type branch only");
+    if(threshold && !(*threshold >= 0))
+      throw std::runtime_error(std::string(name) + " must not be negative or NaN");
+  }
 }
 
 void check_formats(const Curves_options& options)
@@ -58,7 +71,9 @@ std::string count(std::size_t number, const std::string& singular, const std::st
 
 void run_curves(const Curves_options& options)
 {
+  check_thresholds(options);
   check_formats(options);
+  check_distinct_paths({options.curves_path, options.cut_mesh_path, options.patches_path});
   Surface surface = read_surface(options.input);
   const Scalar_map scalar_map = add_field(options.input, surface);
   const Cut_result result = cut_along_curves(surface, scalar_map, options);

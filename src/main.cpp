@@ -36,6 +36,10 @@ void add_input_options(CLI::App& command, Input_options& options)
   command.add_option("--min", options.lowest_vertex, "For harmonic: the vertex of value 0, from 0 as in the mesh file");
   command.add_option("--max", options.highest_vertex, "For harmonic: the vertex of value 1");
   command
+    .add_option("--weights", options.weights,
+                "For harmonic: mean-value (the default), cotangent, or uniform, for faces without area")
+    ->check(CLI::IsMember({"mean-value", "cotangent", "uniform"}));
+  command
     .add_option("--source", options.source_vertices, "For poisson and geodesic: the vertices of value 0, as V,W,...")
     ->delimiter(',')
     ->allow_extra_args(false);
@@ -137,10 +141,9 @@ void add_curves_command(CLI::App& app, Curves_options& options)
   command->add_option_function<std::string>("--type", set_type, "Which curves: cutting-system, pants, or branch")
     ->check(CLI::IsMember({"cutting-system", "pants", "branch"}))
     ->required();
-  command->add_option("--persistence", options.persistence, "Leave out branches whose values differ by less than this")
-    ->check(CLI::NonNegativeNumber);
-  command->add_option("--area", options.area, "Leave out branches of less area than this")
-    ->check(CLI::NonNegativeNumber);
+  command->add_option("--persistence", options.persistence,
+                      "For branch: leave out branches whose values differ by less than this");
+  command->add_option("--area", options.area, "For branch: leave out branches of less area than this");
   command->add_flag("--cut-open", options.is_cut_open, "Cut the mesh open along the curves");
   command->add_option("--curves", options.curves_path, "Write the curves to this file, .polylines.txt");
   command->add_option("--cut-mesh", options.cut_mesh_path,

@@ -9,6 +9,7 @@
 #include "mesh_input.h"
 
 #include "input_error.h"
+#include "mesh_file_checks.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -25,39 +26,14 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace reeb_graph_program {
 namespace {
-std::string read_characters(std::ifstream& file, std::size_t first, std::size_t number)
-{
-  std::string characters(number, '\0');
-  file.clear();
-  file.seekg(static_cast<std::streamoff>(first));
-  file.read(characters.data(), static_cast<std::streamsize>(number));
-  characters.resize(static_cast<std::size_t>(file.gcount()));
-  return characters;
-}
-
-// The STL reader takes a file that breaks off, or that is no STL file at all, for a smaller mesh.
-bool is_complete_stl(std::ifstream& file, std::size_t file_size)
-{
-  const std::size_t header_size = 84, facet_size = 50;
-  const std::string header = read_characters(file, 0, header_size);
-  std::size_t number_of_facets = 0;
-  for(std::size_t i = header.size(); i > 80; --i)
-    number_of_facets = 256 * number_of_facets + static_cast<unsigned char>(header[i - 1]);
-  if(header.size() == header_size && file_size == header_size + facet_size * number_of_facets)
-    return true;
-  const std::size_t tail_size = std::min<std::size_t>(file_size, 256);
-  return read_characters(file, file_size - tail_size, tail_size).find("endsolid") != std::string::npos;
-}
-
 Polygon_soup read_soup(const std::string& path)
 {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if(!file || !std::filesystem::is_regular_file(path))
+  if(!std::ifstream(path) || !std::filesystem::is_regular_file(path))
     throw Input_error(path, "the file cannot be read");
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
-  bool is_read = extension != ".stl" || is_complete_stl(file, static_cast<std::size_t>(file.tellg()));
+  bool is_read = extension != ".stl" || is_stl_file_complete(path);
 
   Polygon_soup soup;
   try
@@ -70,6 +46,7 @@ Polygon_soup read_soup(const std::string& path)
   }
   if(!is_read)
     throw Input_error(path, "not a valid OFF, OBJ, PLY, STL, or TS file, or its extension does not say which of them");
+  check_mesh_file(path, extension, soup);
   return soup;
 }
 

@@ -23,6 +23,7 @@ struct Input_options
   std::string mesh_path;
   std::string scalars_path; // the field, or the one whose unit gradient field is taken; may be empty
   std::string field;        // x, y, z, or a name of scalar_fields.h; empty if the field is that of the file
+  std::string weights;      // of harmonic fields: mean-value, cotangent, or uniform; empty for the default
   std::optional<std::size_t> lowest_vertex, highest_vertex;
   std::vector<std::size_t> source_vertices;
   std::vector<double> direction; // empty or three coordinates

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -41,6 +42,17 @@ std::runtime_error output_error(const fs::path& path)
 }
 
 } // namespace
+
+void check_distinct_paths(std::initializer_list<fs::path> paths)
+{
+  std::set<fs::path> targets;
+  for(const fs::path& path : paths)
+  {
+    std::error_code ignored;
+    if(!path.empty() && !targets.insert(fs::weakly_canonical(fs::absolute(path, ignored), ignored)).second)
+      throw std::runtime_error(path.string() + ": two outputs have this name");
+  }
+}
 
 void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write)
 {

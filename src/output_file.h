@@ -11,9 +11,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <ostream>
 
 namespace reeb_graph_program {
+// Refuses output of which one part would replace another one. Empty paths are not given.
+void check_distinct_paths(std::initializer_list<std::filesystem::path> paths);
+
 // Calls `write` with the name of a temporary file in the same folder and renames that file to `path` afterwards: the
 // file is complete or as it was before. Throws std::runtime_error, and what `write` throws.
 void replace_file(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);

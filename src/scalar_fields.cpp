@@ -49,10 +49,18 @@ std::vector<Vertex> sources(const Input_options& options, const Surface& surface
   return result;
 }
 
+CGAL::Reeb_graph::Laplacian_weights weights(const Input_options& options)
+{
+  using CGAL::Reeb_graph::Laplacian_weights;
+  return options.weights == "cotangent" ? Laplacian_weights::COTANGENT
+       : options.weights == "uniform"   ? Laplacian_weights::UNIFORM
+                                        : Laplacian_weights::MEAN_VALUE;
+}
+
 void compute_harmonic(const Input_options& options, const Surface& surface, Scalar_map scalar_map)
 {
   Progress_bar progress_bar("harmonic field");
-  const auto np = CGAL::parameters::callback(std::ref(progress_bar));
+  const auto np = CGAL::parameters::laplacian_weights(weights(options)).callback(std::ref(progress_bar));
   if(options.lowest_vertex)
     CGAL::Reeb_graph::compute_harmonic_field(surface, scalar_map, vertex(surface, *options.lowest_vertex),
                                              vertex(surface, *options.highest_vertex), np);
@@ -109,6 +117,7 @@ void check_field_options(const Input_options& options)
         "--scalars goes with the field unit-gradient only, or without any");
   check(options.lowest_vertex.has_value() == options.highest_vertex.has_value(), "--min and --max go together");
   check(!options.lowest_vertex || is_harmonic, "--min and --max go with the field harmonic only");
+  check(options.weights.empty() || is_harmonic, "--weights goes with the field harmonic only");
   check(options.source_vertices.empty() || field == "poisson" || field == "geodesic",
         "--source goes with the fields poisson and geodesic only");
   check(options.direction.empty() || field == "height", "--direction goes with the field height only");

@@ -66,3 +66,12 @@ expect_error("[.]off or [.]ply" curves ${tetrahedron} --type branch --cut-mesh c
 expect_error("[.]polylines[.]txt" curves ${tetrahedron} --type branch --curves curves.txt)
 expect_error("--type" curves ${tetrahedron})
 expect_error("--type" curves ${tetrahedron} --type other)
+
+# options that go with nothing, and two outputs in one file
+expect_error("--persistence goes with" curves ${surface} --type pants --persistence 0.1)
+expect_error("--area goes with" curves ${surface} --type cutting-system --area 0.1)
+expect_error("--persistence must not" curves ${surface} --type branch --persistence nan)
+expect_error("--persistence must not" curves ${surface} --type branch --persistence=-1)
+expect_error("--area must not" curves ${surface} --type branch --area nan)
+expect_error("a.off: two outputs" curves ${surface} --type pants --cut-mesh a.off --patches ./a.off)
+expect_error("graph.dot: two outputs" compute ${surface} --graph graph.dot --vertex-arcs graph.dot)

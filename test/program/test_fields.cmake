@@ -81,3 +81,9 @@ expect_error("fixed to two different values" compute torus.off --field harmonic 
 # a mesh that has no such field
 file(WRITE ${FOLDER}/flat.off "OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n1 1 0\n3 0 1 2\n3 2 3 0\n")
 expect_error("face 0 has no area" field flat.off --type harmonic --output out.txt)
+expect_error("face 0 has no area" field flat.off --type harmonic --weights cotangent --output out.txt)
+expect_success(field flat.off --type harmonic --weights uniform --min 0 --max 2 --output out.txt)
+file(STRINGS ${FOLDER}/out.txt values)
+expect_match("${values}" "^0;0[.][0-9]+;1;0[.][0-9]+$")
+expect_error("--weights goes with" field flat.off --type poisson --weights uniform --output out.txt)
+expect_error("--weights" field flat.off --type harmonic --weights other --output out.txt)

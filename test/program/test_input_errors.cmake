@@ -29,6 +29,20 @@ foreach(name missing.off empty.off text.off truncated.off no_faces_left.off text
   expect_error("${name}" compute ${name} --field z ${graph})
 endforeach()
 
+# files that the readers take for another mesh
+file(WRITE ${FOLDER}/one_face_more.off
+     "OFF\n4 3 0\n0 0 0\n4 0 0.25\n0 4 0.5\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n# end\n")
+expect_error("one_face_more.off: there are more faces than the 3" compute one_face_more.off --field z ${graph})
+set(vertices_obj "v 0 0 0\nv 4 0 0.25\nv 0 4 0.5\n")
+foreach(face "1 2 3 junk" "0 1 2" "1 2 3x" "1 2 -4" "1 2 9")
+  file(WRITE ${FOLDER}/face.obj "${vertices_obj}f ${face}\nv 0 0 1\n")
+  expect_error("face.obj: (line 4: |not a valid)" compute face.obj --field z ${graph})
+endforeach()
+foreach(face "1 2 3 # the face" "1/7 2/8 3/9" "1//7 2//8 3//9" "-3 -2 -1" "1 2 4")
+  file(WRITE ${FOLDER}/face.obj "${vertices_obj}f ${face}\nv 0 0 1\n")
+  expect_success(compute face.obj --field z)
+endforeach()
+
 # faces that are wrong
 file(WRITE ${FOLDER}/out_of_range.off "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 7\n")
 expect_error("out_of_range.off" compute out_of_range.off --field z ${graph})
