@@ -7,7 +7,8 @@ set(options -D CMAKE_BUILD_TYPE=Release -D CGAL_DIR=${CGAL_DIR} -D CMAKE_CXX_COM
 if(USAGE STREQUAL "installed")
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_FOLDER} -B ${FOLDER}/package ${options}
                           -D CGAL_REEB_GRAPH_BUILD_PROGRAM=OFF -D CGAL_REEB_GRAPH_BUILD_TESTS=OFF
-                          -D CGAL_REEB_GRAPH_BUILD_EXAMPLES=OFF -D CGAL_REEB_GRAPH_BUILD_DOC=OFF
+                          -D CGAL_REEB_GRAPH_BUILD_EXAMPLES=OFF -D CGAL_REEB_GRAPH_BUILD_BENCHMARK=OFF
+                          -D CGAL_REEB_GRAPH_BUILD_DOC=OFF
                   COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${CMAKE_COMMAND} --install ${FOLDER}/package --prefix ${FOLDER}/prefix
                   COMMAND_ERROR_IS_FATAL ANY)

@@ -2,6 +2,9 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/compute_reeb_graph.h>
+#ifdef CGAL_EIGEN3_ENABLED
+#include <CGAL/Reeb_graph/harmonic_field.h>
+#endif
 
 #include <cstdlib>
 
@@ -18,6 +21,10 @@ int main()
     height[v] = mesh.point(v).z();
 
   CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph graph;
+  CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(mesh, height, graph);
+#ifdef CGAL_EIGEN3_ENABLED
+  CGAL::Reeb_graph::compute_harmonic_field(mesh, height);
   CGAL::compute_reeb_graph(mesh, height, graph);
+#endif
   return num_vertices(graph) == 2 && num_edges(graph) == 1 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
