@@ -3,10 +3,10 @@
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/segmentation.h>
 #include <CGAL/compute_reeb_graph.h>
 
-#include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -15,18 +15,15 @@
 typedef CGAL::Simple_cartesian<double>                                 Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3>                            Mesh;
 typedef boost::graph_traits<Mesh>::vertex_descriptor                   vertex_descriptor;
+typedef boost::graph_traits<Mesh>::face_descriptor                     face_descriptor;
 typedef Mesh::Property_map<vertex_descriptor, double>                  Scalar_map;
 typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph               Reeb_graph;
-typedef CGAL::Reeb_graph::Augmentation<Mesh, Scalar_map>               Augmentation;
 
-// Consecutive arcs get colors that lie far from each other.
-CGAL::IO::Color color_of_arc(std::size_t i)
+// Consecutive patches get colors that lie far from each other.
+CGAL::IO::Color color_of_patch(std::size_t i)
 {
-  const std::array<unsigned, 3> steps = {97, 151, 211};
-  std::array<unsigned char, 3> channels;
-  for(std::size_t k = 0; k != 3; ++k)
-    channels[k] = static_cast<unsigned char>(40 + (steps[k] * (i + 1)) % 200);
-  return CGAL::IO::Color(channels[0], channels[1], channels[2]);
+  const auto channel = [&](std::size_t step) { return static_cast<unsigned char>(40 + step * (i + 1) % 200); };
+  return CGAL::IO::Color(channel(97), channel(151), channel(211));
 }
 
 int main(int argc, char* argv[])
@@ -45,21 +42,16 @@ int main(int argc, char* argv[])
   for(vertex_descriptor v : vertices(mesh))
     scalar_map[v] = mesh.point(v).x();
 
-  const auto color_map =
-    mesh.add_property_map<vertex_descriptor, CGAL::IO::Color>("v:color", CGAL::IO::Color(0, 0, 0)).first;
+  const auto patch_map = mesh.add_property_map<face_descriptor, std::size_t>("f:patch", 0).first;
   try
   {
     Reeb_graph graph;
     CGAL::compute_reeb_graph(mesh, scalar_map, graph);
 
-    const Augmentation augmentation(mesh, scalar_map, graph);
-    const Augmentation::Vertex_locations locations = augmentation.locate_vertices();
-    for(std::size_t i = 0; i != num_edges(graph); ++i)
-    {
-      for(vertex_descriptor v : locations.vertices_of_arc(i))
-        color_map[v] = color_of_arc(i);
-      std::cout << "arc " << i << ": " << locations.vertices_of_arc(i).size() << " vertices" << std::endl;
-    }
+    // refines the mesh, so that each face belongs to one arc
+    const std::size_t number_of_patches = CGAL::Reeb_graph::segment_by_arcs(mesh, scalar_map, graph, patch_map);
+    std::cout << num_edges(graph) << " arcs, " << number_of_patches << " patches, " << num_faces(mesh) << " faces"
+              << std::endl;
   }
   catch(const CGAL::Reeb_graph::Error& error)
   {
@@ -67,6 +59,10 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
+  const auto color_map = mesh.add_property_map<face_descriptor, CGAL::IO::Color>("f:color").first;
+  for(face_descriptor f : faces(mesh))
+    color_map[f] = color_of_patch(patch_map[f]);
+  mesh.remove_property_map(patch_map); // PLY has no 64-bit integers
   std::ofstream output(output_filename);
   return output && CGAL::IO::write_PLY(output, mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -19,8 +19,8 @@ public:
   /// is called when the halfedge `first` has been split off from `second`, which it leads to.
   void edge_split(halfedge_descriptor first, halfedge_descriptor second);
 
-  /// is called when `v` has been placed at the fraction `t` of the way from `source` to `target`, which are the ends of
-  /// the edge before it has been split for the first time.
+  /// is called when `v` has been placed at the fraction `t` of the way from `source` to `target`, which are vertices of
+  /// the mesh as it was before, or have been announced by this member.
   void vertex_added(vertex_descriptor v, vertex_descriptor source, vertex_descriptor target, double t);
 
   /// is called when the face `created` has been split off from `old`.

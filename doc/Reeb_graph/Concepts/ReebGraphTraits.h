@@ -3,8 +3,9 @@
 \cgalConcept
 
 The concept `ReebGraphTraits` describes the types of a Reeb graph, and the predicates by which
-`CGAL::compute_reeb_graph()` orders the scalar values. Nothing else is ever asked of a scalar value: there is no
-arithmetic, and no conversion to a floating point number.
+`CGAL::compute_reeb_graph()` orders the scalar values. This function asks nothing else of a scalar value: there is no
+arithmetic, and no conversion to a floating point number. If it works in parallel, values are copied and compared by
+several threads at once. What `CGAL::Reeb_graph::Augmentation` needs besides is told there.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Reeb_graph_traits}
