@@ -90,16 +90,16 @@ namespace Reeb_graph {
 ///   \cgalParamNBegin{edge_curve_map}
 ///     \cgalParamDescription{is set to the number of the curve, from 0, for each edge of a curve; other edges are not
 ///                           written}
-///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and `std::size_t` as value
-///                    type}
+///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and an integer type as
+///                    value type}
 ///     \cgalParamDefault{none}
 ///     \cgalParamExtra{use the functions `parameters::edge_curve_map()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_patch_map}
 ///     \cgalParamDescription{is set to the number of the piece that the face belongs to once the mesh is cut along all
 ///                           curves, from 0}
-///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptors as key type and `std::size_t` as value
-///                    type}
+///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptors as key type and an integer type as
+///                    value type}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{cut_open}

@@ -33,8 +33,8 @@ namespace Reeb_graph {
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
 ///         type that `CGAL::to_double()` takes. It is not read at new vertices.
-/// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and
-///         `std::size_t` as value type
+/// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
+///         integer type as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the mesh, which is changed. To keep it, pass a copy made by `CGAL::copy_face_graph()`.
@@ -70,8 +70,8 @@ std::size_t segment_by_pants(MutableFaceGraph& mesh,
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
 ///         type that `CGAL::to_double()` takes. It is not read at new vertices.
-/// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and
-///         `std::size_t` as value type
+/// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
+///         integer type as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the mesh, which is changed. To keep it, pass a copy made by `CGAL::copy_face_graph()`.
@@ -113,8 +113,8 @@ std::size_t segment_by_branches(MutableFaceGraph& mesh,
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
 ///         type that `CGAL::to_double()` takes. It is not read at new vertices.
 /// \tparam ReebGraph the type `Graph` of the traits class
-/// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and
-///         `std::size_t` as value type
+/// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
+///         integer type as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the mesh, which is changed. To keep it, pass a copy made by `CGAL::copy_face_graph()`.
@@ -134,8 +134,8 @@ std::size_t segment_by_branches(MutableFaceGraph& mesh,
 ///   \cgalParamNBegin{edge_curve_map}
 ///     \cgalParamDescription{is set to the number of the curve, from 0, for each edge of a curve; other edges are not
 ///                           written}
-///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and `std::size_t` as value
-///                    type}
+///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and an integer type as
+///                    value type}
 ///     \cgalParamDefault{none}
 ///     \cgalParamExtra{use the functions `parameters::edge_curve_map()`}
 ///   \cgalParamNEnd
