@@ -363,7 +363,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_order_of_the_traits_class, Scalar, Scalars)
     const auto negative_map = CGAL::Reeb_graph::make_scalar_map(mesh, negative_values);
     for(const Ties ties : {Ties::PERTURB, Ties::CONTRACT})
     {
-      const auto np = parameters::ties(ties), np_descending = np.geom_traits(Descending());
+      const auto np = parameters::ties(ties);
+      const auto np_descending = np.geom_traits(Descending());
       graph_checks::Graph_of<Surface_mesh, Scalar> graph, negative_graph;
       CGAL::compute_reeb_graph(mesh, scalar_map, graph, np_descending);
       CGAL::compute_reeb_graph(mesh, negative_map, negative_graph, np);
