@@ -42,7 +42,7 @@ int main(int argc, char* argv[])
   for(vertex_descriptor v : vertices(mesh))
     scalar_map[v] = mesh.point(v).x();
 
-  const auto patch_map = mesh.add_property_map<face_descriptor, std::size_t>("f:patch", 0).first;
+  const auto patch_map = mesh.add_property_map<face_descriptor, int>("f:patch", 0).first;
   try
   {
     Reeb_graph graph;
@@ -62,7 +62,6 @@ int main(int argc, char* argv[])
   const auto color_map = mesh.add_property_map<face_descriptor, CGAL::IO::Color>("f:color").first;
   for(face_descriptor f : faces(mesh))
     color_map[f] = color_of_patch(patch_map[f]);
-  mesh.remove_property_map(patch_map); // PLY has no 64-bit integers
   std::ofstream output(output_filename);
   return output && CGAL::IO::write_PLY(output, mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
