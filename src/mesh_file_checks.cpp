@@ -11,8 +11,11 @@
 #include "input_error.h"
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <sstream>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -37,7 +40,7 @@ std::vector<long long> leading_numbers(const std::string& line)
   return numbers;
 }
 
-// Whether the last line that says anything is a face, but not the last one that has been read.
+// Refuses a file whose last line that says anything is a face, but not the last one that has been read.
 void check_last_face_of_off(const std::string& path, const Polygon_soup& soup)
 {
   std::ifstream file(path);
@@ -67,37 +70,64 @@ void check_last_face_of_off(const std::string& path, const Polygon_soup& soup)
                               + " that the header says");
 }
 
-// A vertex of a face: its number, from 1, or counted backwards from -1, and possibly numbers behind slashes.
-bool is_corner(const std::string& word, long long number_of_earlier, long long number_of_vertices)
+// The next word of a line, from `begin` on; empty at the end, or where a comment begins.
+std::string_view next_word(std::string_view line, std::size_t begin)
 {
-  std::istringstream stream(word);
+  const char* const blanks = " \t\r";
+  begin = line.find_first_not_of(blanks, begin);
+  if(begin == std::string_view::npos || line[begin] == '#')
+    return {};
+  return line.substr(begin, line.find_first_of(blanks, begin) - begin);
+}
+
+// A corner of a face: the number of its vertex, from 1, or counted backwards from -1, and possibly more behind slashes.
+bool is_corner(std::string_view word, long long number_of_earlier, long long number_of_vertices)
+{
   long long vertex = 0;
-  char slash = '/';
-  if(!(stream >> vertex) || vertex == 0 || vertex > number_of_vertices || vertex < -number_of_earlier)
-    return false;
-  return !(stream >> slash) || slash == '/';
+  const auto parsed = std::from_chars(word.data(), word.data() + word.size(), vertex);
+  const bool is_number = parsed.ec == std::errc() && (parsed.ptr == word.data() + word.size() || *parsed.ptr == '/');
+  return is_number && vertex != 0 && vertex <= number_of_vertices && vertex >= -number_of_earlier;
+}
+
+// Lines that end in a backslash go on in the next one.
+bool read_obj_line(std::ifstream& file, std::string& line, std::size_t& number)
+{
+  line.clear();
+  for(std::string part; std::getline(file, part);)
+  {
+    ++number;
+    const std::size_t end = part.find_last_not_of('\r');
+    const bool goes_on = end != std::string::npos && part[end] == '\\';
+    line += goes_on ? part.substr(0, end) + ' ' : part;
+    if(!goes_on)
+      return true;
+  }
+  return !line.empty();
 }
 
 void check_faces_of_obj(const std::string& path, const Polygon_soup& soup)
 {
   std::ifstream file(path);
-  std::string line, word;
+  std::string line;
   long long number_of_earlier = 0;
-  for(std::size_t number = 1; std::getline(file, line); ++number)
+  std::size_t face = 0;
+  for(std::size_t number = 0; read_obj_line(file, line, number);)
   {
-    std::istringstream words(line);
-    words >> word;
-    if(!words)
-      continue;
+    const auto end_of = [&](std::string_view w) { return static_cast<std::size_t>(w.data() + w.size() - line.data()); };
+    std::string_view word = next_word(line, 0);
     if(word == "v")
       ++number_of_earlier;
     if(word != "f")
       continue;
-    while(words >> word && word[0] != '#')
+    std::size_t number_of_corners = 0;
+    for(word = next_word(line, end_of(word)); !word.empty(); word = next_word(line, end_of(word)))
     {
       if(!is_corner(word, number_of_earlier, static_cast<long long>(soup.points.size())))
-        throw Input_error(path, "line " + std::to_string(number) + ": '" + word + "' is no vertex of a face");
+        throw Input_error(path, number, "'" + std::string(word) + "' is no vertex of a face");
+      ++number_of_corners;
     }
+    if(face >= soup.polygons.size() || soup.polygons[face++].size() != number_of_corners)
+      throw Input_error(path, number, "the face has been read with another number of vertices");
   }
 }
 
@@ -112,7 +142,7 @@ bool is_stl_file_complete(const std::string& path)
   std::size_t number_of_facets = 0;
   for(std::size_t i = header.size(); i > 80; --i)
     number_of_facets = 256 * number_of_facets + static_cast<unsigned char>(header[i - 1]);
-  if(header.size() == header_size && file_size == header_size + facet_size * number_of_facets)
+  if(header.size() == header_size && file_size >= header_size + facet_size * number_of_facets)
     return true;
   const std::size_t tail_size = std::min<std::size_t>(file_size, 256);
   return read_characters(file, file_size - tail_size, tail_size).find("endsolid") != std::string::npos;

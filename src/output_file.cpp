@@ -48,8 +48,9 @@ void check_distinct_paths(std::initializer_list<fs::path> paths)
   std::set<fs::path> targets;
   for(const fs::path& path : paths)
   {
-    std::error_code ignored;
-    if(!path.empty() && !targets.insert(fs::weakly_canonical(fs::absolute(path, ignored), ignored)).second)
+    std::error_code error; // of a path that cannot be written either
+    const fs::path target = fs::weakly_canonical(fs::absolute(path, error), error);
+    if(!path.empty() && !error && !targets.insert(target).second)
       throw std::runtime_error(path.string() + ": two outputs have this name");
   }
 }

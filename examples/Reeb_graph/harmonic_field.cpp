@@ -53,7 +53,8 @@ int main(int argc, char* argv[])
     for(const auto& pair : far_apart) // one pair for each component
     {
       constraints.emplace_back(pair.first, -1);
-      constraints.emplace_back(pair.second, 3);
+      if(pair.second != pair.first) // as in a component of a single vertex
+        constraints.emplace_back(pair.second, 3);
     }
     CGAL::Reeb_graph::compute_harmonic_field(
       mesh, scalar_map, constraints,

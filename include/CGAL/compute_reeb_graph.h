@@ -42,8 +42,8 @@ namespace CGAL {
 /// Nodes are numbered in the order of their vertices, arcs are sorted by lower node, upper node, and the second, then
 /// the first vertex of their chain. The same input gives the same graph, whatever the type of the mesh.
 ///
-/// The named parameter `method` has two values. Critical sets are those of M. Hajij and P. Rosen, *An Efficient Data
-/// Retrieval Parallel Reeb Graph Algorithm*, 2020. By default the surface is cut along one contour per loop of the
+/// The named parameter `method` chooses between two methods. Critical sets are those of M. Hajij and P. Rosen, *An
+/// Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020. By default the surface is cut along one contour per loop of the
 /// graph, what is left has a contour tree, made as by Y. Chiang, T. Lenz, X. Lu, G. Rote, *Simple and optimal
 /// output-sensitive construction of contour trees using monotone paths*, 2005, and H. Carr, J. Snoeyink, U. Axen,
 /// *Computing contour trees in all dimensions*, 2003, and the cuts are glued. With \f$ n \f$ vertices and faces,
@@ -57,8 +57,8 @@ namespace CGAL {
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. The value
 ///         type is the scalar type of the traits class. With `Parallel_tag`, built-in numbers are read from several
-///         threads at once, but from a dynamic property map of a mesh that is no `Surface_mesh`; and values of any type
-///         are copied and compared by several threads
+///         threads at once, except from a dynamic property map of a mesh that is no `Surface_mesh`; and values of any
+///         type are copied and compared by several threads
 /// \tparam ReebGraph the type `Graph` of the traits class
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///

@@ -466,14 +466,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(other_ties_than_those_of_the_graph_are_refused_at_
   Mesh copy = mesh;
   const auto patch_map = get(CGAL::dynamic_face_property_t<std::size_t>(), copy);
   const auto map_of_copy = make_scalar_map(copy, std::vector<double>{0, 0, 0, 3, 4, 5, 6});
-  BOOST_CHECK_THROW(segment_by_arcs(copy, map_of_copy, graph_checks::Graph_of<Mesh>(), patch_map), Graph_mismatch_error);
+  const graph_checks::Graph_of<Mesh> empty_graph;
+  BOOST_CHECK_THROW(segment_by_arcs(copy, map_of_copy, empty_graph, patch_map), Graph_mismatch_error);
   CGAL::compute_reeb_graph(copy, map_of_copy, graph, parameters::ties(Ties::CONTRACT));
   BOOST_CHECK_THROW(segment_by_arcs(copy, map_of_copy, graph, patch_map), Graph_mismatch_error);
   BOOST_TEST(num_faces(copy) == num_faces(mesh));
 }
 
-// Whatever the order throws, and whenever: the graph is the old one, or empty, but never half a new one.
-BOOST_AUTO_TEST_CASE(an_order_that_throws_leaves_no_half_graph)
+BOOST_AUTO_TEST_CASE(an_order_that_throws_leaves_the_graph_as_it_was)
 {
   typedef graph_checks::Scalar_map_of<Surface_mesh> Scalar_map;
   struct Throwing_traits : CGAL::Reeb_graph_traits<Surface_mesh, Scalar_map>
@@ -494,9 +494,10 @@ BOOST_AUTO_TEST_CASE(an_order_that_throws_leaves_no_half_graph)
   };
   const auto mesh = make_mesh<Surface_mesh>(random_meshes::seven_vertex_torus());
   const auto scalar_map = make_scalar_map(mesh, ascending_values(7));
-  const auto old_graph = graph_checks::compute(make_mesh<Surface_mesh>(random_meshes::tetrahedron()), ascending_values(4));
+  const auto old_mesh = make_mesh<Surface_mesh>(random_meshes::tetrahedron());
+  const auto old_graph = graph_checks::compute(old_mesh, ascending_values(4));
   const auto new_graph = graph_checks::compute(mesh, ascending_values(7));
-  bool is_thrown = true, was_empty = false;
+  bool is_thrown = true;
   for(std::size_t last_call = 0; is_thrown; ++last_call)
   {
     std::size_t number_of_calls = 0;
@@ -512,11 +513,26 @@ BOOST_AUTO_TEST_CASE(an_order_that_throws_leaves_no_half_graph)
     {
       is_thrown = true;
     }
-    const bool is_old = graph_checks::are_identical(graph, old_graph), is_empty = num_vertices(graph) == 0;
-    BOOST_TEST((is_thrown ? is_old || is_empty : graph_checks::are_identical(graph, new_graph)));
-    was_empty = was_empty || is_empty;
+    BOOST_TEST(graph_checks::are_identical(graph, is_thrown ? old_graph : new_graph));
   }
-  BOOST_TEST(was_empty);
+}
+
+// The same points and values, and halfedges that the mesh does not have.
+BOOST_AUTO_TEST_CASE(graphs_of_larger_meshes_with_the_same_values_are_refused)
+{
+  const auto torus = random_meshes::seven_vertex_torus();
+  random_meshes::Combinatorial_mesh part = {7, {}};
+  std::copy_if(torus.triangles.begin(), torus.triangles.end(), std::back_inserter(part.triangles),
+               [](const auto& t) { return std::count(t.begin(), t.end(), 6u) == 0; });
+  const auto mesh = make_mesh<Surface_mesh>(torus), smaller_mesh = make_mesh<Surface_mesh>(part);
+  for(const Ties ties : {Ties::PERTURB, Ties::CONTRACT})
+  {
+    graph_checks::Graph_of<Surface_mesh> graph;
+    CGAL::compute_reeb_graph(mesh, make_scalar_map(mesh, ascending_values(7)), graph, CGAL::parameters::ties(ties));
+    const auto scalar_map = make_scalar_map(smaller_mesh, ascending_values(7));
+    BOOST_CHECK_THROW(Augmentation(smaller_mesh, scalar_map, graph, CGAL::parameters::ties(ties)).locate_vertices(),
+                      Graph_mismatch_error);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(more_vertices_than_32_bit_indices_are_refused)

@@ -16,10 +16,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <typeinfo>
 #include <vector>
@@ -273,7 +275,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(small_meshes, Mesh, Meshes)
   }
 }
 
-// Of several faults of a kind the first one is named.
 // To read such a value stores it in the map.
 BOOST_AUTO_TEST_CASE(dynamic_property_maps_with_unset_values)
 {
@@ -284,13 +285,64 @@ BOOST_AUTO_TEST_CASE(dynamic_property_maps_with_unset_values)
       put(scalar_map, *std::next(vertices(mesh).first, v), static_cast<double>(v) - 500);
     return scalar_map;
   };
-  const auto expected = compute<CGAL::Sequential_tag>(mesh, make_scalar_map(), Settings());
+  Settings settings;
+  const auto expected = compute<CGAL::Sequential_tag>(mesh, make_scalar_map(), settings);
+  settings.number_of_threads = 4;
   for(std::size_t repetition = 0; repetition != 5; ++repetition)
-    run_with_threads(4, [&] {
-      BOOST_TEST(graph_checks::are_identical(compute<Parallel>(mesh, make_scalar_map(), Settings()), expected));
-    });
+    BOOST_TEST(graph_checks::are_identical(compute<Parallel>(mesh, make_scalar_map(), settings), expected));
 }
 
+// Whenever the order throws, the graph is the old one or empty, but never half a new one: chains are walked while nodes
+// and arcs are written.
+BOOST_AUTO_TEST_CASE(an_order_that_throws_leaves_no_half_graph)
+{
+  typedef graph_checks::Scalar_map_of<Surface_mesh> Scalar_map;
+  struct Throwing_traits : CGAL::Reeb_graph_traits<Surface_mesh, Scalar_map>
+  {
+    struct Less_scalar
+    {
+      std::atomic<std::size_t>* number_of_calls;
+      std::size_t last_call;
+      bool operator()(double a, double b) const
+      {
+        if(++*number_of_calls > last_call)
+          throw std::runtime_error("enough");
+        return a < b;
+      }
+    };
+    Less_scalar less_scalar_object() const { return less; }
+    Less_scalar less;
+  };
+  const auto soup = generated_surfaces::closed_surface(2, 12000);
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
+  Random random(1);
+  const auto values = random_meshes::random_permutation(soup.points.size(), random);
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, std::vector<double>(values.begin(), values.end()));
+  const auto expected = compute<CGAL::Sequential_tag>(mesh, scalar_map, Settings());
+  graph_checks::Graph_of<Surface_mesh> old_graph;
+  add_vertex(old_graph);
+  std::atomic<std::size_t> number_of_calls(0);
+  Throwing_traits traits;
+  traits.less = {&number_of_calls, std::numeric_limits<std::size_t>::max()};
+  run_with_threads(4, [&] {
+    auto graph = old_graph;
+    CGAL::compute_reeb_graph<Parallel>(mesh, scalar_map, graph, CGAL::parameters::geom_traits(traits));
+    BOOST_TEST(graph_checks::are_identical(graph, expected));
+    const std::size_t number_of_all_calls = number_of_calls;
+    for(std::size_t i = 0; i != 60; ++i)
+    {
+      graph = old_graph;
+      number_of_calls = 0;
+      traits.less.last_call = number_of_all_calls - 1 - i * number_of_all_calls / 400; // chains are walked at the end
+      BOOST_CHECK_THROW(
+        CGAL::compute_reeb_graph<Parallel>(mesh, scalar_map, graph, CGAL::parameters::geom_traits(traits)),
+        std::runtime_error);
+      BOOST_TEST((num_vertices(graph) == 0 || graph_checks::are_identical(graph, old_graph)));
+    }
+  });
+}
+
+// Of several faults of a kind the first one is named.
 BOOST_AUTO_TEST_CASE_TEMPLATE(vertices_without_value, Mesh, Meshes)
 {
   const auto mesh = two_cylinders<Mesh>();

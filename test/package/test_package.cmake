@@ -17,6 +17,7 @@ else()
   list(APPEND options -D REEB_GRAPH_SOURCE_FOLDER=${SOURCE_FOLDER})
 endif()
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${FOLDER}/build ${options}
+                        "-D COMPONENTS=${COMPONENTS}"
                 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${FOLDER}/build COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${FOLDER}/build/consumer COMMAND_ERROR_IS_FATAL ANY)

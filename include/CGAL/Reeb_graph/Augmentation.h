@@ -33,7 +33,8 @@ namespace Reeb_graph {
 /// Graph Algorithm*, 2020, Section 6. At construction it copies the field, and a mesh that is no `CGAL::Surface_mesh`,
 /// in linear time and memory. The mesh and the graph have to outlive it and must not change, and neither must what a
 /// `vertex_index_map` refers to. It can be neither copied nor moved. All member functions can be called from several
-/// threads at a time.
+/// threads at a time; those that return contours throw `Graph_mismatch_error` if the chain of an arc does not lead to
+/// them.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
@@ -131,7 +132,7 @@ public:
   ///
   /// \exception Parameter_error if `t` is not greater than 0 and less than 1
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
-  /// \exception Non_finite_scalar_error if the sum is infinite or NaN
+  /// \exception Non_finite_scalar_error if a value along the chain is infinite or NaN
   template <class ParametrizationMap>
   Contour contour(arc_descriptor arc, double t, ParametrizationMap parametrization) const
   {

@@ -124,7 +124,8 @@ inline std::string to_string(Node_kind kind)
 /// Each node has the data `vertex`, the index of its mesh vertex, `value`, the scalar value, and `kind`, see
 /// `to_string()`. Each edge runs from the lower to the upper node. Nodes and edges are written in the order that they
 /// have in the graph, so that equal graphs give equal files. A floating-point value is written with as many digits as
-/// it takes to read back the same value; any other value is written by its `operator<<`.
+/// it takes to read back the same value; an integer as a number, even if it is a character;
+/// any other value by its `operator<<`.
 ///
 /// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
 /// \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an

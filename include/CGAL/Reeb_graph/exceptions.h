@@ -145,7 +145,9 @@ class Mesh_size_error : public Error
 {
 public:
   /// constructs the exception.
-  Mesh_size_error() : Error("the mesh has more vertices or halfedges than 32-bit indices can number") {}
+  Mesh_size_error()
+    : Error("the mesh has more vertices, halfedges, or corners of faces than 32-bit indices can number")
+  {}
 };
 
 /// \ingroup PkgReebGraphExceptions

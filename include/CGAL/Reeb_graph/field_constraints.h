@@ -14,8 +14,10 @@
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/far_apart_vertices.h>
+#include <CGAL/Reeb_graph/scalar_field_exceptions.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>

@@ -45,7 +45,8 @@ public:
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown by scalar fields for a scalar value or result that is infinite or NaN.
+/// \brief thrown for a scalar value or result that is infinite or NaN, by scalar fields, and where a field parametrizes
+/// arcs.
 class Non_finite_scalar_error : public Vertex_error
 {
 public:

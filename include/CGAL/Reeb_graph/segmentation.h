@@ -161,8 +161,8 @@ std::size_t segment_by_branches(MutableFaceGraph& mesh,
 ///
 /// \returns the number of patches: that of the arcs, and of the components without an arc.
 ///
-/// \exception Reeb_graph::Graph_mismatch_error if the graph is not one of this mesh and field, or has been computed
-///            with other `ties`
+/// \exception Reeb_graph::Graph_mismatch_error if a node is not one of this mesh and field, or an arc none that `ties`
+///            gives. That all nodes and arcs are there is not checked.
 ///
 /// and the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
 template <class MutableFaceGraph,

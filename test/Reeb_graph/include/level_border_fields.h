@@ -12,6 +12,7 @@
 #include "random_meshes.h"
 
 #include <cmath>
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <vector>

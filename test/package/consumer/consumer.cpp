@@ -2,7 +2,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/compute_reeb_graph.h>
-#ifdef CGAL_EIGEN3_ENABLED
+#ifdef EXPECT_Eigen3
 #include <CGAL/Reeb_graph/harmonic_field.h>
 #endif
 
@@ -21,8 +21,12 @@ int main()
     height[v] = mesh.point(v).z();
 
   CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph graph;
-  CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(mesh, height, graph);
-#ifdef CGAL_EIGEN3_ENABLED
+#ifdef EXPECT_TBB
+  CGAL::compute_reeb_graph<CGAL::Parallel_tag>(mesh, height, graph);
+#else
+  CGAL::compute_reeb_graph(mesh, height, graph);
+#endif
+#ifdef EXPECT_Eigen3
   CGAL::Reeb_graph::compute_harmonic_field(mesh, height);
   CGAL::compute_reeb_graph(mesh, height, graph);
 #endif

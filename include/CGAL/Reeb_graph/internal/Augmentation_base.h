@@ -164,15 +164,18 @@ protected:
   Valued_level level_of_parameter(arc_descriptor arc, double t, const ParametrizationMap& parametrization) const
   {
     const auto& chain = graph_[arc].chain;
+    const double scale = 0.5 / static_cast<double>(chain.size()); // so that no sum is infinite
+    const auto scaled_value = [&](vertex_descriptor v) {
+      const double value = static_cast<double>(get(parametrization, v));
+      if(!std::isfinite(value))
+        throw Non_finite_scalar_error(surface_.vertices.position(position_(v)));
+      return scale * value;
+    };
     std::vector<double> sums = {0};
     for(std::size_t i = 0; i != chain.size(); ++i)
     {
-      const vertex_descriptor from = source(chain[i], mesh_), to = target(chain[i], mesh_);
-      const double difference =
-        static_cast<double>(get(parametrization, to)) - static_cast<double>(get(parametrization, from));
+      const double difference = scaled_value(target(chain[i], mesh_)) - scaled_value(source(chain[i], mesh_));
       sums.push_back(sums.back() + std::abs(difference) * used_fraction(arc, i));
-      if(!std::isfinite(sums.back()))
-        throw Non_finite_scalar_error(surface_.vertices.position(position_(to)));
     }
     const double sum = t * sums.back();
     if(!(sum > 0))
@@ -194,10 +197,10 @@ protected:
   Index find_start(arc_descriptor arc, const Level<Scalar, Order>& is_below) const
   {
     const auto& chain = graph_[arc].chain;
-    const auto first_above = std::partition_point(
-      chain.begin() + 1, chain.end(), [&](halfedge_descriptor h) { return is_below(position_(source(h, mesh_))); });
+    const auto first_above = std::partition_point(chain.begin() + 1, chain.end(),
+                                                  [&](halfedge_descriptor h) { return is_below(checked_source(h)); });
     const halfedge_descriptor h = first_above[-1];
-    if(!is_below(position_(source(h, mesh_))) || is_below(position_(target(h, mesh_))))
+    if(!is_below(checked_source(h)) || is_below(checked_source(opposite(h, mesh_))))
       throw Graph_mismatch_error();
     return number_of(h);
   }
@@ -309,6 +312,17 @@ private:
   Index node_vertex(node_descriptor node) const { return position_(graph_[node].vertex); }
   Index lower_vertex(arc_descriptor arc) const { return node_vertex(source(arc, graph_)); }
   Index upper_vertex(arc_descriptor arc) const { return node_vertex(target(arc, graph_)); }
+  // Of a halfedge that may be one of another mesh.
+  Index checked_source(halfedge_descriptor h) const
+  {
+    if(!can_be_halfedge(mesh_, h))
+      throw Graph_mismatch_error();
+    const Index v = position_(source(h, mesh_));
+    if(v >= surface_.vertices.size())
+      throw Graph_mismatch_error();
+    return v;
+  }
+
   double value_of(Index v) const { return CGAL::to_double(surface_.values[v]); }
 
   // The level of the value, if that is inside the arc. If it has been rounded up to the upper end, it is the last level
@@ -386,7 +400,7 @@ private:
       const Index lower = lower_vertex(arc), upper = upper_vertex(arc);
       if(!order_(lower, upper) || graph_[arc].chain.empty())
         throw Graph_mismatch_error();
-      const Index first = position_(source(graph_[arc].chain.front(), mesh_));
+      const Index first = checked_source(graph_[arc].chain.front());
       const bool fits =
         ties_ == Ties::CONTRACT ? order_.are_tied(lower, first) && !order_.are_tied(lower, upper) : lower == first;
       if(!fits)

@@ -122,6 +122,19 @@ auto find_vertex_numbers(const Surface_mesh<Point>&, const Vertex_list<Surface_m
   return [](typename Surface_mesh<Point>::Vertex_index v) { return static_cast<Index>(v); };
 }
 
+// Only a mesh that numbers its halfedges tells those of other meshes.
+template <class FaceListGraph, class HalfedgeDescriptor>
+bool can_be_halfedge(const FaceListGraph&, const HalfedgeDescriptor&)
+{
+  return true;
+}
+
+template <class Point>
+bool can_be_halfedge(const Surface_mesh<Point>& mesh, typename Surface_mesh<Point>::Halfedge_index h)
+{
+  return mesh.has_valid_index(h);
+}
+
 // For a mesh that needs none: whoever gives one that is wrong is told so.
 template <class FaceListGraph, class NamedParameters>
 void check_index_maps(const FaceListGraph& mesh, const NamedParameters& np)

@@ -40,6 +40,8 @@ public:
                       const Critical_vertices& critical_vertices,
                       Index number_of_slabs)
   {
+    const std::size_t most = largest_size_of_levels(complex) / (complex.number_of_edges() / 16 + 1) + 1;
+    number_of_slabs = static_cast<Index>((std::min)(std::size_t(number_of_slabs), most));
     Slicing slicing(complex, critical_vertices, number_of_slabs);
     slicing.template find_slabs_of_vertices<ConcurrencyTag>(order);
     while(number_of_slabs > 2 && slicing.template size_of_levels<ConcurrencyTag>() > largest_size_of_levels(complex))

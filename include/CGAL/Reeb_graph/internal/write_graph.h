@@ -93,6 +93,7 @@ void write_graph(const FaceListGraph& mesh,
 {
   Flat_chains chains;
   decltype(chain_halfedges<ConcurrencyTag>(mesh, surface, chains)) halfedges;
+  bool is_graph_changed = false;
   try
   {
     invoke_both<ConcurrencyTag>(
@@ -101,11 +102,15 @@ void write_graph(const FaceListGraph& mesh,
         halfedges = chain_halfedges<ConcurrencyTag>(mesh, surface, chains);
         chains.parts.clear(); // The graph takes much memory.
       },
-      [&] { write_nodes_and_arcs(surface, flat_graph, graph); });
+      [&] {
+        is_graph_changed = true;
+        write_nodes_and_arcs(surface, flat_graph, graph);
+      });
   }
   catch(...) // Memory has run out, or the order of the user throws.
   {
-    graph.clear();
+    if(is_graph_changed)
+      graph.clear();
     throw;
   }
   constexpr std::size_t ahead = 12;

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -142,8 +143,11 @@ private:
     {
       throw Linear_solver_error();
     }
+    // Where it divides zero by zero, as on some tetrahedra, the heat method gives NaN or the largest number.
     for(const auto v : component.mesh.vertices())
-      distances_[component.positions[v]] = distance_map[v];
+      distances_[component.positions[v]] = distance_map[v] < (std::numeric_limits<double>::max)()
+                                           ? distance_map[v]
+                                           : std::numeric_limits<double>::quiet_NaN();
   }
 
   const std::vector<bool>& is_source_;
