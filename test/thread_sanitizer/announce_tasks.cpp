@@ -53,18 +53,23 @@ class Announced_task : public d1::task
 public:
   explicit Announced_task(d1::task& task) : task_(task) { __tsan_release(this); }
 
-  d1::task* execute(d1::execution_data& data) override { return announce().execute(data); }
-  d1::task* cancel(d1::execution_data& data) override { return announce().cancel(data); }
-
-private:
-  d1::task& announce()
+  // A task that throws is cancelled afterwards.
+  d1::task* execute(d1::execution_data& data) override
   {
     __tsan_acquire(this);
-    d1::task& task = task_;
+    d1::task* const next = task_.execute(data);
     delete this;
-    return task;
+    return next;
+  }
+  d1::task* cancel(d1::execution_data& data) override
+  {
+    __tsan_acquire(this);
+    d1::task* const next = task_.cancel(data);
+    delete this;
+    return next;
   }
 
+private:
   d1::task& task_;
 };
 
