@@ -11,6 +11,7 @@
 #include "graph_checks.h"
 #include "mesh_builders.h"
 #include "random_meshes.h"
+#include "throwing_traits.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/segmentation.h>
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -475,23 +477,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(other_ties_than_those_of_the_graph_are_refused_at_
 
 BOOST_AUTO_TEST_CASE(an_order_that_throws_leaves_the_graph_as_it_was)
 {
-  typedef graph_checks::Scalar_map_of<Surface_mesh> Scalar_map;
-  struct Throwing_traits : CGAL::Reeb_graph_traits<Surface_mesh, Scalar_map>
-  {
-    struct Less_scalar
-    {
-      std::size_t* number_of_calls;
-      std::size_t last_call;
-      bool operator()(double a, double b) const
-      {
-        if(++*number_of_calls > last_call)
-          throw std::runtime_error("enough");
-        return a < b;
-      }
-    };
-    Less_scalar less_scalar_object() const { return less; }
-    Less_scalar less;
-  };
   const auto mesh = make_mesh<Surface_mesh>(random_meshes::seven_vertex_torus());
   const auto scalar_map = make_scalar_map(mesh, ascending_values(7));
   const auto old_mesh = make_mesh<Surface_mesh>(random_meshes::tetrahedron());
@@ -500,7 +485,7 @@ BOOST_AUTO_TEST_CASE(an_order_that_throws_leaves_the_graph_as_it_was)
   bool is_thrown = true;
   for(std::size_t last_call = 0; is_thrown; ++last_call)
   {
-    std::size_t number_of_calls = 0;
+    std::atomic<std::size_t> number_of_calls(0);
     Throwing_traits traits;
     traits.less = {&number_of_calls, last_call};
     auto graph = old_graph;

@@ -9,6 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "computed_graphs.h"
+#include "throwing_traits.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 
@@ -296,23 +297,6 @@ BOOST_AUTO_TEST_CASE(dynamic_property_maps_with_unset_values)
 // and arcs are written.
 BOOST_AUTO_TEST_CASE(an_order_that_throws_leaves_no_half_graph)
 {
-  typedef graph_checks::Scalar_map_of<Surface_mesh> Scalar_map;
-  struct Throwing_traits : CGAL::Reeb_graph_traits<Surface_mesh, Scalar_map>
-  {
-    struct Less_scalar
-    {
-      std::atomic<std::size_t>* number_of_calls;
-      std::size_t last_call;
-      bool operator()(double a, double b) const
-      {
-        if(++*number_of_calls > last_call)
-          throw std::runtime_error("enough");
-        return a < b;
-      }
-    };
-    Less_scalar less_scalar_object() const { return less; }
-    Less_scalar less;
-  };
   const auto soup = generated_surfaces::closed_surface(2, 12000);
   const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
   Random random(1);
