@@ -8,9 +8,9 @@
 
 #include "curves.h"
 
-#include <CGAL/Reeb_graph/branch_curves.h>
-#include <CGAL/Reeb_graph/cutting_system.h>
-#include <CGAL/Reeb_graph/pants_decomposition.h>
+#include <CGAL/Reeb_graph/curves/branch_curves.h>
+#include <CGAL/Reeb_graph/curves/cutting_system.h>
+#include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 
 #include <algorithm>
 #include <iterator>

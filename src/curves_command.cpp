@@ -28,8 +28,8 @@ void check_mesh_format(const std::filesystem::path& path)
 
 void check_thresholds(const Curves_options& options)
 {
-  for(const auto& [name, threshold] : {std::make_pair("--persistence", options.persistence),
-                                       std::make_pair("--area", options.area)})
+  for(const auto& [name, threshold] :
+      {std::make_pair("--persistence", options.persistence), std::make_pair("--area", options.area)})
   {
     if(threshold && options.type != Curves_type::BRANCH)
       throw std::runtime_error(std::string(name) + " goes with the type branch only");

@@ -16,16 +16,14 @@
 #include <vector>
 
 // Surfaces made from nothing, for the demo, the tests and the benchmarks. The same call gives the same surface.
-namespace generated_surfaces
-{
+namespace generated_surfaces {
 struct Triangle_soup
 {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::size_t, 3>> triangles;
 };
 
-namespace internal
-{
+namespace internal {
 constexpr double pi = 3.14159265358979323846;
 
 // A plate with round holes, and the same plate with its rounded rim rolled out into the plane. A point of the rolled
@@ -48,14 +46,15 @@ public:
       columns_(genus == 0 ? 0 : (genus + rows_ - 1) / rows_),
       corner_radius_(genus == 0 ? rim : hole_radius + 2 * rim),
       half_core_x_(genus == 0 ? 0 : (columns_ - 1) / 2.),
-      half_core_y_(genus == 0 ? 0 : (rows_ - 1) / 2.) {}
+      half_core_y_(genus == 0 ? 0 : (rows_ - 1) / 2.)
+  {}
 
   double half_width() const { return half_core_x_ + corner_radius_; }
   double half_height() const { return half_core_y_ + corner_radius_; }
   double area() const
   {
     return 4 * (half_core_x_ * half_core_y_ + (half_core_x_ + half_core_y_) * corner_radius_)
-           + pi * (corner_radius_ * corner_radius_ - genus_ * hole_radius * hole_radius);
+         + pi * (corner_radius_ * corner_radius_ - genus_ * hole_radius * hole_radius);
   }
 
   Location locate(double x, double y) const
@@ -113,7 +112,9 @@ class Plate_mesher
 {
 public:
   Plate_mesher(const Rolled_out_plate& plate, double edge_length)
-    : plate_(plate), edge_length_(edge_length), row_height_(edge_length * std::sqrt(0.75)),
+    : plate_(plate),
+      edge_length_(edge_length),
+      row_height_(edge_length * std::sqrt(0.75)),
       columns_(static_cast<std::size_t>(2 * plate.half_width() / edge_length_) + 4),
       rows_(static_cast<std::size_t>(2 * plate.half_height() / row_height_) + 4)
   {
@@ -241,7 +242,10 @@ private:
 
 // A grid of `columns` times `rows` vertices, where the last column is joined to the first one if it is closed so.
 template <class PointFunction>
-Triangle_soup grid(std::size_t columns, std::size_t rows, bool are_columns_closed, bool are_rows_closed,
+Triangle_soup grid(std::size_t columns,
+                   std::size_t rows,
+                   bool are_columns_closed,
+                   bool are_rows_closed,
                    const PointFunction& point)
 {
   Triangle_soup soup;
@@ -279,7 +283,7 @@ inline Triangle_soup terrain(std::size_t columns, std::size_t rows)
   return internal::grid(columns, rows, false, false, [&](std::size_t column, std::size_t row) {
     const double x = column / (columns - 1.), y = row / (rows - 1.);
     const double z = 0.10 * std::sin(7 * x + 1) * std::cos(6 * y) + 0.05 * std::sin(17 * x - 9 * y)
-                     + 0.02 * std::cos(23 * x + 31 * y + 2);
+                   + 0.02 * std::cos(23 * x + 31 * y + 2);
     return std::array<double, 3>{x, y, z};
   });
 }

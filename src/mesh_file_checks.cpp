@@ -59,9 +59,8 @@ void check_last_face_of_off(const std::string& path, const Polygon_soup& soup)
      || numbers.size() <= static_cast<std::size_t>(numbers[0]))
     return;
   const auto begin = numbers.begin() + 1, end = begin + numbers[0];
-  const bool is_face = std::all_of(begin, end, [&](long long v) {
-    return v >= 0 && static_cast<unsigned long long>(v) < soup.points.size();
-  });
+  const bool is_face = std::all_of(
+    begin, end, [&](long long v) { return v >= 0 && static_cast<unsigned long long>(v) < soup.points.size(); });
   const Polygon& last = soup.polygons.back();
   if(is_face && !std::equal(begin, end, last.begin(), last.end(), [](long long a, std::size_t b) {
        return static_cast<unsigned long long>(a) == b;

@@ -10,11 +10,11 @@
 
 #include "progress_bar.h"
 
-#include <CGAL/Reeb_graph/geodesic_field.h>
-#include <CGAL/Reeb_graph/harmonic_field.h>
-#include <CGAL/Reeb_graph/height_field.h>
-#include <CGAL/Reeb_graph/poisson_field.h>
-#include <CGAL/Reeb_graph/unit_gradient_field.h>
+#include <CGAL/Reeb_graph/fields/geodesic_field.h>
+#include <CGAL/Reeb_graph/fields/harmonic_field.h>
+#include <CGAL/Reeb_graph/fields/height_field.h>
+#include <CGAL/Reeb_graph/fields/poisson_field.h>
+#include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
 
 #include <functional>
 #include <iterator>

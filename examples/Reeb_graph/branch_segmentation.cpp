@@ -3,7 +3,7 @@
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <CGAL/Reeb_graph/segmentation.h>
+#include <CGAL/Reeb_graph/curves/segmentation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,10 @@
 #include <iostream>
 #include <string>
 
-typedef CGAL::Simple_cartesian<double>                                 Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                            Mesh;
-typedef boost::graph_traits<Mesh>::vertex_descriptor                   vertex_descriptor;
-typedef boost::graph_traits<Mesh>::face_descriptor                     face_descriptor;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+typedef boost::graph_traits<Mesh>::face_descriptor face_descriptor;
 
 // Consecutive patches get colors that lie far from each other.
 CGAL::IO::Color color_of_patch(std::size_t i)

@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-typedef CGAL::Simple_cartesian<double>                                 Kernel;
-typedef Kernel::Point_3                                                Point;
-typedef CGAL::Surface_mesh<Point>                                      Mesh;
-typedef boost::graph_traits<Mesh>::vertex_descriptor                   vertex_descriptor;
-typedef Mesh::Property_map<vertex_descriptor, double>                  Scalar_map;
-typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph               Reeb_graph;
-typedef CGAL::Reeb_graph::Augmentation<Mesh, Scalar_map>               Augmentation;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef Kernel::Point_3 Point;
+typedef CGAL::Surface_mesh<Point> Mesh;
+typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+typedef Mesh::Property_map<vertex_descriptor, double> Scalar_map;
+typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Reeb_graph;
+typedef CGAL::Reeb_graph::Augmentation<Mesh, Scalar_map> Augmentation;
 
 double length(const std::vector<Point>& points, bool is_closed)
 {

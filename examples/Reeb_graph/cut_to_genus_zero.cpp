@@ -5,15 +5,15 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/iterator.h>
 
-#include <CGAL/Reeb_graph/cutting_system.h>
+#include <CGAL/Reeb_graph/curves/cutting_system.h>
 
 #include <cstdlib>
 #include <iostream>
 #include <string>
 
-typedef CGAL::Simple_cartesian<double>                                 Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                            Mesh;
-typedef boost::graph_traits<Mesh>::vertex_descriptor                   vertex_descriptor;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
 
 int main(int argc, char* argv[])
 {
@@ -35,8 +35,7 @@ int main(int argc, char* argv[])
     scalar_map[v] = cut_mesh.point(v).x();
   try
   {
-    CGAL::Reeb_graph::cutting_system(cut_mesh, scalar_map, CGAL::Emptyset_iterator(),
-                                     CGAL::parameters::cut_open(true));
+    CGAL::Reeb_graph::cutting_system(cut_mesh, scalar_map, CGAL::Emptyset_iterator(), CGAL::parameters::cut_open(true));
   }
   catch(const CGAL::Reeb_graph::Error& error)
   {

@@ -2,7 +2,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <CGAL/Reeb_graph/cutting_system.h>
+#include <CGAL/Reeb_graph/curves/cutting_system.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-typedef CGAL::Simple_cartesian<double>                                 Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                            Mesh;
-typedef boost::graph_traits<Mesh>::vertex_descriptor                   vertex_descriptor;
-typedef boost::graph_traits<Mesh>::halfedge_descriptor                 halfedge_descriptor;
-typedef CGAL::Reeb_graph::Curve<halfedge_descriptor>                   Curve;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+typedef boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+typedef CGAL::Reeb_graph::Curve<halfedge_descriptor> Curve;
 
 int main(int argc, char* argv[])
 {

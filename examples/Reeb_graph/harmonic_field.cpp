@@ -2,8 +2,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <CGAL/Reeb_graph/field_constraints.h>
-#include <CGAL/Reeb_graph/harmonic_field.h>
+#include <CGAL/Reeb_graph/fields/field_constraints.h>
+#include <CGAL/Reeb_graph/fields/harmonic_field.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <cstdlib>
@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-typedef CGAL::Simple_cartesian<double>                                 Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                            Mesh;
-typedef boost::graph_traits<Mesh>::vertex_descriptor                   vertex_descriptor;
-typedef Mesh::Property_map<vertex_descriptor, double>                  Scalar_map;
-typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph               Reeb_graph;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+typedef Mesh::Property_map<vertex_descriptor, double> Scalar_map;
+typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Reeb_graph;
 
 void print_graph(const Mesh& mesh, Scalar_map scalar_map)
 {

@@ -12,12 +12,12 @@
 #include <iostream>
 #include <string>
 
-typedef CGAL::Simple_cartesian<double>                                 Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                            Mesh;
-typedef boost::graph_traits<Mesh>::vertex_descriptor                   vertex_descriptor;
-typedef Mesh::Property_map<vertex_descriptor, double>                  Scalar_map;
-typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph               Reeb_graph;
-typedef CGAL::Reeb_graph::Augmentation<Mesh, Scalar_map>               Augmentation;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+typedef Mesh::Property_map<vertex_descriptor, double> Scalar_map;
+typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Reeb_graph;
+typedef CGAL::Reeb_graph::Augmentation<Mesh, Scalar_map> Augmentation;
 
 // Consecutive arcs get colors that lie far from each other.
 CGAL::IO::Color color_of_arc(std::size_t i)

@@ -1,9 +1,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <CGAL/Reeb_graph/pants_decomposition.h>
+#include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-typedef CGAL::Simple_cartesian<double>                                 Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                            Mesh;
-typedef boost::graph_traits<Mesh>::vertex_descriptor                   vertex_descriptor;
-typedef boost::graph_traits<Mesh>::halfedge_descriptor                 halfedge_descriptor;
-typedef boost::graph_traits<Mesh>::face_descriptor                     face_descriptor;
-typedef CGAL::Reeb_graph::Curve<halfedge_descriptor>                   Curve;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+typedef boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+typedef boost::graph_traits<Mesh>::face_descriptor face_descriptor;
+typedef CGAL::Reeb_graph::Curve<halfedge_descriptor> Curve;
 
 // Consecutive patches get colors that lie far from each other.
 CGAL::IO::Color color_of_patch(std::size_t i)

@@ -2,7 +2,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <CGAL/Reeb_graph/pants_decomposition.h>
+#include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 
 #include <cstdlib>
@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-typedef CGAL::Simple_cartesian<double>                                 Kernel;
-typedef CGAL::Polyhedron_3<Kernel>                                     Mesh;
-typedef boost::graph_traits<Mesh>::vertex_descriptor                   vertex_descriptor;
-typedef boost::graph_traits<Mesh>::halfedge_descriptor                 halfedge_descriptor;
-typedef CGAL::Reeb_graph::Curve<halfedge_descriptor>                   Curve;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Polyhedron_3<Kernel> Mesh;
+typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+typedef boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+typedef CGAL::Reeb_graph::Curve<halfedge_descriptor> Curve;
 
 int main(int argc, char* argv[])
 {

@@ -4,8 +4,8 @@
 #include <CGAL/centroid.h>
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/harmonic_field.h>
-#include <CGAL/Reeb_graph/unit_gradient_field.h>
+#include <CGAL/Reeb_graph/fields/harmonic_field.h>
+#include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <algorithm>
@@ -16,14 +16,14 @@
 #include <string>
 #include <vector>
 
-typedef CGAL::Simple_cartesian<double>                                 Kernel;
-typedef Kernel::Point_3                                                Point;
-typedef CGAL::Surface_mesh<Point>                                      Mesh;
-typedef boost::graph_traits<Mesh>::vertex_descriptor                   vertex_descriptor;
-typedef Mesh::Property_map<vertex_descriptor, double>                  Scalar_map;
-typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph               Reeb_graph;
-typedef CGAL::Reeb_graph::Augmentation<Mesh, Scalar_map>               Augmentation;
-typedef Augmentation::Contour                                          Contour;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef Kernel::Point_3 Point;
+typedef CGAL::Surface_mesh<Point> Mesh;
+typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+typedef Mesh::Property_map<vertex_descriptor, double> Scalar_map;
+typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Reeb_graph;
+typedef CGAL::Reeb_graph::Augmentation<Mesh, Scalar_map> Augmentation;
+typedef Augmentation::Contour Contour;
 
 Point center(const Augmentation& augmentation, const Contour& contour)
 {

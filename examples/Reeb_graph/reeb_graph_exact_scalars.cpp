@@ -10,10 +10,10 @@
 #include <string>
 #include <type_traits>
 
-typedef CGAL::Exact_predicates_exact_constructions_kernel              Kernel;
-typedef Kernel::Point_3                                                Point;
-typedef CGAL::Surface_mesh<Point>                                      Mesh;
-typedef boost::graph_traits<Mesh>::vertex_descriptor                   vertex_descriptor;
+typedef CGAL::Exact_predicates_exact_constructions_kernel Kernel;
+typedef Kernel::Point_3 Point;
+typedef CGAL::Surface_mesh<Point> Mesh;
+typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
 
 int main(int argc, char* argv[])
 {

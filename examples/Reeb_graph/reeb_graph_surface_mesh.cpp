@@ -9,13 +9,13 @@
 #include <iostream>
 #include <string>
 
-typedef CGAL::Simple_cartesian<double>                                 Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                            Mesh;
-typedef boost::graph_traits<Mesh>::vertex_descriptor                   vertex_descriptor;
-typedef Mesh::Property_map<vertex_descriptor, double>                  Scalar_map;
-typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>                      Traits;
-typedef Traits::Graph                                                  Reeb_graph;
-typedef Traits::Arc                                                    Arc;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+typedef Mesh::Property_map<vertex_descriptor, double> Scalar_map;
+typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map> Traits;
+typedef Traits::Graph Reeb_graph;
+typedef Traits::Arc Arc;
 
 int main(int argc, char* argv[])
 {

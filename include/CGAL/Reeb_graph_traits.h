@@ -12,7 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Halfedge_chain.h>
-#include <CGAL/Reeb_graph/internal/graph_storage.h>
+#include <CGAL/Reeb_graph/internal/output/graph_storage.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/graph_traits.hpp>

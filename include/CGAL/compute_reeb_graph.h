@@ -11,19 +11,19 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph_traits.h>
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/arcs/find_critical_arcs.h>
+#include <CGAL/Reeb_graph/internal/arcs/reduce_arcs.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
+#include <CGAL/Reeb_graph/internal/mesh/flatten.h>
+#include <CGAL/Reeb_graph/internal/output/write_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/visitor.h>
-#include <CGAL/Reeb_graph/internal/Progress.h>
-#include <CGAL/Reeb_graph/internal/classify_vertices.h>
-#include <CGAL/Reeb_graph/internal/find_critical_arcs.h>
-#include <CGAL/Reeb_graph/internal/flatten.h>
-#include <CGAL/Reeb_graph/internal/merge_arcs.h>
-#include <CGAL/Reeb_graph/internal/parallel.h>
-#include <CGAL/Reeb_graph/internal/Vertex_order.h>
-#include <CGAL/Reeb_graph/internal/write_graph.h>
+#include <CGAL/Reeb_graph_traits.h>
 
 namespace CGAL {
 

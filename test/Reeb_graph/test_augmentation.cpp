@@ -40,8 +40,7 @@ using random_meshes::Random;
 typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
 typedef boost::mpl::list<double, int> Scalars;
 
-namespace
-{
+namespace {
 constexpr std::size_t number_of_mesh_classes = static_cast<std::size_t>(Mesh_class::NUMBER_OF_CLASSES);
 constexpr std::size_t number_of_field_classes = static_cast<std::size_t>(Field_class::NUMBER_OF_CLASSES);
 
@@ -69,10 +68,10 @@ void for_each_sample(std::size_t number_of_seeds, const Test& test)
     const auto field_class = static_cast<Field_class>(seed / number_of_mesh_classes % number_of_field_classes);
     const auto values = random_meshes::random_field(mesh, field_class, random);
     const auto other_values = seed % 3 == 0 ? std::vector<double>(values.size(), 2)
-                              : seed % 3 == 1 ? random_meshes::random_integers(values.size(), 3, random)
-                                              : random_meshes::smooth_field(mesh, random);
+                            : seed % 3 == 1 ? random_meshes::random_integers(values.size(), 3, random)
+                                            : random_meshes::smooth_field(mesh, random);
     BOOST_TEST_CONTEXT("seed " << seed)
-      test(Sample{mesh_builders::make_soup(mesh), values, other_values});
+    test(Sample{mesh_builders::make_soup(mesh), values, other_values});
   }
 }
 
@@ -115,7 +114,7 @@ struct Plain_augmentation
   friend bool operator==(const Plain_augmentation& a, const Plain_augmentation& b)
   {
     return std::tie(a.contours, a.border_loops, a.stars, a.locations)
-           == std::tie(b.contours, b.border_loops, b.stars, b.locations);
+        == std::tie(b.contours, b.border_loops, b.stars, b.locations);
   }
 };
 
@@ -266,7 +265,7 @@ BOOST_AUTO_TEST_CASE(several_edges_between_two_vertices)
     const auto field_class = seed % 2 == 0 ? Field_class::PERMUTATION : Field_class::FEW_VALUES;
     const auto values = random_meshes::random_field(combinatorial_mesh, field_class, random);
     BOOST_TEST_CONTEXT("seed " << seed)
-      check_all(mesh, values, random_meshes::random_permutation(values.size(), random));
+    check_all(mesh, values, random_meshes::random_permutation(values.size(), random));
   }
 }
 
@@ -415,7 +414,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_contours_lie_on_their_edges, Mesh, Meshe
         const auto& upper = get(points_of_vertices, target(contour.halfedges[i], mesh));
         BOOST_TEST(std::abs(0.9 * p.x() + 0.3 * p.y() + 0.2 * p.z() - contour.value) < 1e-9);
         const double detour = std::sqrt(CGAL::squared_distance(lower, p)) + std::sqrt(CGAL::squared_distance(p, upper))
-                              - std::sqrt(CGAL::squared_distance(lower, upper));
+                            - std::sqrt(CGAL::squared_distance(lower, upper));
         BOOST_TEST(std::abs(detour) < 1e-9);
       }
     }

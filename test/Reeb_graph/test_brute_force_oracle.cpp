@@ -28,8 +28,7 @@ using random_meshes::Random;
 
 typedef std::vector<std::pair<std::size_t, std::size_t>> Arcs;
 
-namespace
-{
+namespace {
 Oracle oracle(const Combinatorial_mesh& mesh, const std::vector<double>& values, bool keeps_degree_two_nodes = false)
 {
   return Oracle(mesh.number_of_vertices, brute_force_oracle::make_triangles(mesh.triangles), values,
@@ -61,7 +60,7 @@ long euler_characteristic(const Combinatorial_mesh& mesh)
     if(edge.first.first < edge.first.second || edges.count({edge.first.second, edge.first.first}) == 0)
       ++number_of_edges;
   return static_cast<long>(mesh.number_of_vertices) - static_cast<long>(number_of_edges)
-         + static_cast<long>(mesh.triangles.size());
+       + static_cast<long>(mesh.triangles.size());
 }
 
 bool is_on_border(const random_meshes::Directed_edges& edges, std::size_t v)

@@ -14,8 +14,8 @@
 #include "random_meshes.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
+#include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
 
@@ -43,8 +43,7 @@ using random_meshes::Random;
 typedef boost::graph_traits<Surface_mesh>::vertex_descriptor vertex_descriptor;
 typedef boost::graph_traits<Surface_mesh>::halfedge_descriptor halfedge_descriptor;
 
-namespace archetypes
-{
+namespace archetypes {
 // Default constructible and copyable, but without operators.
 class Scalar
 {
@@ -156,8 +155,7 @@ public:
 };
 } // namespace archetypes
 
-namespace
-{
+namespace {
 struct Sample
 {
   Surface_mesh mesh;
@@ -245,11 +243,10 @@ BOOST_AUTO_TEST_CASE(a_value_that_the_traits_class_refuses)
   Sample sample = make_sample(1, Field_class::PERMUTATION);
   sample.values[3] = 1000;
   archetypes::Traits::Graph graph;
-  BOOST_CHECK_EXCEPTION(
-    CGAL::compute_reeb_graph(sample.mesh, archetypes::Scalar_map(sample.values), graph,
-                             CGAL::parameters::geom_traits(archetypes::Traits(1))),
-    CGAL::Reeb_graph::Unordered_scalar_error,
-    [](const CGAL::Reeb_graph::Unordered_scalar_error& error) { return error.vertex() == 3; });
+  BOOST_CHECK_EXCEPTION(CGAL::compute_reeb_graph(sample.mesh, archetypes::Scalar_map(sample.values), graph,
+                                                 CGAL::parameters::geom_traits(archetypes::Traits(1))),
+                        CGAL::Reeb_graph::Unordered_scalar_error,
+                        [](const CGAL::Reeb_graph::Unordered_scalar_error& error) { return error.vertex() == 3; });
 }
 
 BOOST_AUTO_TEST_CASE(a_visitor_of_the_user)
@@ -348,8 +345,8 @@ BOOST_AUTO_TEST_CASE(scalar_maps_of_functions_and_of_surface_mesh_properties)
   const mesh_builders::Mesh_numbers<Surface_mesh> numbers(sample.mesh);
   const Plain_graph expected = compute_plain(sample.mesh, sample.values);
 
-  const auto function_map = CGAL::Reeb_graph::make_scalar_map_from_function(
-    sample.mesh, [&](vertex_descriptor v) { return sample.values[v]; });
+  const auto function_map =
+    CGAL::Reeb_graph::make_scalar_map_from_function(sample.mesh, [&](vertex_descriptor v) { return sample.values[v]; });
   CGAL::Reeb_graph_traits<Surface_mesh, std::remove_cv_t<decltype(function_map)>>::Graph graph;
   CGAL::compute_reeb_graph(sample.mesh, function_map, graph);
   BOOST_TEST((graph_checks::plain(numbers, graph) == expected));

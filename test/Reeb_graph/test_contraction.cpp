@@ -39,8 +39,7 @@ using random_meshes::Random;
 
 typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
 
-namespace
-{
+namespace {
 template <class Mesh>
 Mesh make_mesh(const Combinatorial_mesh& mesh)
 {
@@ -90,7 +89,8 @@ std::size_t find_strip(const Quotient& quotient, const Edges& edges)
 // The contours of an arc for ascending parameters are curves in the strips of one arc of the quotient, whose number is
 // returned too, and ascend.
 template <class A, class ContourAtParameter>
-std::pair<std::string, std::size_t> fault_of_contours(const A& a, const Quotient& quotient,
+std::pair<std::string, std::size_t> fault_of_contours(const A& a,
+                                                      const Quotient& quotient,
                                                       typename A::arc_descriptor arc,
                                                       const ContourAtParameter& contour_at_parameter)
 {
@@ -123,12 +123,11 @@ std::pair<std::string, std::vector<std::size_t>> fault_of_arcs(const A& a, const
 {
   std::vector<std::size_t> quotient_arcs;
   Random random(a.values.size());
-  const auto other_map = CGAL::Reeb_graph::make_scalar_map(
-    a.mesh, random_meshes::random_integers(a.values.size(), 4, random));
+  const auto other_map =
+    CGAL::Reeb_graph::make_scalar_map(a.mesh, random_meshes::random_integers(a.values.size(), 4, random));
   for(const auto arc : a.arcs)
   {
-    const auto fault =
-      fault_of_contours(a, quotient, arc, [&](double t) { return a.augmentation.contour(arc, t); });
+    const auto fault = fault_of_contours(a, quotient, arc, [&](double t) { return a.augmentation.contour(arc, t); });
     if(!fault.first.empty())
       return {"arc " + std::to_string(quotient_arcs.size()) + " " + fault.first, {}};
     const auto other_fault =
@@ -147,7 +146,9 @@ std::pair<std::string, std::vector<std::size_t>> fault_of_arcs(const A& a, const
 
 // The chain begins in the lower node, ascends, goes on where it has been inside of its arc, and ends at the upper node.
 template <class A>
-std::string fault_of_chain(const A& a, const Quotient& quotient, typename A::arc_descriptor arc,
+std::string fault_of_chain(const A& a,
+                           const Quotient& quotient,
+                           typename A::arc_descriptor arc,
                            std::size_t quotient_arc)
 {
   const auto& chain = a.graph[arc].chain;
@@ -183,9 +184,9 @@ std::string fault_of_locations(const A& a, const Quotient& quotient, const std::
   {
     const auto& point = quotient.points[quotient.point_of_vertex[a.numbers.vertex(v)]];
     const std::size_t index = locations.index(v), number_of_nodes = num_vertices(a.graph);
-    const bool is_right = point.node != none ? index == point.node
-                                             : index >= number_of_nodes
-                                                 && quotient_arcs[index - number_of_nodes] == point.arc;
+    const bool is_right = point.node != none
+                          ? index == point.node
+                          : index >= number_of_nodes && quotient_arcs[index - number_of_nodes] == point.arc;
     if(!is_right || parallel.index(v) != index)
       return "vertex " + std::to_string(a.numbers.vertex(v)) + " is at another place";
   }
@@ -270,7 +271,7 @@ void check_contraction(const Mesh& mesh, const std::vector<Scalar>& values)
 {
   for(const bool keeps_degree_two_nodes : {false, true})
     BOOST_TEST_CONTEXT("degree two nodes kept: " << keeps_degree_two_nodes)
-      BOOST_TEST(fault_of_contraction(mesh, values, keeps_degree_two_nodes) == "");
+  BOOST_TEST(fault_of_contraction(mesh, values, keeps_degree_two_nodes) == "");
 }
 
 // a field of few values more often than not
@@ -316,7 +317,7 @@ BOOST_AUTO_TEST_CASE(integer_scalars)
     for(const double value : random_meshes::random_integers(mesh.number_of_vertices, 6, random))
       values.push_back(static_cast<int>(value) - 3);
     BOOST_TEST_CONTEXT("seed " << seed)
-      check_contraction(make_mesh<Surface_mesh>(mesh), values);
+    check_contraction(make_mesh<Surface_mesh>(mesh), values);
   }
 }
 
@@ -330,7 +331,7 @@ BOOST_AUTO_TEST_CASE(several_edges_between_two_vertices)
     auto mesh = make_mesh<Surface_mesh>(combinatorial_mesh);
     mesh_builders::flip_edges_carelessly(mesh, 100, random);
     BOOST_TEST_CONTEXT("seed " << seed)
-      check_contraction(mesh, field_with_ties(combinatorial_mesh, seed, random));
+    check_contraction(mesh, field_with_ties(combinatorial_mesh, seed, random));
   }
 }
 

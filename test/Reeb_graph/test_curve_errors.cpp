@@ -12,9 +12,9 @@
 #include "cut_mesh_checks.h"
 #include "mesh_builders.h"
 
-#include <CGAL/Reeb_graph/branch_curves.h>
-#include <CGAL/Reeb_graph/cutting_system.h>
-#include <CGAL/Reeb_graph/pants_decomposition.h>
+#include <CGAL/Reeb_graph/curves/branch_curves.h>
+#include <CGAL/Reeb_graph/curves/cutting_system.h>
+#include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 
 #include <cstddef>

@@ -13,8 +13,8 @@
 
 #include <CGAL/Curves_on_surface_topology.h>
 #include <CGAL/Path_on_surface.h>
-#include <CGAL/Reeb_graph/branch_curves.h>
-#include <CGAL/Reeb_graph/pants_decomposition.h>
+#include <CGAL/Reeb_graph/curves/branch_curves.h>
+#include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 
 #include <cstddef>

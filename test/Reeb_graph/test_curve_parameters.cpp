@@ -12,8 +12,8 @@
 #include "cut_mesh_checks.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Reeb_graph/cutting_system.h>
-#include <CGAL/Reeb_graph/pants_decomposition.h>
+#include <CGAL/Reeb_graph/curves/cutting_system.h>
+#include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 
 #include <algorithm>

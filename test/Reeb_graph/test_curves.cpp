@@ -11,11 +11,11 @@
 #include "curve_samples.h"
 #include "cut_mesh_checks.h"
 
-#include <CGAL/Reeb_graph/branch_curves.h>
-#include <CGAL/Reeb_graph/cutting_system.h>
-#include <CGAL/Reeb_graph/pants_decomposition.h>
+#include <CGAL/Reeb_graph/curves/branch_curves.h>
+#include <CGAL/Reeb_graph/curves/cutting_system.h>
+#include <CGAL/Reeb_graph/curves/pants_decomposition.h>
+#include <CGAL/Reeb_graph/curves/unfold_multi_saddles.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
-#include <CGAL/Reeb_graph/unfold_multi_saddles.h>
 
 #include <boost/mpl/list.hpp>
 

@@ -12,7 +12,7 @@
 #include "cut_mesh_checks.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/cut_along_contours.h>
+#include <CGAL/Reeb_graph/curves/cut_along_contours.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/compute_reeb_graph.h>
 

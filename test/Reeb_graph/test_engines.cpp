@@ -14,7 +14,7 @@
 #include "random_fields.h"
 #include "random_meshes.h"
 
-#include <CGAL/Reeb_graph/internal/contour_trees_engine.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/contour_trees_engine.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +35,7 @@ using random_meshes::Mesh_class;
 using random_meshes::Random;
 namespace stages = CGAL::Reeb_graph::internal;
 
-namespace
-{
+namespace {
 typedef graph_checks::Graph_of<Surface_mesh> Graph;
 typedef graph_checks::Scalar_map_of<Surface_mesh> Scalar_map;
 
@@ -52,7 +51,10 @@ Surface_mesh make_surface_mesh(const Combinatorial_mesh& mesh)
   return make_surface_mesh(mesh_builders::make_soup(mesh));
 }
 
-Graph compute(const Surface_mesh& mesh, const Scalar_map& scalar_map, Method method, Ties ties,
+Graph compute(const Surface_mesh& mesh,
+              const Scalar_map& scalar_map,
+              Method method,
+              Ties ties,
               bool keeps_degree_two_nodes)
 {
   namespace parameters = CGAL::parameters;
@@ -78,7 +80,8 @@ void compare_methods(const Surface_mesh& mesh, const std::vector<double>& values
 }
 
 template <class MeshFunction>
-void compare_methods_on_random_meshes(std::size_t number_of_seeds, const MeshFunction& random_mesh,
+void compare_methods_on_random_meshes(std::size_t number_of_seeds,
+                                      const MeshFunction& random_mesh,
                                       std::vector<Field_class> field_classes)
 {
   for(std::size_t seed = 0; seed < number_of_seeds; ++seed)
@@ -87,7 +90,7 @@ void compare_methods_on_random_meshes(std::size_t number_of_seeds, const MeshFun
     const Combinatorial_mesh mesh = random_mesh(random);
     const auto values = random_meshes::random_field(mesh, field_classes[seed % field_classes.size()], random);
     BOOST_TEST_CONTEXT("seed " << seed)
-      compare_methods(make_surface_mesh(mesh), values);
+    compare_methods(make_surface_mesh(mesh), values);
   }
 }
 
@@ -129,8 +132,10 @@ struct Surgery
 };
 
 // Follows each cut from an edge on which it is the lowest one, and looks whether another one is lower elsewhere.
-bool are_several_cuts_on_an_edge(const Complex& complex, const Order& order,
-                                 const stages::Critical_vertices& critical_vertices, const stages::Cut_contours& cuts)
+bool are_several_cuts_on_an_edge(const Complex& complex,
+                                 const Order& order,
+                                 const stages::Swept_vertices& critical_vertices,
+                                 const stages::Cut_contours& cuts)
 {
   std::set<stages::Index> followed = {stages::no_index};
   bool are_several = false;
@@ -140,22 +145,24 @@ bool are_several_cuts_on_an_edge(const Complex& complex, const Order& order,
     if(!followed.insert(cut).second)
       continue;
     const stages::Index vertex = critical_vertices.vertex(cuts.critical_vertex(cut));
-    stages::trace_contour(complex, halfedge, [&](stages::Index u) { return order(u, vertex); },
-                          [&](stages::Index crossed) { are_several |= cuts.lowest_at_edge(crossed) != cut; });
+    stages::trace_contour(
+      complex, halfedge, [&](stages::Index u) { return order(u, vertex); },
+      [&](stages::Index crossed) { are_several |= cuts.lowest_at_edge(crossed) != cut; });
   }
   return are_several || followed.size() - 1 != cuts.size();
 }
 
-std::size_t length_of_shortest_lower_contour(const Complex& complex, const Order& order,
-                                             const stages::Critical_vertices& critical_vertices,
+std::size_t length_of_shortest_lower_contour(const Complex& complex,
+                                             const Order& order,
+                                             const stages::Swept_vertices& critical_vertices,
                                              stages::Index critical)
 {
   std::size_t shortest = complex.number_of_edges();
   critical_vertices.for_each_sector(critical, false, [&](stages::Index sector) {
     std::size_t length = 0;
-    stages::trace_contour(complex, critical_vertices.sector(false, sector).edge,
-                          [&](stages::Index u) { return order(u, critical_vertices.vertex(critical)); },
-                          [&](stages::Index) { ++length; });
+    stages::trace_contour(
+      complex, critical_vertices.sector(false, sector).edge,
+      [&](stages::Index u) { return order(u, critical_vertices.vertex(critical)); }, [&](stages::Index) { ++length; });
     shortest = std::min(shortest, length);
   });
   return shortest;
@@ -196,7 +203,8 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
   stages::Cut_contours cuts = downwards.take_cuts();
   cuts.register_edges();
   const stages::Merge_tree& tree = downwards.tree();
-  return {cuts.size(), counting_order.number_of_calls(),
+  return {cuts.size(),
+          counting_order.number_of_calls(),
           are_several_cuts_on_an_edge(surface.complex, order, critical_vertices, cuts),
           is_longer_contour_cut,
           {tree.parents.begin(), tree.parents.end()},
@@ -230,7 +238,7 @@ BOOST_AUTO_TEST_CASE(random_meshes_of_all_classes)
     const auto mesh = random_meshes::random_mesh(static_cast<Mesh_class>(seed % number_of_classes), random);
     const auto field_class = static_cast<Field_class>(seed / number_of_classes % number_of_field_classes);
     BOOST_TEST_CONTEXT("seed " << seed)
-      compare_methods(make_surface_mesh(mesh), random_meshes::random_field(mesh, field_class, random));
+    compare_methods(make_surface_mesh(mesh), random_meshes::random_field(mesh, field_class, random));
   }
 }
 
@@ -261,7 +269,7 @@ BOOST_AUTO_TEST_CASE(all_orders_of_an_annulus)
   do
   {
     BOOST_TEST_CONTEXT("order " << values[0] << values[1] << values[2] << values[3] << values[4] << values[5])
-      compare_methods(mesh, values);
+    compare_methods(mesh, values);
   } while(std::next_permutation(values.begin(), values.end()));
 }
 
@@ -276,7 +284,7 @@ BOOST_AUTO_TEST_CASE(several_edges_between_two_vertices)
     mesh_builders::flip_edges_carelessly(mesh, 200, random);
     const auto field_class = seed % 3 == 0 ? Field_class::FEW_VALUES : Field_class::PERMUTATION;
     BOOST_TEST_CONTEXT("seed " << seed)
-      compare_methods(mesh, random_meshes::random_field(combinatorial_mesh, field_class, random));
+    compare_methods(mesh, random_meshes::random_field(combinatorial_mesh, field_class, random));
   }
 }
 
@@ -292,7 +300,7 @@ BOOST_AUTO_TEST_CASE(several_cuts_through_an_edge)
       continue;
     ++number_of_cases;
     BOOST_TEST_CONTEXT("seed " << seed)
-      compare_methods(mesh, values);
+    compare_methods(mesh, values);
   }
   BOOST_TEST_MESSAGE(number_of_cases << " cases");
   BOOST_TEST(number_of_cases > 100u);
@@ -342,7 +350,7 @@ BOOST_AUTO_TEST_CASE(components_without_loops_beside_others)
     add(random.below(3), [&] { return random_meshes::cylinder(3 + random.below(4), 3); });
     mesh.number_of_vertices += random.below(3);
     BOOST_TEST_CONTEXT("seed " << seed)
-      compare_methods(make_surface_mesh(mesh), random_meshes::random_field(mesh, Field_class::PERMUTATION, random));
+    compare_methods(make_surface_mesh(mesh), random_meshes::random_field(mesh, Field_class::PERMUTATION, random));
   }
 }
 
@@ -355,14 +363,14 @@ BOOST_AUTO_TEST_CASE(critical_vertices_tell_the_euler_characteristic)
     const Surface_mesh mesh =
       make_surface_mesh(random_meshes::random_mesh(static_cast<Mesh_class>(seed % number_of_classes), random));
     const auto values = noise(mesh, seed);
-    const auto surface = stages::flatten<CGAL::Sequential_tag>(
-      mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values), Traits(), CGAL::parameters::default_values());
+    const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values),
+                                                               Traits(), CGAL::parameters::default_values());
     const Order order(surface.values, Traits().less_scalar_object());
     const auto characteristic = static_cast<std::ptrdiff_t>(mesh.number_of_vertices() + mesh.number_of_faces())
                               - static_cast<std::ptrdiff_t>(mesh.number_of_edges());
     BOOST_TEST_CONTEXT("seed " << seed)
-      BOOST_TEST(stages::euler_characteristic(stages::classify_vertices<CGAL::Sequential_tag>(surface.complex, order))
-                 == characteristic);
+    BOOST_TEST(stages::euler_characteristic(stages::classify_vertices<CGAL::Sequential_tag>(surface.complex, order))
+               == characteristic);
   }
 }
 
@@ -412,9 +420,9 @@ BOOST_AUTO_TEST_CASE(the_traced_edges_of_noise_grow_linearly)
     BOOST_TEST(after < 2 * before + 0.5);
   };
   BOOST_TEST_CONTEXT("terrain")
-    compare_sizes(make_surface_mesh(generated_surfaces::terrain(50, 50)),
-                  make_surface_mesh(generated_surfaces::terrain(200, 200)));
+  compare_sizes(make_surface_mesh(generated_surfaces::terrain(50, 50)),
+                make_surface_mesh(generated_surfaces::terrain(200, 200)));
   BOOST_TEST_CONTEXT("genus 3")
-    compare_sizes(make_surface_mesh(generated_surfaces::closed_surface(3, 2500)),
-                  make_surface_mesh(generated_surfaces::closed_surface(3, 40000)));
+  compare_sizes(make_surface_mesh(generated_surfaces::closed_surface(3, 2500)),
+                make_surface_mesh(generated_surfaces::closed_surface(3, 40000)));
 }

@@ -14,7 +14,7 @@
 #include "throwing_traits.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/segmentation.h>
+#include <CGAL/Reeb_graph/curves/segmentation.h>
 
 #include <boost/mpl/list.hpp>
 #include <boost/property_map/function_property_map.hpp>
@@ -40,8 +40,7 @@ using mesh_builders::Surface_mesh;
 
 typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
 
-namespace
-{
+namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -171,17 +170,15 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_surface_that_touches_itself_at_a_vertex_is_refus
 {
   auto mesh = make_mesh<Mesh>(random_meshes::bipyramid(5));
   merge_vertices(mesh, element(vertices(mesh), 1), element(vertices(mesh), 0));
-  expect<Non_manifold_vertex_error>(mesh, ascending_values(6), [](const Non_manifold_vertex_error& error) {
-    return error.vertex() == 0;
-  });
+  expect<Non_manifold_vertex_error>(mesh, ascending_values(6),
+                                    [](const Non_manifold_vertex_error& error) { return error.vertex() == 0; });
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(two_triangles_that_share_only_a_vertex_are_refused, Mesh, Meshes)
 {
   const auto mesh = make_mesh<Mesh>({5, {{0, 1, 4}, {4, 2, 3}}});
-  expect<Non_manifold_vertex_error>(mesh, ascending_values(5), [](const Non_manifold_vertex_error& error) {
-    return error.vertex() == 4;
-  });
+  expect<Non_manifold_vertex_error>(mesh, ascending_values(5),
+                                    [](const Non_manifold_vertex_error& error) { return error.vertex() == 4; });
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_border_that_touches_a_closed_fan_is_refused, Mesh, Meshes)
@@ -191,9 +188,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_border_that_touches_a_closed_fan_is_refused, Mes
     const random_meshes::Combinatorial_mesh triangle = {3, {{0, 1, 2}}}, closed = random_meshes::tetrahedron();
     auto mesh = make_mesh<Mesh>(is_disk_first ? disjoint_union(triangle, closed) : disjoint_union(closed, triangle));
     merge_vertices(mesh, element(vertices(mesh), 6), element(vertices(mesh), 1));
-    expect<Non_manifold_vertex_error>(mesh, ascending_values(6), [](const Non_manifold_vertex_error& error) {
-      return error.vertex() == 1;
-    });
+    expect<Non_manifold_vertex_error>(mesh, ascending_values(6),
+                                      [](const Non_manifold_vertex_error& error) { return error.vertex() == 1; });
   }
 }
 
@@ -227,9 +223,8 @@ BOOST_AUTO_TEST_CASE(vertices_with_the_halfedge_of_another_one_are_refused)
   auto mesh = make_mesh<Surface_mesh>(disjoint_union(tetrahedron, tetrahedron));
   for(const auto v : vertices(mesh))
     set_halfedge(v, halfedge(element(vertices(mesh), 1), mesh), mesh);
-  expect<Non_manifold_vertex_error>(mesh, ascending_values(8), [](const Non_manifold_vertex_error& error) {
-    return error.vertex() == 0;
-  });
+  expect<Non_manifold_vertex_error>(mesh, ascending_values(8),
+                                    [](const Non_manifold_vertex_error& error) { return error.vertex() == 0; });
 }
 
 // Errors name vertices by their positions among those that have not been removed, and nobody asks for the values and

@@ -12,7 +12,7 @@
 #include "mesh_builders.h"
 #include "random_meshes.h"
 
-#include <CGAL/Reeb_graph/harmonic_field.h>
+#include <CGAL/Reeb_graph/fields/harmonic_field.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <CGAL/Polygon_mesh_processing/border.h>
@@ -33,13 +33,13 @@
 
 // Harmonic fields: no extremum but at fixed vertices, and close to the functions that they stand for.
 
+using CGAL::parameters::laplacian_weights;
 using CGAL::Reeb_graph::compute_harmonic_field;
 using CGAL::Reeb_graph::Critical_vertex_counts;
 using CGAL::Reeb_graph::Laplacian_weights;
-using CGAL::parameters::laplacian_weights;
-using field_checks::Fixed_values;
 using field_checks::band;
 using field_checks::cylinder_point;
+using field_checks::Fixed_values;
 using field_checks::sphere_point;
 using field_checks::torus_point;
 using field_checks::Triangle_soup;
@@ -51,13 +51,13 @@ using random_meshes::Random;
 typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
 typedef boost::mpl::list<double, float> Scalars;
 
-namespace
-{
+namespace {
 const std::array<Laplacian_weights, 3> all_weights = {Laplacian_weights::MEAN_VALUE, Laplacian_weights::COTANGENT,
                                                       Laplacian_weights::UNIFORM};
 
 template <class Scalar, class Mesh = Surface_mesh>
-std::vector<Scalar> harmonic(const Triangle_soup& soup, const Fixed_values& fixed,
+std::vector<Scalar> harmonic(const Triangle_soup& soup,
+                             const Fixed_values& fixed,
                              Laplacian_weights weights = Laplacian_weights::MEAN_VALUE)
 {
   Mesh mesh;
@@ -75,7 +75,9 @@ struct Counting_visitor : CGAL::Reeb_graph::Default_visitor
 
 // One minimum, one maximum, saddles of total multiplicity 2 g; and the loops that this leaves.
 template <class Scalar>
-void check_two_poles(const Triangle_soup& soup, const Fixed_values& poles, std::size_t genus,
+void check_two_poles(const Triangle_soup& soup,
+                     const Fixed_values& poles,
+                     std::size_t genus,
                      const std::vector<Scalar>& values)
 {
   BOOST_TEST(field_checks::fault_of_extrema(soup, poles, values) == "");
@@ -169,7 +171,7 @@ void for_each_closed_surface(const Test& test)
   for(const Closed_surface& surface : closed_surfaces())
     for(const Laplacian_weights weights : all_weights)
       BOOST_TEST_CONTEXT(surface.name << ", weights " << static_cast<int>(weights))
-        test(surface, weights);
+  test(surface, weights);
 }
 } // namespace
 
@@ -180,8 +182,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(two_poles_give_two_extrema_and_no_spurious_saddle,
     Random random(n);
     const std::size_t neighbor = surface.soup.triangles[0][1];
     const std::size_t first = surface.soup.triangles[0][0], far = (first + n / 2) % n;
-    for(const Fixed_values& poles : {Fixed_values{{first, 0}, {far == first ? neighbor : far, 1}},
-                                     Fixed_values{{first, 3}, {neighbor, -7}}})
+    for(const Fixed_values& poles :
+        {Fixed_values{{first, 0}, {far == first ? neighbor : far, 1}}, Fixed_values{{first, 3}, {neighbor, -7}}})
       check_two_poles(surface.soup, poles, surface.genus, harmonic<Scalar>(surface.soup, poles, weights));
   });
 }
@@ -292,11 +294,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(all_mesh_types_give_the_same_field, Mesh, Meshes)
   BOOST_TEST((harmonic<double, Mesh>(soup, poles) == field_checks::values_of(garbage, field_map)));
 }
 
-namespace
-{
+namespace {
 // The largest error of the harmonic field on a band.
 template <class Point_function, class Solution>
-double error_on_band(std::size_t size, double randomness, Laplacian_weights weights, const Point_function& point,
+double error_on_band(std::size_t size,
+                     double randomness,
+                     Laplacian_weights weights,
+                     const Point_function& point,
                      const Solution& solution)
 {
   const Triangle_soup soup = band(2 * size, size, randomness, point);
@@ -315,12 +319,14 @@ double error_on_band(std::size_t size, double randomness, Laplacian_weights weig
 
 // The mean order at which the error vanishes while the edges are halved twice.
 template <class Point_function, class Solution>
-double order_on_band(double randomness, Laplacian_weights weights, const Point_function& point,
+double order_on_band(double randomness,
+                     Laplacian_weights weights,
+                     const Point_function& point,
                      const Solution& solution)
 {
   return std::log2(error_on_band(12, randomness, weights, point, solution)
                    / error_on_band(48, randomness, weights, point, solution))
-         / 2;
+       / 2;
 }
 
 double linear_solution(double parameter) { return (1 + parameter / field_checks::half_length) / 2; }
@@ -384,9 +390,9 @@ BOOST_AUTO_TEST_CASE(a_border_can_be_a_level_set)
   CGAL::Reeb_graph::fix_border_cycle(cycles[0], mesh, -1, std::back_inserter(constraints));
   CGAL::Reeb_graph::fix_border_cycle(cycles[1], mesh, 2, std::back_inserter(constraints));
   BOOST_TEST(constraints.size() == 24u);
-  BOOST_CHECK_THROW(CGAL::Reeb_graph::fix_border_cycle(opposite(cycles[0], mesh), mesh, -1,
-                                                       std::back_inserter(constraints)),
-                    CGAL::Reeb_graph::Not_on_border_error);
+  BOOST_CHECK_THROW(
+    CGAL::Reeb_graph::fix_border_cycle(opposite(cycles[0], mesh), mesh, -1, std::back_inserter(constraints)),
+    CGAL::Reeb_graph::Not_on_border_error);
   BOOST_TEST(constraints.size() == 24u);
   auto field_map = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:field").first;
   compute_harmonic_field(mesh, field_map, constraints);
@@ -467,8 +473,9 @@ BOOST_AUTO_TEST_CASE(scale_plays_no_role)
   const Fixed_values poles = {{0, 0}, {300, 1}};
   const auto values = harmonic<double>(soup, poles);
   for(const double factor : {1e-150, 1e150, 1e-300, 1e300})
-    BOOST_TEST(field_checks::distance(values, harmonic<double>(field_checks::stretched(soup, factor, factor, factor),
-                                                               poles)) < 1e-10);
+    BOOST_TEST(
+      field_checks::distance(values, harmonic<double>(field_checks::stretched(soup, factor, factor, factor), poles))
+      < 1e-10);
   const auto scaled = harmonic<double>(soup, {{0, -3e100}, {300, 5e100}});
   for(std::size_t v = 0; v < values.size(); ++v)
     BOOST_TEST(std::abs((scaled[v] + 3e100) / 8e100 - values[v]) < 1e-10);
@@ -501,8 +508,7 @@ BOOST_AUTO_TEST_CASE(any_solver_can_be_used)
   }
 }
 
-namespace
-{
+namespace {
 typedef CGAL::Eigen_sparse_matrix<double>::EigenType Eigen_matrix;
 
 // Solves for the diagonal alone: far from a solution, and too far for the iteration that starts from it.

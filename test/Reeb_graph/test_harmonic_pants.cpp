@@ -11,7 +11,7 @@
 #include "curve_samples.h"
 #include "cut_mesh_checks.h"
 
-#include <CGAL/Reeb_graph/harmonic_pants_decomposition.h>
+#include <CGAL/Reeb_graph/curves/harmonic_pants_decomposition.h>
 
 #include <boost/mpl/list.hpp>
 
@@ -59,8 +59,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(random_surfaces, Mesh, Meshes)
   for(std::size_t seed = 0; seed < 150; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
-      const auto sample =
-        curve_samples::random_sample(seed, seed % 3 != 0, 1 + seed % 2, seed % 3 == 0 ? 2 : seed % 2);
+      const auto sample = curve_samples::random_sample(seed, seed % 3 != 0, 1 + seed % 2, seed % 3 == 0 ? 2 : seed % 2);
       const auto number_of_borders = test_harmonic_pants<Mesh>(sample.soup);
       number_of_closed += number_of_borders == std::size_t(0) ? 1 : 0;
       number_of_bordered += number_of_borders.value_or(0) > 0 ? 1 : 0;

@@ -26,8 +26,7 @@ using random_meshes::Field_class;
 using random_meshes::Mesh_class;
 using random_meshes::Random;
 
-namespace
-{
+namespace {
 constexpr int number_of_mesh_classes = static_cast<int>(Mesh_class::NUMBER_OF_CLASSES);
 constexpr int number_of_field_classes = static_cast<int>(Field_class::NUMBER_OF_CLASSES);
 
@@ -47,7 +46,7 @@ void compare_with_oracle(const Surface_mesh& mesh, const std::vector<double>& va
 {
   for(bool keeps_degree_two_nodes : {false, true})
     BOOST_TEST_CONTEXT("degree two nodes kept: " << keeps_degree_two_nodes)
-      BOOST_TEST(fault_of_reeb_graph(mesh, values, keeps_degree_two_nodes) == "");
+  BOOST_TEST(fault_of_reeb_graph(mesh, values, keeps_degree_two_nodes) == "");
 }
 
 std::vector<double> coordinate_field(const Surface_mesh& mesh, double x, double y, double z)
@@ -61,9 +60,9 @@ std::vector<double> coordinate_field(const Surface_mesh& mesh, double x, double 
 void compare_all_fields(const Surface_mesh& mesh, std::size_t seed)
 {
   BOOST_TEST_CONTEXT("height")
-    compare_with_oracle(mesh, coordinate_field(mesh, 0, 0, 1));
+  compare_with_oracle(mesh, coordinate_field(mesh, 0, 0, 1));
   BOOST_TEST_CONTEXT("tilted height")
-    compare_with_oracle(mesh, coordinate_field(mesh, 0.9, 0.3, 0.2));
+  compare_with_oracle(mesh, coordinate_field(mesh, 0.9, 0.3, 0.2));
   BOOST_TEST_CONTEXT("seed " << seed)
   {
     Random random(seed);
@@ -71,7 +70,7 @@ void compare_all_fields(const Surface_mesh& mesh, std::size_t seed)
     compare_with_oracle(mesh, random_meshes::random_integers(mesh.number_of_vertices(), 3, random));
   }
   BOOST_TEST_CONTEXT("constant")
-    compare_with_oracle(mesh, std::vector<double>(mesh.number_of_vertices(), 1));
+  compare_with_oracle(mesh, std::vector<double>(mesh.number_of_vertices(), 1));
 }
 } // namespace
 
@@ -86,7 +85,7 @@ BOOST_AUTO_TEST_CASE(random_small_meshes)
     const auto mesh = random_meshes::random_mesh(mesh_class, random);
     const auto values = random_meshes::random_field(mesh, field_class, random);
     BOOST_TEST_CONTEXT("seed " << seed << ", mesh class " << int(mesh_class) << ", field class " << int(field_class))
-      compare_with_oracle(make_surface_mesh(mesh), values);
+    compare_with_oracle(make_surface_mesh(mesh), values);
   }
 }
 
@@ -102,7 +101,7 @@ BOOST_AUTO_TEST_CASE(random_meshes_with_several_edges_between_two_vertices)
     const auto field_class = seed % 2 == 0 ? Field_class::PERMUTATION : Field_class::FEW_VALUES;
     const auto values = random_meshes::random_field(combinatorial_mesh, field_class, random);
     BOOST_TEST_CONTEXT("seed " << seed)
-      compare_with_oracle(mesh, values);
+    compare_with_oracle(mesh, values);
   }
 }
 
@@ -110,15 +109,15 @@ BOOST_AUTO_TEST_CASE(generated_closed_surfaces)
 {
   for(unsigned genus = 0; genus <= 10; ++genus)
     BOOST_TEST_CONTEXT("genus " << genus)
-      compare_all_fields(make_surface_mesh(generated_surfaces::closed_surface(genus, 500)), genus);
+  compare_all_fields(make_surface_mesh(generated_surfaces::closed_surface(genus, 500)), genus);
 }
 
 BOOST_AUTO_TEST_CASE(generated_surfaces_of_other_kinds)
 {
   BOOST_TEST_CONTEXT("terrain")
-    compare_all_fields(make_surface_mesh(generated_surfaces::terrain(25, 20)), 1);
+  compare_all_fields(make_surface_mesh(generated_surfaces::terrain(25, 20)), 1);
   BOOST_TEST_CONTEXT("torus")
-    compare_all_fields(make_surface_mesh(generated_surfaces::torus(12, 30)), 2);
+  compare_all_fields(make_surface_mesh(generated_surfaces::torus(12, 30)), 2);
 }
 
 BOOST_AUTO_TEST_CASE(vertices_of_degree_above_255)

@@ -42,8 +42,7 @@ using random_meshes::Field_class;
 using random_meshes::Mesh_class;
 using random_meshes::Random;
 
-namespace
-{
+namespace {
 struct Sample
 {
   Triangle_soup soup;
@@ -65,13 +64,13 @@ void for_each_sample(std::size_t number_of_seeds, const Test& test)
 {
   for(std::size_t seed = 0; seed < number_of_seeds; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
-      test(random_sample(seed));
+  test(random_sample(seed));
   const Triangle_soup soup = generated_surfaces::closed_surface(3, 1000);
   std::vector<double> tilted_height;
   for(const auto& p : soup.points)
     tilted_height.push_back(p[0] + 0.3 * p[1] + 0.2 * p[2]);
   BOOST_TEST_CONTEXT("genus 3")
-    test(Sample{soup, tilted_height});
+  test(Sample{soup, tilted_height});
 }
 
 template <class Mesh>
@@ -166,8 +165,7 @@ struct Property_names
       halfedges(mesh.properties<Surface_mesh::Halfedge_index>()),
       edges(mesh.properties<Surface_mesh::Edge_index>()),
       faces(mesh.properties<Surface_mesh::Face_index>())
-  {
-  }
+  {}
 
   friend bool operator==(const Property_names& a, const Property_names& b)
   {
@@ -235,7 +233,7 @@ BOOST_AUTO_TEST_CASE(the_order_of_the_faces_changes_nothing_at_plateaus)
     Sample shuffled = sample;
     random.shuffle(shuffled.soup.triangles);
     BOOST_TEST_CONTEXT("seed " << seed)
-      BOOST_TEST((contracted_graph(shuffled) == contracted_graph(sample)));
+    BOOST_TEST((contracted_graph(shuffled) == contracted_graph(sample)));
   }
 }
 
@@ -391,7 +389,7 @@ BOOST_AUTO_TEST_CASE(the_graph_has_as_many_components_as_the_mesh)
       for(int i = 0; i < 3; ++i)
         add_edge(t[i], t[(i + 1) % 3], surface);
     BGL_FORALL_EDGES_T(arc, graph, graph_checks::Graph_of<Surface_mesh>)
-      add_edge(source(arc, graph), target(arc, graph), reeb);
+    add_edge(source(arc, graph), target(arc, graph), reeb);
     std::vector<std::size_t> components((std::max)(num_vertices(reeb), num_vertices(surface)) + 1);
     const auto map_of = [&](const auto& g) {
       return boost::make_iterator_property_map(components.begin(), get(boost::vertex_index, g));

@@ -12,12 +12,12 @@
 #include "mesh_builders.h"
 #include "random_meshes.h"
 
-#include <CGAL/Reeb_graph/geodesic_field.h>
-#include <CGAL/Reeb_graph/gradient_and_divergence.h>
-#include <CGAL/Reeb_graph/harmonic_field.h>
-#include <CGAL/Reeb_graph/height_field.h>
-#include <CGAL/Reeb_graph/poisson_field.h>
-#include <CGAL/Reeb_graph/unit_gradient_field.h>
+#include <CGAL/Reeb_graph/fields/geodesic_field.h>
+#include <CGAL/Reeb_graph/fields/gradient_and_divergence.h>
+#include <CGAL/Reeb_graph/fields/harmonic_field.h>
+#include <CGAL/Reeb_graph/fields/height_field.h>
+#include <CGAL/Reeb_graph/fields/poisson_field.h>
+#include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -47,8 +47,7 @@ using random_meshes::Random;
 typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
 typedef Kernel::Vector_3 Vector_3;
 
-namespace
-{
+namespace {
 template <class Mesh>
 Mesh make_mesh(const Triangle_soup& soup)
 {
@@ -111,10 +110,9 @@ Triangle_soup sphere(std::size_t size)
             {
               if(!is_upright && x + y + 2 > n)
                 continue;
-              std::array<std::size_t, 3> t = {
-                is_upright ? vertex(x, y, sx, sy, sz) : vertex(x + 1, y + 1, sx, sy, sz),
-                is_upright ? vertex(x + 1, y, sx, sy, sz) : vertex(x, y + 1, sx, sy, sz),
-                is_upright ? vertex(x, y + 1, sx, sy, sz) : vertex(x + 1, y, sx, sy, sz)};
+              std::array<std::size_t, 3> t = {is_upright ? vertex(x, y, sx, sy, sz) : vertex(x + 1, y + 1, sx, sy, sz),
+                                              is_upright ? vertex(x + 1, y, sx, sy, sz) : vertex(x, y + 1, sx, sy, sz),
+                                              is_upright ? vertex(x, y + 1, sx, sy, sz) : vertex(x + 1, y, sx, sy, sz)};
               if(sx * sy * sz < 0)
                 std::swap(t[0], t[1]);
               soup.triangles.push_back(t);
@@ -209,8 +207,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_mean_curvature_of_spheres_is_known, Mesh, Mesh
 BOOST_AUTO_TEST_CASE(the_mean_curvature_of_tori_converges)
 {
   const double order = mean_order([](std::size_t size) {
-    const Surface_mesh mesh =
-      make_mesh<Surface_mesh>(field_checks::band(2 * size, size, 0, field_checks::torus_point));
+    const Surface_mesh mesh = make_mesh<Surface_mesh>(field_checks::band(2 * size, size, 0, field_checks::torus_point));
     const auto curvature = vertex_map(mesh);
     compute_mean_curvature(mesh, curvature);
     double error = 0;
@@ -379,8 +376,7 @@ BOOST_AUTO_TEST_CASE(heights_are_exact)
 }
 
 // Bad input: an exception, and the field as it was.
-namespace
-{
+namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double untouched = -77;
@@ -403,11 +399,12 @@ void check_throws(Surface_mesh mesh, const Computation& compute, const std::stri
 {
   const Field_map field = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:field", untouched).first;
   std::string what;
-  BOOST_CHECK_THROW(try { compute(mesh, field); } catch(const Exception& error) {
-    what = error.what();
-    throw;
-  },
-                    Exception);
+  BOOST_CHECK_THROW(
+    try { compute(mesh, field); } catch(const Exception& error) {
+      what = error.what();
+      throw;
+    },
+    Exception);
   BOOST_TEST(what.find(message) != std::string::npos, what);
   for(const auto v : mesh.vertices())
     BOOST_TEST(field[v] == untouched);
@@ -463,8 +460,8 @@ BOOST_AUTO_TEST_CASE(bad_meshes_are_refused)
     corners.push_back(quadrangle.add_vertex(mesh_builders::Point(i / 2, i % 2, 0)));
   quadrangle.add_face(corners[0], corners[1], corners[3], corners[2]);
 
-  Surface_mesh bow_tie = make_mesh<Surface_mesh>(
-    {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{{0, 1, 2}}, {{0, 3, 4}}}});
+  Surface_mesh bow_tie =
+    make_mesh<Surface_mesh>({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{{0, 1, 2}}, {{0, 3, 4}}}});
 
   Triangle_soup soup = small_surface();
   const std::size_t bad_vertex = soup.triangles[11][1];
@@ -591,8 +588,7 @@ BOOST_AUTO_TEST_CASE(computations_can_be_cancelled_at_each_step)
   }
 }
 
-namespace
-{
+namespace {
 struct Failing_solver : CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>
 {
   bool factor(const Matrix&, NT&) { return false; }

@@ -12,8 +12,8 @@
 #include "cut_mesh_checks.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/curves/segmentation.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
-#include <CGAL/Reeb_graph/segmentation.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <boost/mpl/list.hpp>

@@ -14,8 +14,8 @@
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/augmentation_exceptions.h>
-#include <CGAL/Reeb_graph/internal/Augmentation_base.h>
-#include <CGAL/Reeb_graph/internal/parallel.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Augmentation_base.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>

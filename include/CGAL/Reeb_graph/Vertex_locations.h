@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/Index.h>
-#include <CGAL/Reeb_graph/scalar_field_exceptions.h>
+#include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
 
 #include <CGAL/Iterator_range.h>
 

@@ -145,8 +145,7 @@ class Mesh_size_error : public Error
 {
 public:
   /// constructs the exception.
-  Mesh_size_error()
-    : Error("the mesh has more vertices, halfedges, or corners of faces than 32-bit indices can number")
+  Mesh_size_error() : Error("the mesh has more vertices, halfedges, or corners of faces than 32-bit indices can number")
   {}
 };
 

@@ -27,8 +27,7 @@
 
 // What the tests ask of the way from a Reeb graph back to the mesh. The checks return the first fault that they find,
 // the empty string if none.
-namespace augmentation_checks
-{
+namespace augmentation_checks {
 using brute_force_oracle::none;
 using brute_force_oracle::Oracle;
 using CGAL::Reeb_graph::Ties;
@@ -49,10 +48,14 @@ struct Augmented_mesh
   typedef typename Augmentation::arc_descriptor arc_descriptor;
 
   Augmented_mesh(const Mesh& m, const std::vector<Scalar>& v, Ties ties, bool keeps_degree_two_nodes)
-    : mesh(m), numbers(m), values(v), scalar_map(CGAL::Reeb_graph::make_scalar_map(m, v)),
+    : mesh(m),
+      numbers(m),
+      values(v),
+      scalar_map(CGAL::Reeb_graph::make_scalar_map(m, v)),
       graph(compute(m, scalar_map, parameters(ties, keeps_degree_two_nodes))),
       arcs(edges(graph).first, edges(graph).second),
-      augmentation(m, scalar_map, graph, parameters(ties, keeps_degree_two_nodes)) {}
+      augmentation(m, scalar_map, graph, parameters(ties, keeps_degree_two_nodes))
+  {}
 
   std::size_t lower(arc_descriptor arc) const { return numbers.vertex(graph[source(arc, graph)].vertex); }
   std::size_t upper(arc_descriptor arc) const { return numbers.vertex(graph[target(arc, graph)].vertex); }
@@ -109,7 +112,11 @@ public:
   // The first level from `first` on and below `last` at which these are the edges of the arc, and between whose
   // vertices the value lies; none if there is none.
   template <class Scalar>
-  std::size_t find_level(const Edges& edges, std::size_t arc, double value, std::size_t first, std::size_t last,
+  std::size_t find_level(const Edges& edges,
+                         std::size_t arc,
+                         double value,
+                         std::size_t first,
+                         std::size_t last,
                          const std::vector<Scalar>& values) const
   {
     for(std::size_t level = first; level < last; ++level)
@@ -191,8 +198,11 @@ inline const std::vector<double>& parameters_of_contours()
 // The contours of an arc for ascending parameters: curves of that arc at levels that ascend, each crossing the chain
 // once.
 template <class A, class ContourAtParameter>
-std::string fault_of_contours(const A& a, const Oracle_contours& contours, typename A::arc_descriptor arc,
-                              std::size_t oracle_arc, const ContourAtParameter& contour_at_parameter)
+std::string fault_of_contours(const A& a,
+                              const Oracle_contours& contours,
+                              typename A::arc_descriptor arc,
+                              std::size_t oracle_arc,
+                              const ContourAtParameter& contour_at_parameter)
 {
   const std::size_t first_level = contours.oracle.rank[a.lower(arc)], last_level = contours.oracle.rank[a.upper(arc)];
   std::size_t lowest_level = first_level;
@@ -229,14 +239,12 @@ std::string fault_of_contours(const A& a, const Oracle_contours& contours, const
   for(std::size_t i = 0; i < a.arcs.size(); ++i)
   {
     const auto arc = a.arcs[i];
-    std::string fault = fault_of_contours(a, contours, arc, arcs[i], [&](double t) {
-      return a.augmentation.contour(arc, t);
-    });
+    std::string fault =
+      fault_of_contours(a, contours, arc, arcs[i], [&](double t) { return a.augmentation.contour(arc, t); });
     if(!fault.empty())
       return "arc " + std::to_string(i) + " " + fault;
-    fault = fault_of_contours(a, contours, arc, arcs[i], [&](double t) {
-      return a.augmentation.contour(arc, t, other_map);
-    });
+    fault =
+      fault_of_contours(a, contours, arc, arcs[i], [&](double t) { return a.augmentation.contour(arc, t, other_map); });
     if(!fault.empty())
       return "arc " + std::to_string(i) + " with another field " + fault;
   }
@@ -268,7 +276,8 @@ std::vector<Scalar> values_to_try(const std::vector<Scalar>& values)
 
 // One contour for each arc that is alive at the value, and no other one.
 template <class A>
-std::string fault_of_contour_at_value(const A& a, typename A::Scalar value,
+std::string fault_of_contour_at_value(const A& a,
+                                      typename A::Scalar value,
                                       const std::vector<typename A::Contour>& contours)
 {
   auto contour = contours.begin();
@@ -451,14 +460,13 @@ std::string fault_of_critical_sets(const A& a, const Oracle_contours& oracle_con
         if((is_upper ? source(contour.arc, a.graph) : target(contour.arc, a.graph)) != node
            || !seen_arcs.insert(contour.arc).second)
           return name + "a contour of another arc";
-        const std::size_t i = static_cast<std::size_t>(
-          std::find(a.arcs.begin(), a.arcs.end(), contour.arc) - a.arcs.begin());
+        const std::size_t i =
+          static_cast<std::size_t>(std::find(a.arcs.begin(), a.arcs.end(), contour.arc) - a.arcs.begin());
         if(oracle_contours.at_level(is_upper ? rank : rank - 1).at(arcs[i]) != a.edges_of(contour)
            || !fault_of_curve(a, contour).empty())
           return name + "another contour";
-        if(std::none_of(contour.halfedges.begin(), contour.halfedges.end(), [&](auto h) {
-             return (is_upper ? source(h, a.mesh) : target(h, a.mesh)) == v;
-           }))
+        if(std::none_of(contour.halfedges.begin(), contour.halfedges.end(),
+                        [&](auto h) { return (is_upper ? source(h, a.mesh) : target(h, a.mesh)) == v; }))
           return name + "a contour does not touch it";
       }
     std::string fault = fault_of_star(a, v, set.star);

@@ -20,8 +20,7 @@
 
 // The Reeb graph by definition: the contours of all levels between two consecutive vertices, each from scratch. Slow,
 // and nothing in common with the package.
-namespace brute_force_oracle
-{
+namespace brute_force_oracle {
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 // Edge number i joins the corners number i and (i + 1) % 3. Two triangles are adjacent where they have an edge in
@@ -70,9 +69,14 @@ public:
   std::vector<std::vector<std::size_t>> arc_of_edge; // by edge, none if it does not cross the level
 
   template <class Scalar>
-  Oracle(std::size_t number_of_vertices, const std::vector<Triangle>& triangles, const std::vector<Scalar>& values,
+  Oracle(std::size_t number_of_vertices,
+         const std::vector<Triangle>& triangles,
+         const std::vector<Scalar>& values,
          bool keeps_degree_two_nodes)
-    : order(number_of_vertices), rank(number_of_vertices), triangles_(triangles), edges_of_vertex_(number_of_vertices)
+    : order(number_of_vertices),
+      rank(number_of_vertices),
+      triangles_(triangles),
+      edges_of_vertex_(number_of_vertices)
   {
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::sort(order.begin(), order.end(), [&](std::size_t u, std::size_t v) {
@@ -228,8 +232,8 @@ private:
       Partition arcs_above(number_of_edges_, none);
       for(std::size_t edge = 0; edge < number_of_edges_; ++edge)
         if(contours[edge] != none)
-          arcs_above[edge] = arc_of_contour.count(contours[edge]) != 0 ? arc_of_contour[contours[edge]]
-                                                                       : arcs_below[edge];
+          arcs_above[edge] =
+            arc_of_contour.count(contours[edge]) != 0 ? arc_of_contour[contours[edge]] : arcs_below[edge];
       arc_of_edge.push_back(arcs_above);
       arcs_below = arcs_above;
     }

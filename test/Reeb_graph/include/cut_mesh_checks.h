@@ -11,8 +11,8 @@
 
 #include "mesh_builders.h"
 
-#include <CGAL/Reeb_graph/Curve.h>
-#include <CGAL/Reeb_graph/Refinement_visitor.h>
+#include <CGAL/Reeb_graph/curves/Curve.h>
+#include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>

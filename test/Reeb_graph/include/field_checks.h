@@ -23,8 +23,7 @@
 #include <vector>
 
 // What the tests of scalar fields share. They see a mesh as index triples, and a field as a vector.
-namespace field_checks
-{
+namespace field_checks {
 using generated_surfaces::Triangle_soup;
 using random_meshes::Random;
 

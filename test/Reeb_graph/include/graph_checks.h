@@ -27,8 +27,7 @@
 #include <vector>
 
 // What the tests ask of a Reeb graph. The checks return the first fault that they find, the empty string if none.
-namespace graph_checks
-{
+namespace graph_checks {
 using brute_force_oracle::Oracle;
 using CGAL::Reeb_graph::Method;
 using CGAL::Reeb_graph::Node_kind;
@@ -42,7 +41,9 @@ template <class Mesh, class Scalar = double>
 using Graph_of = typename CGAL::Reeb_graph_traits<Mesh, Scalar_map_of<Mesh, Scalar>>::Graph;
 
 template <class Mesh, class Scalar>
-Graph_of<Mesh, Scalar> compute(const Mesh& mesh, const std::vector<Scalar>& values, bool keeps_degree_two_nodes = false,
+Graph_of<Mesh, Scalar> compute(const Mesh& mesh,
+                               const std::vector<Scalar>& values,
+                               bool keeps_degree_two_nodes = false,
                                Method method = Method::AUTOMATIC)
 {
   namespace parameters = CGAL::parameters;
@@ -77,7 +78,7 @@ Oracle make_oracle(const Mesh_numbers<Mesh>& numbers, const std::vector<Scalar>&
 // A graph without handles, to compare those of different meshes.
 struct Plain_arc
 {
-  std::size_t lower, upper;               // vertices
+  std::size_t lower, upper;                // vertices
   std::vector<std::size_t> chain_vertices; // one more than halfedges
 
   friend bool operator==(const Plain_arc& a, const Plain_arc& b)
@@ -132,7 +133,9 @@ inline Node_kind expected_kind(std::size_t contours_below, std::size_t contours_
 
 // The nodes are those of the oracle, in ascending order.
 template <class Mesh, class Graph, class Scalar>
-std::string fault_of_nodes(const Mesh_numbers<Mesh>& numbers, const Graph& graph, const Oracle& oracle,
+std::string fault_of_nodes(const Mesh_numbers<Mesh>& numbers,
+                           const Graph& graph,
+                           const Oracle& oracle,
                            const std::vector<Scalar>& values)
 {
   std::size_t node = 0;
@@ -174,15 +177,18 @@ std::string fault_of_arcs(const Mesh_numbers<Mesh>& numbers, const Graph& graph,
   std::sort(expected.begin(), expected.end());
   if(arcs != expected)
     return "the arcs join other nodes: " + std::to_string(arcs.size()) + " arcs, expected "
-           + std::to_string(expected.size());
+         + std::to_string(expected.size());
   return std::is_sorted(keys.begin(), keys.end()) ? "" : "the arcs are not sorted";
 }
 
 // The chain ascends, is connected, leads from the lower node to the level just below the upper one, and all of that
 // way crosses contours of one arc of the oracle only, whose number is returned too.
 template <class Mesh, class Chain>
-std::pair<std::string, std::size_t> fault_of_chain(const Mesh_numbers<Mesh>& numbers, const Chain& chain,
-                                                   std::size_t lower, std::size_t upper, const Oracle& oracle)
+std::pair<std::string, std::size_t> fault_of_chain(const Mesh_numbers<Mesh>& numbers,
+                                                   const Chain& chain,
+                                                   std::size_t lower,
+                                                   std::size_t upper,
+                                                   const Oracle& oracle)
 {
   std::size_t end = lower, oracle_arc = brute_force_oracle::none;
   for(std::size_t i = 0; i < chain.size(); ++i)

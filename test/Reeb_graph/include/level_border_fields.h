@@ -11,8 +11,8 @@
 
 #include "random_meshes.h"
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <vector>

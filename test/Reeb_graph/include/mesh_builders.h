@@ -26,8 +26,7 @@
 
 // CGAL meshes of index triples. The vertices of each mesh are in the order of the triples' indices, the faces in the
 // order of the triples.
-namespace mesh_builders
-{
+namespace mesh_builders {
 using generated_surfaces::Triangle_soup;
 
 typedef CGAL::Simple_cartesian<double> Kernel;

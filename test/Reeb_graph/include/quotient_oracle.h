@@ -23,8 +23,7 @@
 // The Reeb graph of a field with ties, by definition: its points at the values of the vertices are the components of
 // the level sets {f = c}, and in between there is a strip for each component of {c < f < c'}. Slow, and nothing in
 // common with the package.
-namespace quotient_oracle
-{
+namespace quotient_oracle {
 using brute_force_oracle::none;
 using brute_force_oracle::Triangle;
 
@@ -55,14 +54,19 @@ public:
   std::vector<Strip> strips;
   std::vector<std::size_t> point_of_vertex;
   std::vector<std::size_t> nodes; // the points that are nodes, in the order of name_of_node()
-  std::vector<Quotient_arc> arcs;  // in no particular order
-  bool is_consistent = true;       // false if a strip leads to two points
+  std::vector<Quotient_arc> arcs; // in no particular order
+  bool is_consistent = true;      // false if a strip leads to two points
 
   // is_critical tells by vertex whether it is critical when ties are broken by the index
   template <class Scalar>
-  Quotient(std::size_t number_of_vertices, const std::vector<Triangle>& triangles, const std::vector<Scalar>& values,
-           const std::vector<bool>& is_critical, bool keeps_degree_two_nodes)
-    : point_of_vertex(number_of_vertices, none), triangles_(triangles), is_critical_(is_critical)
+  Quotient(std::size_t number_of_vertices,
+           const std::vector<Triangle>& triangles,
+           const std::vector<Scalar>& values,
+           const std::vector<bool>& is_critical,
+           bool keeps_degree_two_nodes)
+    : point_of_vertex(number_of_vertices, none),
+      triangles_(triangles),
+      is_critical_(is_critical)
   {
     const std::set<Scalar> sorted(values.begin(), values.end());
     for(const Scalar& value : values)
@@ -117,10 +121,7 @@ private:
     return values_[ends.first] <= below && values_[ends.second] >= above;
   }
 
-  bool crosses(std::size_t edge, std::size_t value) const
-  {
-    return value > 0 && crosses(edge, value - 1, value + 1);
-  }
+  bool crosses(std::size_t edge, std::size_t value) const { return value > 0 && crosses(edge, value - 1, value + 1); }
 
   void find_points(std::size_t value)
   {
@@ -206,8 +207,8 @@ private:
 
   std::size_t lowest_critical_vertex(const Point& point) const
   {
-    const auto found = std::find_if(point.vertices.begin(), point.vertices.end(),
-                                    [&](std::size_t v) { return is_critical_[v]; });
+    const auto found =
+      std::find_if(point.vertices.begin(), point.vertices.end(), [&](std::size_t v) { return is_critical_[v]; });
     return found == point.vertices.end() ? none : *found;
   }
 
@@ -249,8 +250,8 @@ private:
 
   std::vector<Triangle> triangles_;
   std::vector<bool> is_critical_;
-  std::vector<std::size_t> values_;                                        // by vertex, the number of its value
-  std::map<std::size_t, std::pair<std::size_t, std::size_t>> edges_;       // lower and upper end
+  std::vector<std::size_t> values_;                                         // by vertex, the number of its value
+  std::map<std::size_t, std::pair<std::size_t, std::size_t>> edges_;        // lower and upper end
   std::map<std::pair<std::size_t, Element>, std::size_t> point_of_element_; // by number of value and element
 };
 

@@ -16,12 +16,11 @@
 #include <numeric>
 #include <vector>
 
-namespace random_meshes
-{
+namespace random_meshes {
 enum class Field_class
 {
-  PERMUTATION,   // white noise without ties
-  FEW_VALUES,    // two to four values
+  PERMUTATION, // white noise without ties
+  FEW_VALUES,  // two to four values
   CONSTANT,
   INTEGERS,      // noise with some ties
   SMOOTH,        // averaged noise
@@ -118,22 +117,14 @@ inline std::vector<double> random_field(const Combinatorial_mesh& mesh, Field_cl
   const std::size_t n = mesh.number_of_vertices;
   switch(field_class)
   {
-  case Field_class::PERMUTATION:
-    return random_permutation(n, random);
-  case Field_class::FEW_VALUES:
-    return random_integers(n, 2 + random.below(3), random);
-  case Field_class::CONSTANT:
-    return std::vector<double>(n, 3.5);
-  case Field_class::INTEGERS:
-    return random_integers(n, n, random);
-  case Field_class::SMOOTH:
-    return smooth_field(mesh, random);
-  case Field_class::BORDER_LEVELS:
-    return border_level_field(mesh, random);
-  case Field_class::HUB:
-    return hub_field(mesh, random);
-  default:
-    break;
+  case Field_class::PERMUTATION: return random_permutation(n, random);
+  case Field_class::FEW_VALUES: return random_integers(n, 2 + random.below(3), random);
+  case Field_class::CONSTANT: return std::vector<double>(n, 3.5);
+  case Field_class::INTEGERS: return random_integers(n, n, random);
+  case Field_class::SMOOTH: return smooth_field(mesh, random);
+  case Field_class::BORDER_LEVELS: return border_level_field(mesh, random);
+  case Field_class::HUB: return hub_field(mesh, random);
+  default: break;
   }
   std::vector<double> values = random_permutation(n, random);
   for(double& value : values)

@@ -18,8 +18,7 @@
 #include <vector>
 
 // Small oriented simplicial surfaces without geometry, the same for a seed on every platform.
-namespace random_meshes
-{
+namespace random_meshes {
 typedef std::array<std::size_t, 3> Vertex_triple;
 
 struct Combinatorial_mesh
@@ -260,12 +259,12 @@ inline Combinatorial_mesh random_closed_surface(unsigned genus, std::size_t numb
 
 enum class Mesh_class
 {
-  CLOSED,          // of any genus up to 4
-  BORDERED,        // the same with holes
-  LEVEL_BORDERS,   // cylinders and disks; with Field_class::BORDER_LEVELS, borders are level sets
-  HIGH_DEGREE,     // a hub of degree up to 40, in a closed or bordered surface of genus up to 2
-  SEVERAL,         // components of the other classes, and isolated vertices
-  TINY,            // no vertex, isolated vertices only, one triangle, two triangles, a tetrahedron
+  CLOSED,        // of any genus up to 4
+  BORDERED,      // the same with holes
+  LEVEL_BORDERS, // cylinders and disks; with Field_class::BORDER_LEVELS, borders are level sets
+  HIGH_DEGREE,   // a hub of degree up to 40, in a closed or bordered surface of genus up to 2
+  SEVERAL,       // components of the other classes, and isolated vertices
+  TINY,          // no vertex, isolated vertices only, one triangle, two triangles, a tetrahedron
   NUMBER_OF_CLASSES
 };
 
@@ -275,7 +274,8 @@ inline Combinatorial_mesh random_hub(Random& random)
 {
   const std::size_t degree = 6 + random.below(35);
   Combinatorial_mesh mesh = random.below(2) == 0 ? bipyramid(degree)
-                            : random.below(2) == 0 ? disk(degree) : half_disk(degree);
+                          : random.below(2) == 0 ? disk(degree)
+                                                 : half_disk(degree);
   for(std::size_t handle = random.below(3); handle > 0; --handle)
     mesh = connected_sum(mesh, seven_vertex_torus(), random);
   if(random.below(3) == 0)
@@ -286,7 +286,7 @@ inline Combinatorial_mesh random_hub(Random& random)
 inline Combinatorial_mesh random_tiny_mesh(Random& random)
 {
   const std::array<Combinatorial_mesh, 6> meshes = {
-    Combinatorial_mesh(), Combinatorial_mesh{1 + random.below(4), {}},  Combinatorial_mesh{3, {{0, 1, 2}}},
+    Combinatorial_mesh(), Combinatorial_mesh{1 + random.below(4), {}},   Combinatorial_mesh{3, {{0, 1, 2}}},
     tetrahedron(),        Combinatorial_mesh{4, {{0, 1, 2}, {2, 1, 3}}}, Combinatorial_mesh{5, {{0, 1, 2}}}};
   return meshes[random.below(meshes.size())];
 }
@@ -302,8 +302,7 @@ inline Combinatorial_mesh random_collection(Random& random)
 
 inline Combinatorial_mesh random_bordered_surface(Random& random)
 {
-  Combinatorial_mesh mesh =
-    random_closed_surface(static_cast<unsigned>(random.below(4)), 3 + random.below(20), random);
+  Combinatorial_mesh mesh = random_closed_surface(static_cast<unsigned>(random.below(4)), 3 + random.below(20), random);
   remove_random_triangles(mesh, 1 + random.below(mesh.triangles.size() / 2), random);
   flip_random_edges(mesh, random.below(30), random);
   return mesh;
@@ -317,9 +316,7 @@ inline Combinatorial_mesh random_mesh(Mesh_class mesh_class, Random& random)
   case Mesh_class::CLOSED:
     mesh = random_closed_surface(static_cast<unsigned>(random.below(5)), random.below(20), random);
     break;
-  case Mesh_class::BORDERED:
-    mesh = random_bordered_surface(random);
-    break;
+  case Mesh_class::BORDERED: mesh = random_bordered_surface(random); break;
   case Mesh_class::LEVEL_BORDERS:
     mesh = random.below(4) == 0 ? disk(3 + random.below(8)) : cylinder(3 + random.below(5), 2 + random.below(4));
     for(std::size_t i = random.below(6); i > 0; --i)
@@ -328,14 +325,9 @@ inline Combinatorial_mesh random_mesh(Mesh_class mesh_class, Random& random)
       mesh = connected_sum(mesh, seven_vertex_torus(), random);
     flip_random_edges(mesh, 10, random);
     break;
-  case Mesh_class::HIGH_DEGREE:
-    mesh = random_hub(random);
-    break;
-  case Mesh_class::SEVERAL:
-    mesh = random_collection(random);
-    break;
-  default:
-    mesh = random_tiny_mesh(random);
+  case Mesh_class::HIGH_DEGREE: mesh = random_hub(random); break;
+  case Mesh_class::SEVERAL: mesh = random_collection(random); break;
+  default: mesh = random_tiny_mesh(random);
   }
   relabel(mesh, random);
   return mesh;

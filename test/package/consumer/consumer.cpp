@@ -3,7 +3,7 @@
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/compute_reeb_graph.h>
 #ifdef EXPECT_Eigen3
-#include <CGAL/Reeb_graph/harmonic_field.h>
+#include <CGAL/Reeb_graph/fields/harmonic_field.h>
 #endif
 
 #include <cstdlib>

@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Curve.h>
-#include <CGAL/Reeb_graph/Refinement_visitor.h>
-#include <CGAL/Reeb_graph/curve_parameters.h>
+#include <CGAL/Reeb_graph/curves/Curve.h>
+#include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
+#include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/internal/curves/Contour_cutting.h>
 #include <CGAL/Reeb_graph/internal/curves/Curve_opening.h>
 #include <CGAL/Reeb_graph/named_parameters.h>

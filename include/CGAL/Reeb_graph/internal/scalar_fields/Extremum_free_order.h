@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/St_numbering.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,0 +1,64 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_CURVES_HARMONIC_PANTS_DECOMPOSITION_H
+#define CGAL_REEB_GRAPH_CURVES_HARMONIC_PANTS_DECOMPOSITION_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/curves/pants_decomposition.h>
+#include <CGAL/Reeb_graph/fields/harmonic_field.h>
+#include <CGAL/Reeb_graph/internal/curves/harmonic_constraints.h>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphCurves
+///
+/// \brief refines a mesh and finds a pants decomposition by a harmonic field.
+///
+/// In each connected component, the field is 0 on the first border component and 1 on the other ones. If there is one
+/// border, the field is 1 at a vertex far from it; if there is none, it is 0 and 1 at the two vertices of
+/// `find_far_apart_vertices()`. So it has no extrema but these.
+///
+/// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
+///         `Surface_mesh` and `Polyhedron_3`
+/// \tparam OutputIterator a model of `OutputIterator` for `Reeb_graph::Curve`
+///
+/// \param mesh the mesh, which is changed
+/// \param curves the output
+/// \param np the named parameters of `pants_decomposition()` with a field, and those of `compute_harmonic_field()`
+///
+/// \returns the output iterator behind the last curve.
+///
+/// It throws the exceptions of these two functions. When one is thrown, the mesh is as it was before.
+template <class MutableFaceGraph, class OutputIterator, class T, class Tag, class Base>
+OutputIterator pants_decomposition(MutableFaceGraph& mesh,
+                                   OutputIterator curves,
+                                   const Named_function_parameters<T, Tag, Base>& np)
+{
+  internal::check_negative_euler_characteristics(mesh);
+  const auto field_map = get(dynamic_vertex_property_t<double>(), mesh);
+  const internal::Harmonic_constraints<MutableFaceGraph> constraints(mesh, np);
+  compute_harmonic_field(mesh, field_map, constraints.range(), np);
+  return pants_decomposition(mesh, field_map, curves, np);
+}
+
+/// \ingroup PkgReebGraphCurves
+///
+/// \brief the same without named parameters.
+template <class MutableFaceGraph, class OutputIterator>
+OutputIterator pants_decomposition(MutableFaceGraph& mesh, OutputIterator curves)
+{
+  return pants_decomposition(mesh, curves, parameters::default_values());
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_CURVES_HARMONIC_PANTS_DECOMPOSITION_H

@@ -1,0 +1,193 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_CURVES_SEGMENTATION_H
+#define CGAL_REEB_GRAPH_CURVES_SEGMENTATION_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/curves/branch_curves.h>
+#include <CGAL/Reeb_graph/curves/pants_decomposition.h>
+#include <CGAL/Reeb_graph/internal/curves/arc_patches.h>
+
+#include <CGAL/iterator.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphCurves
+///
+/// \brief refines a mesh and numbers the pairs of pants that it consists of.
+///
+/// The mesh is cut along the curves of `pants_decomposition()`: each patch is a sphere with three holes.
+///
+/// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
+///         `Surface_mesh` and `Polyhedron_3`
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
+///         type that `CGAL::to_double()` takes. It is not read at new vertices.
+/// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
+///         integer type as value type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the mesh, which is changed. To keep it, pass a copy made by `CGAL::copy_face_graph()`.
+/// \param scalar_map the scalar field
+/// \param face_patch_map the result: the number of its patch for each face, from 0, in the order of the first faces
+/// \param np the named parameters of `pants_decomposition()`, without `face_patch_map`
+///
+/// \returns the number of patches.
+///
+/// It throws the exceptions of `pants_decomposition()`.
+template <class MutableFaceGraph,
+          class ScalarMap,
+          class FacePatchMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::size_t segment_by_pants(MutableFaceGraph& mesh,
+                             ScalarMap scalar_map,
+                             FacePatchMap face_patch_map,
+                             const NamedParameters& np = parameters::default_values())
+{
+  return internal::cut_and_count_patches(mesh, face_patch_map, [&](const auto& patch_map) {
+    pants_decomposition(mesh, scalar_map, Emptyset_iterator(), np.face_patch_map(patch_map));
+  });
+}
+
+/// \ingroup PkgReebGraphCurves
+///
+/// \brief refines a mesh and numbers its branches, and what is left without them.
+///
+/// The mesh is cut along the curves of `branch_curves()`. A figure is segmented into head, arms, legs and body, if the
+/// field rises or falls along each of them. Choose a threshold, as noise makes branches, too.
+///
+/// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
+///         `Surface_mesh` and `Polyhedron_3`
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
+///         type that `CGAL::to_double()` takes. It is not read at new vertices.
+/// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
+///         integer type as value type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the mesh, which is changed. To keep it, pass a copy made by `CGAL::copy_face_graph()`.
+/// \param scalar_map the scalar field
+/// \param face_patch_map the result: the number of its patch for each face, from 0, in the order of the first faces
+/// \param np the named parameters of `branch_curves()`, without `face_patch_map`
+///
+/// \returns the number of patches.
+///
+/// It throws the exceptions of `branch_curves()`.
+template <class MutableFaceGraph,
+          class ScalarMap,
+          class FacePatchMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::size_t segment_by_branches(MutableFaceGraph& mesh,
+                                ScalarMap scalar_map,
+                                FacePatchMap face_patch_map,
+                                const NamedParameters& np = parameters::default_values())
+{
+  return internal::cut_and_count_patches(mesh, face_patch_map, [&](const auto& patch_map) {
+    branch_curves(mesh, scalar_map, Emptyset_iterator(), np.face_patch_map(patch_map));
+  });
+}
+
+/// \ingroup PkgReebGraphCurves
+///
+/// \brief refines a mesh and cuts it into the regions of the arcs of its Reeb graph: one connected patch for each arc.
+///
+/// At each node, all contours next to it are cut but one, the one that crosses the most edges: the node belongs to the
+/// patch of its arc. So no face is divided between two arcs, unlike in a segmentation of the vertices. The cuts are
+/// those of `cut_along_contours()`, and so is the time, for the contours next to the nodes.
+///
+/// Any mesh and any field will do, borders need not be levels. A component on which the field is constant has no arc if
+/// ties are contracted; it is a patch of its own, numbered behind those of the arcs. The halfedges of the chains of
+/// `graph` are those of the mesh before: an edge that has been split has kept its upper part.
+///
+/// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
+///         `Surface_mesh` and `Polyhedron_3`
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
+///         type that `CGAL::to_double()` takes. It is not read at new vertices.
+/// \tparam ReebGraph the type `Graph` of the traits class
+/// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
+///         integer type as value type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the mesh, which is changed. To keep it, pass a copy made by `CGAL::copy_face_graph()`.
+/// \param scalar_map the scalar field
+/// \param graph the Reeb graph of the mesh and the field
+/// \param face_patch_map the result: for each face the number of its arc, in the order of `edges(graph)`, from 0
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those that the graph has been
+/// computed
+///        with, `ties`, `keep_degree_two_nodes` and `geom_traits`, and the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{is set to `true` for each edge of a curve; other edges are not written}
+///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and `bool` as value type}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_curve_map}
+///     \cgalParamDescription{is set to the number of the curve, from 0, for each edge of a curve; other edges are not
+///                           written}
+///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and an integer type as
+///                    value type}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{use the functions `parameters::edge_curve_map()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{cut_open}
+///     \cgalParamDescription{whether the mesh is cut open along the curves, so that each closed curve becomes two
+///                           border cycles. The lower side gets new vertices at the points of the curve.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{use the functions `parameters::cut_open()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices}
+///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptors as key type and points of a
+///                    three-dimensional kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told of all edges and faces that are split, so that attributes can be carried over}
+///     \cgalParamType{a model of `ReebGraphRefinementVisitor`, by value or as `std::reference_wrapper`}
+///     \cgalParamDefault{`Reeb_graph::Default_refinement_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the number of patches: that of the arcs, and of the components without an arc.
+///
+/// \exception Reeb_graph::Graph_mismatch_error if a node is not one of this mesh and field, or an arc none that `ties`
+///            gives. That all nodes and arcs are there is not checked.
+///
+/// and the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
+template <class MutableFaceGraph,
+          class ScalarMap,
+          class ReebGraph,
+          class FacePatchMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::size_t segment_by_arcs(MutableFaceGraph& mesh,
+                            ScalarMap scalar_map,
+                            const ReebGraph& graph,
+                            FacePatchMap face_patch_map,
+                            const NamedParameters& np = parameters::default_values())
+{
+  const auto traits = internal::choose_traits(mesh, scalar_map, np);
+  auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
+  const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
+  internal::rank_vertices(ranked, scalar_map, traits);
+  const Augmentation<MutableFaceGraph, ScalarMap, ReebGraph, std::decay_t<decltype(traits)>> augmentation(
+    mesh, scalar_map, graph, np);
+  const auto borders = internal::find_arc_borders(ranked, graph, augmentation);
+  const auto curves = internal::cut_and_mark(ranked, borders.contours, np);
+  return internal::mark_arc_patches(ranked, graph, borders, curves, face_patch_map);
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_CURVES_SEGMENTATION_H

@@ -1,0 +1,90 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_CURVES_UNFOLD_MULTI_SADDLES_H
+#define CGAL_REEB_GRAPH_CURVES_UNFOLD_MULTI_SADDLES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/curves/curve_parameters.h>
+#include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
+#include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphCurves
+///
+/// \brief refines a mesh so that all saddles inside of the surface are simple.
+///
+/// At an interior vertex with \f$ m + 1 \f$ lower link sectors, \f$ m > 1 \f$, the edges to the neighbors in the
+/// smallest \f$ m - 1 \f$ upper link sectors are split, and the new vertices are put just below the vertex in the total
+/// order, such that one of each sector becomes a simple saddle, the others become regular, and the vertex itself
+/// becomes a simple saddle. The kinds of all other vertices stay as they are. A multi-saddle can hide a handle of the
+/// surface from the Reeb graph, or a contour; after this, a connected closed surface of genus \f$ g \f$ has exactly \f$
+/// g \f$ independent loops in its graph.
+///
+/// As values between those of the field need not exist, the result has ranks in their place: numbers in the same order.
+/// Only comparisons decide the Reeb graph, so that of `rank_map` is the one of the unfolded field.
+///
+/// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
+///         `Surface_mesh` and `Polyhedron_3`
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
+///         type that `CGAL::to_double()` takes. It is not read at new vertices.
+/// \tparam RankMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
+///         type that 64-bit unsigned integers can be converted to
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the mesh, which is changed
+/// \param scalar_map the scalar field
+/// \param rank_map the result: for each vertex, new ones included, a different number
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices}
+///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptors as key type and points of a
+///                    three-dimensional kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told of all edges and faces that are split, so that attributes can be carried over}
+///     \cgalParamType{a model of `ReebGraphRefinementVisitor`, by value or as `std::reference_wrapper`}
+///     \cgalParamDefault{`Reeb_graph::Default_refinement_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object}
+///     \cgalParamType{a model of `ReebGraphTraits`}
+///     \cgalParamDefault{`Reeb_graph_traits<MutableFaceGraph, ScalarMap>`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// It throws the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
+template <class MutableFaceGraph,
+          class ScalarMap,
+          class RankMap,
+          class NamedParameters = parameters::Default_named_parameters>
+void unfold_multi_saddles(MutableFaceGraph& mesh,
+                          ScalarMap scalar_map,
+                          RankMap rank_map,
+                          const NamedParameters& np = parameters::default_values())
+{
+  const auto traits = internal::choose_traits(mesh, scalar_map, np);
+  internal::check_input(mesh, scalar_map, traits);
+  auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
+  const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
+  internal::rank_vertices(ranked, scalar_map, traits);
+  internal::unfold_all_vertices(ranked);
+  for(const auto v : vertices(mesh))
+    put(rank_map, v, ranked.rank(v));
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_CURVES_UNFOLD_MULTI_SADDLES_H

@@ -1,0 +1,161 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_FIELDS_EXCEPTIONS_H
+#define CGAL_REEB_GRAPH_FIELDS_EXCEPTIONS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown by scalar fields for a point with a coordinate that is infinite or NaN.
+class Non_finite_point_error : public Vertex_error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`.
+  explicit Non_finite_point_error(std::size_t vertex)
+    : Vertex_error(vertex, "the point of vertex " + std::to_string(vertex) + " is not finite")
+  {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown by scalar fields that depend on angles for a face without area.
+class Zero_area_error : public Face_error
+{
+public:
+  /// constructs the exception for the face at position `face`.
+  explicit Zero_area_error(std::size_t face)
+    : Face_error(face, "face " + std::to_string(face) + " has no area, or too little to have angles")
+  {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a scalar value or result that is infinite or NaN, by scalar fields, and where a field parametrizes
+/// arcs.
+class Non_finite_scalar_error : public Vertex_error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`.
+  explicit Non_finite_scalar_error(std::size_t vertex)
+    : Vertex_error(vertex, "the scalar value of vertex " + std::to_string(vertex) + " is not finite")
+  {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a vector of a face that is infinite or NaN, one that is given or a gradient.
+class Non_finite_vector_error : public Face_error
+{
+public:
+  /// constructs the exception for the face at position `face`.
+  explicit Non_finite_vector_error(std::size_t face)
+    : Face_error(face, "the vector of face " + std::to_string(face) + " is not finite")
+  {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a vertex that does not belong to the mesh.
+class Unknown_vertex_error : public Error
+{
+public:
+  /// constructs the exception.
+  Unknown_vertex_error() : Error("the vertex is not one of the mesh") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a halfedge that has a face, where one of a border cycle is asked for.
+class Not_on_border_error : public Error
+{
+public:
+  /// constructs the exception.
+  Not_on_border_error() : Error("the halfedge is not on the border, it has a face; its opposite may be meant") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a vertex whose value is fixed to two different values.
+class Contradictory_constraints_error : public Vertex_error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`.
+  explicit Contradictory_constraints_error(std::size_t vertex)
+    : Vertex_error(vertex, "the value of vertex " + std::to_string(vertex) + " is fixed to two different values")
+  {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a connected component of the mesh without any vertex whose value is fixed, or without a source.
+class Unconstrained_component_error : public Vertex_error
+{
+public:
+  /// constructs the exception for a component and its first vertex.
+  Unconstrained_component_error(std::size_t component, std::size_t vertex)
+    : Vertex_error(vertex,
+                   "component " + std::to_string(component) + ", that of vertex " + std::to_string(vertex)
+                     + ", has no vertex whose value is given"),
+      component_(component)
+  {}
+
+  /// the number of the component, from 0, in the order of their first vertices.
+  std::size_t component() const { return component_; }
+
+private:
+  std::size_t component_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown if the linear solver does not find the solution.
+class Linear_solver_error : public Error
+{
+public:
+  /// constructs the exception.
+  Linear_solver_error() : Error("the linear solver found no solution") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown if the number type of the field has too few numbers between two fixed values.
+class Scalar_resolution_error : public Vertex_error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`.
+  explicit Scalar_resolution_error(std::size_t vertex)
+    : Vertex_error(vertex,
+                   "there are too few numbers between the fixed values to give vertex " + std::to_string(vertex)
+                     + " one")
+  {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a direction that is zero, or not finite.
+class Direction_error : public Error
+{
+public:
+  /// constructs the exception.
+  Direction_error() : Error("the direction is zero, or not finite") {}
+};
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_FIELDS_EXCEPTIONS_H

@@ -1,0 +1,88 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_FIELDS_FIELD_CONSTRAINTS_H
+#define CGAL_REEB_GRAPH_FIELDS_FIELD_CONSTRAINTS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/far_apart_vertices.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphFields
+///
+/// \brief writes for each connected component of `mesh` a pair of vertices that are far apart along the edges.
+///
+/// The first one is the vertex farthest from the first vertex of the component, the second one the vertex farthest from
+/// the first one. In a component of a single vertex they are the same. It takes \f$ O(n \log n) \f$ time.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
+/// \tparam OutputIterator a model of `OutputIterator` for `std::pair` of two vertex descriptors
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"; `vertex_point_map` counts
+///
+/// \returns the past-the-end iterator of the output
+///
+/// The exceptions are those of `compute_harmonic_field()` with uniform weights.
+template <class FaceListGraph, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+OutputIterator find_far_apart_vertices(const FaceListGraph& mesh,
+                                       OutputIterator out,
+                                       const NamedParameters& np = parameters::default_values())
+{
+  namespace fields = internal::scalar_fields;
+  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+  const auto& handles = surface.vertex_handles();
+  for(const auto& pair : fields::far_apart_vertices(surface, fields::uniform_graph(surface)))
+    *out++ = std::make_pair(handles[pair.first], handles[pair.second]);
+  return out;
+}
+
+/// \ingroup PkgReebGraphFields
+///
+/// \brief writes, for each vertex of a border cycle, the vertex and the value, as constraints of
+/// `compute_harmonic_field()` and `compute_poisson_field()`.
+///
+/// `Polygon_mesh_processing::extract_boundary_cycles()` of \cgal finds a halfedge of each border cycle.
+///
+/// \param border_halfedge a border halfedge of the cycle
+/// \param mesh the mesh
+/// \param value the value
+/// \param out a model of `OutputIterator` for `std::pair` of a vertex descriptor and `double`
+///
+/// \returns the past-the-end iterator of the output
+///
+/// \exception Not_on_border_error if `border_halfedge` is the halfedge of a face
+template <class FaceListGraph, class OutputIterator>
+OutputIterator fix_border_cycle(typename boost::graph_traits<FaceListGraph>::halfedge_descriptor border_halfedge,
+                                const FaceListGraph& mesh,
+                                double value,
+                                OutputIterator out)
+{
+  if(!is_border(border_halfedge, mesh))
+    throw Not_on_border_error();
+  for(const auto v : vertices_around_face(border_halfedge, mesh))
+    *out++ = std::make_pair(v, value);
+  return out;
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_FIELDS_FIELD_CONSTRAINTS_H

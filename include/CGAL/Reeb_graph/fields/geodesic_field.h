@@ -1,0 +1,97 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_FIELDS_GEODESIC_FIELD_H
+#define CGAL_REEB_GRAPH_FIELDS_GEODESIC_FIELD_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Geodesic_distances.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/triangle_geometry.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphFields
+///
+/// \brief computes the geodesic distance of each vertex from the nearest one of some source vertices.
+///
+/// The distances are those of the heat method with intrinsic Delaunay triangulations, \cgal's
+/// `Heat_method_3::Surface_mesh_geodesic_distances_3`, for each connected component on its own: an estimate, which gets
+/// better as the mesh gets finer. The field has its extrema where it has them; other than a harmonic one it makes no
+/// promise.
+///
+/// It needs Eigen: the macro `CGAL_EIGEN3_ENABLED` has to be defined. Time and memory are those of
+/// `compute_harmonic_field()`, plus the time of the intrinsic Delaunay triangulation, plus the number of vertices times
+/// that of the sources.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
+/// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
+///         type that can be constructed from `double`
+/// \tparam VertexRange a range of vertex descriptors
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the triangulated surface; it is only read
+/// \param field_map the result
+/// \param sources the vertices at distance zero, at least one in each connected component
+/// \param np `callback` and `vertex_point_map` as for `compute_harmonic_field()`
+///
+/// \exception Unknown_vertex_error if a source is not a vertex of the mesh
+/// \exception Unconstrained_component_error if a component has no source
+/// \exception Zero_area_error if a face has no area
+/// \exception Non_finite_scalar_error if the heat method does not give a number at a vertex, which happens some
+///            thousand edges away from the sources
+/// \exception Linear_solver_error if it fails otherwise
+/// \exception Cancelled_error if `callback` returns `false`
+///
+/// and those for meshes that are not triangulated surfaces, see `compute_harmonic_field()`. When one of these is
+/// thrown, `field_map` is as it was before.
+template <class FaceListGraph,
+          class FieldMap,
+          class VertexRange,
+          class NamedParameters = parameters::Default_named_parameters>
+void compute_geodesic_field(const FaceListGraph& mesh,
+                            FieldMap field_map,
+                            const VertexRange& sources,
+                            const NamedParameters& np = parameters::default_values())
+{
+  namespace fields = internal::scalar_fields;
+  const internal::Progress progress(np);
+  progress.report(0);
+  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+  fields::Constraints<double> fixed(surface.number_of_vertices());
+  for(const auto v : sources)
+    fixed.fix(surface.position(v), 0);
+  const fields::Weighted_graph graph = fields::uniform_graph(surface);
+  fields::check_components(graph, fixed.is_fixed);
+  for(std::size_t t = 0; t != surface.triangles().size(); ++t)
+    fields::triangle_geometry(surface, t);
+  progress.report(0.1);
+
+  fields::Geodesic_distances geodesic_distances(surface, fixed.is_fixed);
+  geodesic_distances.run(mesh, surface, fields::label_components(graph), progress);
+  std::vector<double> distances = geodesic_distances.distances();
+  for(double& distance : distances)
+    distance *= surface.scale();
+  fields::write_field(surface, distances, field_map, progress);
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_FIELDS_GEODESIC_FIELD_H

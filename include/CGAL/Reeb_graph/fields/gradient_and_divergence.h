@@ -1,0 +1,143 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_FIELDS_GRADIENT_AND_DIVERGENCE_H
+#define CGAL_REEB_GRAPH_FIELDS_GRADIENT_AND_DIVERGENCE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/differential_operators.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphFields
+///
+/// \brief computes the gradient of a scalar field on each face.
+///
+/// The field is linear on a face with the corners \f$ v_1, v_2, v_3 \f$, and its gradient there
+/// \f$ \sum_i f(v_i) \frac{|E_i|}{2 A} u_i \f$, where \f$ A \f$ is the area, \f$ E_i \f$ the edge that faces
+/// \f$ v_i \f$, and \f$ u_i \f$ the unit vector in the face that is perpendicular to \f$ E_i \f$ and points to
+/// \f$ v_i \f$. See M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, Section
+/// 6.3. It is exact for the restriction of a linear function of space, up to rounding, and takes linear time.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
+///         type that can be converted to `double`
+/// \tparam FaceVectorMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type, and
+///         `Vector_3` of a \cgal kernel as value type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"; `vertex_point_map` counts
+///
+/// \param mesh the triangulated surface; it is only read
+/// \param scalar_map the field
+/// \param gradient_map the result
+/// \param np the named parameters
+///
+/// \exception Zero_area_error if a face has no area
+/// \exception Non_finite_scalar_error if a value of the field is infinite or NaN
+/// \exception Non_finite_vector_error if the gradient of a face is
+/// \exception Non_finite_point_error if a coordinate is
+///
+/// and those for meshes that are not triangulated surfaces, see `compute_harmonic_field()`. When one of these is
+/// thrown, `gradient_map` is as it was before.
+template <class FaceListGraph,
+          class ScalarMap,
+          class FaceVectorMap,
+          class NamedParameters = parameters::Default_named_parameters>
+void compute_gradient(const FaceListGraph& mesh,
+                      ScalarMap scalar_map,
+                      FaceVectorMap gradient_map,
+                      const NamedParameters& np = parameters::default_values())
+{
+  namespace fields = internal::scalar_fields;
+  typedef typename boost::property_traits<FaceVectorMap>::value_type Vector_3;
+  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+  auto gradients = fields::scaled_gradients(surface, fields::read_field(surface, scalar_map));
+  for(std::size_t t = 0; t != gradients.size(); ++t)
+  {
+    for(double& coordinate : gradients[t])
+      coordinate /= surface.scale();
+    if(!fields::is_finite(gradients[t]))
+      throw Non_finite_vector_error(t);
+  }
+  for(std::size_t t = 0; t != gradients.size(); ++t)
+    put(gradient_map, surface.face_handles()[t], Vector_3(gradients[t][0], gradients[t][1], gradients[t][2]));
+}
+
+/// \ingroup PkgReebGraphFields
+///
+/// \brief computes the divergence at each vertex of vectors that are given for each face.
+///
+/// It is \f$ \frac12 \sum_j \cot \theta_{j_1} \langle e_{j_1}, X_j \rangle + \cot \theta_{j_2} \langle e_{j_2}, X_j
+/// \rangle \f$ with the sum over the faces at the vertex; \f$ e_{j_1}, e_{j_2} \f$ are the edges of a face that lead
+/// away from the vertex, \f$ \theta_{j_1}, \theta_{j_2} \f$ the angles that face them, \f$ X_j \f$ the vector. See M.
+/// Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, Section 6.3. This is the
+/// divergence integrated over a cell around the vertex: \f$ \sum_v f(v) \, \mathrm{div} X(v) = - \sum_j A_j \langle
+/// \nabla f_j, X_j \rangle \f$ for any field \f$ f \f$, and the divergence of a gradient is the Laplacian with
+/// cotangent weights. It takes linear time.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
+/// \tparam FaceVectorMap a model of `ReadablePropertyMap` with the face descriptors of the mesh as key type, and
+///         `Vector_3` of a \cgal kernel as value type
+/// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
+///         type that can be constructed from `double`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"; `vertex_point_map` counts
+///
+/// \param mesh the triangulated surface; it is only read
+/// \param vector_map the vectors
+/// \param divergence_map the result, zero for isolated vertices
+/// \param np the named parameters
+///
+/// \exception Zero_area_error if a face has no area
+/// \exception Non_finite_vector_error if a vector is infinite or NaN
+/// \exception Non_finite_scalar_error if the divergence at a vertex is
+/// \exception Non_finite_point_error if a coordinate is
+///
+/// and those for meshes that are not triangulated surfaces, see `compute_harmonic_field()`. When one of these is
+/// thrown, `divergence_map` is as it was before.
+template <class FaceListGraph,
+          class FaceVectorMap,
+          class FieldMap,
+          class NamedParameters = parameters::Default_named_parameters>
+void compute_divergence(const FaceListGraph& mesh,
+                        FaceVectorMap vector_map,
+                        FieldMap divergence_map,
+                        const NamedParameters& np = parameters::default_values())
+{
+  namespace fields = internal::scalar_fields;
+  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+  std::vector<fields::Vector> vectors;
+  vectors.reserve(surface.face_handles().size());
+  for(const auto f : surface.face_handles())
+  {
+    const auto& x = get(vector_map, f);
+    vectors.push_back({CGAL::to_double(x.x()), CGAL::to_double(x.y()), CGAL::to_double(x.z())});
+    if(!fields::is_finite(vectors.back()))
+      throw Non_finite_vector_error(vectors.size() - 1);
+  }
+  auto divergences = fields::scaled_divergences(surface, vectors);
+  for(double& divergence : divergences)
+    divergence *= surface.scale();
+  fields::write_field(surface, divergences, divergence_map);
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_FIELDS_GRADIENT_AND_DIVERGENCE_H

@@ -1,0 +1,204 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_FIELDS_HARMONIC_FIELD_H
+#define CGAL_REEB_GRAPH_FIELDS_HARMONIC_FIELD_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/fields/field_constraints.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/far_apart_vertices.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/harmonic_values.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+namespace internal {
+
+template <class T>
+struct Is_named_parameters : std::false_type
+{
+};
+
+template <class T, class Tag, class Base>
+struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type
+{
+};
+
+} // namespace internal
+
+/// \ingroup PkgReebGraphFields
+///
+/// \brief computes the harmonic field with given values at some vertices.
+///
+/// The field solves the Laplace equation \f$ \sum_j w_{ij} (f_j - f_i) = 0 \f$ at each vertex \f$ v_i \f$ whose value
+/// is not given, with the sum over its neighbors. See M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb
+/// Graph Algorithm*, 2020, Section 8.1.
+///
+/// <b>There is no local extremum but at the vertices whose values are given</b>: after rounding each other vertex has a
+/// neighbor of strictly lower and one of strictly higher value, on any mesh and with any weights, even where the
+/// solution is flat to all digits. So with two given values a closed surface of genus \f$ g \f$ has exactly one
+/// minimum, one maximum, and saddles of total multiplicity \f$ 2g \f$. The only exception are parts of the surface
+/// around which all given values are the same, so that the solution is constant there. Where the plain solution keeps
+/// the promise, it is the result; elsewhere values are moved as little as it takes.
+///
+/// Time and memory are those of the solver, for its default about \f$ O(n^{3/2}) \f$ and \f$ O(n \log n) \f$, plus
+/// \f$ O(n \log n) \f$.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
+/// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
+///         type that can be constructed from `double`. For `float`, the promise holds after rounding to `float`.
+/// \tparam ConstraintRange a range of pairs of a vertex descriptor and a number
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the triangulated surface, with or without border; it is only read
+/// \param field_map the result
+/// \param constraints vertices with their values, at least one in each connected component; for whole border cycles
+///        see `fix_border_cycle()`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{laplacian_weights}
+///     \cgalParamDescription{the weights \f$ w_{ij} \f$}
+///     \cgalParamType{`Reeb_graph::Laplacian_weights`}
+///     \cgalParamDefault{`Reeb_graph::Laplacian_weights::MEAN_VALUE`}
+///     \cgalParamExtra{use the functions `parameters::laplacian_weights()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_linear_solver}
+///     \cgalParamDescription{the solver. All matrices that it gets are symmetric and, unless there are negative
+///                           weights, diagonally dominant.}
+///     \cgalParamType{a model of `SparseLinearAlgebraWithFactorTraits_d`}
+///     \cgalParamDefault{`Eigen_solver_traits` with `Eigen::SimplicialLDLT`, if `CGAL_EIGEN3_ENABLED` is defined. The
+///                       rows come in the order of a nested dissection, which it keeps as long as its factor fills
+///                       little.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{is called between the steps with the fraction that is done; `false` stops, but for the
+///                           last call, with 1}
+///     \cgalParamType{a function object that takes a `double` and returns a `bool`}
+///     \cgalParamDefault{a function that returns `true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map from the vertices to their points}
+///     \cgalParamType{a model of `ReadablePropertyMap` with points of a \cgal kernel as value type}
+///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \exception Non_triangular_face_error if a face is not a triangle
+/// \exception Degenerate_face_error if a face has one vertex at two corners
+/// \exception Non_manifold_vertex_error if the faces of a vertex form more than one fan
+/// \exception Mesh_size_error if there are too many vertices or face corners for 32-bit indices
+/// \exception Non_finite_point_error if a coordinate is infinite or NaN
+/// \exception Zero_area_error if a face has no area, and the weights are not uniform
+/// \exception Unknown_vertex_error if a vertex of `constraints` is not one of the mesh
+/// \exception Contradictory_constraints_error if a vertex gets two different values
+/// \exception Unconstrained_component_error if a component has no vertex with a given value
+/// \exception Non_finite_scalar_error if a given value, or one of the result, is infinite or NaN
+/// \exception Scalar_resolution_error if there are fewer numbers between the given values than the promise needs
+/// \exception Linear_solver_error if the solver fails
+/// \exception Cancelled_error if `callback` returns `false`
+///
+/// When one of these is thrown, `field_map` is as it was before.
+template <class FaceListGraph,
+          class FieldMap,
+          class ConstraintRange,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          class = std::enable_if_t<
+            !internal::Is_named_parameters<ConstraintRange>::value
+            && !std::is_convertible_v<ConstraintRange, typename boost::graph_traits<FaceListGraph>::vertex_descriptor>>
+#endif
+          >
+void compute_harmonic_field(const FaceListGraph& mesh,
+                            FieldMap field_map,
+                            const ConstraintRange& constraints,
+                            const NamedParameters& np = parameters::default_values())
+{
+  namespace fields = internal::scalar_fields;
+  typedef typename fields::Scalar_of_field<FieldMap>::type Scalar;
+  const internal::Progress progress(np);
+  progress.report(0);
+  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+  const auto fixed = fields::read_constraints<Scalar>(surface, constraints);
+  const fields::Weighted_graph graph = fields::laplacian_graph(surface, fields::choose_weights(np));
+  fields::check_components(graph, fixed.is_fixed);
+  fields::write_field(surface, fields::harmonic_values(surface, graph, fixed, progress, np), field_map, progress);
+}
+
+/// \ingroup PkgReebGraphFields
+///
+/// \brief computes the harmonic field that is 0 at the vertex `lowest` and 1 at the vertex `highest` of a connected
+/// mesh.
+///
+/// The same as `compute_harmonic_field()` with these two constraints.
+template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
+void compute_harmonic_field(const FaceListGraph& mesh,
+                            FieldMap field_map,
+                            typename boost::graph_traits<FaceListGraph>::vertex_descriptor lowest,
+                            typename boost::graph_traits<FaceListGraph>::vertex_descriptor highest,
+                            const NamedParameters& np = parameters::default_values())
+{
+  typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
+  const std::array<std::pair<vertex_descriptor, double>, 2> constraints = {{{lowest, 0.}, {highest, 1.}}};
+  compute_harmonic_field(mesh, field_map, constraints, np);
+}
+
+/// \ingroup PkgReebGraphFields
+///
+/// \brief computes the harmonic field that is 0 and 1 at two vertices of each component that are far apart.
+///
+/// The two are those of `find_far_apart_vertices()`. An isolated vertex gets the value 0. The named parameters and the
+/// exceptions are those of the first form of `compute_harmonic_field()`.
+template <class FaceListGraph,
+          class FieldMap,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          class = std::enable_if_t<internal::Is_named_parameters<NamedParameters>::value>
+#endif
+          >
+void compute_harmonic_field(const FaceListGraph& mesh,
+                            FieldMap field_map,
+                            const NamedParameters& np = parameters::default_values())
+{
+  namespace fields = internal::scalar_fields;
+  typedef typename fields::Scalar_of_field<FieldMap>::type Scalar;
+  const internal::Progress progress(np);
+  progress.report(0);
+  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+  const fields::Weighted_graph graph = fields::laplacian_graph(surface, fields::choose_weights(np));
+  fields::Constraints<Scalar> fixed(surface.number_of_vertices());
+  for(const auto& pair : fields::far_apart_vertices(surface, graph))
+  {
+    fixed.fix(pair.first, Scalar(0));
+    if(pair.second != pair.first)
+      fixed.fix(pair.second, Scalar(1));
+  }
+  fields::write_field(surface, fields::harmonic_values(surface, graph, fixed, progress, np), field_map, progress);
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_FIELDS_HARMONIC_FIELD_H

@@ -1,0 +1,161 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_FIELDS_POISSON_FIELD_H
+#define CGAL_REEB_GRAPH_FIELDS_POISSON_FIELD_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/differential_operators.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/poisson_values.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+namespace internal {
+namespace scalar_fields {
+
+// Solves with the right side that integrated_right_side(surface, graph) gives, in the scale of the indexed surface.
+template <class FaceListGraph, class FieldMap, class ConstraintRange, class NamedParameters, class RightSide>
+void solve_poisson_equation(const FaceListGraph& mesh,
+                            FieldMap field_map,
+                            const ConstraintRange& constraints,
+                            const NamedParameters& np,
+                            const RightSide& integrated_right_side)
+{
+  const Progress progress(np);
+  progress.report(0);
+  const Indexed_surface<FaceListGraph> surface(mesh, np);
+  const auto fixed = read_constraints<double>(surface, constraints);
+  const Weighted_graph graph = cotangent_graph(surface);
+  auto right_side = integrated_right_side(surface, graph);
+  write_field(surface, poisson_values(surface, graph, fixed, std::move(right_side), progress, np), field_map, progress);
+}
+
+} // namespace scalar_fields
+} // namespace internal
+
+/// \ingroup PkgReebGraphFields
+///
+/// \brief computes the mean curvature at each vertex.
+///
+/// It is \f$ \frac{1}{4 A(v_i)} | \sum_j (\cot \alpha_{ij} + \cot \beta_{ij}) (v_i - v_j) | \f$ with the sum over the
+/// neighbors, the two angles that face the edge, and the mixed Voronoi area \f$ A(v_i) \f$ of \cgal's package %Weights.
+/// See M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, Section 8.1, and M.
+/// Meyer, M. Desbrun, P. Schr&ouml;der, A. Barr, *Discrete Differential-Geometry Operators for Triangulated
+/// 2-Manifolds*, 2003. It is never negative. On the border the formula means little; at isolated vertices it is zero.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
+/// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
+///         type that can be constructed from `double`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"; `vertex_point_map` counts
+///
+/// \exception Zero_area_error if a face has no area
+/// \exception Non_finite_scalar_error if the result is infinite or NaN
+///
+/// and those for meshes that are not triangulated surfaces, see `compute_harmonic_field()`. When one of these is
+/// thrown, `field_map` is as it was before.
+template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
+void compute_mean_curvature(const FaceListGraph& mesh,
+                            FieldMap field_map,
+                            const NamedParameters& np = parameters::default_values())
+{
+  namespace fields = internal::scalar_fields;
+  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+  auto curvatures = fields::scaled_integrated_mean_curvatures(surface, fields::cotangent_graph(surface));
+  const auto areas = fields::scaled_mixed_areas(surface);
+  for(std::size_t v = 0; v != areas.size(); ++v)
+    curvatures[v] /= (areas[v] > 0 ? areas[v] : 1) * surface.scale();
+  fields::write_field(surface, curvatures, field_map);
+}
+
+/// \ingroup PkgReebGraphFields
+///
+/// \brief solves the Poisson equation \f$ \Delta f = h \f$ with given values at some vertices.
+///
+/// The Laplacian is the one with cotangent weights, divided by the mixed Voronoi area: \f$ \frac{1}{2 A(v_i)} \sum_j
+/// (\cot \alpha_{ij} + \cot \beta_{ij}) (f_j - f_i) = h(v_i) \f$ at each vertex whose value is not given. On a border
+/// where no values are given, the derivative across it is zero. See M. Hajij and P. Rosen, *An Efficient Data Retrieval
+/// Parallel Reeb Graph Algorithm*, 2020, Section 8.1. Time and memory are those of `compute_harmonic_field()`.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
+/// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
+///         type that can be constructed from `double`
+/// \tparam RightSideMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type, and a
+///         value type that can be converted to `double`
+/// \tparam ConstraintRange a range of pairs of a vertex descriptor and a number
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the triangulated surface; it is only read
+/// \param field_map the result
+/// \param right_side_map the function \f$ h \f$
+/// \param constraints vertices with their values, at least one in each connected component
+/// \param np `sparse_linear_solver`, `callback` and `vertex_point_map` as for `compute_harmonic_field()`
+///
+/// The exceptions are those of `compute_harmonic_field()`, but for `Scalar_resolution_error`; there is one if a value
+/// of \f$ h \f$ is infinite or NaN. When one is thrown, `field_map` is as it was before.
+template <class FaceListGraph,
+          class FieldMap,
+          class RightSideMap,
+          class ConstraintRange,
+          class NamedParameters = parameters::Default_named_parameters>
+void compute_poisson_field(const FaceListGraph& mesh,
+                           FieldMap field_map,
+                           RightSideMap right_side_map,
+                           const ConstraintRange& constraints,
+                           const NamedParameters& np = parameters::default_values())
+{
+  namespace fields = internal::scalar_fields;
+  fields::solve_poisson_equation(mesh, field_map, constraints, np, [&](const auto& surface, const auto&) {
+    auto right_side = fields::read_field(surface, right_side_map);
+    const auto areas = fields::scaled_mixed_areas(surface);
+    for(std::size_t v = 0; v != areas.size(); ++v)
+      right_side[v] *= areas[v] * surface.scale() * surface.scale();
+    return right_side;
+  });
+}
+
+/// \ingroup PkgReebGraphFields
+///
+/// \brief solves the Poisson equation \f$ \Delta f = \kappa \f$ with the mean curvature of `compute_mean_curvature()`
+/// and given values at some vertices.
+///
+/// With a single given value, at a vertex such as the tip of the head of a character, the level sets of the solution
+/// follow the shape. The parameters and the exceptions are those of `compute_poisson_field()`.
+template <class FaceListGraph,
+          class FieldMap,
+          class ConstraintRange,
+          class NamedParameters = parameters::Default_named_parameters>
+void compute_curvature_poisson_field(const FaceListGraph& mesh,
+                                     FieldMap field_map,
+                                     const ConstraintRange& constraints,
+                                     const NamedParameters& np = parameters::default_values())
+{
+  namespace fields = internal::scalar_fields;
+  fields::solve_poisson_equation(mesh, field_map, constraints, np, [](const auto& surface, const auto& graph) {
+    auto right_side = fields::scaled_integrated_mean_curvatures(surface, graph);
+    for(double& value : right_side)
+      value *= surface.scale();
+    return right_side;
+  });
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_FIELDS_POISSON_FIELD_H

@@ -1,0 +1,92 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_FIELDS_UNIT_GRADIENT_FIELD_H
+#define CGAL_REEB_GRAPH_FIELDS_UNIT_GRADIENT_FIELD_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/differential_operators.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/poisson_values.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphFields
+///
+/// \brief computes a field whose level sets are about those of a given one, and whose gradient has about unit length.
+///
+/// The gradient of the given field is computed on each face and divided by its length, \f$ X = \nabla f / |\nabla f|
+/// \f$. On a face where the field is constant, it has no direction, and \f$ X = 0 \f$. The result is the field
+/// \f$ \hat f \f$ whose gradient is closest to \f$ X \f$ in the mean square, the solution of \f$ \Delta \hat f =
+/// \mathrm{div} X \f$. See M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020,
+/// Section 6.3. In each component the lowest vertex of \f$ f \f$ gets the value 0.
+///
+/// The level sets are parallel to those of \f$ f \f$ only as far as \f$ X \f$ is a gradient: near saddles and where
+/// level sets of \f$ f \f$ are not equally far apart everywhere it is none, and the gradient is shorter there. So \f$
+/// \hat f \f$ measures arcs of the Reeb graph of \f$ f \f$, see `Augmentation::contour()`, and does not replace it.
+/// Where \f$ f \f$ is flat to the last digits, the direction of its gradient is one of rounding errors. Time and memory
+/// are those of `compute_harmonic_field()`.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
+///         type that can be converted to `double`
+/// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
+///         type that can be constructed from `double`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the triangulated surface, of any number of components; it is only read
+/// \param scalar_map the field
+/// \param field_map the result
+/// \param np `sparse_linear_solver`, `callback` and `vertex_point_map` as for `compute_harmonic_field()`
+///
+/// The exceptions are those of `compute_gradient()`, `Linear_solver_error`, and `Cancelled_error`. When one is thrown,
+/// `field_map` is as it was before.
+template <class FaceListGraph,
+          class ScalarMap,
+          class FieldMap,
+          class NamedParameters = parameters::Default_named_parameters>
+void compute_unit_gradient_field(const FaceListGraph& mesh,
+                                 ScalarMap scalar_map,
+                                 FieldMap field_map,
+                                 const NamedParameters& np = parameters::default_values())
+{
+  namespace fields = internal::scalar_fields;
+  const internal::Progress progress(np);
+  progress.report(0);
+  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+  const std::vector<double> values = fields::read_field(surface, scalar_map);
+  auto vectors = fields::scaled_gradients(surface, values);
+  for(fields::Vector& vector : vectors)
+    vector = fields::normalized(vector);
+
+  const fields::Weighted_graph graph = fields::cotangent_graph(surface);
+  fields::Constraints<double> lowest_vertices(surface.number_of_vertices());
+  for(const fields::Position v : fields::lowest_vertices_of_components(graph, values))
+    lowest_vertices.fix(v, 0);
+  auto unit_values =
+    fields::poisson_values(surface, graph, lowest_vertices, fields::scaled_divergences(surface, vectors), progress, np);
+  for(double& value : unit_values)
+    value *= surface.scale();
+  fields::write_field(surface, unit_values, field_map, progress);
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_FIELDS_UNIT_GRADIENT_FIELD_H

@@ -1,0 +1,123 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_ARCS_CRITICAL_SETS_ENGINE_H
+#define CGAL_REEB_GRAPH_INTERNAL_ARCS_CRITICAL_SETS_ENGINE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/link_sectors.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
+#include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
+#include <CGAL/Reeb_graph/internal/walks/contour_tracing.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Critical sets and ascending paths (the paper, Sections 4.1 to 4.5): the contours just below each critical vertex
+// are registered at the edges that they cross; then a path climbs from each upper sector of each critical vertex to
+// the first edge where a contour is registered, which names the upper end of the arc. Each such contour ends one
+// arc. Cost: the lengths of the registered contours, and of the paths; those of different arcs do not overlap.
+template <class Complex, class Order>
+class Critical_sets_engine
+{
+public:
+  Critical_sets_engine(const Slab<Complex>& slab, const Order& order)
+    : slab_(slab),
+      complex_(slab.complex()),
+      order_(order),
+      critical_vertices_(slab.critical_vertices()),
+      contour_at_edge_(complex_.number_of_edges(), no_index)
+  {}
+
+  // An edge keeps the contour of the lowest level: that is where an ascending path meets it first. Calls
+  // report(fraction) now and then.
+  template <class Report>
+  Large_vector<Slab_arc> find_arcs(const Report& report)
+  {
+    for(Index i = 0; i != slab_.number_of_contours(true); ++i)
+      arcs_.push_back({no_index, slab_.contour_node(true, i), {no_index, no_index}});
+    constexpr std::size_t vertices_per_report = 4096;
+    const Large_vector<Index>& ascending = critical_vertices_.ascending();
+    for(std::size_t i = ascending.size(); i-- != 0;)
+    {
+      register_lower_contours(ascending[i]);
+      if(i % vertices_per_report == 0)
+        report(0.7 * static_cast<double>(ascending.size() - i) / static_cast<double>(ascending.size()));
+    }
+    for(Index i = 0; i != critical_vertices_.size(); ++i)
+      climb_from(i);
+    for(Index i = 0; i != slab_.number_of_contours(false); ++i)
+      arcs_[contour_above(slab_.step_from_contour(false, i))].lower = slab_.contour_node(false, i);
+    return std::move(arcs_);
+  }
+
+private:
+  void register_lower_contours(Index critical)
+  {
+    const Index vertex = critical_vertices_.vertex(critical);
+    const auto is_below = [&](Index u) { return order_(u, vertex); };
+    const Index first_contour = static_cast<Index>(arcs_.size());
+    critical_vertices_.for_each_sector(critical, false, [&](Index sector) {
+      // A contour can pass several sectors of the vertex; then the earlier trace has been here.
+      const Index edge = critical_vertices_.sector(false, sector).edge, registered = contour_at(edge);
+      if(registered != no_index && registered >= first_contour)
+        return;
+      const Index contour = static_cast<Index>(arcs_.size());
+      arcs_.push_back({no_index, critical, {no_index, no_index}});
+      trace_contour(complex_, edge, is_below, [&](Index halfedge) { contour_at_edge_[edge_of(halfedge)] = contour; });
+    });
+  }
+
+  Index contour_at(Index halfedge) const { return contour_at_edge_[edge_of(halfedge)]; }
+
+  void climb_from(Index critical)
+  {
+    critical_vertices_.for_each_sector(critical, true, [&](Index i) {
+      const Link_sector& sector = critical_vertices_.sector(true, i);
+      const Ascending_step first_step = {sector.edge, sector.extreme_neighbor};
+      Slab_arc& arc = arcs_[contour_above(first_step)];
+      // Several sectors can lead to one arc, whose chain begins in the highest one.
+      if(arc.lower == no_index || order_(arc.first_step.target, first_step.target))
+        arc.first_step = first_step;
+      arc.lower = critical;
+    });
+  }
+
+  Index contour_above(Ascending_step step) const
+  {
+    for(; contour_at(step.edge) == no_index; step = steepest_step(complex_, order_, step.target))
+    {
+      const Index contour = slab_.contour_at_step(true, step.target, [&] { return step.edge; });
+      if(contour != no_index)
+        return contour;
+    }
+    return contour_at(step.edge);
+  }
+
+  const Slab<Complex>& slab_;
+  const Complex& complex_;
+  const Order& order_;
+  const Swept_vertices& critical_vertices_;
+  Large_vector<Index> contour_at_edge_; // a contour has the number of the arc that ends there
+  Large_vector<Slab_arc> arcs_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_ARCS_CRITICAL_SETS_ENGINE_H

@@ -1,0 +1,63 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_ARCS_FIND_CRITICAL_ARCS_H
+#define CGAL_REEB_GRAPH_INTERNAL_ARCS_FIND_CRITICAL_ARCS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/arcs/slab_engine.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
+#include <CGAL/Reeb_graph/internal/slabs/gluing.h>
+#include <CGAL/Reeb_graph/internal/slabs/level_set_slicing.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The slab stage between partition and gluing: finds the arcs between critical vertices, slab by slab. With one slab,
+// which needs neither, the engine itself runs in parallel where it can.
+template <class ConcurrencyTag, class Complex, class Order, class Report>
+Large_vector<Slab_arc> find_critical_arcs(const Complex& complex,
+                                          const Order& order,
+                                          const Swept_vertices& critical_vertices,
+                                          Method method,
+                                          std::size_t number_of_slabs,
+                                          const Report& report)
+{
+  number_of_slabs = (std::min)(number_of_slabs, static_cast<std::size_t>(critical_vertices.size()));
+  if(number_of_slabs <= 1)
+    return find_arcs_of_slab<ConcurrencyTag>(Slab(complex, critical_vertices), order, method, report);
+
+  const auto slicing = Slicing<Complex>::template make<ConcurrencyTag>(complex, order, critical_vertices,
+                                                                       static_cast<Index>(number_of_slabs));
+  report(0.2);
+  std::vector<Large_vector<Slab_arc>> arcs_of_slabs(slicing.number_of_slabs());
+  for_each_index<ConcurrencyTag>(arcs_of_slabs.size(), [&](std::size_t i) {
+    arcs_of_slabs[i] =
+      find_arcs_of_slab<ConcurrencyTag>(slicing.slab(static_cast<Index>(i)), order, method, No_progress());
+  });
+  return Gluing(slicing, critical_vertices.size())(arcs_of_slabs);
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_ARCS_FIND_CRITICAL_ARCS_H

@@ -1,0 +1,331 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_ARCS_REDUCE_ARCS_H
+#define CGAL_REEB_GRAPH_INTERNAL_ARCS_REDUCE_ARCS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
+#include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/prefetch.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+inline Node_kind node_kind(Index in_degree, Index out_degree)
+{
+  if(in_degree == 0)
+    return out_degree == 0 ? Node_kind::ISOLATED : Node_kind::MINIMUM;
+  if(out_degree == 0)
+    return Node_kind::MAXIMUM;
+  return in_degree == 1 && out_degree == 1 ? Node_kind::DEGREE_TWO : Node_kind::SADDLE;
+}
+
+// Makes nodes and arcs of the critical vertices and the arcs between them. Critical vertices form groups: each one
+// alone, or those that arcs of length zero connect. A group is a node, unless one arc enters it and one leaves it.
+template <class ConcurrencyTag, class Complex, class Order>
+class Arc_merging
+{
+public:
+  Arc_merging(const Complex& complex,
+              const Order& order,
+              const Swept_vertices& critical_vertices,
+              const Large_vector<Slab_arc>& arcs,
+              Ties ties,
+              bool are_degree_two_nodes_kept)
+    : complex_(complex),
+      order_(order),
+      critical_vertices_(critical_vertices),
+      arcs_(arcs),
+      are_ties_contracted_(ties == Ties::CONTRACT),
+      are_degree_two_nodes_kept_(are_degree_two_nodes_kept),
+      is_on_plateau_(ties == Ties::CONTRACT ? critical_vertices.size() : 0, false)
+  {}
+
+  Flat_graph operator()(bool are_passing_arcs_named)
+  {
+    if(are_ties_contracted_)
+      group_ties();
+    count_degrees();
+    make_nodes();
+    if(are_passing_arcs_named)
+    {
+      first_piece_of_group_.assign(critical_vertices_.size(), no_index);
+      first_piece_of_arc_.assign(arcs_.size(), no_index);
+    }
+    make_arcs();
+    sort_arcs_of_nodes();
+    if(are_passing_arcs_named)
+      name_passing_arcs();
+    return std::move(graph_);
+  }
+
+private:
+  bool is_contracted(const Slab_arc& arc) const
+  {
+    return are_ties_contracted_
+        && order_.are_tied(critical_vertices_.vertex(arc.lower), critical_vertices_.vertex(arc.upper));
+  }
+
+  void group_ties()
+  {
+    Disjoint_sets groups(critical_vertices_.size());
+    for(const Slab_arc& arc : arcs_)
+    {
+      if(!is_contracted(arc))
+        continue;
+      groups.unite(arc.lower, arc.upper);
+      is_on_plateau_[arc.lower] = is_on_plateau_[arc.upper] = true;
+    }
+    groups_ = groups.take_tops();
+  }
+
+  Index group_of(Index critical) const { return are_ties_contracted_ ? groups_[critical] : critical; }
+
+  void count_degrees()
+  {
+    degrees_.assign(critical_vertices_.size(), Degrees{0, 0, no_index});
+    ranks_.resize(arcs_.size());
+    for(Index i = 0; i != arcs_.size(); ++i)
+    {
+      if(is_contracted(arcs_[i]))
+        continue;
+      Degrees& degrees = degrees_[group_of(arcs_[i].lower)];
+      ranks_[i] = degrees.out++;
+      degrees.last_out_arc = i;
+      ++degrees_[group_of(arcs_[i].upper)].in;
+    }
+  }
+
+  // A node is at the lowest critical vertex of its group. Among the given vertices, regular ones can occur too. As many
+  // arcs leave the node as leave the group, which is all that there is to count.
+  void make_nodes()
+  {
+    const Index size = critical_vertices_.size();
+    graph_.node_of_critical.assign(size, no_index);
+    Large_vector<Index>& node_of_group = graph_.node_of_critical;
+    graph_.nodes.reserve(size);
+    begins_of_arcs_.reserve(size + 1);
+    Index number_of_arcs = 0;
+    constexpr std::size_t ahead = 16;
+    const Large_vector<Index>& ascending = critical_vertices_.ascending();
+    for(std::size_t place = 0; place != size; ++place)
+    {
+      if(place + ahead < size)
+      {
+        critical_vertices_.prefetch(ascending[place + ahead]);
+        prefetch(&degrees_[ascending[place + ahead]]);
+        prefetch(&node_of_group[ascending[place + ahead]]);
+      }
+      const Index i = ascending[place], group = group_of(i);
+      const Node_kind kind = node_kind(degrees_[group].in, degrees_[group].out);
+      const bool is_node =
+        kind != Node_kind::DEGREE_TWO || (are_degree_two_nodes_kept_ && critical_vertices_.is_critical(i));
+      if(!is_node || node_of_group[group] != no_index)
+        continue;
+      node_of_group[group] = static_cast<Index>(graph_.nodes.size());
+      graph_.nodes.push_back({critical_vertices_.vertex(i), kind});
+      begins_of_arcs_.push_back(number_of_arcs);
+      number_of_arcs += degrees_[group].out;
+    }
+    begins_of_arcs_.push_back(number_of_arcs);
+    graph_.arcs.resize(number_of_arcs);
+    for(Index i = 0; are_ties_contracted_ && i != size; ++i)
+      graph_.node_of_critical[i] = node_of_group[groups_[i]];
+  }
+
+  // Puts the arcs in order by lower node, and their pieces in the order of the critical arcs that they begin with.
+  void make_arcs()
+  {
+    const std::size_t number_of_parts = internal::number_of_parts<ConcurrencyTag>(arcs_.size());
+    const std::vector<std::size_t> begins_of_pieces = find_begins_of_pieces(number_of_parts);
+    graph_.pieces.resize(begins_of_pieces.back());
+    const auto make_arcs_of_part = [&](std::size_t part, std::size_t begin, std::size_t end) {
+      Index piece = static_cast<Index>(begins_of_pieces[part]);
+      for_each_first_arc(begin, end, [&](Index i, Index lower) {
+        graph_.arcs[begins_of_arcs_[lower] + ranks_[i]] = make_arc(i, lower, piece);
+      });
+    };
+    for_each_part<ConcurrencyTag>(number_of_parts, arcs_.size(), make_arcs_of_part);
+  }
+
+  // For the parts of the critical arcs: where their pieces begin in the sequence of all pieces; and how many these are.
+  std::vector<std::size_t> find_begins_of_pieces(std::size_t number_of_parts) const
+  {
+    std::vector<std::size_t> begins_of_pieces(number_of_parts + 1, 0);
+    const auto count_pieces = [&](std::size_t part, std::size_t begin, std::size_t end) {
+      std::size_t count = 0;
+      for_each_first_arc(begin, end, [&](Index i, Index) {
+        follow_arc(
+          i, [&](const Chain_piece&) { ++count; }, [](Index, Index) {});
+      });
+      begins_of_pieces[part + 1] = count;
+    };
+    for_each_part<ConcurrencyTag>(number_of_parts, arcs_.size(), count_pieces);
+    std::partial_sum(begins_of_pieces.begin(), begins_of_pieces.end(), begins_of_pieces.begin());
+    return begins_of_pieces;
+  }
+
+  // Calls visit(critical arc, lower node) where an arc of the graph begins.
+  template <class Visit>
+  void for_each_first_arc(std::size_t begin, std::size_t end, const Visit& visit) const
+  {
+    constexpr std::size_t far_ahead = 32, ahead = 16;
+    for(std::size_t i = begin; i != end; ++i)
+    {
+      if(i + far_ahead < end)
+        prefetch_element(graph_.node_of_critical, arcs_[i + far_ahead].lower);
+      if(i + ahead < end)
+        prefetch_element(begins_of_arcs_, graph_.node_of_critical[arcs_[i + ahead].lower]);
+      const Index lower = graph_.node_of_critical[arcs_[i].lower];
+      if(lower != no_index && !is_contracted(arcs_[i]))
+        visit(static_cast<Index>(i), lower);
+    }
+  }
+
+  Flat_arc make_arc(Index i, Index lower, Index& piece)
+  {
+    const Index first_piece = piece;
+    name_piece(first_piece_of_arc_, i, first_piece);
+    const Index upper = follow_arc(
+      i, [&](const Chain_piece& chain_piece) { graph_.pieces[piece++] = chain_piece; },
+      [&](Index group, Index next_arc) {
+        name_piece(first_piece_of_group_, group, first_piece);
+        name_piece(first_piece_of_arc_, next_arc, first_piece);
+      });
+    return {lower, upper, first_piece, piece - first_piece};
+  }
+
+  // Follows an arc over the groups that are no nodes. Calls add_piece(piece of its chain), and pass(group, critical arc
+  // that leaves it). At a single vertex every ascending path goes on inside the arc; on a plateau it can end, and a new
+  // piece begins where the arc leaves. Returns the upper node.
+  template <class AddPiece, class Pass>
+  Index follow_arc(Index i, const AddPiece& add_piece, const Pass& pass) const
+  {
+    Ascending_step first_step = arcs_[i].first_step;
+    while(true)
+    {
+      const Index critical = arcs_[i].upper, node = graph_.node_of_critical[critical];
+      const bool is_piece_ended = node != no_index || (are_ties_contracted_ && is_on_plateau_[critical]);
+      if(is_piece_ended)
+        add_piece(Chain_piece{first_step, critical_vertices_.vertex(critical)});
+      if(node != no_index)
+        return node;
+      const Index group = group_of(critical);
+      i = degrees_[group].last_out_arc;
+      pass(group, i);
+      if(is_piece_ended)
+        first_step = arcs_[i].first_step;
+    }
+  }
+
+  static void name_piece(Large_vector<Index>& first_pieces, Index i, Index first_piece)
+  {
+    if(!first_pieces.empty())
+      first_pieces[i] = first_piece;
+  }
+
+  Index first_vertex(const Ascending_step& step) const
+  {
+    const Index source = complex_.source(step.edge);
+    return source == step.target ? complex_.target(step.edge) : source;
+  }
+
+  // Halfedges count only if there are several between two vertices: meshes number them in different ways.
+  bool is_step_before(const Ascending_step& a, const Ascending_step& b) const
+  {
+    if(a.target != b.target)
+      return order_(a.target, b.target);
+    const Index first_of_a = first_vertex(a), first_of_b = first_vertex(b);
+    return first_of_a != first_of_b ? order_(first_of_a, first_of_b) : a.edge < b.edge;
+  }
+
+  void sort_arcs_of_nodes()
+  {
+    const auto is_before = [&](const Flat_arc& a, const Flat_arc& b) {
+      return a.upper != b.upper
+             ? a.upper < b.upper
+             : is_step_before(graph_.pieces[a.first_piece].first_step, graph_.pieces[b.first_piece].first_step);
+    };
+    for_each_block<ConcurrencyTag>(graph_.nodes.size(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t node = begin; node != end; ++node)
+        std::sort(graph_.arcs.begin() + begins_of_arcs_[node], graph_.arcs.begin() + begins_of_arcs_[node + 1],
+                  is_before);
+    });
+  }
+
+  // Sorting has moved the arcs, but each keeps its first piece.
+  void name_passing_arcs()
+  {
+    Large_vector<Index> arc_of_first_piece(graph_.pieces.size(), no_index);
+    for(Index i = 0; i != graph_.arcs.size(); ++i)
+      arc_of_first_piece[graph_.arcs[i].first_piece] = i;
+    const auto arc_of = [&](Index first_piece) {
+      return first_piece == no_index ? no_index : arc_of_first_piece[first_piece];
+    };
+    for(Index i = 0; i != critical_vertices_.size(); ++i)
+      graph_.arc_of_critical.push_back(arc_of(first_piece_of_group_[group_of(i)]));
+    for(const Index first_piece : first_piece_of_arc_)
+      graph_.arc_of_critical_arc.push_back(arc_of(first_piece));
+  }
+
+  struct Degrees
+  {
+    Index in;
+    Index out;
+    Index last_out_arc; // the only one of a group that is no node
+  };
+
+  const Complex& complex_;
+  const Order& order_;
+  const Swept_vertices& critical_vertices_;
+  const Large_vector<Slab_arc>& arcs_;
+  const bool are_ties_contracted_;
+  const bool are_degree_two_nodes_kept_;
+  Large_vector<Index> groups_;               // by critical vertex, if ties are contracted
+  std::vector<bool> is_on_plateau_;          // by critical vertex: whether its group has other ones
+  Large_vector<Degrees> degrees_;            // by group
+  Large_vector<Index> ranks_;                // by critical arc: how many before it leave the same group
+  Large_vector<Index> begins_of_arcs_;       // by node: of those that leave it; and the end of the last ones
+  Large_vector<Index> first_piece_of_group_; // by group: that of the arc that passes it
+  Large_vector<Index> first_piece_of_arc_;   // by arc: that of the arc that it becomes part of
+  Flat_graph graph_;
+};
+
+template <class ConcurrencyTag, class Complex, class Order>
+Flat_graph merge_arcs(const Complex& complex,
+                      const Order& order,
+                      const Swept_vertices& critical_vertices,
+                      const Large_vector<Slab_arc>& arcs,
+                      Ties ties,
+                      bool are_degree_two_nodes_kept,
+                      bool are_passing_arcs_named)
+{
+  return Arc_merging<ConcurrencyTag, Complex, Order>(complex, order, critical_vertices, arcs, ties,
+                                                     are_degree_two_nodes_kept)(are_passing_arcs_named);
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_ARCS_REDUCE_ARCS_H

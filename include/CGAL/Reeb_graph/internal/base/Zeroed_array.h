@@ -1,0 +1,54 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_BASE_ZEROED_ARRAY_H
+#define CGAL_REEB_GRAPH_INTERNAL_BASE_ZEROED_ARRAY_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <type_traits>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// An array of zeros, for few of which another value comes: most systems let the pages where none does take neither
+// memory nor time. For numbers, and atomic ones, whose zero has no bit set.
+template <class T>
+class Zeroed_array
+{
+  static_assert(std::is_trivially_destructible_v<T>);
+
+public:
+  explicit Zeroed_array(std::size_t size) : elements_(static_cast<T*>(std::calloc(size, sizeof(T))))
+  {
+    if(elements_ == nullptr && size != 0)
+      throw std::bad_alloc();
+  }
+
+  T& operator[](std::size_t i) { return elements_.get()[i]; }
+  const T& operator[](std::size_t i) const { return elements_.get()[i]; }
+
+private:
+  struct Free
+  {
+    void operator()(T* elements) const { std::free(elements); }
+  };
+
+  std::unique_ptr<T, Free> elements_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_BASE_ZEROED_ARRAY_H

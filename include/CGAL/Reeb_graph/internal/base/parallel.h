@@ -1,0 +1,183 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_BASE_PARALLEL_H
+#define CGAL_REEB_GRAPH_INTERNAL_BASE_PARALLEL_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <boost/sort/pdqsort/pdqsort.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The number of faces below which a second thread does not pay.
+constexpr std::size_t smallest_parallel_mesh = 20000;
+
+// The few places where the package asks for TBB. With Sequential_tag none of it is needed.
+template <class ConcurrencyTag>
+constexpr bool is_parallel()
+{
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
+                "Parallel_tag is enabled but TBB is unavailable.");
+  return false;
+#else
+  return std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+#endif
+}
+
+// Calls function(i) for i from 0 to size - 1.
+template <class ConcurrencyTag, class Function>
+void for_each_index(std::size_t size, const Function& function)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel<ConcurrencyTag>())
+  {
+    tbb::parallel_for(std::size_t(0), size, function);
+    return;
+  }
+#endif
+  static_cast<void>(is_parallel<ConcurrencyTag>());
+  for(std::size_t i = 0; i != size; ++i)
+    function(i);
+}
+
+// Calls function(begin, end) for blocks of the numbers from 0 to size - 1: for all of them at once if sequential.
+template <class ConcurrencyTag, class Function>
+void for_each_block(std::size_t size, const Function& function)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel<ConcurrencyTag>())
+  {
+    constexpr std::size_t smallest_block = 4096;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, smallest_block),
+                      [&](const tbb::blocked_range<std::size_t>& block) { function(block.begin(), block.end()); });
+    return;
+  }
+#endif
+  static_cast<void>(is_parallel<ConcurrencyTag>());
+  function(std::size_t(0), size);
+}
+
+template <class ConcurrencyTag>
+std::size_t number_of_threads()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel<ConcurrencyTag>())
+    return (std::min)(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()),
+                      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+#endif
+  static_cast<void>(is_parallel<ConcurrencyTag>());
+  return 1;
+}
+
+// Into how many parts to divide numbers from 0 to size - 1 for for_each_part().
+template <class ConcurrencyTag>
+std::size_t number_of_parts(std::size_t size, std::size_t smallest_part = 4096)
+{
+  constexpr std::size_t parts_per_thread = 16; // Some take longer than others, and some threads start late.
+  const std::size_t threads = number_of_threads<ConcurrencyTag>();
+  return threads == 1 ? 1 : (std::min)(size / smallest_part + 1, parts_per_thread * threads);
+}
+
+// Calls function(part, begin, end) for the parts, in which order what they give may be put together again.
+template <class ConcurrencyTag, class Function>
+void for_each_part(std::size_t number_of_parts, std::size_t size, const Function& function)
+{
+  for_each_index<ConcurrencyTag>(number_of_parts, [&](std::size_t part) {
+    function(part, part * size / number_of_parts, (part + 1) * size / number_of_parts);
+  });
+}
+
+// A number that threads can read and write at once if it does not matter who comes first.
+template <class T>
+class Relaxed_value
+{
+public:
+  T get() const { return value_.load(std::memory_order_relaxed); }
+  void set(T value) { value_.store(value, std::memory_order_relaxed); }
+
+private:
+  std::atomic<T> value_;
+};
+
+// A number to which the blocks of a parallel loop add.
+template <class ConcurrencyTag>
+class Shared_counter
+{
+public:
+  void add(std::size_t n) { value_ += n; }
+  std::size_t get() const { return value_; }
+
+private:
+  std::conditional_t<is_parallel<ConcurrencyTag>(), std::atomic<std::size_t>, std::size_t> value_{0};
+};
+
+// Calls both functions.
+template <class ConcurrencyTag, class First, class Second>
+void invoke_both(const First& first, const Second& second)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(is_parallel<ConcurrencyTag>())
+  {
+    tbb::parallel_invoke(first, second);
+    return;
+  }
+#endif
+  static_cast<void>(is_parallel<ConcurrencyTag>());
+  first();
+  second();
+}
+
+// Sorts by an order without ties, so that the result is the same in any case. Faster on one thread than
+// tbb::parallel_sort on two, if comparisons are cheap.
+template <class ConcurrencyTag, class Iterator, class Less>
+void sort(Iterator first, Iterator last, const Less& less, std::size_t number_of_runs)
+{
+  if(number_of_runs <= 1)
+  {
+    boost::sort::pdqsort_branchless(first, last, less);
+    return;
+  }
+  const Iterator middle = first + (last - first) / 2;
+  invoke_both<ConcurrencyTag>([&] { sort<ConcurrencyTag>(first, middle, less, number_of_runs / 2); },
+                              [&] { sort<ConcurrencyTag>(middle, last, less, number_of_runs / 2); });
+  std::inplace_merge(first, middle, last, less);
+}
+
+template <class ConcurrencyTag, class Iterator, class Less>
+void sort(Iterator first, Iterator last, const Less& less)
+{
+  constexpr std::size_t smallest_run = 16384;
+  const std::size_t number_of_runs =
+    (std::min)(static_cast<std::size_t>(last - first) / smallest_run, number_of_threads<ConcurrencyTag>());
+  sort<ConcurrencyTag>(first, last, less, number_of_runs);
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_BASE_PARALLEL_H

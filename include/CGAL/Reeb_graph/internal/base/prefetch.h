@@ -1,0 +1,44 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_BASE_PREFETCH_H
+#define CGAL_REEB_GRAPH_INTERNAL_BASE_PREFETCH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Loops that jump about in memory, but know where to, tell so some rounds ahead.
+inline void prefetch(const void* address)
+{
+#ifdef __GNUC__
+  __builtin_prefetch(address);
+#else
+  static_cast<void>(address);
+#endif
+}
+
+// The place where element number `i` of a vector is or would be: for any number.
+template <class Vector>
+void prefetch_element(const Vector& vector, std::size_t i)
+{
+  // Computed as a number, as a pointer must not leave its array.
+  const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(vector.data());
+  prefetch(reinterpret_cast<const void*>(begin + i * sizeof(typename Vector::value_type)));
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_BASE_PREFETCH_H

@@ -1,0 +1,208 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CUTTING_SWEEP_H
+#define CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CUTTING_SWEEP_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
+#include <CGAL/Reeb_graph/internal/base/prefetch.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Cut_contours.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/merge_trees.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab.h>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The sweep for the split tree of a surface that is cut on the way. A cut ends the paths of vertices further down, so
+// their ends, if found before, have to be corrected.
+template <class Complex, class Order>
+class Cutting_sweep
+{
+public:
+  Cutting_sweep(const Slab<Complex>& slab, const Order& order)
+    : complex_(slab.complex()),
+      order_(order),
+      critical_vertices_(slab.critical_vertices()),
+      sweep_(slab, order),
+      cuts_(slab.number_of_nodes(), slab.complex().number_of_edges())
+  {}
+
+  template <class ConcurrencyTag>
+  void find_path_ends()
+  {
+    sweep_.template find_path_ends<ConcurrencyTag>();
+    are_paths_walked_late_ = false;
+  }
+
+  void prefetch_classes(Index critical) const { sweep_.prefetch_classes(critical); }
+  void prefetch_components(Index critical) const
+  {
+    if(!are_paths_walked_late_)
+      sweep_.prefetch_components(critical);
+  }
+
+  void merge_at(Index critical)
+  {
+    if(are_paths_walked_late_)
+    {
+      critical_vertices_.for_each_sector(critical, true,
+                                         [&](Index i) { sweep_.find_path_end(i, end_at_cut_or_level(), passed_); });
+    }
+    sweep_.merge_at(critical);
+  }
+
+  // Cuts along a contour just below the critical vertex that has been merged at last; see Cut_contours.
+  void cut(Index critical, Index sublevel_class, const Large_vector<Index>& crossed_edges, bool has_border)
+  {
+    const Index cut = cuts_.size();
+    cuts_.add(critical, sublevel_class, crossed_edges);
+    sweep_.put_on_last(cuts_.node_above(cut));
+    components_of_cuts_.push_back(sweep_.add_component_of_cut(cuts_.node_below(cut), has_border));
+    if(!are_paths_walked_late_)
+      correct_path_ends(crossed_edges);
+    if(are_paths_walked_late_)
+      cuts_.register_edges();
+  }
+
+  // At the end, what a cut has parted is one component again, so paths may pass cuts.
+  void merge_last_contours() { sweep_.merge_last_contours(); }
+
+  Cut_contours take_cuts() { return std::move(cuts_); }
+  const Merge_tree& tree() const { return sweep_.tree(); }
+
+private:
+  // A path meets a cut before the upper level of the slab.
+  auto end_at_cut_or_level() const
+  {
+    return [this, end_at_level = sweep_.end_at_level()](Index target, const auto& find_edge) {
+      const Index cut = cuts_.has_registered_edges() ? cuts_.lowest_at_edge(find_edge()) : no_index;
+      return cut == no_index ? end_at_level(target, find_edge) : components_of_cuts_[cut];
+    };
+  }
+
+  // Goes down against the paths from where they meet the last cut. If that gets more expensive than to walk all of them
+  // again, this is left to merge_at(); then no later cut, as it is further down, can change an end that is known.
+  void correct_path_ends(const Large_vector<Index>& crossed_edges)
+  {
+    if(!critical_numbers_)
+      number_critical_vertices();
+    Large_vector<std::pair<Index, Index>> ends;
+    ends.reserve(crossed_edges.size());
+    for(const Index edge : crossed_edges)
+      ends.push_back(ends_of(edge));
+    Large_vector<Index> corrected;
+    constexpr std::size_t ahead = 16;
+    Index last = no_index, next_of_last = no_index; // Many edges in a row can end at one vertex.
+    for(std::size_t i = 0; i != crossed_edges.size(); ++i)
+    {
+      if(i + ahead < crossed_edges.size())
+        prefetch_lower_end(ends[i + ahead].first);
+      const auto [lower, higher] = ends[i];
+      const Index edge = edge_of(crossed_edges[i]);
+      correct_classes(lower, [edge](const Link_sector& sector) { return edge_of(sector.edge) == edge; });
+      if(lower != last)
+      {
+        last = lower;
+        next_of_last = sweep_.path_ends().is_known(lower) ? sweep_.path_ends().next_vertex(lower) : no_index;
+      }
+      if(higher == next_of_last && edge_of(sweep_.path_ends().next_edge(lower)) == edge)
+        correct_path_end(lower, corrected);
+    }
+    for(; !corrected.empty() && !are_paths_walked_late_; ++number_of_corrections_)
+    {
+      const Index vertex = corrected.back();
+      corrected.pop_back();
+      complex_.for_each_edge_around(vertex, [&](Index neighbor, Index) {
+        if(!order_(neighbor, vertex))
+          return;
+        correct_classes(neighbor, [vertex](const Link_sector& sector) { return sector.extreme_neighbor == vertex; });
+        if(is_on_known_path(neighbor, vertex))
+          correct_path_end(neighbor, corrected);
+      });
+      are_paths_walked_late_ = number_of_corrections_ >= critical_vertices_.size();
+    }
+    if(are_paths_walked_late_)
+      sweep_.forget_path_ends();
+  }
+
+  void number_critical_vertices()
+  {
+    critical_numbers_.emplace(complex_.number_of_vertices());
+    for(Index i = 0; i != critical_vertices_.size(); ++i)
+      (*critical_numbers_)[critical_vertices_.vertex(i)] = i + 1;
+  }
+
+  // Of the upper sectors, those from which a path now meets the last cut.
+  template <class IsChanged>
+  void correct_classes(Index vertex, const IsChanged& is_changed)
+  {
+    const Index number = (*critical_numbers_)[vertex];
+    if(number == 0)
+      return;
+    critical_vertices_.for_each_sector(number - 1, true, [&](Index i) {
+      if(is_changed(critical_vertices_.sector(true, i)))
+        sweep_.set_path_end(i, components_of_cuts_.back());
+    });
+  }
+
+  void prefetch_lower_end(Index vertex) const
+  {
+    prefetch(&(*critical_numbers_)[vertex]);
+    critical_vertices_.kept_neighbors().prefetch(vertex);
+    sweep_.path_ends().prefetch(vertex);
+  }
+
+  // The lower one first.
+  std::pair<Index, Index> ends_of(Index edge) const
+  {
+    const Index source = complex_.source(edge), target = complex_.target(edge);
+    return order_(source, target) ? std::make_pair(source, target) : std::make_pair(target, source);
+  }
+
+  // Whether the end of a path that goes from `lower` to `higher` is known.
+  bool is_on_known_path(Index lower, Index higher) const
+  {
+    return sweep_.path_ends().is_known(lower) && sweep_.path_ends().next_vertex(lower) == higher;
+  }
+
+  // Once, as several edges may lead to a vertex.
+  void correct_path_end(Index vertex, Large_vector<Index>& corrected)
+  {
+    if(sweep_.path_ends().end(vertex) == components_of_cuts_.back())
+      return;
+    sweep_.path_ends().set_end(vertex, components_of_cuts_.back());
+    corrected.push_back(vertex);
+  }
+
+  const Complex& complex_;
+  const Order& order_;
+  const Swept_vertices& critical_vertices_;
+  Merge_tree_sweep<Complex, Order, true> sweep_;
+  Cut_contours cuts_;
+  Large_vector<Index> components_of_cuts_;
+  Large_vector<Index> passed_;
+  std::optional<Zeroed_array<Index>> critical_numbers_; // by vertex, from 1 on; 0 if it is not critical
+  bool are_paths_walked_late_ = true;                   // each when its vertex is merged
+  std::size_t number_of_corrections_ = 0;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CUTTING_SWEEP_H

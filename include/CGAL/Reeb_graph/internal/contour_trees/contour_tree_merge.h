@@ -1,0 +1,175 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CONTOUR_TREE_MERGE_H
+#define CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CONTOUR_TREE_MERGE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/prefetch.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// A rooted tree from which leaves and nodes with one child are taken away. The children of a node are known by their
+// number and by the exclusive or of their names, which is the name of the last one.
+class Shrinking_tree
+{
+public:
+  Shrinking_tree() = default;
+  // Room that is left for more nodes is left here too.
+  explicit Shrinking_tree(const Large_vector<Index>& parents)
+  {
+    nodes_.reserve(parents.capacity());
+    nodes_.assign(parents.size(), Node{no_index, 0, 0});
+    constexpr Index ahead = 16;
+    for(Index node = 0; node != parents.size(); ++node)
+    {
+      if(node + ahead < parents.size() && parents[node + ahead] != no_index)
+        prefetch(&nodes_[parents[node + ahead]]);
+      nodes_[node].parent = parents[node];
+      if(parents[node] == no_index)
+        continue;
+      ++nodes_[parents[node]].number_of_children;
+      nodes_[parents[node]].child_names ^= node;
+    }
+  }
+
+  // Adds nodes, which have to be put somewhere then.
+  void resize(std::size_t number_of_nodes) { nodes_.resize(number_of_nodes); }
+
+  void put_above(Index child, Index node)
+  {
+    const Index parent = nodes_[child].parent;
+    nodes_[node] = {parent, 1, child};
+    nodes_[child].parent = node;
+    if(parent != no_index)
+      nodes_[parent].child_names ^= node ^ child;
+  }
+
+  void put_leaf_below(Index parent, Index node)
+  {
+    nodes_[node] = {parent, 0, 0};
+    ++nodes_[parent].number_of_children;
+    nodes_[parent].child_names ^= node;
+  }
+
+  Index parent(Index node) const { return nodes_[node].parent; }
+  Index number_of_children(Index node) const { return nodes_[node].number_of_children; }
+  Index only_child(Index node) const { return nodes_[node].child_names; }
+
+  void remove_leaf(Index node)
+  {
+    Node& parent = nodes_[nodes_[node].parent];
+    --parent.number_of_children;
+    parent.child_names ^= node;
+  }
+
+  // The only child takes the place of the node.
+  void remove_inner_node(Index node)
+  {
+    const Index child = only_child(node), parent = nodes_[node].parent;
+    nodes_[child].parent = parent;
+    if(parent != no_index)
+      nodes_[parent].child_names ^= node ^ child;
+    nodes_[node].number_of_children = 0;
+  }
+
+private:
+  struct Node
+  {
+    Index parent;
+    Index number_of_children;
+    Index child_names;
+  };
+
+  Large_vector<Node> nodes_;
+};
+
+// Merges a join tree and a split tree of the same nodes into the arcs of the contour tree, leaf by leaf. (H. Carr,
+// J. Snoeyink, U. Axen, Computing contour trees in all dimensions, 2003.)
+class Contour_tree_merge
+{
+public:
+  Contour_tree_merge(Shrinking_tree join_tree, Shrinking_tree split_tree, Large_vector<Ascending_step> first_steps)
+    : join_tree_(std::move(join_tree)),
+      split_tree_(std::move(split_tree)),
+      first_steps_(std::move(first_steps))
+  {
+    arcs_.reserve(first_steps_.size());
+  }
+
+  Large_vector<Slab_arc> operator()()
+  {
+    for(Index node = 0; node != first_steps_.size(); ++node)
+      take_leaves_from(node);
+    return std::move(arcs_);
+  }
+
+private:
+  bool is_lower_leaf(Index node) const
+  {
+    return join_tree_.number_of_children(node) == 0 && split_tree_.number_of_children(node) == 1;
+  }
+
+  bool is_upper_leaf(Index node) const
+  {
+    return split_tree_.number_of_children(node) == 0 && join_tree_.number_of_children(node) == 1;
+  }
+
+  // Takes the node away if it is a leaf, and then its neighbor if that makes it one, and so on.
+  void take_leaves_from(Index node)
+  {
+    while(node != no_index)
+    {
+      if(is_lower_leaf(node))
+        node = take_lower_leaf(node);
+      else if(is_upper_leaf(node))
+        node = take_upper_leaf(node);
+      else
+        node = no_index;
+    }
+  }
+
+  Index take_lower_leaf(Index node)
+  {
+    const Index upper = join_tree_.parent(node), child = split_tree_.only_child(node);
+    arcs_.push_back({node, upper, first_steps_[child]});
+    first_steps_[child] = first_steps_[node];
+    join_tree_.remove_leaf(node);
+    split_tree_.remove_inner_node(node);
+    return upper;
+  }
+
+  Index take_upper_leaf(Index node)
+  {
+    const Index lower = split_tree_.parent(node);
+    arcs_.push_back({lower, node, first_steps_[node]});
+    split_tree_.remove_leaf(node);
+    join_tree_.remove_inner_node(node);
+    return lower;
+  }
+
+  Shrinking_tree join_tree_;
+  Shrinking_tree split_tree_;
+  Large_vector<Ascending_step> first_steps_; // by node, from its parent in the split tree towards it
+  Large_vector<Slab_arc> arcs_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CONTOUR_TREE_MERGE_H

@@ -1,0 +1,244 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CONTOUR_TREES_ENGINE_H
+#define CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CONTOUR_TREES_ENGINE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/prefetch.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Cut_contours.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Cutting_sweep.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/contour_tree_merge.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/loop_surgery.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/merge_trees.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Contour trees joined by loop surgery: near-linear for any field. The surface is cut along the few contours that
+// close loops; what is left has a tree as Reeb graph, which comes from its join tree and its split tree. The sweep for
+// the split tree comes down to a contour just below a vertex after all that is above: it can cut there and go on.
+template <class Complex, class Order>
+class Contour_trees_engine
+{
+  typedef Merge_tree_sweep<Complex, Order, false> Upward_sweep;
+  typedef Cutting_sweep<Complex, Order> Downward_sweep;
+
+public:
+  Contour_trees_engine(const Slab<Complex>& slab, const Order& order)
+    : slab_(slab),
+      order_(order),
+      critical_vertices_(slab.critical_vertices())
+  {}
+
+  // Calls report(fraction) now and then.
+  template <class ConcurrencyTag, class Report>
+  Large_vector<Slab_arc> find_arcs(const Report& report) const
+  {
+    std::optional<Upward_sweep> upwards;
+    std::optional<Downward_sweep> downwards;
+    invoke_both<ConcurrencyTag>([&] { upwards.emplace(slab_, order_); }, [&] { downwards.emplace(slab_, order_); });
+    upwards->template find_path_ends<ConcurrencyTag>();
+    report(0.25);
+
+    const bool is_forest = sweep_first_trees<ConcurrencyTag>(*upwards, downwards);
+    report(0.5);
+
+    Shrinking_tree join_tree, split_tree;
+    invoke_both<ConcurrencyTag>(
+      [&] {
+        if(!is_forest)
+          sweep_downwards_and_cut(*downwards, upwards->tree());
+      },
+      [&] { join_tree = Shrinking_tree(upwards->tree().parents); });
+    const Cut_contours cuts = downwards->take_cuts();
+    insert_cuts(cuts, join_tree);
+    report(0.75);
+
+    Large_vector<Ascending_step> first_steps;
+    invoke_both<ConcurrencyTag>([&] { split_tree = Shrinking_tree(downwards->tree().parents); },
+                                [&] {
+                                  first_steps = find_first_steps<ConcurrencyTag>(downwards->tree().sector_classes,
+                                                                                 cuts.number_of_nodes());
+                                });
+    Large_vector<Slab_arc> arcs =
+      Contour_tree_merge(std::move(join_tree), std::move(split_tree), std::move(first_steps))();
+    glue_cuts(cuts, arcs);
+    return arcs;
+  }
+
+private:
+  // The sweep for the join tree, and for the split tree as much as can be done: all of it where no loop can be, as the
+  // sweeps do not need each other then. Whether that is so, the result, is only known after the first one; to run the
+  // second one beside it is a guess.
+  template <class ConcurrencyTag>
+  bool sweep_first_trees(Upward_sweep& upwards, std::optional<Downward_sweep>& downwards) const
+  {
+    const std::ptrdiff_t characteristic = slab_.is_whole_surface() ? euler_characteristic(critical_vertices_) : 0;
+    const bool is_guess_made = is_parallel<ConcurrencyTag>() && characteristic > 0;
+    invoke_both<ConcurrencyTag>([&] { sweep_upwards(upwards); },
+                                [&] {
+                                  if(is_guess_made || has_many_critical_vertices())
+                                    downwards->template find_path_ends<ConcurrencyTag>();
+                                  if(is_guess_made)
+                                    sweep_downwards(*downwards);
+                                });
+    const bool is_forest = characteristic > 0 && characteristic == largest_euler_characteristic(upwards.tree());
+    if(is_forest && !is_guess_made)
+      sweep_downwards(*downwards);
+    if(!is_forest && is_guess_made)
+    {
+      downwards.emplace(slab_, order_);
+      if(has_many_critical_vertices())
+        downwards->template find_path_ends<ConcurrencyTag>();
+    }
+    return is_forest;
+  }
+
+  // Calls visit(critical vertex) for positions in the order of the field, and lets the sweep know ahead.
+  template <class Sweep, class Iterator, class Visit>
+  void visit_in_order(const Sweep& sweep, Iterator begin, Iterator end, const Visit& visit) const
+  {
+    constexpr std::ptrdiff_t far_ahead = 24, ahead = 16, near_ahead = 8;
+    for(Iterator critical = begin; critical != end; ++critical)
+    {
+      if(end - critical > far_ahead)
+        critical_vertices_.prefetch(critical[far_ahead]);
+      if(end - critical > ahead)
+        sweep.prefetch_classes(critical[ahead]);
+      if(end - critical > near_ahead)
+        sweep.prefetch_components(critical[near_ahead]);
+      visit(*critical);
+    }
+  }
+
+  // Then paths are best walked in the order of the mesh. Otherwise they are long, and cuts change most of their ends.
+  bool has_many_critical_vertices() const
+  {
+    return critical_vertices_.size() > slab_.complex().number_of_vertices() / 64;
+  }
+
+  void sweep_upwards(Upward_sweep& sweep) const
+  {
+    const Large_vector<Index>& ascending = critical_vertices_.ascending();
+    visit_in_order(sweep, ascending.begin(), ascending.end(), [&](Index critical) { sweep.merge_at(critical); });
+    sweep.merge_last_contours();
+  }
+
+  void sweep_downwards(Downward_sweep& sweep) const
+  {
+    const Large_vector<Index>& ascending = critical_vertices_.ascending();
+    visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Index critical) { sweep.merge_at(critical); });
+    sweep.merge_last_contours();
+  }
+
+  // That of as many components, with and without border, if they are spheres, disks, and single vertices. Those have no
+  // loops, and all other ones smaller Euler characteristics.
+  std::ptrdiff_t largest_euler_characteristic(const Merge_tree& join_tree) const
+  {
+    std::ptrdiff_t result = 0;
+    for(Index i = 0; i != critical_vertices_.size(); ++i)
+    {
+      if(join_tree.parents[i] != no_index)
+        continue;
+      const bool is_sphere = !join_tree.is_border_reached[i] && critical_vertices_.number_of_lower_sectors(i) != 0;
+      result += is_sphere ? 2 : 1;
+    }
+    return result;
+  }
+
+  void sweep_downwards_and_cut(Downward_sweep& sweep, const Merge_tree& join_tree) const
+  {
+    Loop_surgery<Complex, Order> surgery(slab_, order_, join_tree, sweep.tree());
+    const Large_vector<Index>& ascending = critical_vertices_.ascending();
+    visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Index critical) {
+      sweep.merge_at(critical);
+      if(!surgery.can_close_loop(critical))
+        return;
+      surgery.visit_loop_contours(critical,
+                                  [&](Index sublevel_class, const Large_vector<Index>& crossed_edges, bool has_border) {
+                                    sweep.cut(critical, sublevel_class, crossed_edges, has_border);
+                                  });
+    });
+    sweep.merge_last_contours();
+  }
+
+  // Cuts do not change the join tree but for their own nodes.
+  static void insert_cuts(const Cut_contours& cuts, Shrinking_tree& join_tree)
+  {
+    join_tree.resize(cuts.number_of_nodes());
+    for(Index cut = 0; cut != cuts.size(); ++cut)
+    {
+      join_tree.put_above(cuts.sublevel_class(cut), cuts.node_below(cut));
+      join_tree.put_leaf_below(cuts.critical_vertex(cut), cuts.node_above(cut));
+    }
+  }
+
+  // By node: the first step from its parent in the split tree towards it, in the highest of the sectors that lead
+  // there. No node has two parents, so all sectors that lead to it are at one vertex.
+  template <class ConcurrencyTag>
+  Large_vector<Ascending_step> find_first_steps(const Large_vector<Index>& superlevel_classes,
+                                                Index number_of_nodes) const
+  {
+    constexpr std::size_t ahead = 24;
+    Large_vector<Ascending_step> first_steps(number_of_nodes, Ascending_step{no_index, no_index});
+    const auto find = [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i != end; ++i)
+      {
+        if(i + ahead < end)
+          prefetch_element(first_steps, superlevel_classes[i + ahead]);
+        const Link_sector& sector = critical_vertices_.sector(true, static_cast<Index>(i));
+        Ascending_step& step = first_steps[superlevel_classes[i]];
+        if(step.edge == no_index || order_(step.target, sector.extreme_neighbor))
+          step = {sector.edge, sector.extreme_neighbor};
+      }
+    };
+    for_each_block<ConcurrencyTag>(critical_vertices_.size(), [&](std::size_t begin, std::size_t end) {
+      find(critical_vertices_.first_sector(static_cast<Index>(begin), true),
+           critical_vertices_.first_sector(static_cast<Index>(end), true));
+    });
+    return first_steps;
+  }
+
+  // Where an arc ends at a cut it goes on to the vertex just above, and the short arc from the cut to there is dropped.
+  static void glue_cuts(const Cut_contours& cuts, Large_vector<Slab_arc>& arcs)
+  {
+    if(cuts.size() == 0)
+      return;
+    const auto begins_at_cut = [&](const Slab_arc& arc) { return cuts.is_node_above(arc.lower); };
+    arcs.erase(std::remove_if(arcs.begin(), arcs.end(), begins_at_cut), arcs.end());
+    for(Slab_arc& arc : arcs)
+    {
+      if(cuts.is_node_below(arc.upper))
+        arc.upper = cuts.critical_vertex(cuts.cut_of_node(arc.upper));
+    }
+  }
+
+  const Slab<Complex>& slab_;
+  const Order& order_;
+  const Swept_vertices& critical_vertices_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CONTOUR_TREES_ENGINE_H

@@ -1,0 +1,161 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CRITICAL_VERTICES_LINK_SECTORS_H
+#define CGAL_REEB_GRAPH_INTERNAL_CRITICAL_VERTICES_LINK_SECTORS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
+#include <CGAL/Reeb_graph/internal/mesh/Triangle_complex_base.h>
+
+#include <algorithm>
+#include <array>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// A connected component of the upper or of the lower link of a vertex, given by its extreme neighbor: the highest
+// one of an upper sector, the lowest one of a lower sector.
+struct Link_sector
+{
+  Index extreme_neighbor;
+  Index edge; // a halfedge of a triangle on the edge to that neighbor
+};
+
+// Upper and lower link sectors alternate, so it is enough to know how many there are and with which a turn begins.
+struct Link_summary
+{
+  Index number_of_sectors;
+  bool is_first_upper;
+
+  Index number_of_upper_sectors() const { return (number_of_sectors + is_first_upper) / 2; }
+  Index number_of_lower_sectors() const { return number_of_sectors - number_of_upper_sectors(); }
+};
+
+// What one turn around a vertex finds.
+struct Vertex_link
+{
+  Link_summary summary;
+  Monotone_neighbors neighbors;
+};
+
+// Counts how often the neighbors of a vertex change between lower and higher ones. That is the number of link sectors
+// if the last neighbor is the first one again; on the border, where the link is a path, there is one more.
+template <class Order>
+class Link_changes
+{
+public:
+  Link_changes(const Order& order, Index vertex) : order_(order), vertex_(vertex) {}
+
+  void begin(Index neighbor)
+  {
+    is_first_upper_ = is_last_upper_ = order_(vertex_, neighbor);
+    set_neighbor(neighbor);
+  }
+  void add(Index neighbor)
+  {
+    const bool is_upper = order_(vertex_, neighbor);
+    number_ += is_upper != is_last_upper_;
+    is_last_upper_ = is_upper;
+    set_neighbor(neighbor);
+  }
+
+  Vertex_link closed_link() const { return {{(std::max)(number_, Index(1)), is_first_upper_}, {lower_, higher_}}; }
+  Vertex_link path() const { return {{number_ + 1, is_first_upper_}, {lower_, higher_}}; }
+
+private:
+  // Without a branch that could not be predicted, nor an array, which would have to be in memory.
+  void set_neighbor(Index neighbor)
+  {
+    lower_ = is_last_upper_ ? lower_ : neighbor;
+    higher_ = is_last_upper_ ? neighbor : higher_;
+  }
+
+  const Order& order_;
+  const Index vertex_;
+  Index number_ = 0;
+  Index lower_ = no_index;
+  Index higher_ = no_index;
+  bool is_first_upper_ = false;
+  bool is_last_upper_ = false;
+};
+
+template <class Complex, class Order>
+Vertex_link find_link(const Complex& complex, const Order& order, Index vertex)
+{
+  const Index first = complex.first_halfedge(vertex);
+  if(first == no_index)
+    return {{0, false}, {no_index, no_index}};
+  Link_changes<Order> changes(order, vertex);
+  changes.begin(complex.source(first));
+  complex.for_each_halfedge_around(vertex,
+                                   [&](Index halfedge) { changes.add(complex.target(complex.next(halfedge))); });
+  return complex.is_on_border(vertex) ? changes.path() : changes.closed_link();
+}
+
+// The same at a vertex whose fan has not been found yet: both in one turn if the vertex is inside of the surface.
+template <class Complex, class Order>
+Vertex_link find_fan_and_link(Complex& complex, const Order& order, Index vertex, Fan_counts& counts)
+{
+  Link_changes<Order> changes(order, vertex);
+  return complex.find_fan(vertex, counts, changes) ? changes.closed_link() : find_link(complex, order, vertex);
+}
+
+// Makes `neighbor` the extreme one of its sector if it is. Without a branch that could not be predicted.
+template <class Order>
+void add_to_sector(Link_sector& sector, const Order& order, bool is_upper, Index neighbor, Index halfedge)
+{
+  const bool is_more_extreme = order(sector.extreme_neighbor, neighbor) == is_upper;
+  sector.extreme_neighbor = is_more_extreme ? neighbor : sector.extreme_neighbor;
+  sector.edge = is_more_extreme ? halfedge : sector.edge;
+}
+
+// Writes the link sectors of `vertex`, the lower ones and the upper ones each in clockwise order, to the two places.
+template <class Complex, class Order>
+void find_link_sectors(const Complex& complex,
+                       const Order& order,
+                       Index vertex,
+                       const Link_summary& summary,
+                       const std::array<Link_sector*, 2>& places)
+{
+  // Half of the critical vertices are extrema, if there are many: their only sector can stay in registers.
+  if(summary.number_of_sectors == 1)
+  {
+    Link_sector sector = {vertex, no_index};
+    complex.for_each_edge_around(vertex, [&, is_upper = summary.is_first_upper](Index neighbor, Index halfedge) {
+      add_to_sector(sector, order, is_upper, neighbor, halfedge);
+    });
+    *places[summary.is_first_upper] = sector;
+    return;
+  }
+
+  bool is_last_upper = summary.is_first_upper;
+  for(Index i = 0; i != summary.number_of_sectors; ++i, is_last_upper = !is_last_upper)
+    places[is_last_upper][i / 2] = {vertex, no_index};
+
+  is_last_upper = summary.is_first_upper;
+  Index i = 0;
+  complex.for_each_edge_around(vertex, [&](Index neighbor, Index halfedge) {
+    const bool is_upper = order(vertex, neighbor);
+    i += is_upper != is_last_upper;
+    i = i == summary.number_of_sectors ? 0 : i; // The turn has begun within a sector, which goes on here.
+    is_last_upper = is_upper;
+    Link_sector sector = places[is_upper][i / 2];
+    add_to_sector(sector, order, is_upper, neighbor, halfedge);
+    places[is_upper][i / 2] = sector;
+  });
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_CRITICAL_VERTICES_LINK_SECTORS_H

@@ -1,0 +1,171 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_MESH_DESCRIPTOR_POSITIONS_H
+#define CGAL_REEB_GRAPH_INTERNAL_MESH_DESCRIPTOR_POSITIONS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The position of each vertex (or face) in the list given at construction, found through an index map, which can have
+// holes, such as those that removed elements leave. Without holes there is nothing to store.
+template <class IndexMap>
+class Descriptor_positions
+{
+public:
+  template <class DescriptorList>
+  Descriptor_positions(const IndexMap& index_map, const DescriptorList& descriptors, const char* name)
+    : index_map_(index_map)
+  {
+    while(number_of_equal_indices_ != descriptors.size()
+          && checked_index(descriptors[number_of_equal_indices_], name) == number_of_equal_indices_)
+      ++number_of_equal_indices_;
+    if(number_of_equal_indices_ == descriptors.size())
+      return;
+    number_of_equal_indices_ = 0;
+    positions_.assign(descriptors.size(), no_index);
+    for(std::size_t position = 0; position != descriptors.size(); ++position)
+      store(checked_index(descriptors[position], name), static_cast<Index>(position), name);
+  }
+
+  template <class Descriptor>
+  Index operator[](const Descriptor& d) const
+  {
+    const std::size_t index = static_cast<std::size_t>(get(index_map_, d));
+    return positions_.empty() ? static_cast<Index>(index) : positions_[index];
+  }
+
+  // The same for descriptors that may be unknown, which have no_index.
+  template <class Descriptor>
+  Index operator()(const Descriptor& d) const
+  {
+    const std::size_t index = static_cast<std::size_t>(get(index_map_, d));
+    if(positions_.empty())
+      return index < number_of_equal_indices_ ? static_cast<Index>(index) : no_index;
+    return index < positions_.size() ? positions_[index] : no_index;
+  }
+
+private:
+  template <class Descriptor>
+  std::size_t checked_index(const Descriptor& d, const char* name) const
+  {
+    const auto i = get(index_map_, d);
+    if(i < 0 || static_cast<std::size_t>(i) >= no_index)
+      throw Invalid_index_map_error(name);
+    return static_cast<std::size_t>(i);
+  }
+
+  void store(std::size_t index, Index position, const char* name)
+  {
+    if(index >= positions_.size())
+      positions_.resize(index + 1, no_index);
+    if(positions_[index] != no_index)
+      throw Invalid_index_map_error(name);
+    positions_[index] = position;
+  }
+
+  IndexMap index_map_;
+  std::size_t number_of_equal_indices_ = 0; // all or none
+  Large_vector<Index> positions_;           // empty if the indices are the positions
+};
+
+// The same for a mesh that has no index map, found through a dynamic property map.
+template <class DynamicMap>
+class Dynamic_positions
+{
+public:
+  template <class DescriptorList>
+  Dynamic_positions(const DynamicMap& map, const DescriptorList& descriptors) : map_(map)
+  {
+    for(std::size_t position = 0; position != descriptors.size(); ++position)
+      put(map_, descriptors[position], static_cast<Index>(position + 1));
+  }
+
+  // no_index if nothing has been put there.
+  template <class Descriptor>
+  Index operator[](const Descriptor& d) const
+  {
+    return get(map_, d) - 1;
+  }
+  template <class Descriptor>
+  Index operator()(const Descriptor& d) const
+  {
+    return (*this)[d];
+  }
+
+private:
+  DynamicMap map_; // by descriptor: one more than its position, so that 0 is no_index
+};
+
+// Whether the mesh has indices that cannot be written. Writable ones, such as the ids of a Polyhedron_3, may never
+// have been set, and setting them here would change the mesh.
+template <class Graph, class IndexTag, bool has_index = graph_has_property<Graph, IndexTag>::value>
+struct Has_constant_index : std::false_type
+{
+};
+
+template <class Graph, class IndexTag>
+struct Has_constant_index<Graph, IndexTag, true>
+  : std::bool_constant<
+      !CGAL::internal::Is_writable_property_map<typename boost::property_map<Graph, IndexTag>::const_type>::value>
+{
+};
+
+template <class IndexTag, class DynamicTag, class Graph, class DescriptorList, class IndexParameter>
+auto make_descriptor_positions(const Graph& mesh,
+                               const DescriptorList& descriptors,
+                               const IndexParameter& index_parameter,
+                               const char* name)
+{
+  if constexpr(!std::is_same_v<IndexParameter, internal_np::Param_not_found>)
+    return Descriptor_positions<IndexParameter>(index_parameter, descriptors, name);
+  else if constexpr(Has_constant_index<Graph, IndexTag>::value)
+  {
+    typedef typename boost::property_map<Graph, IndexTag>::const_type Index_map;
+    return Descriptor_positions<Index_map>(get(IndexTag(), mesh), descriptors, name);
+  }
+  else
+  {
+    return Dynamic_positions<decltype(get(DynamicTag(), mesh))>(get(DynamicTag(), mesh), descriptors);
+  }
+}
+
+template <class Graph, class DescriptorList, class NamedParameters>
+auto make_vertex_positions(const Graph& mesh, const DescriptorList& vertices, const NamedParameters& np)
+{
+  return make_descriptor_positions<boost::vertex_index_t, dynamic_vertex_property_t<Index>>(
+    mesh, vertices, parameters::get_parameter(np, internal_np::vertex_index), "vertices");
+}
+
+template <class Graph, class DescriptorList, class NamedParameters>
+auto make_face_positions(const Graph& mesh, const DescriptorList& faces, const NamedParameters& np)
+{
+  return make_descriptor_positions<boost::face_index_t, dynamic_face_property_t<Index>>(
+    mesh, faces, parameters::get_parameter(np, internal_np::face_index), "faces");
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_MESH_DESCRIPTOR_POSITIONS_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_MESH_HALFEDGE_LIST_H
+#define CGAL_REEB_GRAPH_INTERNAL_MESH_HALFEDGE_LIST_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The halfedges of a mesh by the numbers that they have in a Triangle_complex.
+template <class FaceListGraph>
+class Halfedge_list
+{
+public:
+  typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
+
+  // From the halfedge with the even number of each edge.
+  explicit Halfedge_list(Large_vector<halfedge_descriptor> even_halfedges) : even_halfedges_(std::move(even_halfedges))
+  {}
+
+  halfedge_descriptor operator()(const FaceListGraph& mesh, Index number) const
+  {
+    const halfedge_descriptor h = even_halfedges_[edge_of(number)];
+    return number % 2 == 0 ? h : opposite(h, mesh);
+  }
+
+private:
+  Large_vector<halfedge_descriptor> even_halfedges_; // by edge
+};
+
+// The halfedges of a Surface_mesh are numbers.
+template <class Point>
+class Halfedge_list<Surface_mesh<Point>>
+{
+public:
+  typedef typename Surface_mesh<Point>::Halfedge_index halfedge_descriptor;
+
+  halfedge_descriptor operator()(const Surface_mesh<Point>&, Index number) const { return halfedge_descriptor(number); }
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_MESH_HALFEDGE_LIST_H

@@ -1,0 +1,70 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_MESH_TRIANGLE_COMPLEX_H
+#define CGAL_REEB_GRAPH_INTERNAL_MESH_TRIANGLE_COMPLEX_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/mesh/Triangle_complex_base.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+struct Halfedge
+{
+  Index target;
+  Index next; // in its face; no_index if it has none
+};
+
+// What a Triangle_complex is made from.
+struct Halfedge_arrays
+{
+  Large_vector<Halfedge> halfedges;
+  Large_vector<Index> halfedges_of_vertices; // one of a face that ends there; no_index if there is none
+};
+
+// A surface copied from a mesh of any type into flat arrays. All numbers belong to vertices and edges.
+class Triangle_complex : public Triangle_complex_base<Triangle_complex>
+{
+public:
+  // For faces that have been checked.
+  Triangle_complex(Halfedge_arrays arrays, std::size_t number_of_faces)
+    : Triangle_complex_base<Triangle_complex>(std::move(arrays.halfedges_of_vertices)),
+      halfedges_(std::move(arrays.halfedges)),
+      number_of_faces_(number_of_faces)
+  {}
+
+  Index number_of_halfedges() const { return static_cast<Index>(halfedges_.size()); }
+  bool has_vertex(Index) const { return true; }
+  bool has_edge(Index) const { return true; }
+
+  Index target(Index halfedge) const { return halfedges_[halfedge].target; }
+  Index next(Index halfedge) const { return halfedges_[halfedge].next; }
+  bool has_triangle(Index halfedge) const { return next(halfedge) != no_index; }
+
+  std::size_t number_of_faces() const { return number_of_faces_; }
+  Index halfedge_of_face_at(Index vertex) const { return first_halfedge(vertex); }
+  void throw_bad_face_error() const {}
+
+private:
+  Large_vector<Halfedge> halfedges_; // both members in one line of the cache, with the opposite halfedge
+  std::size_t number_of_faces_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_MESH_TRIANGLE_COMPLEX_H

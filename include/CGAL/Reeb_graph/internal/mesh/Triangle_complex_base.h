@@ -1,0 +1,235 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_MESH_TRIANGLE_COMPLEX_BASE_H
+#define CGAL_REEB_GRAPH_INTERNAL_MESH_TRIANGLE_COMPLEX_BASE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Of some vertices: how many corners of triangles their fans have, and how many fans there are that have other faces.
+struct Fan_counts
+{
+  std::size_t corners = 0;
+  std::size_t bad_fans = 0;
+
+  Fan_counts& operator+=(const Fan_counts& other)
+  {
+    corners += other.corners;
+    bad_fans += other.bad_fans;
+    return *this;
+  }
+};
+
+struct No_visitor_of_fan
+{
+  void begin(Index) {}
+  void add(Index) {}
+};
+
+// An oriented triangulated surface by numbers, as the stages see it. A halfedge has its triangle on the left, or none,
+// along the border. There may be numbers that belong to no vertex and to no edge.
+//
+// A class `Complex` derived from this one has number_of_halfedges(), target(halfedge), has_triangle(halfedge),
+// next(halfedge), for a halfedge of a triangle, and has_vertex(number) and has_edge(number); and for the time before it
+// has been checked, number_of_faces(), halfedge_of_face_at(vertex), any one that ends there or no_index, and
+// throw_bad_face_error(), which does so if a face is no triangle with three vertices.
+template <class Complex>
+class Triangle_complex_base
+{
+public:
+  // The first number behind those of the vertices, or of the edges.
+  Index number_of_vertices() const { return static_cast<Index>(first_halfedges_.size()); }
+  Index number_of_edges() const { return complex().number_of_halfedges() / 2; }
+
+  Index source(Index halfedge) const { return complex().target(opposite_of(halfedge)); }
+
+  bool is_on_border_edge(Index halfedge) const
+  {
+    return !complex().has_triangle(halfedge) || !complex().has_triangle(opposite_of(halfedge));
+  }
+
+  bool is_on_triangle(Index edge) const
+  {
+    return complex().has_edge(edge) && (complex().has_triangle(2 * edge) || complex().has_triangle(2 * edge + 1));
+  }
+  // For an edge on a triangle.
+  Index halfedge_of_triangle(Index edge) const { return complex().has_triangle(2 * edge) ? 2 * edge : 2 * edge + 1; }
+
+  // In the triangle of the halfedge.
+  Index previous(Index halfedge) const { return complex().next(complex().next(halfedge)); }
+
+  // A halfedge of a triangle that ends at `vertex`, no_index if there is none. At a border vertex it is the one from
+  // which turning clockwise meets all others.
+  Index first_halfedge(Index vertex) const { return first_halfedges_[vertex]; }
+
+  // The next halfedge with the same target, clockwise. Behind the border it has no triangle.
+  Index clockwise(Index halfedge) const { return opposite_of(complex().next(halfedge)); }
+
+  bool is_on_border(Index vertex) const
+  {
+    const Index halfedge = first_halfedge(vertex);
+    return halfedge != no_index && !complex().has_triangle(opposite_of(halfedge));
+  }
+
+  // Calls visit(neighbor, halfedge), where `halfedge` is a halfedge of a triangle on the edge to `neighbor`, for the
+  // edges at `vertex`, turning clockwise, at a border vertex from border edge to border edge, until a call returns
+  // true.
+  template <class Visit>
+  void visit_edges_around(Index vertex, const Visit& visit) const
+  {
+    const Index first = first_halfedge(vertex);
+    for(Index halfedge = first; halfedge != no_index;)
+    {
+      if(visit(source(halfedge), halfedge))
+        return;
+      const Index turned = clockwise(halfedge);
+      if(turned == first)
+        return;
+      if(!complex().has_triangle(turned))
+      {
+        visit(source(turned), opposite_of(turned));
+        return;
+      }
+      halfedge = turned;
+    }
+  }
+
+  // The same for each edge at `vertex`.
+  template <class Visit>
+  void for_each_edge_around(Index vertex, const Visit& visit) const
+  {
+    visit_edges_around(vertex, [&](Index neighbor, Index halfedge) {
+      visit(neighbor, halfedge);
+      return false;
+    });
+  }
+
+  // Calls visit(halfedge) for the halfedges of triangles that end at `vertex`, clockwise.
+  template <class Visit>
+  void for_each_halfedge_around(Index vertex, const Visit& visit) const
+  {
+    const Index first = first_halfedge(vertex);
+    for(Index halfedge = first; halfedge != no_index;)
+    {
+      visit(halfedge);
+      halfedge = clockwise(halfedge);
+      if(halfedge == first || !complex().has_triangle(halfedge))
+        return;
+    }
+  }
+
+  // Finds the fan of a vertex, and adds to `counts`. Nothing else may be asked about the vertex before. When all fans
+  // have been found, check() has to be called with the sums of the counts.
+  //
+  // Shows the neighbors on the way, in clockwise order: visitor.begin(neighbor), then visitor.add(neighbor) for each
+  // next one. Returns whether that has led back to the first one, as it does inside of the surface.
+  template <class Visitor>
+  bool find_fan(Index vertex, Fan_counts& counts, Visitor& visitor)
+  {
+    Index& first = first_halfedges_[vertex];
+    first = complex().halfedge_of_face_at(vertex);
+    if(first == no_index)
+      return false;
+    if(complex().target(first) != vertex)
+      return give_up(first, counts);
+    visitor.begin(source(first));
+    Index halfedge = first;
+    do
+    {
+      const Index second = complex().next(halfedge);
+      if(!is_in_triangle(halfedge))
+        return give_up(first, counts);
+      ++counts.corners;
+      visitor.add(complex().target(second));
+      halfedge = opposite_of(second);
+    } while(halfedge != first && complex().has_triangle(halfedge));
+    if(halfedge == first)
+      return true;
+    for(; complex().has_triangle(opposite_of(first)); ++counts.corners)
+    {
+      const Index turned = previous(opposite_of(first));
+      if(!is_in_triangle(opposite_of(first)) || !is_in_triangle(turned))
+        return give_up(first, counts);
+      first = turned;
+    }
+    return false;
+  }
+
+  // Throws if a face is no triangle, or has a corner that belongs to no fan: a mesh leads to one fan per vertex only,
+  // but there may be more.
+  void check(const Fan_counts& counts) const
+  {
+    if(counts.bad_fans == 0 && counts.corners == 3 * complex().number_of_faces())
+      return;
+    complex().throw_bad_face_error();
+    throw_non_manifold_vertex_error();
+  }
+
+protected:
+  // From a halfedge of a face that ends there for each vertex, or anything else if the derived class knows them.
+  explicit Triangle_complex_base(Large_vector<Index> halfedges_of_vertices)
+    : first_halfedges_(std::move(halfedges_of_vertices))
+  {}
+
+private:
+  const Complex& complex() const { return static_cast<const Complex&>(*this); }
+
+  // From a halfedge that is not that of a triangle at the vertex on, turning might never end.
+  static bool give_up(Index& first, Fan_counts& counts)
+  {
+    first = no_index;
+    ++counts.bad_fans;
+    return false;
+  }
+
+  // Whether the face of the halfedge is a triangle with different vertices at this halfedge's ends.
+  bool is_in_triangle(Index halfedge) const
+  {
+    const Index second = complex().next(halfedge), third = complex().next(second);
+    return second != halfedge && third != halfedge && complex().next(third) == halfedge
+        && complex().target(halfedge) != complex().target(third);
+  }
+
+  void throw_non_manifold_vertex_error() const
+  {
+    Large_vector<Index> unreached(number_of_vertices(), 0);
+    for(Index h = 0; h != complex().number_of_halfedges(); ++h)
+    {
+      if(complex().has_edge(edge_of(h)) && complex().has_triangle(h))
+        ++unreached[complex().target(h)];
+    }
+    std::size_t position = 0;
+    for(Index v = 0; v != number_of_vertices(); ++v)
+    {
+      if(complex().has_vertex(v))
+        for_each_halfedge_around(v, [&](Index) { --unreached[v]; });
+      if(unreached[v] != 0)
+        throw Non_manifold_vertex_error(position);
+      position += complex().has_vertex(v) ? 1 : 0;
+    }
+  }
+
+  Large_vector<Index> first_halfedges_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_MESH_TRIANGLE_COMPLEX_BASE_H

@@ -1,0 +1,207 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_MESH_FLATTEN_H
+#define CGAL_REEB_GRAPH_INTERNAL_MESH_FLATTEN_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/mesh/Descriptor_positions.h>
+#include <CGAL/Reeb_graph/internal/mesh/Halfedge_list.h>
+#include <CGAL/Reeb_graph/internal/mesh/Surface_mesh_complex.h>
+#include <CGAL/Reeb_graph/internal/mesh/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/mesh/Vertex_list.h>
+#include <CGAL/Reeb_graph/internal/mesh/read_halfedges.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The stages see a mesh of any type as a copy, but a Surface_mesh as it is.
+template <class FaceListGraph>
+struct Complex_of
+{
+  typedef Triangle_complex type;
+};
+
+template <class Point>
+struct Complex_of<Surface_mesh<Point>>
+{
+  typedef Surface_mesh_complex<Point> type;
+};
+
+// A mesh with its field by numbers; the lists lead back.
+template <class FaceListGraph, class Scalar>
+struct Flat_surface
+{
+  typename Complex_of<FaceListGraph>::type complex;
+  Large_vector<Scalar> values;
+  Vertex_list<FaceListGraph> vertices;
+  Halfedge_list<FaceListGraph> halfedges;
+};
+
+// A map that stores a default when a vertex without a value is read.
+template <class Map>
+struct Is_changed_by_reading : std::false_type
+{
+};
+
+template <class Key, class Value>
+struct Is_changed_by_reading<CGAL::internal::Dynamic_property_map<Key, Value>> : std::true_type
+{
+};
+
+// Only plain numbers are read in parallel: copies of others may share parts.
+template <class ConcurrencyTag, class VertexList, class ScalarMap, class Traits>
+Large_vector<typename Traits::Scalar> read_values(const VertexList& vertices,
+                                                  const ScalarMap& scalar_map,
+                                                  const Traits& traits)
+{
+  typedef typename Traits::Scalar Scalar;
+  static_assert(!std::is_same_v<Scalar, bool>, "Scalar values of type bool are not supported: use char.");
+  constexpr bool is_read_in_parallel = std::is_arithmetic_v<Scalar> && !Is_changed_by_reading<ScalarMap>::value;
+  typedef std::conditional_t<is_read_in_parallel, ConcurrencyTag, Sequential_tag> Tag;
+  const auto is_ordered = traits.is_ordered_object();
+  Large_vector<Scalar> values;
+  values.resize(vertices.size());
+  Shared_counter<Tag> number_of_unordered;
+  for_each_block<Tag>(vertices.size(), [&](std::size_t begin, std::size_t end) {
+    std::size_t unordered = 0;
+    for(std::size_t v = begin; v != end; ++v)
+    {
+      if(!vertices.contains(v))
+      {
+        values[v] = Scalar();
+        continue;
+      }
+      values[v] = get(scalar_map, vertices[v]);
+      unordered += is_ordered(values[v]) ? 0 : 1;
+    }
+    number_of_unordered.add(unordered);
+  });
+  for(std::size_t v = 0; number_of_unordered.get() != 0 && v != values.size(); ++v)
+  {
+    if(vertices.contains(v) && !is_ordered(values[v]))
+      throw Unordered_scalar_error(vertices.position(v));
+  }
+  return values;
+}
+
+// From the vertices of a mesh to their numbers. It can outlive the mesh if its index map can.
+template <class FaceListGraph, class NamedParameters>
+auto find_vertex_numbers(const FaceListGraph& mesh,
+                         const Vertex_list<FaceListGraph>& vertices,
+                         const NamedParameters& np)
+{
+  return make_vertex_positions(mesh, vertices, np);
+}
+
+template <class Point, class NamedParameters>
+auto find_vertex_numbers(const Surface_mesh<Point>&, const Vertex_list<Surface_mesh<Point>>&, const NamedParameters&)
+{
+  return [](typename Surface_mesh<Point>::Vertex_index v) { return static_cast<Index>(v); };
+}
+
+// Only a mesh that numbers its halfedges tells those of other meshes.
+template <class FaceListGraph, class HalfedgeDescriptor>
+bool can_be_halfedge(const FaceListGraph&, const HalfedgeDescriptor&)
+{
+  return true;
+}
+
+template <class Point>
+bool can_be_halfedge(const Surface_mesh<Point>& mesh, typename Surface_mesh<Point>::Halfedge_index h)
+{
+  return mesh.has_valid_index(h);
+}
+
+// For a mesh that needs none: whoever gives one that is wrong is told so.
+template <class FaceListGraph, class NamedParameters>
+void check_index_maps(const FaceListGraph& mesh, const NamedParameters& np)
+{
+  typedef boost::graph_traits<FaceListGraph> Graph_traits;
+  using parameters::get_parameter;
+  if constexpr(is_given<decltype(get_parameter(np, internal_np::vertex_index))>)
+  {
+    const auto range = vertices(mesh);
+    make_vertex_positions(mesh, std::vector<typename Graph_traits::vertex_descriptor>(range.first, range.second), np);
+  }
+  if constexpr(is_given<decltype(get_parameter(np, internal_np::face_index))>)
+  {
+    const auto range = faces(mesh);
+    make_face_positions(mesh, std::vector<typename Graph_traits::face_descriptor>(range.first, range.second), np);
+  }
+}
+
+template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
+Flat_surface<FaceListGraph, typename Traits::Scalar> flatten_unchecked(const FaceListGraph& mesh,
+                                                                       const ScalarMap& scalar_map,
+                                                                       const Traits& traits,
+                                                                       const NamedParameters& np)
+{
+  Vertex_list<FaceListGraph> vertex_list(mesh);
+  auto values = read_values<ConcurrencyTag>(vertex_list, scalar_map, traits);
+  const auto face_range = faces(mesh);
+  const std::vector<typename boost::graph_traits<FaceListGraph>::face_descriptor> face_list(face_range.first,
+                                                                                            face_range.second);
+  auto read = read_halfedges(mesh, face_list, vertex_list.size(), make_vertex_positions(mesh, vertex_list, np),
+                             make_face_positions(mesh, face_list, np));
+  return {Triangle_complex(std::move(read.arrays), face_list.size()), std::move(values), std::move(vertex_list),
+          std::move(read.halfedges)};
+}
+
+template <class ConcurrencyTag, class Point, class ScalarMap, class Traits, class NamedParameters>
+Flat_surface<Surface_mesh<Point>, typename Traits::Scalar> flatten_unchecked(const Surface_mesh<Point>& mesh,
+                                                                             const ScalarMap& scalar_map,
+                                                                             const Traits& traits,
+                                                                             const NamedParameters& np)
+{
+  Vertex_list<Surface_mesh<Point>> vertex_list(mesh);
+  auto values = read_values<ConcurrencyTag>(vertex_list, scalar_map, traits);
+  check_index_maps(mesh, np);
+  return {Surface_mesh_complex<Point>(mesh), std::move(values), std::move(vertex_list), {}};
+}
+
+// With a checked complex.
+template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
+auto flatten(const FaceListGraph& mesh, const ScalarMap& scalar_map, const Traits& traits, const NamedParameters& np)
+{
+  auto surface = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
+  Shared_counter<ConcurrencyTag> corners, bad_fans;
+  for_each_block<ConcurrencyTag>(surface.complex.number_of_vertices(), [&](std::size_t begin, std::size_t end) {
+    Fan_counts counts;
+    No_visitor_of_fan visitor;
+    for(std::size_t v = begin; v != end; ++v)
+      surface.complex.find_fan(static_cast<Index>(v), counts, visitor);
+    corners.add(counts.corners);
+    bad_fans.add(counts.bad_fans);
+  });
+  surface.complex.check({corners.get(), bad_fans.get()});
+  return surface;
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_MESH_FLATTEN_H

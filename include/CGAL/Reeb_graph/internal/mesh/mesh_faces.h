@@ -1,0 +1,62 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_MESH_MESH_FACES_H
+#define CGAL_REEB_GRAPH_INTERNAL_MESH_MESH_FACES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+template <class FaceListGraph>
+void throw_error_of_first_bad_face(const FaceListGraph& mesh)
+{
+  std::size_t position = 0;
+  for(const auto f : CGAL::make_range(faces(mesh)))
+  {
+    const auto h = halfedge(f, mesh);
+    if(next(h, mesh) == h || next(next(h, mesh), mesh) == h || !is_triangle(h, mesh))
+      throw Non_triangular_face_error(position);
+    const auto a = source(h, mesh), b = target(h, mesh), c = target(next(h, mesh), mesh);
+    if(a == b || b == c || c == a)
+      throw Degenerate_face_error(position);
+    ++position;
+  }
+}
+
+// A halfedge of a face that ends where h does, the null halfedge if there is none.
+template <class FaceListGraph, class HalfedgeDescriptor>
+HalfedgeDescriptor find_halfedge_of_face(const FaceListGraph& mesh, HalfedgeDescriptor h)
+{
+  const HalfedgeDescriptor null = boost::graph_traits<FaceListGraph>::null_halfedge();
+  if(h == null || !is_border(h, mesh))
+    return h;
+  for(const HalfedgeDescriptor around : CGAL::halfedges_around_target(h, mesh))
+  {
+    if(!is_border(around, mesh))
+      return around;
+  }
+  return null;
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_MESH_MESH_FACES_H

@@ -1,0 +1,88 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_MESH_READ_HALFEDGES_H
+#define CGAL_REEB_GRAPH_INTERNAL_MESH_READ_HALFEDGES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/mesh/Halfedge_list.h>
+#include <CGAL/Reeb_graph/internal/mesh/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_faces.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+template <class FaceListGraph>
+struct Read_halfedges
+{
+  Halfedge_arrays arrays;
+  Halfedge_list<FaceListGraph> halfedges;
+};
+
+// Numbers the edges as they are met, face by face.
+template <class FaceListGraph, class FaceList, class VertexPositions, class FacePositions>
+Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
+                                             const FaceList& face_list,
+                                             std::size_t number_of_vertices,
+                                             const VertexPositions& vertex_positions,
+                                             const FacePositions& face_positions)
+{
+  typedef boost::graph_traits<FaceListGraph> Graph_traits;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  throw_error_of_first_bad_face(mesh);
+  Halfedge_arrays arrays;
+  arrays.halfedges_of_vertices.assign(number_of_vertices, no_index);
+  Large_vector<halfedge_descriptor> even_halfedges;
+  Large_vector<std::array<Index, 3>> numbers_in_faces;
+  numbers_in_faces.reserve(face_list.size());
+
+  const auto add_edge_of = [&](halfedge_descriptor h) {
+    even_halfedges.push_back(h);
+    for(const auto v : {target(h, mesh), source(h, mesh)})
+      arrays.halfedges.push_back({vertex_positions[v], no_index});
+    return checked_index(arrays.halfedges.size()) - 2;
+  };
+  const auto number = [&](halfedge_descriptor h) {
+    const auto across = face(opposite(h, mesh), mesh);
+    if(across == Graph_traits::null_face() || face_positions[across] >= numbers_in_faces.size())
+      return add_edge_of(h);
+    const std::array<Index, 3>& numbers = numbers_in_faces[face_positions[across]];
+    const auto is_of_edge = [&](Index i) { return even_halfedges[edge_of(i)] == opposite(h, mesh); };
+    return opposite_of(is_of_edge(numbers[0]) ? numbers[0] : (is_of_edge(numbers[1]) ? numbers[1] : numbers[2]));
+  };
+  for(std::size_t f = 0; f != face_list.size(); ++f)
+  {
+    const halfedge_descriptor h = halfedge(face_list[f], mesh);
+    const std::array<Index, 3> numbers = {number(h), number(next(h, mesh)), number(prev(h, mesh))};
+    for(std::size_t i = 0; i != 3; ++i)
+    {
+      arrays.halfedges[numbers[i]].next = numbers[(i + 1) % 3];
+      arrays.halfedges_of_vertices[arrays.halfedges[numbers[i]].target] = numbers[i];
+    }
+    numbers_in_faces.push_back(numbers);
+  }
+  return {std::move(arrays), Halfedge_list<FaceListGraph>(std::move(even_halfedges))};
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_MESH_READ_HALFEDGES_H

@@ -1,0 +1,169 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_OUTPUT_GRAPH_STORAGE_H
+#define CGAL_REEB_GRAPH_INTERNAL_OUTPUT_GRAPH_STORAGE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+
+#include <boost/container/small_vector.hpp>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/pending/container_traits.hpp>
+#include <boost/pool/pool.hpp>
+
+#include <cstddef>
+#include <cstdlib>
+#include <list>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+// How a Reeb graph is stored: with the containers that are usual for an adjacency list, the many arcs of a noisy field
+// would take most of the time that the whole graph takes, for allocations and new pages of memory.
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The arcs at one side of a node. There are rarely more than two of them.
+template <class T>
+class Inline_edge_list : public boost::container::small_vector<T, 2>
+{
+};
+
+// How Boost.Graph is told to handle a container of its users as a vector.
+template <class T>
+boost::graph_detail::vector_tag container_category(const Inline_edge_list<T>&)
+{
+  return boost::graph_detail::vector_tag();
+}
+template <class T>
+boost::graph_detail::unstable_tag iterator_stability(const Inline_edge_list<T>&)
+{
+  return boost::graph_detail::unstable_tag();
+}
+
+// Takes single objects from large blocks. Copied allocators share them, copied containers do not.
+template <class T>
+class Block_allocator
+{
+public:
+  typedef T value_type;
+  typedef std::true_type propagate_on_container_move_assignment;
+  typedef std::true_type propagate_on_container_swap;
+  typedef std::false_type is_always_equal;
+
+  Block_allocator() : pool_(std::make_shared<Pool>(sizeof(T), smallest_block, largest_block)) {}
+  Block_allocator(const Block_allocator&) = default; // and no move, which would leave an allocator without a pool
+  Block_allocator& operator=(const Block_allocator&) = default;
+  template <class U>
+  Block_allocator(const Block_allocator<U>&) : Block_allocator()
+  {}
+
+  Block_allocator select_on_container_copy_construction() const { return Block_allocator(); }
+
+  T* allocate(std::size_t size)
+  {
+    if(size != 1)
+      return std::allocator<T>().allocate(size);
+    void* place = (pool_->malloc)();
+    if(place == nullptr)
+      throw std::bad_alloc();
+    return static_cast<T*>(place);
+  }
+
+  void deallocate(T* place, std::size_t size)
+  {
+    if(size != 1)
+      std::allocator<T>().deallocate(place, size);
+    else
+      (pool_->free)(place);
+  }
+
+  friend bool operator==(const Block_allocator& a, const Block_allocator& b) { return a.pool_ == b.pool_; }
+  friend bool operator!=(const Block_allocator& a, const Block_allocator& b) { return !(a == b); }
+
+private:
+  struct Large_pages
+  {
+    typedef std::size_t size_type;
+    typedef std::ptrdiff_t difference_type;
+
+    static char* malloc BOOST_PREVENT_MACRO_SUBSTITUTION(size_type size)
+    {
+      void* block = (std::malloc)(size);
+      advise_large_pages(block, size);
+      return static_cast<char*>(block);
+    }
+    static void free BOOST_PREVENT_MACRO_SUBSTITUTION(char* block) { (std::free)(block); }
+  };
+  typedef boost::pool<Large_pages> Pool;
+
+  // In objects; a block is written to when it is taken.
+  static constexpr std::size_t smallest_block = 8, largest_block = 100000;
+
+  std::shared_ptr<Pool> pool_;
+};
+
+struct Inline_edge_list_selector
+{
+};
+struct Block_list_selector
+{
+};
+
+template <class Graph, class = void>
+struct Has_node_array : std::false_type
+{
+};
+template <class Graph>
+struct Has_node_array<Graph, std::void_t<decltype(std::declval<Graph&>().m_vertices.reserve(0))>> : std::true_type
+{
+};
+
+// Makes room for the nodes if they are in an array. There is no documented way, but this one has always been there.
+template <class Graph>
+void reserve_nodes(Graph& graph, std::size_t size)
+{
+  if constexpr(Has_node_array<Graph>::value)
+  {
+    graph.m_vertices.reserve(size);
+    advise_large_pages(graph.m_vertices.data(), size * sizeof(graph.m_vertices[0]));
+  }
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+namespace boost {
+
+template <class T>
+struct container_gen<CGAL::Reeb_graph::internal::Inline_edge_list_selector, T>
+{
+  typedef CGAL::Reeb_graph::internal::Inline_edge_list<T> type;
+};
+
+template <>
+struct parallel_edge_traits<CGAL::Reeb_graph::internal::Inline_edge_list_selector>
+{
+  typedef allow_parallel_edge_tag type;
+};
+
+template <class T>
+struct container_gen<CGAL::Reeb_graph::internal::Block_list_selector, T>
+{
+  typedef std::list<T, CGAL::Reeb_graph::internal::Block_allocator<T>> type;
+};
+
+} // namespace boost
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_OUTPUT_GRAPH_STORAGE_H

@@ -1,0 +1,131 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_OUTPUT_WRITE_GRAPH_H
+#define CGAL_REEB_GRAPH_INTERNAL_OUTPUT_WRITE_GRAPH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Halfedge_chain.h>
+#include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/prefetch.h>
+#include <CGAL/Reeb_graph/internal/mesh/flatten.h>
+#include <CGAL/Reeb_graph/internal/output/arc_chains.h>
+#include <CGAL/Reeb_graph/internal/output/graph_storage.h>
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The halfedges of the mesh in the chains.
+template <class ConcurrencyTag, class FaceListGraph, class Scalar>
+auto chain_halfedges(const FaceListGraph& mesh,
+                     const Flat_surface<FaceListGraph, Scalar>& surface,
+                     const Flat_chains& chains)
+{
+  typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
+  std::vector<halfedge_descriptor> halfedges(chains.size());
+  for_each_index<ConcurrencyTag>(chains.parts.size(), [&](std::size_t part) {
+    std::transform(chains.parts[part].begin(), chains.parts[part].end(),
+                   halfedges.begin() + chains.begins_of_parts[part],
+                   [&](Index halfedge) { return surface.halfedges(mesh, halfedge); });
+  });
+  return std::make_shared<const std::vector<halfedge_descriptor>>(std::move(halfedges));
+}
+
+// Replaces the content of `graph` by the nodes, and by the arcs without their chains.
+template <class FaceListGraph, class Scalar, class ReebGraph>
+void write_nodes_and_arcs(const Flat_surface<FaceListGraph, Scalar>& surface,
+                          const Flat_graph& flat_graph,
+                          ReebGraph& graph)
+{
+  typedef boost::graph_traits<ReebGraph> Graph_traits;
+  static_assert(std::is_convertible_v<typename Graph_traits::edge_parallel_category, boost::allow_parallel_edge_tag>,
+                "A Reeb graph has parallel arcs: choose a type of graph that allows parallel edges.");
+  static_assert(std::is_convertible_v<typename Graph_traits::directed_category, boost::bidirectional_tag>,
+                "The arcs of a Reeb graph are directed upwards: choose a bidirectional type of graph.");
+  typedef typename boost::vertex_bundle_type<ReebGraph>::type Node;
+  graph.clear();
+  reserve_nodes(graph, flat_graph.nodes.size());
+  constexpr std::size_t ahead = 12;
+  for(std::size_t i = 0; i != flat_graph.nodes.size(); ++i)
+  {
+    if(i + ahead < flat_graph.nodes.size())
+      prefetch_element(surface.values, flat_graph.nodes[i + ahead].vertex);
+    const Flat_node& flat_node = flat_graph.nodes[i];
+    Node node;
+    node.vertex = surface.vertices[flat_node.vertex];
+    node.value = surface.values[flat_node.vertex];
+    node.kind = flat_node.kind;
+    add_vertex(std::move(node), graph);
+  }
+  const std::size_t size = flat_graph.arcs.size();
+  for(std::size_t i = 0; i != size; ++i)
+  {
+    if(i + ahead < size)
+      prefetch(&graph[flat_graph.arcs[i + ahead].upper]);
+    add_edge(flat_graph.arcs[i].lower, flat_graph.arcs[i].upper, graph);
+  }
+}
+
+// Walks the chains of the arcs beside writing nodes and arcs, for which one thread is enough, into `graph`.
+template <class ConcurrencyTag, class FaceListGraph, class Scalar, class Order, class ReebGraph>
+void write_graph(const FaceListGraph& mesh,
+                 const Flat_surface<FaceListGraph, Scalar>& surface,
+                 const Order& order,
+                 const Flat_graph& flat_graph,
+                 ReebGraph& graph)
+{
+  Flat_chains chains;
+  decltype(chain_halfedges<ConcurrencyTag>(mesh, surface, chains)) halfedges;
+  bool is_graph_changed = false;
+  try
+  {
+    invoke_both<ConcurrencyTag>(
+      [&] {
+        chains = find_arc_chains<ConcurrencyTag>(surface.complex, order, flat_graph);
+        halfedges = chain_halfedges<ConcurrencyTag>(mesh, surface, chains);
+        chains.parts.clear(); // The graph takes much memory.
+      },
+      [&] {
+        is_graph_changed = true;
+        write_nodes_and_arcs(surface, flat_graph, graph);
+      });
+  }
+  catch(...) // Memory has run out, or the order of the user throws.
+  {
+    if(is_graph_changed)
+      graph.clear();
+    throw;
+  }
+  constexpr std::size_t ahead = 12;
+  std::size_t i = 0;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    if(i + ahead < flat_graph.arcs.size())
+      prefetch(&chains.begins_of_pieces[flat_graph.arcs[i + ahead].first_piece]);
+    const Flat_arc& flat_arc = flat_graph.arcs[i++];
+    graph[arc].chain = {halfedges, chains.begin(flat_arc), chains.end(flat_arc) - chains.begin(flat_arc)};
+  }
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_OUTPUT_WRITE_GRAPH_H

@@ -1,0 +1,198 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SLABS_LEVEL_SET_SLICING_H
+#define CGAL_REEB_GRAPH_INTERNAL_SLABS_LEVEL_SET_SLICING_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Number_set.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Cut_level.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The partition of the surface into slabs with about the same number of critical vertices, as those make the work.
+// There is a cut level just above the last critical vertex of each slab but the highest. (The paper, Section 5.1.)
+template <class Complex>
+class Slicing
+{
+public:
+  template <class ConcurrencyTag, class Order>
+  static Slicing make(const Complex& complex,
+                      const Order& order,
+                      const Swept_vertices& critical_vertices,
+                      Index number_of_slabs)
+  {
+    const std::size_t most = largest_size_of_levels(complex) / (complex.number_of_edges() / 16 + 1) + 1;
+    number_of_slabs = static_cast<Index>((std::min)(std::size_t(number_of_slabs), most));
+    Slicing slicing(complex, critical_vertices, number_of_slabs);
+    slicing.template find_slabs_of_vertices<ConcurrencyTag>(order);
+    while(number_of_slabs > 2 && slicing.template size_of_levels<ConcurrencyTag>() > largest_size_of_levels(complex))
+    {
+      number_of_slabs = (number_of_slabs + 1) / 2;
+      slicing = Slicing(complex, critical_vertices, number_of_slabs);
+      slicing.template find_slabs_of_vertices<ConcurrencyTag>(order);
+    }
+    slicing.levels_.assign(number_of_slabs - 1, Cut_level(complex.number_of_edges()));
+    slicing.template find_crossed_edges<ConcurrencyTag>();
+    for_each_index<ConcurrencyTag>(slicing.levels_.size(), [&](std::size_t i) {
+      const Index vertex = slicing.level_vertices_[i];
+      slicing.levels_[i].find_contours(complex, [&](Index u) { return !order(vertex, u); });
+    });
+    slicing.distribute_critical_vertices();
+    for_each_index<ConcurrencyTag>(slicing.parts_.size(), [&](std::size_t slab) { slicing.fill_part(slab); });
+    return slicing;
+  }
+
+  Index number_of_slabs() const { return static_cast<Index>(parts_.size()); }
+
+  Slab<Complex> slab(Index number) const
+  {
+    return Slab<Complex>(*complex_, parts_[number].critical_vertices, slabs_of_vertices_, number,
+                         number == 0 ? nullptr : &levels_[number - 1],
+                         number == levels_.size() ? nullptr : &levels_[number]);
+  }
+
+  // The name of a slab's critical vertex among those of the surface.
+  Index critical_vertex(Index slab, Index critical) const { return parts_[slab].names[critical]; }
+
+  // The level above the slab of the same number.
+  const Cut_level& level(Index number) const { return levels_[number]; }
+  Index number_of_levels() const { return static_cast<Index>(levels_.size()); }
+
+private:
+  struct Part
+  {
+    Swept_vertices critical_vertices;
+    Large_vector<Index> names;
+  };
+
+  Slicing(const Complex& complex, const Swept_vertices& critical_vertices, Index number_of_slabs)
+    : complex_(&complex),
+      critical_vertices_(&critical_vertices),
+      parts_(number_of_slabs)
+  {
+    for(Index slab = 1; slab != number_of_slabs; ++slab)
+      level_vertices_.push_back(critical_vertices.vertex(critical_vertices.ascending()[first_of_slab(slab) - 1]));
+  }
+
+  // The place of a slab's first critical vertex in ascending order.
+  std::size_t first_of_slab(std::size_t slab) const { return slab * critical_vertices_->size() / parts_.size(); }
+
+  template <class ConcurrencyTag, class Order>
+  void find_slabs_of_vertices(const Order& order)
+  {
+    slabs_of_vertices_.resize(complex_->number_of_vertices(), 0);
+    for_each_block<ConcurrencyTag>(slabs_of_vertices_.size(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i != end; ++i)
+      {
+        const Index v = static_cast<Index>(i);
+        if(!complex_->has_vertex(v))
+          continue;
+        const auto level = std::partition_point(level_vertices_.begin(), level_vertices_.end(),
+                                                [&](Index level_vertex) { return order(level_vertex, v); });
+        slabs_of_vertices_[i] = static_cast<Index>(level - level_vertices_.begin());
+      }
+    });
+  }
+
+  // In places of an array that takes one index: at most a few for each edge, whatever the number of slabs asked for.
+  static std::size_t largest_size_of_levels(const Complex& complex)
+  {
+    return 8 * std::size_t(complex.number_of_edges()) + (std::size_t(1) << 20);
+  }
+
+  template <class ConcurrencyTag>
+  std::size_t size_of_levels() const
+  {
+    Shared_counter<ConcurrencyTag> number_of_crossings;
+    for_each_block<ConcurrencyTag>(complex_->number_of_edges(), [&](std::size_t begin, std::size_t end) {
+      std::size_t crossings = 0;
+      for(std::size_t i = begin; i != end; ++i)
+      {
+        const Index edge = static_cast<Index>(i);
+        if(complex_->is_on_triangle(edge))
+          crossings += range_of_levels(edge).second - range_of_levels(edge).first;
+      }
+      number_of_crossings.add(crossings);
+    });
+    return number_of_crossings.get() + (parts_.size() - 1) * (complex_->number_of_edges() / 16);
+  }
+
+  // Those that the edge crosses, and the one behind them.
+  std::pair<Index, Index> range_of_levels(Index edge) const
+  {
+    return std::minmax<Index>(
+      {slabs_of_vertices_[complex_->source(2 * edge)], slabs_of_vertices_[complex_->target(2 * edge)]});
+  }
+
+  // One sweep for all levels, in blocks that do not share a word of the sets.
+  template <class ConcurrencyTag>
+  void find_crossed_edges()
+  {
+    const std::size_t end_of_edges = complex_->number_of_edges(), word = Number_set::bits_per_word;
+    for_each_block<ConcurrencyTag>(end_of_edges / word + 1, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin * word; i < (std::min)(end * word, end_of_edges); ++i)
+      {
+        const Index edge = static_cast<Index>(i);
+        if(!complex_->is_on_triangle(edge))
+          continue;
+        const auto range = range_of_levels(edge);
+        for(Index level = range.first; level != range.second; ++level)
+          levels_[level].add_crossed_edge(edge);
+      }
+    });
+  }
+
+  void distribute_critical_vertices()
+  {
+    names_in_slabs_.resize(critical_vertices_->size());
+    for(Index i = 0; i != critical_vertices_->size(); ++i)
+    {
+      Large_vector<Index>& names = parts_[slabs_of_vertices_[critical_vertices_->vertex(i)]].names;
+      names_in_slabs_[i] = static_cast<Index>(names.size());
+      names.push_back(i);
+    }
+  }
+
+  void fill_part(std::size_t slab)
+  {
+    const auto ascending = critical_vertices_->ascending().begin();
+    Large_vector<Index> ascending_in_slab;
+    ascending_in_slab.reserve(parts_[slab].names.size());
+    std::for_each(ascending + first_of_slab(slab), ascending + first_of_slab(slab + 1),
+                  [&](Index critical) { ascending_in_slab.push_back(names_in_slabs_[critical]); });
+    parts_[slab].critical_vertices = critical_vertices_->part(parts_[slab].names, std::move(ascending_in_slab));
+  }
+
+  const Complex* complex_;
+  const Swept_vertices* critical_vertices_;
+  std::vector<Part> parts_;
+  std::vector<Cut_level> levels_;
+  Large_vector<Index> level_vertices_;
+  Large_vector<Index> slabs_of_vertices_;
+  Large_vector<Index> names_in_slabs_; // by critical vertex of the surface
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_SLABS_LEVEL_SET_SLICING_H
