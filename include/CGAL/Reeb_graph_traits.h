@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Halfedge_chain.h>
+#include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/internal/output/graph_storage.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -23,18 +24,6 @@
 
 namespace CGAL {
 namespace Reeb_graph {
-
-/// \ingroup PkgReebGraphEnums
-///
-/// \brief what happens to the contours at a node of the Reeb graph.
-enum class Node_kind
-{
-  ISOLATED,  ///< no contour below and none above: a vertex without a face, or a component that ties contract
-  MINIMUM,   ///< a contour is born: no arc below
-  SADDLE,    ///< contours join, split, or both: at least three arcs
-  MAXIMUM,   ///< a contour dies: no arc above
-  DEGREE_TWO ///< a critical vertex that is touched by one contour below and by one above; kept on request only
-};
 
 /// \ingroup PkgReebGraphRef
 ///

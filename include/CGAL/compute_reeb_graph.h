@@ -12,11 +12,12 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/arcs/find_critical_arcs.h>
+#include <CGAL/Reeb_graph/internal/arcs/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/arcs/reduce_arcs.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/count_critical_vertices.h>
 #include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/mesh/flatten.h>
 #include <CGAL/Reeb_graph/internal/output/write_graph.h>
@@ -24,6 +25,8 @@
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/visitor.h>
 #include <CGAL/Reeb_graph_traits.h>
+
+#include <utility>
 
 namespace CGAL {
 
@@ -173,32 +176,32 @@ void compute_reeb_graph(const FaceListGraph& mesh,
 
   progress.report(0);
   visitor.begin_stage(Stage::FLATTEN);
-  auto surface = stages::flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
-  const stages::Vertex_order order(surface.values, traits.less_scalar_object());
+  auto [unchecked_complex, field] = stages::flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
+  const stages::Vertex_order order(field.values, traits.less_scalar_object());
   visitor.end_stage(Stage::FLATTEN);
   progress.report(0.2);
 
-  stages::Flat_graph flat_graph;
-  {
-    visitor.begin_stage(Stage::CLASSIFY);
-    const auto critical_vertices = stages::check_and_classify_vertices<ConcurrencyTag>(surface.complex, order);
-    visitor.critical_vertices(stages::count_critical_vertices(critical_vertices));
-    visitor.end_stage(Stage::CLASSIFY);
-    progress.report(0.3);
+  visitor.begin_stage(Stage::CLASSIFY);
+  auto [complex, critical_vertices] =
+    stages::check_and_classify_vertices<ConcurrencyTag>(std::move(unchecked_complex), order);
+  visitor.critical_vertices(stages::count_critical_vertices(critical_vertices));
+  visitor.end_stage(Stage::CLASSIFY);
+  progress.report(0.3);
 
-    visitor.begin_stage(Stage::ARCS);
-    const auto critical_arcs = stages::find_critical_arcs<ConcurrencyTag>(
-      surface.complex, order, critical_vertices, method, number_of_slabs, stages::Stage_progress(progress, 0.3, 0.7));
-    progress.report(0.7);
-    flat_graph = stages::merge_arcs<ConcurrencyTag>(surface.complex, order, critical_vertices, critical_arcs, ties,
-                                                    are_degree_two_nodes_kept, false);
-    visitor.end_stage(Stage::ARCS);
-    progress.report(0.8);
-  }
+  visitor.begin_stage(Stage::ARCS);
+  auto critical_arcs = stages::find_arcs<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs,
+                                                         stages::Stage_progress(progress, 0.3, 0.7));
+  progress.report(0.7);
+  const stages::Flat_graph flat_graph = stages::reduce_arcs<ConcurrencyTag>(
+    complex, order, critical_vertices, critical_arcs, ties, are_degree_two_nodes_kept, false);
+  critical_vertices = stages::Swept_vertices(); // The graph takes much memory.
+  critical_arcs = decltype(critical_arcs)();
+  visitor.end_stage(Stage::ARCS);
+  progress.report(0.8);
 
   // Not written aside and swapped: to swap graphs of Boost copies them.
   visitor.begin_stage(Stage::WRITE);
-  stages::write_graph<ConcurrencyTag>(mesh, surface, order, flat_graph, graph);
+  stages::write_graph<ConcurrencyTag>(mesh, complex, field, order, flat_graph, graph);
   visitor.end_stage(Stage::WRITE);
   progress.report_end();
 }

@@ -14,7 +14,7 @@
 #include "random_fields.h"
 #include "random_meshes.h"
 
-#include <CGAL/Reeb_graph/internal/contour_trees/contour_trees_engine.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Contour_trees_engine.h>
 
 #include <algorithm>
 #include <cmath>
@@ -135,7 +135,7 @@ struct Surgery
 bool are_several_cuts_on_an_edge(const Complex& complex,
                                  const Order& order,
                                  const stages::Swept_vertices& critical_vertices,
-                                 const stages::Cut_contours& cuts)
+                                 const stages::Loop_cuts& cuts)
 {
   std::set<stages::Index> followed = {stages::no_index};
   bool are_several = false;
@@ -200,7 +200,7 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
           && crossed.size() != length_of_shortest_lower_contour(surface.complex, order, critical_vertices, critical);
       });
   });
-  stages::Cut_contours cuts = downwards.take_cuts();
+  stages::Loop_cuts cuts = downwards.take_cuts();
   cuts.register_edges();
   const stages::Merge_tree& tree = downwards.tree();
   return {cuts.size(),

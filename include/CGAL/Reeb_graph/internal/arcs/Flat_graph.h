@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
-#include <CGAL/Reeb_graph_traits.h>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -25,6 +25,15 @@ struct Flat_node
   Index vertex;
   Node_kind kind;
 };
+
+inline Node_kind node_kind(Index in_degree, Index out_degree)
+{
+  if(in_degree == 0)
+    return out_degree == 0 ? Node_kind::ISOLATED : Node_kind::MINIMUM;
+  if(out_degree == 0)
+    return Node_kind::MAXIMUM;
+  return in_degree == 1 && out_degree == 1 ? Node_kind::DEGREE_TWO : Node_kind::SADDLE;
+}
 
 // A piece of a chain: steepest steps from the first one on, up to the level just below a vertex. An arc has one, and
 // one more for each plateau of several critical vertices that it passes.

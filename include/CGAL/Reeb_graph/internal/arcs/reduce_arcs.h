@@ -12,14 +12,14 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
-#include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
+#include <CGAL/Reeb_graph/internal/arcs/Tie_groups.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
-#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
-#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,40 +31,28 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-inline Node_kind node_kind(Index in_degree, Index out_degree)
-{
-  if(in_degree == 0)
-    return out_degree == 0 ? Node_kind::ISOLATED : Node_kind::MINIMUM;
-  if(out_degree == 0)
-    return Node_kind::MAXIMUM;
-  return in_degree == 1 && out_degree == 1 ? Node_kind::DEGREE_TWO : Node_kind::SADDLE;
-}
-
-// Makes nodes and arcs of the critical vertices and the arcs between them. Critical vertices form groups: each one
-// alone, or those that arcs of length zero connect. A group is a node, unless one arc enters it and one leaves it.
+// Makes nodes and arcs of the critical vertices and the arcs between them. A group of critical
+// vertices is a node, unless one arc enters it and one leaves it.
 template <class ConcurrencyTag, class Complex, class Order>
-class Arc_merging
+class Arc_reduction
 {
 public:
-  Arc_merging(const Complex& complex,
-              const Order& order,
-              const Swept_vertices& critical_vertices,
-              const Large_vector<Slab_arc>& arcs,
-              Ties ties,
-              bool are_degree_two_nodes_kept)
+  Arc_reduction(const Complex& complex,
+                const Order& order,
+                const Swept_vertices& critical_vertices,
+                const Large_vector<Slab_arc>& arcs,
+                Ties ties,
+                bool are_degree_two_nodes_kept)
     : complex_(complex),
       order_(order),
       critical_vertices_(critical_vertices),
       arcs_(arcs),
-      are_ties_contracted_(ties == Ties::CONTRACT),
-      are_degree_two_nodes_kept_(are_degree_two_nodes_kept),
-      is_on_plateau_(ties == Ties::CONTRACT ? critical_vertices.size() : 0, false)
+      groups_(order, critical_vertices, arcs, ties),
+      are_degree_two_nodes_kept_(are_degree_two_nodes_kept)
   {}
 
   Flat_graph operator()(bool are_passing_arcs_named)
   {
-    if(are_ties_contracted_)
-      group_ties();
     count_degrees();
     make_nodes();
     if(are_passing_arcs_named)
@@ -80,39 +68,18 @@ public:
   }
 
 private:
-  bool is_contracted(const Slab_arc& arc) const
-  {
-    return are_ties_contracted_
-        && order_.are_tied(critical_vertices_.vertex(arc.lower), critical_vertices_.vertex(arc.upper));
-  }
-
-  void group_ties()
-  {
-    Disjoint_sets groups(critical_vertices_.size());
-    for(const Slab_arc& arc : arcs_)
-    {
-      if(!is_contracted(arc))
-        continue;
-      groups.unite(arc.lower, arc.upper);
-      is_on_plateau_[arc.lower] = is_on_plateau_[arc.upper] = true;
-    }
-    groups_ = groups.take_tops();
-  }
-
-  Index group_of(Index critical) const { return are_ties_contracted_ ? groups_[critical] : critical; }
-
   void count_degrees()
   {
     degrees_.assign(critical_vertices_.size(), Degrees{0, 0, no_index});
     ranks_.resize(arcs_.size());
     for(Index i = 0; i != arcs_.size(); ++i)
     {
-      if(is_contracted(arcs_[i]))
+      if(groups_.is_contracted(arcs_[i]))
         continue;
-      Degrees& degrees = degrees_[group_of(arcs_[i].lower)];
+      Degrees& degrees = degrees_[groups_.group_of(arcs_[i].lower)];
       ranks_[i] = degrees.out++;
       degrees.last_out_arc = i;
-      ++degrees_[group_of(arcs_[i].upper)].in;
+      ++degrees_[groups_.group_of(arcs_[i].upper)].in;
     }
   }
 
@@ -136,7 +103,7 @@ private:
         prefetch(&degrees_[ascending[place + ahead]]);
         prefetch(&node_of_group[ascending[place + ahead]]);
       }
-      const Index i = ascending[place], group = group_of(i);
+      const Index i = ascending[place], group = groups_.group_of(i);
       const Node_kind kind = node_kind(degrees_[group].in, degrees_[group].out);
       const bool is_node =
         kind != Node_kind::DEGREE_TWO || (are_degree_two_nodes_kept_ && critical_vertices_.is_critical(i));
@@ -149,8 +116,8 @@ private:
     }
     begins_of_arcs_.push_back(number_of_arcs);
     graph_.arcs.resize(number_of_arcs);
-    for(Index i = 0; are_ties_contracted_ && i != size; ++i)
-      graph_.node_of_critical[i] = node_of_group[groups_[i]];
+    for(Index i = 0; groups_.are_ties_contracted() && i != size; ++i)
+      graph_.node_of_critical[i] = node_of_group[groups_.group_of(i)];
   }
 
   // Puts the arcs in order by lower node, and their pieces in the order of the critical arcs that they begin with.
@@ -197,7 +164,7 @@ private:
       if(i + ahead < end)
         prefetch_element(begins_of_arcs_, graph_.node_of_critical[arcs_[i + ahead].lower]);
       const Index lower = graph_.node_of_critical[arcs_[i].lower];
-      if(lower != no_index && !is_contracted(arcs_[i]))
+      if(lower != no_index && !groups_.is_contracted(arcs_[i]))
         visit(static_cast<Index>(i), lower);
     }
   }
@@ -225,12 +192,12 @@ private:
     while(true)
     {
       const Index critical = arcs_[i].upper, node = graph_.node_of_critical[critical];
-      const bool is_piece_ended = node != no_index || (are_ties_contracted_ && is_on_plateau_[critical]);
+      const bool is_piece_ended = node != no_index || (groups_.is_on_plateau(critical));
       if(is_piece_ended)
         add_piece(Chain_piece{first_step, critical_vertices_.vertex(critical)});
       if(node != no_index)
         return node;
-      const Index group = group_of(critical);
+      const Index group = groups_.group_of(critical);
       i = degrees_[group].last_out_arc;
       pass(group, i);
       if(is_piece_ended)
@@ -283,7 +250,7 @@ private:
       return first_piece == no_index ? no_index : arc_of_first_piece[first_piece];
     };
     for(Index i = 0; i != critical_vertices_.size(); ++i)
-      graph_.arc_of_critical.push_back(arc_of(first_piece_of_group_[group_of(i)]));
+      graph_.arc_of_critical.push_back(arc_of(first_piece_of_group_[groups_.group_of(i)]));
     for(const Index first_piece : first_piece_of_arc_)
       graph_.arc_of_critical_arc.push_back(arc_of(first_piece));
   }
@@ -299,10 +266,8 @@ private:
   const Order& order_;
   const Swept_vertices& critical_vertices_;
   const Large_vector<Slab_arc>& arcs_;
-  const bool are_ties_contracted_;
+  const Tie_groups<Order> groups_;
   const bool are_degree_two_nodes_kept_;
-  Large_vector<Index> groups_;               // by critical vertex, if ties are contracted
-  std::vector<bool> is_on_plateau_;          // by critical vertex: whether its group has other ones
   Large_vector<Degrees> degrees_;            // by group
   Large_vector<Index> ranks_;                // by critical arc: how many before it leave the same group
   Large_vector<Index> begins_of_arcs_;       // by node: of those that leave it; and the end of the last ones
@@ -312,16 +277,16 @@ private:
 };
 
 template <class ConcurrencyTag, class Complex, class Order>
-Flat_graph merge_arcs(const Complex& complex,
-                      const Order& order,
-                      const Swept_vertices& critical_vertices,
-                      const Large_vector<Slab_arc>& arcs,
-                      Ties ties,
-                      bool are_degree_two_nodes_kept,
-                      bool are_passing_arcs_named)
+Flat_graph reduce_arcs(const Complex& complex,
+                       const Order& order,
+                       const Swept_vertices& critical_vertices,
+                       const Large_vector<Slab_arc>& arcs,
+                       Ties ties,
+                       bool are_degree_two_nodes_kept,
+                       bool are_passing_arcs_named)
 {
-  return Arc_merging<ConcurrencyTag, Complex, Order>(complex, order, critical_vertices, arcs, ties,
-                                                     are_degree_two_nodes_kept)(are_passing_arcs_named);
+  return Arc_reduction<ConcurrencyTag, Complex, Order>(complex, order, critical_vertices, arcs, ties,
+                                                       are_degree_two_nodes_kept)(are_passing_arcs_named);
 }
 
 } // namespace internal

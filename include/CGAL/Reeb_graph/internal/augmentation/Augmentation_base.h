@@ -15,7 +15,7 @@
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/augmentation_exceptions.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
-#include <CGAL/Reeb_graph/internal/arcs/find_critical_arcs.h>
+#include <CGAL/Reeb_graph/internal/arcs/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/arcs/reduce_arcs.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
@@ -264,18 +264,17 @@ protected:
   Vertex_locations make_vertex_locations() const
   {
     const Swept_vertices all_vertices = sort_all_vertices<ConcurrencyTag>(surface_.complex, order_);
-    const Flat_graph all_arcs =
-      merge_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices,
-                                 find_critical_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices,
-                                                                    Method::CONTOUR_TREES, 1, No_progress()),
-                                 Ties::PERTURB, true, true);
+    const Flat_graph all_arcs = reduce_arcs<ConcurrencyTag>(
+      surface_.complex, order_, all_vertices,
+      find_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices, Method::CONTOUR_TREES, 1, No_progress()),
+      Ties::PERTURB, true, true);
     const Swept_vertices critical_vertices = classify_vertices<ConcurrencyTag>(surface_.complex, order_);
     Large_vector<Slab_arc> critical_arcs;
     for(const Flat_arc& arc : all_arcs.arcs)
       critical_arcs.push_back({critical_vertices.ascending()[arc.lower], critical_vertices.ascending()[arc.upper],
                                all_arcs.pieces[arc.first_piece].first_step});
-    const Flat_graph flat_graph = merge_arcs<ConcurrencyTag>(surface_.complex, order_, critical_vertices, critical_arcs,
-                                                             ties_, are_degree_two_nodes_kept_, true);
+    const Flat_graph flat_graph = reduce_arcs<ConcurrencyTag>(surface_.complex, order_, critical_vertices,
+                                                              critical_arcs, ties_, are_degree_two_nodes_kept_, true);
     check_same_graph(flat_graph);
 
     const auto place_of_critical = [&](Index critical) {

@@ -15,9 +15,9 @@
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
-#include <CGAL/Reeb_graph/internal/contour_trees/Cut_contours.h>
-#include <CGAL/Reeb_graph/internal/contour_trees/merge_trees.h>
-#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Loop_cuts.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Merge_tree_sweep.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 
 #include <cstddef>
@@ -66,7 +66,7 @@ public:
     sweep_.merge_at(critical);
   }
 
-  // Cuts along a contour just below the critical vertex that has been merged at last; see Cut_contours.
+  // Cuts along a contour just below the critical vertex that has been merged at last; see Loop_cuts.
   void cut(Index critical, Index sublevel_class, const Large_vector<Index>& crossed_edges, bool has_border)
   {
     const Index cut = cuts_.size();
@@ -82,7 +82,7 @@ public:
   // At the end, what a cut has parted is one component again, so paths may pass cuts.
   void merge_last_contours() { sweep_.merge_last_contours(); }
 
-  Cut_contours take_cuts() { return std::move(cuts_); }
+  Loop_cuts take_cuts() { return std::move(cuts_); }
   const Merge_tree& tree() const { return sweep_.tree(); }
 
 private:
@@ -193,7 +193,7 @@ private:
   const Order& order_;
   const Swept_vertices& critical_vertices_;
   Merge_tree_sweep<Complex, Order, true> sweep_;
-  Cut_contours cuts_;
+  Loop_cuts cuts_;
   Large_vector<Index> components_of_cuts_;
   Large_vector<Index> passed_;
   std::optional<Zeroed_array<Index>> critical_numbers_; // by vertex, from 1 on; 0 if it is not critical

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
-#include <CGAL/Reeb_graph/internal/mesh/Triangle_complex_base.h>
+#include <CGAL/Reeb_graph/internal/mesh/Unchecked_complex.h>
 
 #include <algorithm>
 #include <array>
@@ -101,12 +101,16 @@ Vertex_link find_link(const Complex& complex, const Order& order, Index vertex)
   return complex.is_on_border(vertex) ? changes.path() : changes.closed_link();
 }
 
-// The same at a vertex whose fan has not been found yet: both in one turn if the vertex is inside of the surface.
+// The same at a vertex whose fan has not been set yet: both in one turn if the vertex is inside of the surface.
 template <class Complex, class Order>
-Vertex_link find_fan_and_link(Complex& complex, const Order& order, Index vertex, Fan_counts& counts)
+Vertex_link set_fan_and_find_link(Unchecked_complex<Complex>& complex,
+                                  const Order& order,
+                                  Index vertex,
+                                  Fan_counts& counts)
 {
   Link_changes<Order> changes(order, vertex);
-  return complex.find_fan(vertex, counts, changes) ? changes.closed_link() : find_link(complex, order, vertex);
+  return complex.set_fan(vertex, counts, changes) ? changes.closed_link()
+                                                  : find_link(complex.at_set_fans(), order, vertex);
 }
 
 // Makes `neighbor` the extreme one of its sector if it is. Without a branch that could not be predicted.

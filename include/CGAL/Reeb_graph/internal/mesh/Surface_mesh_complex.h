@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/Triangle_complex_base.h>
-#include <CGAL/Reeb_graph/internal/mesh/mesh_faces.h>
+#include <CGAL/Reeb_graph/internal/mesh/check_faces.h>
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
@@ -55,7 +55,7 @@ public:
   {
     return has_vertex(vertex) ? find_halfedge_of_face(*mesh_, mesh_->halfedge(Vertex_index(vertex))).idx() : no_index;
   }
-  void throw_bad_face_error() const { throw_error_of_first_bad_face(*mesh_); }
+  void check_faces() const { internal::check_faces(*mesh_); }
 
 private:
   static Large_vector<Index> unset_numbers(std::size_t size)

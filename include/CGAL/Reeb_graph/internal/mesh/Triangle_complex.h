@@ -56,7 +56,7 @@ public:
 
   std::size_t number_of_faces() const { return number_of_faces_; }
   Index halfedge_of_face_at(Index vertex) const { return first_halfedge(vertex); }
-  void throw_bad_face_error() const {}
+  void check_faces() const {}
 
 private:
   Large_vector<Halfedge> halfedges_; // both members in one line of the cache, with the opposite halfedge

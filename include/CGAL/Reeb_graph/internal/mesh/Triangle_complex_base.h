@@ -11,44 +11,25 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 
-#include <cstddef>
 #include <utility>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Of some vertices: how many corners of triangles their fans have, and how many fans there are that have other faces.
-struct Fan_counts
-{
-  std::size_t corners = 0;
-  std::size_t bad_fans = 0;
-
-  Fan_counts& operator+=(const Fan_counts& other)
-  {
-    corners += other.corners;
-    bad_fans += other.bad_fans;
-    return *this;
-  }
-};
-
-struct No_visitor_of_fan
-{
-  void begin(Index) {}
-  void add(Index) {}
-};
+template <class Complex>
+class Unchecked_complex;
 
 // An oriented triangulated surface by numbers, as the stages see it. A halfedge has its triangle on the left, or none,
 // along the border. There may be numbers that belong to no vertex and to no edge.
 //
 // A class `Complex` derived from this one has number_of_halfedges(), target(halfedge), has_triangle(halfedge),
-// next(halfedge), for a halfedge of a triangle, and has_vertex(number) and has_edge(number); and for the time before it
-// has been checked, number_of_faces(), halfedge_of_face_at(vertex), any one that ends there or no_index, and
-// throw_bad_face_error(), which does so if a face is no triangle with three vertices.
+// next(halfedge), for a halfedge of a triangle, and has_vertex(number) and has_edge(number); and for Unchecked_complex,
+// number_of_faces(), halfedge_of_face_at(vertex), any one that ends there or no_index, and check_faces(), which throws
+// if a face is no triangle with three vertices.
 template <class Complex>
 class Triangle_complex_base
 {
@@ -134,53 +115,6 @@ public:
     }
   }
 
-  // Finds the fan of a vertex, and adds to `counts`. Nothing else may be asked about the vertex before. When all fans
-  // have been found, check() has to be called with the sums of the counts.
-  //
-  // Shows the neighbors on the way, in clockwise order: visitor.begin(neighbor), then visitor.add(neighbor) for each
-  // next one. Returns whether that has led back to the first one, as it does inside of the surface.
-  template <class Visitor>
-  bool find_fan(Index vertex, Fan_counts& counts, Visitor& visitor)
-  {
-    Index& first = first_halfedges_[vertex];
-    first = complex().halfedge_of_face_at(vertex);
-    if(first == no_index)
-      return false;
-    if(complex().target(first) != vertex)
-      return give_up(first, counts);
-    visitor.begin(source(first));
-    Index halfedge = first;
-    do
-    {
-      const Index second = complex().next(halfedge);
-      if(!is_in_triangle(halfedge))
-        return give_up(first, counts);
-      ++counts.corners;
-      visitor.add(complex().target(second));
-      halfedge = opposite_of(second);
-    } while(halfedge != first && complex().has_triangle(halfedge));
-    if(halfedge == first)
-      return true;
-    for(; complex().has_triangle(opposite_of(first)); ++counts.corners)
-    {
-      const Index turned = previous(opposite_of(first));
-      if(!is_in_triangle(opposite_of(first)) || !is_in_triangle(turned))
-        return give_up(first, counts);
-      first = turned;
-    }
-    return false;
-  }
-
-  // Throws if a face is no triangle, or has a corner that belongs to no fan: a mesh leads to one fan per vertex only,
-  // but there may be more.
-  void check(const Fan_counts& counts) const
-  {
-    if(counts.bad_fans == 0 && counts.corners == 3 * complex().number_of_faces())
-      return;
-    complex().throw_bad_face_error();
-    throw_non_manifold_vertex_error();
-  }
-
 protected:
   // From a halfedge of a face that ends there for each vertex, or anything else if the derived class knows them.
   explicit Triangle_complex_base(Large_vector<Index> halfedges_of_vertices)
@@ -188,44 +122,11 @@ protected:
   {}
 
 private:
+  friend class Unchecked_complex<Complex>;
+
   const Complex& complex() const { return static_cast<const Complex&>(*this); }
 
-  // From a halfedge that is not that of a triangle at the vertex on, turning might never end.
-  static bool give_up(Index& first, Fan_counts& counts)
-  {
-    first = no_index;
-    ++counts.bad_fans;
-    return false;
-  }
-
-  // Whether the face of the halfedge is a triangle with different vertices at this halfedge's ends.
-  bool is_in_triangle(Index halfedge) const
-  {
-    const Index second = complex().next(halfedge), third = complex().next(second);
-    return second != halfedge && third != halfedge && complex().next(third) == halfedge
-        && complex().target(halfedge) != complex().target(third);
-  }
-
-  void throw_non_manifold_vertex_error() const
-  {
-    Large_vector<Index> unreached(number_of_vertices(), 0);
-    for(Index h = 0; h != complex().number_of_halfedges(); ++h)
-    {
-      if(complex().has_edge(edge_of(h)) && complex().has_triangle(h))
-        ++unreached[complex().target(h)];
-    }
-    std::size_t position = 0;
-    for(Index v = 0; v != number_of_vertices(); ++v)
-    {
-      if(complex().has_vertex(v))
-        for_each_halfedge_around(v, [&](Index) { --unreached[v]; });
-      if(unreached[v] != 0)
-        throw Non_manifold_vertex_error(position);
-      position += complex().has_vertex(v) ? 1 : 0;
-    }
-  }
-
-  Large_vector<Index> first_halfedges_;
+  Large_vector<Index> first_halfedges_; // by vertex
 };
 
 } // namespace internal

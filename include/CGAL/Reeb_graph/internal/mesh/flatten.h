@@ -14,14 +14,15 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/mesh/Descriptor_positions.h>
 #include <CGAL/Reeb_graph/internal/mesh/Halfedge_list.h>
 #include <CGAL/Reeb_graph/internal/mesh/Surface_mesh_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/mesh/Unchecked_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/Vertex_list.h>
 #include <CGAL/Reeb_graph/internal/mesh/read_halfedges.h>
-#include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
@@ -50,14 +51,30 @@ struct Complex_of<Surface_mesh<Point>>
   typedef Surface_mesh_complex<Point> type;
 };
 
-// A mesh with its field by numbers; the lists lead back.
+template <class FaceListGraph>
+using Complex_of_t = typename Complex_of<FaceListGraph>::type;
+
+// A field by the numbers of vertices, and the lists that lead back to the mesh.
 template <class FaceListGraph, class Scalar>
-struct Flat_surface
+struct Flat_field
 {
-  typename Complex_of<FaceListGraph>::type complex;
   Large_vector<Scalar> values;
   Vertex_list<FaceListGraph> vertices;
   Halfedge_list<FaceListGraph> halfedges;
+};
+
+// A mesh with its field by numbers, before it has been checked and afterwards.
+template <class FaceListGraph, class Scalar>
+struct Unchecked_surface
+{
+  Unchecked_complex<Complex_of_t<FaceListGraph>> complex;
+  Flat_field<FaceListGraph, Scalar> field;
+};
+
+template <class FaceListGraph, class Scalar>
+struct Flat_surface : Flat_field<FaceListGraph, Scalar>
+{
+  Complex_of_t<FaceListGraph> complex;
 };
 
 // A map that stores a default when a vertex without a value is read.
@@ -154,10 +171,10 @@ void check_index_maps(const FaceListGraph& mesh, const NamedParameters& np)
 }
 
 template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
-Flat_surface<FaceListGraph, typename Traits::Scalar> flatten_unchecked(const FaceListGraph& mesh,
-                                                                       const ScalarMap& scalar_map,
-                                                                       const Traits& traits,
-                                                                       const NamedParameters& np)
+Unchecked_surface<FaceListGraph, typename Traits::Scalar> flatten_unchecked(const FaceListGraph& mesh,
+                                                                            const ScalarMap& scalar_map,
+                                                                            const Traits& traits,
+                                                                            const NamedParameters& np)
 {
   Vertex_list<FaceListGraph> vertex_list(mesh);
   auto values = read_values<ConcurrencyTag>(vertex_list, scalar_map, traits);
@@ -166,38 +183,41 @@ Flat_surface<FaceListGraph, typename Traits::Scalar> flatten_unchecked(const Fac
                                                                                             face_range.second);
   auto read = read_halfedges(mesh, face_list, vertex_list.size(), make_vertex_positions(mesh, vertex_list, np),
                              make_face_positions(mesh, face_list, np));
-  return {Triangle_complex(std::move(read.arrays), face_list.size()), std::move(values), std::move(vertex_list),
-          std::move(read.halfedges)};
+  return {Unchecked_complex(Triangle_complex(std::move(read.arrays), face_list.size())),
+          {std::move(values), std::move(vertex_list), std::move(read.halfedges)}};
 }
 
 template <class ConcurrencyTag, class Point, class ScalarMap, class Traits, class NamedParameters>
-Flat_surface<Surface_mesh<Point>, typename Traits::Scalar> flatten_unchecked(const Surface_mesh<Point>& mesh,
-                                                                             const ScalarMap& scalar_map,
-                                                                             const Traits& traits,
-                                                                             const NamedParameters& np)
+Unchecked_surface<Surface_mesh<Point>, typename Traits::Scalar> flatten_unchecked(const Surface_mesh<Point>& mesh,
+                                                                                  const ScalarMap& scalar_map,
+                                                                                  const Traits& traits,
+                                                                                  const NamedParameters& np)
 {
   Vertex_list<Surface_mesh<Point>> vertex_list(mesh);
   auto values = read_values<ConcurrencyTag>(vertex_list, scalar_map, traits);
   check_index_maps(mesh, np);
-  return {Surface_mesh_complex<Point>(mesh), std::move(values), std::move(vertex_list), {}};
+  return {Unchecked_complex(Surface_mesh_complex<Point>(mesh)), {std::move(values), std::move(vertex_list), {}}};
 }
 
-// With a checked complex.
+// Checks the mesh.
 template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
-auto flatten(const FaceListGraph& mesh, const ScalarMap& scalar_map, const Traits& traits, const NamedParameters& np)
+Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph& mesh,
+                                                             const ScalarMap& scalar_map,
+                                                             const Traits& traits,
+                                                             const NamedParameters& np)
 {
-  auto surface = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
+  auto [unchecked, field] = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
   Shared_counter<ConcurrencyTag> corners, bad_fans;
-  for_each_block<ConcurrencyTag>(surface.complex.number_of_vertices(), [&](std::size_t begin, std::size_t end) {
+  const auto set_fans = [&corners, &bad_fans, &complex = unchecked](std::size_t begin, std::size_t end) {
     Fan_counts counts;
     No_visitor_of_fan visitor;
     for(std::size_t v = begin; v != end; ++v)
-      surface.complex.find_fan(static_cast<Index>(v), counts, visitor);
+      complex.set_fan(static_cast<Index>(v), counts, visitor);
     corners.add(counts.corners);
     bad_fans.add(counts.bad_fans);
-  });
-  surface.complex.check({corners.get(), bad_fans.get()});
-  return surface;
+  };
+  for_each_block<ConcurrencyTag>(unchecked.number_of_vertices(), set_fans);
+  return {std::move(field), std::move(unchecked).check({corners.get(), bad_fans.get()})};
 }
 
 } // namespace internal

@@ -15,7 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/Halfedge_list.h>
 #include <CGAL/Reeb_graph/internal/mesh/Triangle_complex.h>
-#include <CGAL/Reeb_graph/internal/mesh/mesh_faces.h>
+#include <CGAL/Reeb_graph/internal/mesh/check_faces.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -46,7 +46,7 @@ Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
 {
   typedef boost::graph_traits<FaceListGraph> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
-  throw_error_of_first_bad_face(mesh);
+  check_faces(mesh);
   Halfedge_arrays arrays;
   arrays.halfedges_of_vertices.assign(number_of_vertices, no_index);
   Large_vector<halfedge_descriptor> even_halfedges;

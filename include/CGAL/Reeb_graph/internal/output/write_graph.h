@@ -11,13 +11,14 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Halfedge_chain.h>
 #include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/mesh/flatten.h>
 #include <CGAL/Reeb_graph/internal/output/arc_chains.h>
 #include <CGAL/Reeb_graph/internal/output/graph_storage.h>
+
+#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
@@ -35,7 +36,7 @@ namespace internal {
 // The halfedges of the mesh in the chains.
 template <class ConcurrencyTag, class FaceListGraph, class Scalar>
 auto chain_halfedges(const FaceListGraph& mesh,
-                     const Flat_surface<FaceListGraph, Scalar>& surface,
+                     const Flat_field<FaceListGraph, Scalar>& field,
                      const Flat_chains& chains)
 {
   typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
@@ -43,14 +44,14 @@ auto chain_halfedges(const FaceListGraph& mesh,
   for_each_index<ConcurrencyTag>(chains.parts.size(), [&](std::size_t part) {
     std::transform(chains.parts[part].begin(), chains.parts[part].end(),
                    halfedges.begin() + chains.begins_of_parts[part],
-                   [&](Index halfedge) { return surface.halfedges(mesh, halfedge); });
+                   [&](Index halfedge) { return field.halfedges(mesh, halfedge); });
   });
   return std::make_shared<const std::vector<halfedge_descriptor>>(std::move(halfedges));
 }
 
 // Replaces the content of `graph` by the nodes, and by the arcs without their chains.
 template <class FaceListGraph, class Scalar, class ReebGraph>
-void write_nodes_and_arcs(const Flat_surface<FaceListGraph, Scalar>& surface,
+void write_nodes_and_arcs(const Flat_field<FaceListGraph, Scalar>& field,
                           const Flat_graph& flat_graph,
                           ReebGraph& graph)
 {
@@ -66,11 +67,11 @@ void write_nodes_and_arcs(const Flat_surface<FaceListGraph, Scalar>& surface,
   for(std::size_t i = 0; i != flat_graph.nodes.size(); ++i)
   {
     if(i + ahead < flat_graph.nodes.size())
-      prefetch_element(surface.values, flat_graph.nodes[i + ahead].vertex);
+      prefetch_element(field.values, flat_graph.nodes[i + ahead].vertex);
     const Flat_node& flat_node = flat_graph.nodes[i];
     Node node;
-    node.vertex = surface.vertices[flat_node.vertex];
-    node.value = surface.values[flat_node.vertex];
+    node.vertex = field.vertices[flat_node.vertex];
+    node.value = field.values[flat_node.vertex];
     node.kind = flat_node.kind;
     add_vertex(std::move(node), graph);
   }
@@ -84,27 +85,28 @@ void write_nodes_and_arcs(const Flat_surface<FaceListGraph, Scalar>& surface,
 }
 
 // Walks the chains of the arcs beside writing nodes and arcs, for which one thread is enough, into `graph`.
-template <class ConcurrencyTag, class FaceListGraph, class Scalar, class Order, class ReebGraph>
+template <class ConcurrencyTag, class FaceListGraph, class Complex, class Scalar, class Order, class ReebGraph>
 void write_graph(const FaceListGraph& mesh,
-                 const Flat_surface<FaceListGraph, Scalar>& surface,
+                 const Complex& complex,
+                 const Flat_field<FaceListGraph, Scalar>& field,
                  const Order& order,
                  const Flat_graph& flat_graph,
                  ReebGraph& graph)
 {
   Flat_chains chains;
-  decltype(chain_halfedges<ConcurrencyTag>(mesh, surface, chains)) halfedges;
+  decltype(chain_halfedges<ConcurrencyTag>(mesh, field, chains)) halfedges;
   bool is_graph_changed = false;
   try
   {
     invoke_both<ConcurrencyTag>(
       [&] {
-        chains = find_arc_chains<ConcurrencyTag>(surface.complex, order, flat_graph);
-        halfedges = chain_halfedges<ConcurrencyTag>(mesh, surface, chains);
+        chains = find_arc_chains<ConcurrencyTag>(complex, order, flat_graph);
+        halfedges = chain_halfedges<ConcurrencyTag>(mesh, field, chains);
         chains.parts.clear(); // The graph takes much memory.
       },
       [&] {
         is_graph_changed = true;
-        write_nodes_and_arcs(surface, flat_graph, graph);
+        write_nodes_and_arcs(field, flat_graph, graph);
       });
   }
   catch(...) // Memory has run out, or the order of the user throws.

@@ -13,8 +13,8 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
-#include <CGAL/Reeb_graph/internal/slabs/Cut_level.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Bounding_level.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
 
 #include <cstddef>
@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The part of the surface between two cut levels, or all of it. It is no copy: it has the numbers of the slabs in which
+// The part of the surface between two bounding levels, or all of it. It is no copy: it has the numbers of the slabs in which
 // all vertices are, and its own critical vertices. Its nodes are these, followed by the contours of its lower level and
 // those of its upper level.
 template <class Complex>
@@ -41,8 +41,8 @@ public:
        const Swept_vertices& critical_vertices,
        const Large_vector<Index>& slabs_of_vertices,
        Index number,
-       const Cut_level* lower_level,
-       const Cut_level* upper_level)
+       const Bounding_level* lower_level,
+       const Bounding_level* upper_level)
     : complex_(&complex),
       critical_vertices_(&critical_vertices),
       slabs_of_vertices_(&slabs_of_vertices),
@@ -58,7 +58,7 @@ public:
 
   Index number_of_contours(bool is_upper) const
   {
-    const Cut_level* level = is_upper ? upper_level_ : lower_level_;
+    const Bounding_level* level = is_upper ? upper_level_ : lower_level_;
     return level == nullptr ? 0 : level->number_of_contours();
   }
 
@@ -82,7 +82,7 @@ public:
   template <class FindEdge>
   Index contour_at_step(bool is_upper, Index target, const FindEdge& find_edge) const
   {
-    const Cut_level* level = is_upper ? upper_level_ : lower_level_;
+    const Bounding_level* level = is_upper ? upper_level_ : lower_level_;
     if(level == nullptr || !is_outside(is_upper, target))
       return no_index;
     return level->contour_at_edge(find_edge());
@@ -108,8 +108,8 @@ private:
   const Swept_vertices* critical_vertices_;
   const Large_vector<Index>* slabs_of_vertices_ = nullptr;
   Index number_ = 0;
-  const Cut_level* lower_level_ = nullptr;
-  const Cut_level* upper_level_ = nullptr;
+  const Bounding_level* lower_level_ = nullptr;
+  const Bounding_level* upper_level_ = nullptr;
 };
 
 } // namespace internal

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/link_sectors.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>

@@ -15,7 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
-#include <CGAL/Reeb_graph/internal/slabs/level_set_slicing.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slicing.h>
 
 #include <cstddef>
 #include <vector>
@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Joins the arcs of the slabs where they end and begin at the same cut contour. An arc of the surface can pass any
+// Joins the arcs of the slabs where they end and begin at the same contour of a bounding level. An arc of the surface can pass any
 // number of slabs. (The paper, Section 5.3.)
 template <class Complex>
 class Gluing

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_SLABS_LEVEL_SET_SLICING_H
-#define CGAL_REEB_GRAPH_INTERNAL_SLABS_LEVEL_SET_SLICING_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SLABS_SLICING_H
+#define CGAL_REEB_GRAPH_INTERNAL_SLABS_SLICING_H
 
 #include <CGAL/license/Reeb_graph.h>
 
@@ -15,8 +15,8 @@
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Number_set.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
-#include <CGAL/Reeb_graph/internal/slabs/Cut_level.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Bounding_level.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ namespace Reeb_graph {
 namespace internal {
 
 // The partition of the surface into slabs with about the same number of critical vertices, as those make the work.
-// There is a cut level just above the last critical vertex of each slab but the highest. (The paper, Section 5.1.)
+// There is a bounding level just above the last critical vertex of each slab but the highest. (The paper, Section 5.1.)
 template <class Complex>
 class Slicing
 {
@@ -50,7 +50,7 @@ public:
       slicing = Slicing(complex, critical_vertices, number_of_slabs);
       slicing.template find_slabs_of_vertices<ConcurrencyTag>(order);
     }
-    slicing.levels_.assign(number_of_slabs - 1, Cut_level(complex.number_of_edges()));
+    slicing.levels_.assign(number_of_slabs - 1, Bounding_level(complex.number_of_edges()));
     slicing.template find_crossed_edges<ConcurrencyTag>();
     for_each_index<ConcurrencyTag>(slicing.levels_.size(), [&](std::size_t i) {
       const Index vertex = slicing.level_vertices_[i];
@@ -74,7 +74,7 @@ public:
   Index critical_vertex(Index slab, Index critical) const { return parts_[slab].names[critical]; }
 
   // The level above the slab of the same number.
-  const Cut_level& level(Index number) const { return levels_[number]; }
+  const Bounding_level& level(Index number) const { return levels_[number]; }
   Index number_of_levels() const { return static_cast<Index>(levels_.size()); }
 
 private:
@@ -185,7 +185,7 @@ private:
   const Complex* complex_;
   const Swept_vertices* critical_vertices_;
   std::vector<Part> parts_;
-  std::vector<Cut_level> levels_;
+  std::vector<Bounding_level> levels_;
   Large_vector<Index> level_vertices_;
   Large_vector<Index> slabs_of_vertices_;
   Large_vector<Index> names_in_slabs_; // by critical vertex of the surface
@@ -195,4 +195,4 @@ private:
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_SLABS_LEVEL_SET_SLICING_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_SLABS_SLICING_H

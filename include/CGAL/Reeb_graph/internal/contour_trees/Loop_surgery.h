@@ -14,8 +14,8 @@
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/contour_trees/merge_trees.h>
-#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Merge_tree.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 #include <CGAL/Reeb_graph/internal/walks/contour_tracing.h>
 
@@ -175,10 +175,11 @@ private:
       const bool is_at_end = behind % number_of_lower_sectors == 0;
       if((is_on_border && is_at_end) || range.second - range.first != 1 || split_tree_.is_border_reached[upper_class])
         continue;
-      const Index left = sets.top(before % number_of_lower_sectors), right = sets.top(behind % number_of_lower_sectors);
+      const Index left = sets.find(before % number_of_lower_sectors),
+                  right = sets.find(behind % number_of_lower_sectors);
       if(left == right)
         continue;
-      sets.put_on(left, right);
+      sets.link(left, right);
       --number_of_sets;
     }
     return number_of_sets;

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CUT_CONTOURS_H
-#define CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CUT_CONTOURS_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_LOOP_CUTS_H
+#define CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_LOOP_CUTS_H
 
 #include <CGAL/license/Reeb_graph.h>
 
@@ -25,10 +25,10 @@ namespace internal {
 // Contours along which the surface is cut, each just below a critical vertex that it touches. A cut adds two nodes
 // to the trees: one below it, a maximum joined to the lower ends of the crossed edges, and one above it, a minimum
 // joined to the upper ends.
-class Cut_contours
+class Loop_cuts
 {
 public:
-  Cut_contours(Index number_of_other_nodes, Index number_of_edges)
+  Loop_cuts(Index number_of_other_nodes, Index number_of_edges)
     : number_of_other_nodes_(number_of_other_nodes),
       number_of_edges_(number_of_edges)
   {}
@@ -122,4 +122,4 @@ private:
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CUT_CONTOURS_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_LOOP_CUTS_H

@@ -6,37 +6,26 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_MERGE_TREES_H
-#define CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_MERGE_TREES_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_MERGE_TREE_SWEEP_H
+#define CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_MERGE_TREE_SWEEP_H
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/base/Merging_components.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
-#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Merge_tree.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
-#include <CGAL/Reeb_graph/internal/walks/monotone_paths.h>
+#include <CGAL/Reeb_graph/internal/walks/Monotone_path_ends.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
-
-struct Merge_tree
-{
-  Large_vector<Index> parents;         // by node: where its component merges; no_index at a root
-  std::vector<bool> is_border_reached; // by node: whether the component of which it is the top has border
-  std::vector<bool> is_class_shared;   // by critical vertex: whether two of its sectors are in one component
-
-  // By lower link sector in the join tree, by upper one in the split tree: the top of the component that it is in when
-  // the sweep arrives at its vertex. Before that, the component in which a monotone path from there ends.
-  Large_vector<Index> sector_classes;
-};
 
 // The sweep over the critical vertices that builds a merge tree from the ends of monotone paths. (Y. Chiang, T. Lenz,
 // X. Lu, G. Rote, Simple and optimal output-sensitive construction of contour trees using monotone paths, 2005.)
@@ -141,7 +130,7 @@ public:
         continue;
       }
       put_on(component, critical);
-      components_.make_part_of(component, merged_components_.front());
+      components_.link(component, merged_components_.front());
     }
   }
 
@@ -223,4 +212,4 @@ private:
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_MERGE_TREES_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_MERGE_TREE_SWEEP_H

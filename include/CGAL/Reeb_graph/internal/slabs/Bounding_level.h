@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_SLABS_CUT_LEVEL_H
-#define CGAL_REEB_GRAPH_INTERNAL_SLABS_CUT_LEVEL_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SLABS_BOUNDING_LEVEL_H
+#define CGAL_REEB_GRAPH_INTERNAL_SLABS_BOUNDING_LEVEL_H
 
 #include <CGAL/license/Reeb_graph.h>
 
@@ -22,12 +22,12 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// A level at which the surface is cut into slabs, and its contours, numbered in the order of their first edges. It
+// A level between two slabs, and its contours, numbered in the order of their first edges. It
 // holds the map from crossed edges to contours by which slabs are glued. (The paper, Section 5.3.)
-class Cut_level
+class Bounding_level
 {
 public:
-  explicit Cut_level(Index number_of_edges) : crossed_edges_(number_of_edges) {}
+  explicit Bounding_level(Index number_of_edges) : crossed_edges_(number_of_edges) {}
 
   void add_crossed_edge(Index edge) { crossed_edges_.add(edge); }
 
@@ -68,4 +68,4 @@ private:
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_SLABS_CUT_LEVEL_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_SLABS_BOUNDING_LEVEL_H

@@ -6,22 +6,23 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_ARCS_FIND_CRITICAL_ARCS_H
-#define CGAL_REEB_GRAPH_INTERNAL_ARCS_FIND_CRITICAL_ARCS_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_ARCS_FIND_ARCS_H
+#define CGAL_REEB_GRAPH_INTERNAL_ARCS_FIND_ARCS_H
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/arcs/slab_engine.h>
+#include <CGAL/Reeb_graph/internal/arcs/Critical_sets_engine.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Contour_trees_engine.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Gluing.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
-#include <CGAL/Reeb_graph/internal/slabs/gluing.h>
-#include <CGAL/Reeb_graph/internal/slabs/level_set_slicing.h>
-#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slicing.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,15 +32,28 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+// Finds the arcs between the nodes of a slab by one of the two engines. They return the same arcs, in any order. First
+// steps are those of arcs that begin at a critical vertex.
+template <class ConcurrencyTag, class Complex, class Order, class Report>
+Large_vector<Slab_arc> find_arcs_of_slab(const Slab<Complex>& slab,
+                                         const Order& order,
+                                         Method method,
+                                         const Report& report)
+{
+  if(method == Method::CRITICAL_SETS)
+    return Critical_sets_engine<Complex, Order>(slab, order).find_arcs(report);
+  return Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report);
+}
+
 // The slab stage between partition and gluing: finds the arcs between critical vertices, slab by slab. With one slab,
 // which needs neither, the engine itself runs in parallel where it can.
 template <class ConcurrencyTag, class Complex, class Order, class Report>
-Large_vector<Slab_arc> find_critical_arcs(const Complex& complex,
-                                          const Order& order,
-                                          const Swept_vertices& critical_vertices,
-                                          Method method,
-                                          std::size_t number_of_slabs,
-                                          const Report& report)
+Large_vector<Slab_arc> find_arcs(const Complex& complex,
+                                 const Order& order,
+                                 const Swept_vertices& critical_vertices,
+                                 Method method,
+                                 std::size_t number_of_slabs,
+                                 const Report& report)
 {
   number_of_slabs = (std::min)(number_of_slabs, static_cast<std::size_t>(critical_vertices.size()));
   if(number_of_slabs <= 1)
@@ -60,4 +74,4 @@ Large_vector<Slab_arc> find_critical_arcs(const Complex& complex,
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_ARCS_FIND_CRITICAL_ARCS_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_ARCS_FIND_ARCS_H

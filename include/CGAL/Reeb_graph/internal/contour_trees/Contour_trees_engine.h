@@ -15,12 +15,15 @@
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
-#include <CGAL/Reeb_graph/internal/contour_trees/Cut_contours.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Cutting_sweep.h>
-#include <CGAL/Reeb_graph/internal/contour_trees/contour_tree_merge.h>
-#include <CGAL/Reeb_graph/internal/contour_trees/loop_surgery.h>
-#include <CGAL/Reeb_graph/internal/contour_trees/merge_trees.h>
-#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Loop_cuts.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Loop_surgery.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Merge_tree.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Merge_tree_sweep.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Shrinking_tree.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/combine_trees.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/count_critical_vertices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 
@@ -69,7 +72,7 @@ public:
           sweep_downwards_and_cut(*downwards, upwards->tree());
       },
       [&] { join_tree = Shrinking_tree(upwards->tree().parents); });
-    const Cut_contours cuts = downwards->take_cuts();
+    const Loop_cuts cuts = downwards->take_cuts();
     insert_cuts(cuts, join_tree);
     report(0.75);
 
@@ -79,8 +82,7 @@ public:
                                   first_steps = find_first_steps<ConcurrencyTag>(downwards->tree().sector_classes,
                                                                                  cuts.number_of_nodes());
                                 });
-    Large_vector<Slab_arc> arcs =
-      Contour_tree_merge(std::move(join_tree), std::move(split_tree), std::move(first_steps))();
+    Large_vector<Slab_arc> arcs = combine_trees(std::move(join_tree), std::move(split_tree), std::move(first_steps));
     glue_cuts(cuts, arcs);
     return arcs;
   }
@@ -182,7 +184,7 @@ private:
   }
 
   // Cuts do not change the join tree but for their own nodes.
-  static void insert_cuts(const Cut_contours& cuts, Shrinking_tree& join_tree)
+  static void insert_cuts(const Loop_cuts& cuts, Shrinking_tree& join_tree)
   {
     join_tree.resize(cuts.number_of_nodes());
     for(Index cut = 0; cut != cuts.size(); ++cut)
@@ -219,7 +221,7 @@ private:
   }
 
   // Where an arc ends at a cut it goes on to the vertex just above, and the short arc from the cut to there is dropped.
-  static void glue_cuts(const Cut_contours& cuts, Large_vector<Slab_arc>& arcs)
+  static void glue_cuts(const Loop_cuts& cuts, Large_vector<Slab_arc>& arcs)
   {
     if(cuts.size() == 0)
       return;

@@ -6,18 +6,16 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CONTOUR_TREE_MERGE_H
-#define CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CONTOUR_TREE_MERGE_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_SHRINKING_TREE_H
+#define CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_SHRINKING_TREE_H
 
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
-#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 
 #include <cstddef>
-#include <utility>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -98,78 +96,8 @@ private:
   Large_vector<Node> nodes_;
 };
 
-// Merges a join tree and a split tree of the same nodes into the arcs of the contour tree, leaf by leaf. (H. Carr,
-// J. Snoeyink, U. Axen, Computing contour trees in all dimensions, 2003.)
-class Contour_tree_merge
-{
-public:
-  Contour_tree_merge(Shrinking_tree join_tree, Shrinking_tree split_tree, Large_vector<Ascending_step> first_steps)
-    : join_tree_(std::move(join_tree)),
-      split_tree_(std::move(split_tree)),
-      first_steps_(std::move(first_steps))
-  {
-    arcs_.reserve(first_steps_.size());
-  }
-
-  Large_vector<Slab_arc> operator()()
-  {
-    for(Index node = 0; node != first_steps_.size(); ++node)
-      take_leaves_from(node);
-    return std::move(arcs_);
-  }
-
-private:
-  bool is_lower_leaf(Index node) const
-  {
-    return join_tree_.number_of_children(node) == 0 && split_tree_.number_of_children(node) == 1;
-  }
-
-  bool is_upper_leaf(Index node) const
-  {
-    return split_tree_.number_of_children(node) == 0 && join_tree_.number_of_children(node) == 1;
-  }
-
-  // Takes the node away if it is a leaf, and then its neighbor if that makes it one, and so on.
-  void take_leaves_from(Index node)
-  {
-    while(node != no_index)
-    {
-      if(is_lower_leaf(node))
-        node = take_lower_leaf(node);
-      else if(is_upper_leaf(node))
-        node = take_upper_leaf(node);
-      else
-        node = no_index;
-    }
-  }
-
-  Index take_lower_leaf(Index node)
-  {
-    const Index upper = join_tree_.parent(node), child = split_tree_.only_child(node);
-    arcs_.push_back({node, upper, first_steps_[child]});
-    first_steps_[child] = first_steps_[node];
-    join_tree_.remove_leaf(node);
-    split_tree_.remove_inner_node(node);
-    return upper;
-  }
-
-  Index take_upper_leaf(Index node)
-  {
-    const Index lower = split_tree_.parent(node);
-    arcs_.push_back({lower, node, first_steps_[node]});
-    split_tree_.remove_leaf(node);
-    join_tree_.remove_inner_node(node);
-    return lower;
-  }
-
-  Shrinking_tree join_tree_;
-  Shrinking_tree split_tree_;
-  Large_vector<Ascending_step> first_steps_; // by node, from its parent in the split tree towards it
-  Large_vector<Slab_arc> arcs_;
-};
-
 } // namespace internal
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_CONTOUR_TREE_MERGE_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_CONTOUR_TREES_SHRINKING_TREE_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_MESH_MESH_FACES_H
-#define CGAL_REEB_GRAPH_INTERNAL_MESH_MESH_FACES_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_MESH_CHECK_FACES_H
+#define CGAL_REEB_GRAPH_INTERNAL_MESH_CHECK_FACES_H
 
 #include <CGAL/license/Reeb_graph.h>
 
@@ -24,8 +24,9 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+// Throws if a face is no triangle with three vertices.
 template <class FaceListGraph>
-void throw_error_of_first_bad_face(const FaceListGraph& mesh)
+void check_faces(const FaceListGraph& mesh)
 {
   std::size_t position = 0;
   for(const auto f : CGAL::make_range(faces(mesh)))
@@ -59,4 +60,4 @@ HalfedgeDescriptor find_halfedge_of_face(const FaceListGraph& mesh, HalfedgeDesc
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_MESH_MESH_FACES_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_MESH_CHECK_FACES_H

@@ -1,0 +1,78 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_ARCS_TIE_GROUPS_H
+#define CGAL_REEB_GRAPH_INTERNAL_ARCS_TIE_GROUPS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
+#include <CGAL/Reeb_graph/options.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The groups that critical vertices form: each one alone, or if ties are contracted, those that arcs of length zero
+// connect.
+template <class Order>
+class Tie_groups
+{
+public:
+  Tie_groups(const Order& order, const Swept_vertices& critical_vertices, const Large_vector<Slab_arc>& arcs, Ties ties)
+    : order_(order),
+      critical_vertices_(critical_vertices),
+      are_ties_contracted_(ties == Ties::CONTRACT)
+  {
+    if(!are_ties_contracted_)
+      return;
+    is_on_plateau_.assign(critical_vertices.size(), false);
+    Disjoint_sets groups(critical_vertices.size());
+    for(const Slab_arc& arc : arcs)
+    {
+      if(!is_contracted(arc))
+        continue;
+      groups.unite(arc.lower, arc.upper);
+      is_on_plateau_[arc.lower] = is_on_plateau_[arc.upper] = true;
+    }
+    groups_ = groups.take_roots();
+  }
+
+  bool are_ties_contracted() const { return are_ties_contracted_; }
+
+  bool is_contracted(const Slab_arc& arc) const
+  {
+    return are_ties_contracted_
+        && order_.are_tied(critical_vertices_.vertex(arc.lower), critical_vertices_.vertex(arc.upper));
+  }
+
+  // A group has the number of one of its critical vertices.
+  Index group_of(Index critical) const { return are_ties_contracted_ ? groups_[critical] : critical; }
+
+  // Whether there are others in the group.
+  bool is_on_plateau(Index critical) const { return are_ties_contracted_ && is_on_plateau_[critical]; }
+
+private:
+  const Order& order_;
+  const Swept_vertices& critical_vertices_;
+  const bool are_ties_contracted_;
+  Large_vector<Index> groups_;      // by critical vertex, if ties are contracted
+  std::vector<bool> is_on_plateau_; // by critical vertex, if ties are contracted
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_ARCS_TIE_GROUPS_H

@@ -1,0 +1,87 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_BASE_NAMED_PARAMETER_H
+#define CGAL_REEB_GRAPH_INTERNAL_BASE_NAMED_PARAMETER_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <functional>
+#include <type_traits>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Whether get_parameter() has found a named parameter, by the type that it returns.
+template <class Parameter>
+constexpr bool is_given = !std::is_same_v<std::decay_t<Parameter>, internal_np::Param_not_found>;
+
+// A parameter that may be given by value or as std::reference_wrapper.
+template <class T>
+T& unwrap_reference(T& parameter)
+{
+  return parameter;
+}
+
+template <class T>
+T& unwrap_reference(std::reference_wrapper<T>& parameter)
+{
+  return parameter;
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+// A named parameter of the package's own, as in CGAL's parameters_interface.h: its tag, a function that starts a pack of
+// parameters with a value of type `Type`, and one that appends the value to a pack. Everything else about it is CGAL's.
+// To be used outside of any namespace.
+#define CGAL_REEB_GRAPH_NAMED_PARAMETER(name, Type)                                                                    \
+  CGAL_REEB_GRAPH_NAMED_PARAMETER_TAG(name)                                                                            \
+  namespace CGAL {                                                                                                     \
+  namespace parameters {                                                                                               \
+  inline auto name(Type value) { return Named_function_parameters<Type, Reeb_graph::internal::name##_t>(value); }      \
+  template <class T, class Tag, class Base>                                                                            \
+  auto name(Type value, const Named_function_parameters<T, Tag, Base>& np)                                             \
+  {                                                                                                                    \
+    return Named_function_parameters<Type, Reeb_graph::internal::name##_t, std::decay_t<decltype(np)>>(value, np);     \
+  }                                                                                                                    \
+  }                                                                                                                    \
+  }
+
+// The same for a parameter of which values have any type.
+#define CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(name)                                                              \
+  CGAL_REEB_GRAPH_NAMED_PARAMETER_TAG(name)                                                                            \
+  namespace CGAL {                                                                                                     \
+  namespace parameters {                                                                                               \
+  template <class Value>                                                                                               \
+  auto name(const Value& value)                                                                                        \
+  {                                                                                                                    \
+    return Named_function_parameters<Value, Reeb_graph::internal::name##_t>(value);                                    \
+  }                                                                                                                    \
+  template <class Value, class T, class Tag, class Base>                                                               \
+  auto name(const Value& value, const Named_function_parameters<T, Tag, Base>& np)                                     \
+  {                                                                                                                    \
+    return Named_function_parameters<Value, Reeb_graph::internal::name##_t, std::decay_t<decltype(np)>>(value, np);    \
+  }                                                                                                                    \
+  }                                                                                                                    \
+  }
+
+#define CGAL_REEB_GRAPH_NAMED_PARAMETER_TAG(name)                                                                      \
+  namespace CGAL {                                                                                                     \
+  namespace Reeb_graph {                                                                                               \
+  namespace internal {                                                                                                 \
+  enum name##_t{name};                                                                                                 \
+  }                                                                                                                    \
+  }                                                                                                                    \
+  }
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_BASE_NAMED_PARAMETER_H

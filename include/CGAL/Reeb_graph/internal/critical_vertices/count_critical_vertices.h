@@ -1,0 +1,64 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CRITICAL_VERTICES_COUNT_CRITICAL_VERTICES_H
+#define CGAL_REEB_GRAPH_INTERNAL_CRITICAL_VERTICES_COUNT_CRITICAL_VERTICES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Critical_vertex_counts.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+inline Critical_vertex_counts count_critical_vertices(const Swept_vertices& critical_vertices)
+{
+  Critical_vertex_counts counts;
+  for(Index i = 0; i != critical_vertices.size(); ++i)
+  {
+    const Index number_of_lower_sectors = critical_vertices.number_of_lower_sectors(i);
+    const Index number_of_upper_sectors = critical_vertices.number_of_upper_sectors(i);
+    if(number_of_lower_sectors == 0 && number_of_upper_sectors == 0)
+      ++counts.isolated;
+    else if(number_of_lower_sectors == 0)
+      ++counts.minima;
+    else if(number_of_upper_sectors == 0)
+      ++counts.maxima;
+    else if(critical_vertices.is_on_border(i))
+      ++counts.border_saddles;
+    else
+      ++counts.saddles[number_of_lower_sectors - 1];
+  }
+  return counts;
+}
+
+// The Euler characteristic of the surface, to which a vertex contributes 1 minus the Euler characteristic of its lower link. (T. Banchoff,
+// Critical points and curvature for embedded polyhedra, 1967.)
+inline std::ptrdiff_t euler_characteristic(const Swept_vertices& critical_vertices)
+{
+  std::ptrdiff_t result = 0;
+  for(Index i = 0; i != critical_vertices.size(); ++i)
+  {
+    const bool is_lower_link_closed =
+      critical_vertices.number_of_upper_sectors(i) == 0 && !critical_vertices.is_on_border(i);
+    result +=
+      1 - (is_lower_link_closed ? 0 : static_cast<std::ptrdiff_t>(critical_vertices.number_of_lower_sectors(i)));
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_CRITICAL_VERTICES_COUNT_CRITICAL_VERTICES_H

@@ -1,0 +1,150 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_MESH_UNCHECKED_COMPLEX_H
+#define CGAL_REEB_GRAPH_INTERNAL_MESH_UNCHECKED_COMPLEX_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The fans of some vertices: how many corners of triangles they have, and how many fans there are with other faces.
+struct Fan_counts
+{
+  std::size_t corners = 0;
+  std::size_t bad_fans = 0;
+
+  Fan_counts& operator+=(const Fan_counts& other)
+  {
+    corners += other.corners;
+    bad_fans += other.bad_fans;
+    return *this;
+  }
+};
+
+struct No_visitor_of_fan
+{
+  void begin(Index) {}
+  void add(Index) {}
+};
+
+// A complex that may be none, as its faces may have more than three corners and its vertices more than one fan. The fan
+// of each vertex has to be set, in any order; then check() gives the complex.
+template <class Complex>
+class Unchecked_complex
+{
+public:
+  explicit Unchecked_complex(Complex complex) : complex_(std::move(complex)) {}
+
+  Index number_of_vertices() const { return complex_.number_of_vertices(); }
+  bool has_vertex(Index number) const { return complex_.has_vertex(number); }
+
+  // To be asked about vertices whose fans have been set, and nothing else.
+  const Complex& at_set_fans() const { return complex_; }
+
+  // Turns to the halfedge with which the fan of a vertex begins, keeps it, and adds to `counts`.
+  //
+  // Shows the neighbors on the way, in clockwise order: visitor.begin(neighbor), then visitor.add(neighbor) for each
+  // next one. Returns whether that has led back to the first one, as it does inside of the surface.
+  template <class Visitor>
+  bool set_fan(Index vertex, Fan_counts& counts, Visitor& visitor)
+  {
+    Index& first = complex_.first_halfedges_[vertex];
+    first = complex_.halfedge_of_face_at(vertex);
+    if(first == no_index)
+      return false;
+    if(complex_.target(first) != vertex)
+      return give_up(first, counts);
+    visitor.begin(complex_.source(first));
+    Index halfedge = first;
+    do
+    {
+      const Index second = complex_.next(halfedge);
+      if(!is_in_triangle(halfedge))
+        return give_up(first, counts);
+      ++counts.corners;
+      visitor.add(complex_.target(second));
+      halfedge = opposite_of(second);
+    } while(halfedge != first && complex_.has_triangle(halfedge));
+    if(halfedge == first)
+      return true;
+    for(; complex_.has_triangle(opposite_of(first)); ++counts.corners)
+    {
+      const Index turned = complex_.previous(opposite_of(first));
+      if(!is_in_triangle(opposite_of(first)) || !is_in_triangle(turned))
+        return give_up(first, counts);
+      first = turned;
+    }
+    return false;
+  }
+
+  // From the sums of the counts. Throws if a face is no triangle, or has a corner that belongs to no fan: a mesh leads
+  // to one fan per vertex only, but there may be more.
+  Complex check(const Fan_counts& counts) &&
+  {
+    if(counts.bad_fans != 0 || counts.corners != 3 * complex_.number_of_faces())
+    {
+      complex_.check_faces();
+      throw_non_manifold_vertex_error();
+    }
+    return std::move(complex_);
+  }
+
+private:
+  // From a halfedge that is not that of a triangle at the vertex on, turning might never end.
+  static bool give_up(Index& first, Fan_counts& counts)
+  {
+    first = no_index;
+    ++counts.bad_fans;
+    return false;
+  }
+
+  // Whether the face of the halfedge is a triangle with different vertices at this halfedge's ends.
+  bool is_in_triangle(Index halfedge) const
+  {
+    const Index second = complex_.next(halfedge), third = complex_.next(second);
+    return second != halfedge && third != halfedge && complex_.next(third) == halfedge
+        && complex_.target(halfedge) != complex_.target(third);
+  }
+
+  void throw_non_manifold_vertex_error() const
+  {
+    Large_vector<Index> unreached(number_of_vertices(), 0);
+    for(Index h = 0; h != complex_.number_of_halfedges(); ++h)
+    {
+      if(complex_.has_edge(edge_of(h)) && complex_.has_triangle(h))
+        ++unreached[complex_.target(h)];
+    }
+    std::size_t position = 0;
+    for(Index v = 0; v != number_of_vertices(); ++v)
+    {
+      if(has_vertex(v))
+        complex_.for_each_halfedge_around(v, [&](Index) { --unreached[v]; });
+      if(unreached[v] != 0)
+        throw Non_manifold_vertex_error(position);
+      position += has_vertex(v) ? 1 : 0;
+    }
+  }
+
+  Complex complex_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_MESH_UNCHECKED_COMPLEX_H

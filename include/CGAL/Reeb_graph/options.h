@@ -1,0 +1,55 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_OPTIONS_H
+#define CGAL_REEB_GRAPH_OPTIONS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief what becomes of vertices of equal value.
+enum class Ties
+{
+  PERTURB, ///< they are ordered by their position in `vertices(mesh)`; arcs of length zero keep every handle
+  CONTRACT ///< arcs of length zero are contracted: the graph is that of the field as it is, where each connected
+           ///< component of a level set is one point
+};
+
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief how the arcs are found; the graph is the same.
+enum class Method
+{
+  AUTOMATIC,     ///< the same as `CONTOUR_TREES`, which is the faster one for smooth fields as well as for noise
+  CRITICAL_SETS, ///< critical sets and ascending paths: the method of the paper, quadratic for noise
+  CONTOUR_TREES  ///< contour trees joined by loop surgery: near-linear for any field
+};
+
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief the weights \f$ w_{ij} \f$ of the Laplace equation \f$ \sum_j w_{ij} (f_j - f_i) = 0 \f$.
+enum class Laplacian_weights
+{
+  /// \f$ (\tan(\theta / 2) + \tan(\phi / 2)) / |v_j - v_i| \f$ with the angles at \f$ v_i \f$ on both sides of the
+  /// edge, which are positive for any triangles (Floater 2003). With finer and finer meshes, the field converges to the
+  /// smooth one only if the triangles get about equilateral
+  MEAN_VALUE,
+  /// \f$ (\cot \alpha + \cot \beta) / 2 \f$ with the two angles that face the edge, those of linear finite elements;
+  /// some of them are negative if there are obtuse angles
+  COTANGENT,
+  UNIFORM ///< one for each edge; the geometry of the faces plays no role
+};
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_OPTIONS_H
