@@ -29,4 +29,4 @@ number_of_jobs() {
 
 packages_of_program=(g++ cmake make libcgal-dev libboost-dev libboost-test-dev libeigen3-dev libtbb-dev libcli11-dev
                      nlohmann-json3-dev graphviz)
-packages_of_tests=("${packages_of_program[@]}" doxygen)
+packages_of_tests=("${packages_of_program[@]}" doxygen libgudhi-dev)

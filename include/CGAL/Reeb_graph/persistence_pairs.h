@@ -1,0 +1,157 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_PERSISTENCE_PAIRS_H
+#define CGAL_REEB_GRAPH_PERSISTENCE_PAIRS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/simplification/Node_neighbors.h>
+#include <CGAL/Reeb_graph/internal/simplification/loop_pairs.h>
+#include <CGAL/Reeb_graph/internal/simplification/persistence.h>
+#include <CGAL/Reeb_graph/internal/simplification/tree_pairs.h>
+#include <CGAL/Reeb_graph/simplification_exceptions.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief what is born at the one node of a persistence pair, and dies at the other.
+enum class Persistence_pair_kind
+{
+  MINIMUM_SADDLE, ///< a component of the sublevel sets: from its lowest minimum to where it joins one of a lower minimum
+  SADDLE_MAXIMUM,  ///< the same for superlevel sets: from where it joins one of a higher maximum to its highest maximum
+  MINIMUM_MAXIMUM, ///< a connected component of the graph: its lowest minimum and its highest maximum
+  LOOP             ///< a loop of the graph: from where it splits to where it joins
+};
+
+/// \ingroup PkgReebGraphSimplification
+///
+/// \brief two nodes of a Reeb graph that extended persistence pairs. Their values are the birth and the death.
+///
+/// \tparam NodeDescriptor the type of the nodes of the graph
+template <class NodeDescriptor>
+struct Persistence_pair
+{
+  NodeDescriptor lower_node;  ///< the lower node
+  NodeDescriptor upper_node;  ///< the upper node, the same as the lower one for a node without arcs
+  Persistence_pair_kind kind; ///< what the pair stands for
+
+  /// returns `true` if nodes and kinds are the same.
+  friend bool operator==(const Persistence_pair& a, const Persistence_pair& b)
+  {
+    return a.lower_node == b.lower_node && a.upper_node == b.upper_node && a.kind == b.kind;
+  }
+
+  /// returns `true` if a node or the kind is another one.
+  friend bool operator!=(const Persistence_pair& a, const Persistence_pair& b) { return !(a == b); }
+
+  /// compares first the lower nodes, then the upper ones, then the kinds.
+  friend bool operator<(const Persistence_pair& a, const Persistence_pair& b)
+  {
+    return std::tie(a.lower_node, a.upper_node, a.kind) < std::tie(b.lower_node, b.upper_node, b.kind);
+  }
+};
+
+/// \ingroup PkgReebGraphSimplification
+///
+/// \brief returns the name of a kind: `minimum-saddle`, `saddle-maximum`, `minimum-maximum`, or `loop`.
+inline std::string to_string(Persistence_pair_kind kind)
+{
+  switch(kind)
+  {
+  case Persistence_pair_kind::MINIMUM_SADDLE: return "minimum-saddle";
+  case Persistence_pair_kind::SADDLE_MAXIMUM: return "saddle-maximum";
+  case Persistence_pair_kind::MINIMUM_MAXIMUM: return "minimum-maximum";
+  case Persistence_pair_kind::LOOP: return "loop";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgReebGraphSimplification
+///
+/// \brief returns the persistence of a pair: the absolute difference of the values of its two nodes, as a `double`. That
+/// of equal values is 0, also if they are infinite.
+///
+/// \param graph the graph that the pair is one of; `CGAL::to_double()` has to take its values
+/// \param pair the pair
+template <class ReebGraph>
+double persistence(const ReebGraph& graph,
+                   const Persistence_pair<typename boost::graph_traits<ReebGraph>::vertex_descriptor>& pair)
+{
+  return internal::persistence(internal::node_value(graph, pair.lower_node),
+                               internal::node_value(graph, pair.upper_node));
+}
+
+/// \ingroup PkgReebGraphSimplification
+///
+/// \brief finds the pairs of the extended persistence of a Reeb graph.
+///
+/// Level sets are followed upwards, and then superlevel sets downwards; what is born at one node dies at another one, and
+/// the values of these two tell how much of the field it takes part in.
+///
+/// - Where several components of a sublevel set meet, all die but the one of the lowest minimum (the elder rule): a pair of
+///   a minimum and a saddle for each.
+/// - Where several components of a superlevel set meet, all die but the one of the highest maximum: a pair of a saddle and
+///   a maximum for each.
+/// - The lowest minimum and the highest maximum of each connected component of the graph are a pair. A node without arcs is
+///   one with itself.
+/// - There are as many loop pairs as the graph has independent loops. The upper node of a pair is where arcs close a loop
+///   from below, and the lower node is the highest one that can be the lowest node of such a loop.
+///
+/// A node at which more than three arcs end takes part in several pairs, a node with one arc below and one above in none.
+/// Nodes are compared by their numbers, which is the total order of the vertices, so the pairs are unique. Turned upside
+/// down, the graph has the same pairs upside down.
+///
+/// With \f$ n \f$ nodes and arcs, of which \f$ l \f$ are in loops, the time is \f$ O(n \log n) \f$ with a small constant,
+/// plus \f$ O(l \log l) \f$. Loops are found by link-cut trees. See P. K. Agarwal, H. Edelsbrunner, J. Harer, Y. Wang,
+/// *Extreme elevation on a 2-manifold*, 2006, and J. Tu, M. Hajij, P. Rosen, *Propagate and Pair: A Single-Pass Approach to
+/// Critical Point Pairing in Reeb Graphs*, 2019.
+///
+/// \tparam ReebGraph the type `Graph` of the traits class, or another bidirectional graph with `std::size_t` as vertex
+///         descriptor
+/// \tparam OutputIterator a model of `OutputIterator` for `Persistence_pair` with the vertex descriptors of the graph
+///
+/// \param graph a Reeb graph, computed with any named parameters
+/// \param pairs the output: all pairs, sorted by lower node, upper node, and kind
+///
+/// \returns the output iterator behind the last pair.
+///
+/// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
+template <class ReebGraph, class OutputIterator>
+OutputIterator persistence_pairs(const ReebGraph& graph, OutputIterator pairs)
+{
+  typedef Persistence_pair<typename boost::graph_traits<ReebGraph>::vertex_descriptor> Pair;
+  std::vector<Pair> found;
+  const auto add = [&](Persistence_pair_kind kind) {
+    return [&found, kind](internal::Index lower, internal::Index upper) { found.push_back({lower, upper, kind}); };
+  };
+  const internal::Flat_arc_ends ends = internal::read_arc_ends(graph);
+  found.reserve(ends.lower.number_of_nodes());
+  auto components = internal::sweep_upwards(ends.lower, add(Persistence_pair_kind::MINIMUM_SADDLE));
+  internal::sweep_downwards(ends.upper, add(Persistence_pair_kind::SADDLE_MAXIMUM));
+  internal::pair_ends_of_components(std::move(components), ends.lower.number_of_nodes(),
+                                    add(Persistence_pair_kind::MINIMUM_MAXIMUM));
+  internal::pair_loops(ends, add(Persistence_pair_kind::LOOP));
+  std::sort(found.begin(), found.end());
+  return std::copy(found.begin(), found.end(), pairs);
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_PERSISTENCE_PAIRS_H
