@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "commands.h"
-#include "threads.h"
+#include "base/threads.h"
+#include "commands/commands.h"
 
 #include <CLI/CLI.hpp>
 
@@ -134,17 +134,17 @@ void add_curves_command(CLI::App& app, Curves_options& options)
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
   const auto set_type = [&options](const std::string& name) {
-    options.type = name == "cutting-system" ? Curves_type::CUTTING_SYSTEM
-                 : name == "pants"          ? Curves_type::PANTS
-                                            : Curves_type::BRANCH;
+    options.cut.type = name == "cutting-system" ? Curves_type::CUTTING_SYSTEM
+                     : name == "pants"          ? Curves_type::PANTS
+                                                : Curves_type::BRANCH;
   };
   command->add_option_function<std::string>("--type", set_type, "Which curves: cutting-system, pants, or branch")
     ->check(CLI::IsMember({"cutting-system", "pants", "branch"}))
     ->required();
-  command->add_option("--persistence", options.persistence,
+  command->add_option("--persistence", options.cut.persistence,
                       "For branch: leave out branches whose values differ by less than this");
-  command->add_option("--area", options.area, "For branch: leave out branches of less area than this");
-  command->add_flag("--cut-open", options.is_cut_open, "Cut the mesh open along the curves");
+  command->add_option("--area", options.cut.area, "For branch: leave out branches of less area than this");
+  command->add_flag("--cut-open", options.cut.is_cut_open, "Cut the mesh open along the curves");
   command->add_option("--curves", options.curves_path, "Write the curves to this file, .polylines.txt");
   command->add_option("--cut-mesh", options.cut_mesh_path,
                       "Write the mesh that is cut along the curves to this file, .off or .ply; PLY has the patches as "

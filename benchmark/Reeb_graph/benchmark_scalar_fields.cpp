@@ -11,7 +11,9 @@
 //
 // Usage: benchmark_scalar_fields [NUMBER OF VERTICES] [REPETITIONS]
 
-#include "generated_surfaces.h"
+#include "base/peak_memory.h"
+#include "generated_surfaces/build_mesh.h"
+#include "generated_surfaces/generated_surfaces.h"
 
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
@@ -22,8 +24,6 @@
 #include <CGAL/Weights/cotangent_weights.h>
 
 #include <Eigen/SparseCholesky>
-
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
@@ -57,17 +57,6 @@ double median_of_seconds(std::size_t repetitions, const std::function<void()>& f
     times.push_back(seconds(function));
   std::nth_element(times.begin(), times.begin() + repetitions / 2, times.end());
   return times[repetitions / 2];
-}
-
-Mesh make_mesh(const generated_surfaces::Triangle_soup& soup)
-{
-  Mesh mesh;
-  mesh.reserve(soup.points.size(), soup.points.size() + soup.triangles.size(), soup.triangles.size());
-  for(const auto& p : soup.points)
-    mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
-  for(const auto& t : soup.triangles)
-    mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
-  return mesh;
 }
 
 // The floor: the sparse matrix of the triangles, SimplicialLDLT, one solution. The rows of the poles are those of the
@@ -107,16 +96,9 @@ void solve_plainly(const Mesh& mesh, const Constraints& poles, Scalar_map scalar
     scalar_map[v] = solution[v];
 }
 
-std::size_t peak_memory_in_megabytes()
-{
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) / 1024;
-}
-
 void measure(const std::string& name, const generated_surfaces::Triangle_soup& soup, std::size_t repetitions)
 {
-  Mesh mesh = make_mesh(soup);
+  Mesh mesh = generated_surfaces::make_mesh<Mesh>(soup);
   const Scalar_map field = mesh.add_property_map<Vertex, double>("v:field").first;
   const Scalar_map other_field = mesh.add_property_map<Vertex, double>("v:other").first;
   std::vector<std::pair<Vertex, Vertex>> pairs;
@@ -128,7 +110,8 @@ void measure(const std::string& name, const generated_surfaces::Triangle_soup& s
   const auto print = [&](const std::string& field_name, const std::function<void()>& compute) {
     const double time = median_of_seconds(repetitions, compute);
     std::printf("%-10s %-20s %9zu %8.2f %8.2f %8.2f %8zu\n", name.c_str(), field_name.c_str(),
-                std::size_t(mesh.number_of_vertices()), plain, time, time / plain, peak_memory_in_megabytes());
+                std::size_t(mesh.number_of_vertices()), plain, time, time / plain,
+                reeb_graph_program::peak_memory_bytes() / 1000000);
     std::fflush(stdout);
   };
   const auto harmonic = [&](fields::Laplacian_weights weights) {

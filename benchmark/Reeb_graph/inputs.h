@@ -9,7 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_BENCHMARK_INPUTS_H
 #define CGAL_REEB_GRAPH_BENCHMARK_INPUTS_H
 
-#include "generated_surfaces.h"
+#include "generated_surfaces/build_mesh.h"
+#include "generated_surfaces/generated_surfaces.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -58,17 +59,11 @@ public:
   Input(const std::string& surface, std::size_t number_of_vertices) : surface_(surface)
   {
     const auto soup = make_surface(surface, number_of_vertices);
-    mesh_.reserve(soup.points.size(), soup.points.size() + soup.triangles.size(), soup.triangles.size());
-    for(const auto& p : soup.points)
-      mesh_.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
+    generated_surfaces::build(mesh_, soup);
     triangles_.reserve(soup.triangles.size());
     for(const auto& t : soup.triangles)
-    {
       triangles_.push_back(
         {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
-      mesh_.add_face(Mesh::Vertex_index(triangles_.back()[0]), Mesh::Vertex_index(triangles_.back()[1]),
-                     Mesh::Vertex_index(triangles_.back()[2]));
-    }
     scalar_map_ = mesh_.add_property_map<Mesh::Vertex_index, double>("v:scalar").first;
   }
 

@@ -9,10 +9,10 @@
 #include <boost/test/unit_test.hpp>
 
 #include "augmentation_checks.h"
+#include "generated_surfaces/mesh_builders.h"
+#include "generated_surfaces/random_meshes.h"
 #include "known_meshes.h"
-#include "mesh_builders.h"
 #include "random_fields.h"
-#include "random_meshes.h"
 
 #include <boost/mpl/list.hpp>
 
@@ -30,6 +30,7 @@
 
 using namespace augmentation_checks;
 using generated_surfaces::Triangle_soup;
+using mesh_builders::make_mesh;
 using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
 using random_meshes::Combinatorial_mesh;
@@ -43,14 +44,6 @@ typedef boost::mpl::list<double, int> Scalars;
 namespace {
 constexpr std::size_t number_of_mesh_classes = static_cast<std::size_t>(Mesh_class::NUMBER_OF_CLASSES);
 constexpr std::size_t number_of_field_classes = static_cast<std::size_t>(Field_class::NUMBER_OF_CLASSES);
-
-template <class Mesh>
-Mesh make_mesh(const Triangle_soup& soup)
-{
-  Mesh mesh;
-  mesh_builders::build(mesh, soup);
-  return mesh;
-}
 
 struct Sample
 {

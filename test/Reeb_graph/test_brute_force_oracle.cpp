@@ -9,9 +9,9 @@
 #include <boost/test/unit_test.hpp>
 
 #include "brute_force_oracle.h"
+#include "generated_surfaces/random_meshes.h"
 #include "known_meshes.h"
 #include "random_fields.h"
-#include "random_meshes.h"
 
 #include <algorithm>
 #include <cstddef>

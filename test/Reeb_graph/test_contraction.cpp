@@ -9,10 +9,10 @@
 #include <boost/test/unit_test.hpp>
 
 #include "augmentation_checks.h"
-#include "mesh_builders.h"
+#include "generated_surfaces/mesh_builders.h"
+#include "generated_surfaces/random_meshes.h"
 #include "quotient_oracle.h"
 #include "random_fields.h"
-#include "random_meshes.h"
 
 #include <boost/mpl/list.hpp>
 
@@ -29,6 +29,7 @@
 
 using namespace augmentation_checks;
 using CGAL::Reeb_graph::Node_kind;
+using mesh_builders::make_mesh;
 using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
 using quotient_oracle::Quotient;
@@ -40,14 +41,6 @@ using random_meshes::Random;
 typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
 
 namespace {
-template <class Mesh>
-Mesh make_mesh(const Combinatorial_mesh& mesh)
-{
-  Mesh result;
-  mesh_builders::build(result, mesh_builders::make_soup(mesh));
-  return result;
-}
-
 template <class A>
 Quotient make_quotient(const A& a, bool keeps_degree_two_nodes)
 {

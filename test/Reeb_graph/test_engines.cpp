@@ -8,11 +8,11 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "generated_surfaces/mesh_builders.h"
+#include "generated_surfaces/random_meshes.h"
 #include "graph_checks.h"
 #include "known_meshes.h"
-#include "mesh_builders.h"
 #include "random_fields.h"
-#include "random_meshes.h"
 
 #include <CGAL/Reeb_graph/internal/contour_trees/Contour_trees_engine.h>
 
@@ -28,6 +28,7 @@
 
 using CGAL::Reeb_graph::Method;
 using CGAL::Reeb_graph::Ties;
+using mesh_builders::make_mesh;
 using mesh_builders::Surface_mesh;
 using random_meshes::Combinatorial_mesh;
 using random_meshes::Field_class;
@@ -38,18 +39,6 @@ namespace stages = CGAL::Reeb_graph::internal;
 namespace {
 typedef graph_checks::Graph_of<Surface_mesh> Graph;
 typedef graph_checks::Scalar_map_of<Surface_mesh> Scalar_map;
-
-Surface_mesh make_surface_mesh(const generated_surfaces::Triangle_soup& soup)
-{
-  Surface_mesh mesh;
-  mesh_builders::build(mesh, soup);
-  return mesh;
-}
-
-Surface_mesh make_surface_mesh(const Combinatorial_mesh& mesh)
-{
-  return make_surface_mesh(mesh_builders::make_soup(mesh));
-}
 
 Graph compute(const Surface_mesh& mesh,
               const Scalar_map& scalar_map,
@@ -90,7 +79,7 @@ void compare_methods_on_random_meshes(std::size_t number_of_seeds,
     const Combinatorial_mesh mesh = random_mesh(random);
     const auto values = random_meshes::random_field(mesh, field_classes[seed % field_classes.size()], random);
     BOOST_TEST_CONTEXT("seed " << seed)
-    compare_methods(make_surface_mesh(mesh), values);
+    compare_methods(make_mesh<Surface_mesh>(mesh), values);
   }
 }
 
@@ -238,7 +227,7 @@ BOOST_AUTO_TEST_CASE(random_meshes_of_all_classes)
     const auto mesh = random_meshes::random_mesh(static_cast<Mesh_class>(seed % number_of_classes), random);
     const auto field_class = static_cast<Field_class>(seed / number_of_classes % number_of_field_classes);
     BOOST_TEST_CONTEXT("seed " << seed)
-    compare_methods(make_surface_mesh(mesh), random_meshes::random_field(mesh, field_class, random));
+    compare_methods(make_mesh<Surface_mesh>(mesh), random_meshes::random_field(mesh, field_class, random));
   }
 }
 
@@ -259,12 +248,12 @@ BOOST_AUTO_TEST_CASE(multiple_saddles)
   compare_methods_on_random_meshes(1500, random_meshes::random_hub, {Field_class::HUB});
   Random random(0);
   for(const auto& mesh : {random_meshes::bipyramid(600), random_meshes::disk(600), random_meshes::half_disk(600)})
-    compare_methods(make_surface_mesh(mesh), random_meshes::random_field(mesh, Field_class::HUB, random));
+    compare_methods(make_mesh<Surface_mesh>(mesh), random_meshes::random_field(mesh, Field_class::HUB, random));
 }
 
 BOOST_AUTO_TEST_CASE(all_orders_of_an_annulus)
 {
-  const Surface_mesh mesh = make_surface_mesh(known_meshes::seven_vertex_annulus());
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(known_meshes::seven_vertex_annulus());
   std::vector<double> values = {0, 1, 2, 3, 4, 5, 6};
   do
   {
@@ -280,7 +269,7 @@ BOOST_AUTO_TEST_CASE(several_edges_between_two_vertices)
     Random random(seed);
     const auto combinatorial_mesh =
       random_meshes::random_closed_surface(static_cast<unsigned>(random.below(6)), random.below(4), random);
-    Surface_mesh mesh = make_surface_mesh(combinatorial_mesh);
+    Surface_mesh mesh = make_mesh<Surface_mesh>(combinatorial_mesh);
     mesh_builders::flip_edges_carelessly(mesh, 200, random);
     const auto field_class = seed % 3 == 0 ? Field_class::FEW_VALUES : Field_class::PERMUTATION;
     BOOST_TEST_CONTEXT("seed " << seed)
@@ -294,7 +283,7 @@ BOOST_AUTO_TEST_CASE(several_cuts_through_an_edge)
   for(std::size_t seed = 0; seed < 1000; ++seed)
   {
     Random random(200000 + seed);
-    const Surface_mesh mesh = make_surface_mesh(surface_of_high_genus(random));
+    const Surface_mesh mesh = make_mesh<Surface_mesh>(surface_of_high_genus(random));
     const auto values = noise(mesh, seed);
     if(!cut_loops(mesh, values).are_several_cuts_on_an_edge)
       continue;
@@ -314,7 +303,7 @@ BOOST_AUTO_TEST_CASE(generated_surfaces_with_noise_and_ties)
                           generated_surfaces::terrain(60, 60)})
     BOOST_TEST_CONTEXT("surface " << seed)
     {
-      const Surface_mesh mesh = make_surface_mesh(soup);
+      const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
       Random random(++seed);
       std::vector<double> tilted_height, noisy_height, half_noise;
       for(const auto& p : soup.points)
@@ -350,7 +339,7 @@ BOOST_AUTO_TEST_CASE(components_without_loops_beside_others)
     add(random.below(3), [&] { return random_meshes::cylinder(3 + random.below(4), 3); });
     mesh.number_of_vertices += random.below(3);
     BOOST_TEST_CONTEXT("seed " << seed)
-    compare_methods(make_surface_mesh(mesh), random_meshes::random_field(mesh, Field_class::PERMUTATION, random));
+    compare_methods(make_mesh<Surface_mesh>(mesh), random_meshes::random_field(mesh, Field_class::PERMUTATION, random));
   }
 }
 
@@ -361,7 +350,7 @@ BOOST_AUTO_TEST_CASE(critical_vertices_tell_the_euler_characteristic)
   {
     Random random(400000 + seed);
     const Surface_mesh mesh =
-      make_surface_mesh(random_meshes::random_mesh(static_cast<Mesh_class>(seed % number_of_classes), random));
+      make_mesh<Surface_mesh>(random_meshes::random_mesh(static_cast<Mesh_class>(seed % number_of_classes), random));
     const auto values = noise(mesh, seed);
     const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values),
                                                                Traits(), CGAL::parameters::default_values());
@@ -379,7 +368,7 @@ BOOST_AUTO_TEST_CASE(there_are_as_many_cuts_as_loops_along_the_shorter_contours)
   for(unsigned genus = 0; genus <= 10; ++genus)
     BOOST_TEST_CONTEXT("genus " << genus)
     {
-      const Surface_mesh mesh = make_surface_mesh(generated_surfaces::closed_surface(genus, 1000));
+      const Surface_mesh mesh = make_mesh<Surface_mesh>(generated_surfaces::closed_surface(genus, 1000));
       const auto values = noise(mesh, genus);
       const Graph graph = graph_checks::compute(mesh, values);
       const Surgery surgery = cut_loops(mesh, values);
@@ -396,7 +385,7 @@ BOOST_AUTO_TEST_CASE(cuts_do_not_depend_on_when_paths_are_walked)
   {
     Random random(500000 + seed);
     const Surface_mesh mesh =
-      make_surface_mesh(random_meshes::random_mesh(static_cast<Mesh_class>(seed % number_of_classes), random));
+      make_mesh<Surface_mesh>(random_meshes::random_mesh(static_cast<Mesh_class>(seed % number_of_classes), random));
     const auto values = noise(mesh, seed);
     const Surgery early = cut_loops(mesh, values, true), late = cut_loops(mesh, values, false);
     number_of_cuts += early.number_of_cuts;
@@ -420,9 +409,9 @@ BOOST_AUTO_TEST_CASE(the_traced_edges_of_noise_grow_linearly)
     BOOST_TEST(after < 2 * before + 0.5);
   };
   BOOST_TEST_CONTEXT("terrain")
-  compare_sizes(make_surface_mesh(generated_surfaces::terrain(50, 50)),
-                make_surface_mesh(generated_surfaces::terrain(200, 200)));
+  compare_sizes(make_mesh<Surface_mesh>(generated_surfaces::terrain(50, 50)),
+                make_mesh<Surface_mesh>(generated_surfaces::terrain(200, 200)));
   BOOST_TEST_CONTEXT("genus 3")
-  compare_sizes(make_surface_mesh(generated_surfaces::closed_surface(3, 2500)),
-                make_surface_mesh(generated_surfaces::closed_surface(3, 40000)));
+  compare_sizes(make_mesh<Surface_mesh>(generated_surfaces::closed_surface(3, 2500)),
+                make_mesh<Surface_mesh>(generated_surfaces::closed_surface(3, 40000)));
 }

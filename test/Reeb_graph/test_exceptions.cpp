@@ -8,9 +8,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "generated_surfaces/mesh_builders.h"
+#include "generated_surfaces/random_meshes.h"
 #include "graph_checks.h"
-#include "mesh_builders.h"
-#include "random_meshes.h"
 #include "throwing_traits.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
@@ -35,6 +35,7 @@
 // Bad input gets an exception that names the place, whatever the build type, and leaves the graph as it was.
 
 using namespace CGAL::Reeb_graph;
+using mesh_builders::make_mesh;
 using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
 
@@ -43,14 +44,6 @@ typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
 namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-template <class Mesh>
-Mesh make_mesh(const random_meshes::Combinatorial_mesh& mesh)
-{
-  Mesh result;
-  mesh_builders::build(result, mesh_builders::make_soup(mesh));
-  return result;
-}
 
 std::vector<double> ascending_values(std::size_t size)
 {

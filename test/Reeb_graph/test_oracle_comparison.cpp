@@ -8,11 +8,11 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "generated_surfaces/mesh_builders.h"
+#include "generated_surfaces/random_meshes.h"
 #include "graph_checks.h"
 #include "known_meshes.h"
-#include "mesh_builders.h"
 #include "random_fields.h"
-#include "random_meshes.h"
 
 #include <cstddef>
 #include <string>
@@ -21,6 +21,7 @@
 // The package against the oracle: nodes, arcs and chains.
 
 using graph_checks::fault_of_reeb_graph;
+using mesh_builders::make_mesh;
 using mesh_builders::Surface_mesh;
 using random_meshes::Field_class;
 using random_meshes::Mesh_class;
@@ -29,18 +30,6 @@ using random_meshes::Random;
 namespace {
 constexpr int number_of_mesh_classes = static_cast<int>(Mesh_class::NUMBER_OF_CLASSES);
 constexpr int number_of_field_classes = static_cast<int>(Field_class::NUMBER_OF_CLASSES);
-
-Surface_mesh make_surface_mesh(const generated_surfaces::Triangle_soup& soup)
-{
-  Surface_mesh mesh;
-  mesh_builders::build(mesh, soup);
-  return mesh;
-}
-
-Surface_mesh make_surface_mesh(const random_meshes::Combinatorial_mesh& mesh)
-{
-  return make_surface_mesh(mesh_builders::make_soup(mesh));
-}
 
 void compare_with_oracle(const Surface_mesh& mesh, const std::vector<double>& values)
 {
@@ -85,7 +74,7 @@ BOOST_AUTO_TEST_CASE(random_small_meshes)
     const auto mesh = random_meshes::random_mesh(mesh_class, random);
     const auto values = random_meshes::random_field(mesh, field_class, random);
     BOOST_TEST_CONTEXT("seed " << seed << ", mesh class " << int(mesh_class) << ", field class " << int(field_class))
-    compare_with_oracle(make_surface_mesh(mesh), values);
+    compare_with_oracle(make_mesh<Surface_mesh>(mesh), values);
   }
 }
 
@@ -96,7 +85,7 @@ BOOST_AUTO_TEST_CASE(random_meshes_with_several_edges_between_two_vertices)
     Random random(seed);
     const auto combinatorial_mesh =
       random_meshes::random_closed_surface(static_cast<unsigned>(random.below(4)), random.below(4), random);
-    Surface_mesh mesh = make_surface_mesh(combinatorial_mesh);
+    Surface_mesh mesh = make_mesh<Surface_mesh>(combinatorial_mesh);
     mesh_builders::flip_edges_carelessly(mesh, 100, random);
     const auto field_class = seed % 2 == 0 ? Field_class::PERMUTATION : Field_class::FEW_VALUES;
     const auto values = random_meshes::random_field(combinatorial_mesh, field_class, random);
@@ -109,15 +98,15 @@ BOOST_AUTO_TEST_CASE(generated_closed_surfaces)
 {
   for(unsigned genus = 0; genus <= 10; ++genus)
     BOOST_TEST_CONTEXT("genus " << genus)
-  compare_all_fields(make_surface_mesh(generated_surfaces::closed_surface(genus, 500)), genus);
+  compare_all_fields(make_mesh<Surface_mesh>(generated_surfaces::closed_surface(genus, 500)), genus);
 }
 
 BOOST_AUTO_TEST_CASE(generated_surfaces_of_other_kinds)
 {
   BOOST_TEST_CONTEXT("terrain")
-  compare_all_fields(make_surface_mesh(generated_surfaces::terrain(25, 20)), 1);
+  compare_all_fields(make_mesh<Surface_mesh>(generated_surfaces::terrain(25, 20)), 1);
   BOOST_TEST_CONTEXT("torus")
-  compare_all_fields(make_surface_mesh(generated_surfaces::torus(12, 30)), 2);
+  compare_all_fields(make_mesh<Surface_mesh>(generated_surfaces::torus(12, 30)), 2);
 }
 
 BOOST_AUTO_TEST_CASE(vertices_of_degree_above_255)
@@ -128,7 +117,7 @@ BOOST_AUTO_TEST_CASE(vertices_of_degree_above_255)
       BOOST_TEST_CONTEXT("seed " << seed)
       {
         Random random(seed++);
-        compare_with_oracle(make_surface_mesh(mesh), random_meshes::random_field(mesh, field_class, random));
+        compare_with_oracle(make_mesh<Surface_mesh>(mesh), random_meshes::random_field(mesh, field_class, random));
       }
 }
 
@@ -137,12 +126,12 @@ BOOST_AUTO_TEST_CASE(a_multiplicity_that_wraps_around_in_eight_bits)
   // the hub is the middle vertex of all triangles around it: 258 is 2 modulo 256, as at a regular vertex
   Random random(0);
   const auto mesh = random_meshes::bipyramid(258);
-  compare_with_oracle(make_surface_mesh(mesh), random_meshes::random_field(mesh, Field_class::HUB, random));
+  compare_with_oracle(make_mesh<Surface_mesh>(mesh), random_meshes::random_field(mesh, Field_class::HUB, random));
 }
 
 BOOST_AUTO_TEST_CASE(contours_that_share_a_lower_vertex)
 {
-  const Surface_mesh mesh = make_surface_mesh(known_meshes::nine_vertex_torus());
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(known_meshes::nine_vertex_torus());
   const std::vector<double> values = {0, 1, 2, 3, 4, 5, 6, 7, 8};
   compare_with_oracle(mesh, values);
 
@@ -155,5 +144,5 @@ BOOST_AUTO_TEST_CASE(contours_that_share_a_lower_vertex)
 
 BOOST_AUTO_TEST_CASE(a_loop_closed_beside_a_border)
 {
-  compare_with_oracle(make_surface_mesh(known_meshes::seven_vertex_annulus()), {0, 1, 2, 3, 4, 5, 6});
+  compare_with_oracle(make_mesh<Surface_mesh>(known_meshes::seven_vertex_annulus()), {0, 1, 2, 3, 4, 5, 6});
 }

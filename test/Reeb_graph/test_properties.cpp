@@ -8,10 +8,10 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "generated_surfaces/mesh_builders.h"
+#include "generated_surfaces/random_meshes.h"
 #include "graph_checks.h"
-#include "mesh_builders.h"
 #include "random_fields.h"
-#include "random_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 
@@ -35,6 +35,7 @@ using generated_surfaces::Triangle_soup;
 using graph_checks::compute_plain;
 using graph_checks::Plain_arc;
 using graph_checks::Plain_graph;
+using mesh_builders::make_mesh;
 using mesh_builders::Polyhedron;
 using mesh_builders::Polyhedron_with_id;
 using mesh_builders::Surface_mesh;
@@ -71,14 +72,6 @@ void for_each_sample(std::size_t number_of_seeds, const Test& test)
     tilted_height.push_back(p[0] + 0.3 * p[1] + 0.2 * p[2]);
   BOOST_TEST_CONTEXT("genus 3")
   test(Sample{soup, tilted_height});
-}
-
-template <class Mesh>
-Mesh make_mesh(const Triangle_soup& soup)
-{
-  Mesh mesh;
-  mesh_builders::build(mesh, soup);
-  return mesh;
 }
 
 Plain_graph surface_mesh_graph(const Sample& sample, bool keeps_degree_two_nodes = false)

@@ -9,8 +9,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include "field_checks.h"
-#include "mesh_builders.h"
-#include "random_meshes.h"
+#include "generated_surfaces/mesh_builders.h"
+#include "generated_surfaces/random_meshes.h"
 
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/fields/gradient_and_divergence.h>
@@ -40,6 +40,7 @@ using namespace CGAL::Reeb_graph;
 using field_checks::pi;
 using field_checks::Triangle_soup;
 using mesh_builders::Kernel;
+using mesh_builders::make_mesh;
 using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
 using random_meshes::Random;
@@ -48,14 +49,6 @@ typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
 typedef Kernel::Vector_3 Vector_3;
 
 namespace {
-template <class Mesh>
-Mesh make_mesh(const Triangle_soup& soup)
-{
-  Mesh mesh;
-  mesh_builders::build(mesh, soup);
-  return mesh;
-}
-
 template <class Mesh>
 auto vertex_map(const Mesh& mesh)
 {

@@ -6,7 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "progress_bar.h"
+#include "base/progress_bar.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -9,10 +9,10 @@
 #ifndef CGAL_REEB_GRAPH_TEST_COMPUTED_GRAPHS_H
 #define CGAL_REEB_GRAPH_TEST_COMPUTED_GRAPHS_H
 
+#include "generated_surfaces/mesh_builders.h"
+#include "generated_surfaces/random_meshes.h"
 #include "graph_checks.h"
-#include "mesh_builders.h"
 #include "random_fields.h"
-#include "random_meshes.h"
 
 #include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/compute_reeb_graph.h>
@@ -33,6 +33,7 @@
 namespace computed_graphs {
 using CGAL::Reeb_graph::Method;
 using CGAL::Reeb_graph::Ties;
+using mesh_builders::make_mesh;
 using mesh_builders::Mesh_numbers;
 using random_meshes::Combinatorial_mesh;
 using random_meshes::Field_class;
@@ -110,20 +111,6 @@ graph_checks::Graph_of<Mesh> compute(const Mesh& mesh,
     CGAL::compute_reeb_graph<ConcurrencyTag>(mesh, scalar_map, graph, named_parameters(settings));
   });
   return graph;
-}
-
-template <class Mesh>
-Mesh make_mesh(const generated_surfaces::Triangle_soup& soup)
-{
-  Mesh mesh;
-  mesh_builders::build(mesh, soup);
-  return mesh;
-}
-
-template <class Mesh>
-Mesh make_mesh(const Combinatorial_mesh& mesh)
-{
-  return make_mesh<Mesh>(mesh_builders::make_soup(mesh));
 }
 
 } // namespace computed_graphs

@@ -9,10 +9,10 @@
 #ifndef CGAL_REEB_GRAPH_TEST_CURVE_SAMPLES_H
 #define CGAL_REEB_GRAPH_TEST_CURVE_SAMPLES_H
 
+#include "generated_surfaces/mesh_builders.h"
+#include "generated_surfaces/random_meshes.h"
 #include "level_border_fields.h"
-#include "mesh_builders.h"
 #include "random_fields.h"
-#include "random_meshes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +22,7 @@
 // Surfaces with fields for curves, each made from a seed.
 namespace curve_samples {
 using generated_surfaces::Triangle_soup;
+using mesh_builders::make_mesh;
 using random_meshes::Combinatorial_mesh;
 using random_meshes::Field_class;
 using random_meshes::Random;
@@ -31,14 +32,6 @@ struct Sample
   Triangle_soup soup;
   std::vector<double> values;
 };
-
-template <class Mesh>
-Mesh make_mesh(const Triangle_soup& soup)
-{
-  Mesh mesh;
-  mesh_builders::build(mesh, soup);
-  return mesh;
-}
 
 inline Field_class field_class(std::size_t seed)
 {

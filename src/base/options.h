@@ -1,0 +1,69 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_OPTIONS_H
+#define CGAL_REEB_GRAPH_SRC_OPTIONS_H
+
+#include <CGAL/Reeb_graph/named_parameters.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reeb_graph_program {
+// The mesh and the field that it carries.
+struct Input_options
+{
+  std::string mesh_path;
+  std::string scalars_path; // the field, or the one whose unit gradient field is taken; may be empty
+  std::string field;        // x, y, z, or a name of scalar_fields.h; empty if the field is that of the file
+  std::string weights;      // of harmonic fields: mean-value, cotangent, or uniform; empty for the default
+  std::optional<std::size_t> lowest_vertex, highest_vertex;
+  std::vector<std::size_t> source_vertices;
+  std::vector<double> direction; // empty or three coordinates
+  bool are_faces_triangulated = false;
+};
+
+// What decides the graph. The same options give the same numbers of nodes and arcs.
+struct Graph_options
+{
+  bool are_degree_two_nodes_kept = false;
+  CGAL::Reeb_graph::Ties ties = CGAL::Reeb_graph::Ties::PERTURB;
+  CGAL::Reeb_graph::Method method = CGAL::Reeb_graph::Method::AUTOMATIC;
+  // These have no influence on the result, and are chosen by the program if they are 0.
+  std::size_t number_of_threads = 0;
+  std::size_t number_of_slabs = 0;
+};
+
+enum class Curves_type
+{
+  CUTTING_SYSTEM,
+  PANTS,
+  BRANCH
+};
+
+// Which curves the mesh is cut along.
+struct Cut_options
+{
+  Curves_type type = Curves_type::PANTS;
+  std::optional<double> persistence, area; // thresholds of branches
+  bool is_cut_open = false;
+};
+
+inline auto named_parameters(const Graph_options& options)
+{
+  namespace parameters = CGAL::parameters;
+  const auto slabs = parameters::number_of_slabs(options.number_of_slabs);
+  const auto nodes = parameters::keep_degree_two_nodes(options.are_degree_two_nodes_kept, slabs);
+  return parameters::ties(options.ties, parameters::method(options.method, nodes));
+}
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_OPTIONS_H

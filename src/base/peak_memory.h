@@ -1,0 +1,32 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_PEAK_MEMORY_H
+#define CGAL_REEB_GRAPH_SRC_PEAK_MEMORY_H
+
+#include <sys/resource.h>
+
+#include <cstddef>
+
+namespace reeb_graph_program {
+// The most memory that the process has had at any time.
+inline std::size_t peak_memory_bytes()
+{
+#ifdef __APPLE__
+  constexpr std::size_t unit = 1;
+#else
+  constexpr std::size_t unit = 1024;
+#endif
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return unit * static_cast<std::size_t>(usage.ru_maxrss);
+}
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_PEAK_MEMORY_H

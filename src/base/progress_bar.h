@@ -1,0 +1,45 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_PROGRESS_BAR_H
+#define CGAL_REEB_GRAPH_SRC_PROGRESS_BAR_H
+
+#include "base/stopwatch.h"
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+
+namespace reeb_graph_program {
+// Shows how far long work is. It appears after a while only, and is gone when the work is done.
+class Progress_bar
+{
+public:
+  // On standard error if that is a terminal, else nowhere.
+  explicit Progress_bar(const std::string& name_of_work);
+  Progress_bar(const std::string& name_of_work, std::ostream* terminal, double seconds_until_shown);
+  Progress_bar(const Progress_bar&) = delete;
+  Progress_bar& operator=(const Progress_bar&) = delete;
+  ~Progress_bar();
+
+  // The form that the named parameter `callback` has: `fraction` is between 0 and 1, and the work shall go on.
+  bool operator()(double fraction);
+
+private:
+  void clear();
+
+  std::string name_of_work_;
+  std::ostream* terminal_; // null if nothing is shown
+  double seconds_until_shown_;
+  Stopwatch stopwatch_;
+  std::size_t shown_width_ = 0;
+};
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_PROGRESS_BAR_H

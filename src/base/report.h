@@ -1,0 +1,51 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_REPORT_H
+#define CGAL_REEB_GRAPH_SRC_REPORT_H
+
+#include <CGAL/Reeb_graph/visitor.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace reeb_graph_program {
+struct Surface_counts
+{
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t faces = 0;
+  std::size_t components = 0;
+  std::size_t border_loops = 0;
+  long euler_characteristic = 0;
+  std::optional<long> genus; // of a connected surface
+};
+
+struct Graph_counts
+{
+  std::size_t nodes = 0;
+  std::size_t arcs = 0;
+  std::size_t loops = 0;
+  std::optional<long> hidden_handles; // of a connected surface without border: those that are no loop
+};
+
+// What was found, and what it took.
+struct Report
+{
+  Surface_counts surface;
+  CGAL::Reeb_graph::Critical_vertex_counts critical_vertices;
+  Graph_counts graph;
+  std::vector<std::pair<std::string, double>> seconds; // in the order in which they were spent
+};
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_REPORT_H

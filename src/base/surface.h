@@ -1,0 +1,29 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_SURFACE_H
+#define CGAL_REEB_GRAPH_SRC_SURFACE_H
+
+#include <CGAL/Reeb_graph_traits.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <vector>
+
+namespace reeb_graph_program {
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+typedef std::vector<Point> Polyline; // if it is closed, its first point is its last one as well
+typedef CGAL::Surface_mesh<Point> Surface;
+typedef Surface::Property_map<Surface::Vertex_index, double> Scalar_map;
+typedef Surface::Property_map<Surface::Face_index, int> Patch_map;
+typedef CGAL::Reeb_graph_traits<Surface, Scalar_map>::Graph Graph;
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_SURFACE_H

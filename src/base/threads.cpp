@@ -1,0 +1,34 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "base/threads.h"
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#else
+#include <stdexcept>
+#endif
+
+namespace reeb_graph_program {
+void run_with_threads(std::size_t number_of_threads, const std::function<void()>& work)
+{
+  if(number_of_threads == 0)
+    return work();
+#ifdef CGAL_LINKED_WITH_TBB
+  // the arena has its threads even if there are fewer cores, the global control lets it have them
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
+  tbb::task_arena(static_cast<int>(number_of_threads)).execute(work);
+#else
+  if(number_of_threads > 1)
+    throw std::runtime_error("the program has been built without TBB: --threads can only be 1");
+  work();
+#endif
+}
+
+} // namespace reeb_graph_program

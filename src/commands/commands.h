@@ -1,0 +1,68 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_COMMANDS_H
+#define CGAL_REEB_GRAPH_SRC_COMMANDS_H
+
+#include "base/options.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace reeb_graph_program {
+struct Compute_options
+{
+  Input_options input;
+  Graph_options graph;
+  std::string graph_path;       // empty if no graph is written
+  std::string vertex_arcs_path; // empty if they are not written
+  bool is_report_json = false;
+};
+
+struct Contour_options
+{
+  Input_options input;
+  Graph_options graph;
+  std::optional<std::size_t> arc; // if not given, all contours at the level
+  double t = 0;
+  double level = 0;
+  std::string output_path;
+};
+
+struct Curves_options
+{
+  Input_options input;
+  Cut_options cut;
+  std::string curves_path; // empty if they are not written
+  std::string cut_mesh_path;
+  std::string patches_path;
+};
+
+struct Field_options
+{
+  Input_options input;
+  std::string output_path;
+};
+
+struct Demo_options
+{
+  std::filesystem::path folder = "reeb_graph_demo";
+};
+
+// They print to std::cout and throw an exception derived from std::exception for any error.
+void run_compute(const Compute_options& options);
+void run_contour(const Contour_options& options);
+void run_curves(const Curves_options& options);
+void run_field(const Field_options& options);
+void run_demo(const Demo_options& options);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_COMMANDS_H

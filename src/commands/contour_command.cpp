@@ -1,0 +1,47 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "commands/commands.h"
+#include "computation/augmentation.h"
+#include "input/field_input.h"
+#include "output/polylines_output.h"
+
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace reeb_graph_program {
+namespace {
+std::vector<Polyline> find_contours(const Contour_options& options)
+{
+  Surface surface = read_surface(options.input);
+  const Scalar_map scalar_map = add_field(options.input, surface);
+  if(options.arc)
+    return contour_of_arc(surface, scalar_map, options.graph, *options.arc, options.t);
+  const auto polylines = contours_at_level(surface, scalar_map, options.graph, options.level);
+  if(polylines.empty())
+  {
+    std::ostringstream message;
+    message << "there is no contour at the level " << options.level;
+    throw std::runtime_error(message.str());
+  }
+  return polylines;
+}
+
+} // namespace
+
+void run_contour(const Contour_options& options)
+{
+  check_polylines_format(options.output_path);
+  const std::vector<Polyline> polylines = find_contours(options);
+  write_polylines(options.output_path, polylines);
+  std::cout << polylines.size() << (polylines.size() == 1 ? " contour\n" : " contours\n");
+}
+
+} // namespace reeb_graph_program

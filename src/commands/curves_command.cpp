@@ -1,0 +1,90 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "commands/commands.h"
+#include "computation/curves.h"
+#include "input/field_input.h"
+#include "output/mesh_output.h"
+#include "output/output_file.h"
+#include "output/polylines_output.h"
+
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace reeb_graph_program {
+namespace {
+void check_mesh_format(const std::filesystem::path& path)
+{
+  if(path.extension() != ".off" && path.extension() != ".ply")
+    throw std::runtime_error(path.string() + ": the file name of a cut mesh ends in .off or .ply");
+}
+
+void check_thresholds(const Cut_options& options)
+{
+  for(const auto& [name, threshold] :
+      {std::make_pair("--persistence", options.persistence), std::make_pair("--area", options.area)})
+  {
+    if(threshold && options.type != Curves_type::BRANCH)
+      throw std::runtime_error(std::string(name) + " goes with the type branch only");
+    if(threshold && !(*threshold >= 0))
+      throw std::runtime_error(std::string(name) + " must not be negative or NaN");
+  }
+}
+
+void check_formats(const Curves_options& options)
+{
+  if(!options.curves_path.empty())
+    check_polylines_format(options.curves_path);
+  if(!options.cut_mesh_path.empty())
+    check_mesh_format(options.cut_mesh_path);
+}
+
+void write_cut_mesh(const std::filesystem::path& path, const Surface& surface, Patch_map patch_map)
+{
+  if(path.extension() == ".off")
+    write_surface(path, surface);
+  else
+    write_surface_with_patches(path, surface, patch_map);
+}
+
+void write_patches(const std::filesystem::path& path, const Surface& surface, Patch_map patch_map)
+{
+  write_file(path, [&](std::ostream& stream) {
+    for(const Surface::Face_index f : surface.faces())
+      stream << patch_map[f] << '\n';
+  });
+}
+
+std::string count(std::size_t number, const std::string& singular, const std::string& plural)
+{
+  return std::to_string(number) + ' ' + (number == 1 ? singular : plural);
+}
+
+} // namespace
+
+void run_curves(const Curves_options& options)
+{
+  check_thresholds(options.cut);
+  check_formats(options);
+  check_distinct_paths({options.curves_path, options.cut_mesh_path, options.patches_path});
+  Surface surface = read_surface(options.input);
+  const Scalar_map scalar_map = add_field(options.input, surface);
+  const Cut_result result = cut_along_curves(surface, scalar_map, options.cut);
+  if(!options.curves_path.empty())
+    write_polylines(options.curves_path, result.polylines);
+  if(!options.cut_mesh_path.empty())
+    write_cut_mesh(options.cut_mesh_path, surface, result.patch_map);
+  if(!options.patches_path.empty())
+    write_patches(options.patches_path, surface, result.patch_map);
+  std::cout << count(result.polylines.size(), "curve", "curves") << ", "
+            << count(result.number_of_patches, "patch", "patches") << '\n';
+}
+
+} // namespace reeb_graph_program

@@ -1,0 +1,25 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_ANALYSIS_H
+#define CGAL_REEB_GRAPH_SRC_ANALYSIS_H
+
+#include "base/options.h"
+#include "base/report.h"
+#include "base/surface.h"
+
+namespace reeb_graph_program {
+// Computes the Reeb graph, and adds what it took to the report.
+Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report);
+
+// Counts what the report tells of the surface and of the graph.
+void count_all(const Surface& surface, const Graph& graph, Report& report);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_ANALYSIS_H

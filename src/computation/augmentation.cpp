@@ -1,0 +1,88 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "computation/augmentation.h"
+
+#include "base/progress_bar.h"
+
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/compute_reeb_graph.h>
+
+#include <functional>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+namespace reeb_graph_program {
+namespace {
+typedef CGAL::Reeb_graph::Augmentation<Surface, Scalar_map> Augmentation;
+
+Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options)
+{
+  Graph graph;
+  Progress_bar progress_bar("graph");
+  CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(surface, scalar_map, graph,
+                                                            named_parameters(options).callback(std::ref(progress_bar)));
+  return graph;
+}
+
+Polyline make_polyline(const Augmentation& augmentation, const Augmentation::Contour& contour)
+{
+  Polyline polyline;
+  polyline.reserve(contour.halfedges.size() + 1);
+  augmentation.points_of_contour(contour, std::back_inserter(polyline));
+  if(contour.is_closed)
+    polyline.push_back(Point(polyline.front()));
+  return polyline;
+}
+
+} // namespace
+
+std::vector<std::size_t> locate_vertices(const Surface& surface,
+                                         Scalar_map scalar_map,
+                                         const Graph& graph,
+                                         const Graph_options& options)
+{
+  const Augmentation augmentation(surface, scalar_map, graph, named_parameters(options));
+  const auto locations = augmentation.locate_vertices<CGAL::Parallel_if_available_tag>();
+  std::vector<std::size_t> places;
+  places.reserve(surface.number_of_vertices());
+  for(const Surface::Vertex_index v : surface.vertices())
+    places.push_back(locations.index(v));
+  return places;
+}
+
+std::vector<Polyline> contour_of_arc(const Surface& surface,
+                                     Scalar_map scalar_map,
+                                     const Graph_options& options,
+                                     std::size_t arc,
+                                     double t)
+{
+  const Graph graph = compute_graph(surface, scalar_map, options);
+  if(arc >= num_edges(graph))
+    throw std::runtime_error("there is no arc " + std::to_string(arc) + ": the graph has "
+                             + std::to_string(num_edges(graph)) + ", numbered from 0");
+  const Augmentation augmentation(surface, scalar_map, graph, named_parameters(options));
+  const auto descriptor = *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(arc));
+  return {make_polyline(augmentation, augmentation.contour(descriptor, t))};
+}
+
+std::vector<Polyline> contours_at_level(const Surface& surface,
+                                        Scalar_map scalar_map,
+                                        const Graph_options& options,
+                                        double level)
+{
+  const Graph graph = compute_graph(surface, scalar_map, options);
+  const Augmentation augmentation(surface, scalar_map, graph, named_parameters(options));
+  std::vector<Polyline> polylines;
+  for(const auto& contour : augmentation.contours_at_value<CGAL::Parallel_if_available_tag>(level))
+    polylines.push_back(make_polyline(augmentation, contour));
+  return polylines;
+}
+
+} // namespace reeb_graph_program

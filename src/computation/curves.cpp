@@ -1,0 +1,81 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "computation/curves.h"
+
+#include <CGAL/Reeb_graph/curves/branch_curves.h>
+#include <CGAL/Reeb_graph/curves/cutting_system.h>
+#include <CGAL/Reeb_graph/curves/pants_decomposition.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace reeb_graph_program {
+namespace {
+typedef CGAL::Reeb_graph::Curve<Surface::Halfedge_index> Curve;
+
+// Gives new vertices values that are interpolated.
+struct Value_visitor : CGAL::Reeb_graph::Default_refinement_visitor<Surface>
+{
+  Scalar_map scalar_map;
+
+  void vertex_added(vertex_descriptor v, vertex_descriptor source, vertex_descriptor target, double t)
+  {
+    scalar_map[v] = (1 - t) * scalar_map[source] + t * scalar_map[target];
+  }
+  void vertex_duplicated(vertex_descriptor old, vertex_descriptor created) { scalar_map[created] = scalar_map[old]; }
+};
+
+Polyline make_polyline(const Surface& surface, const Curve& curve)
+{
+  Polyline polyline;
+  for(const Surface::Halfedge_index h : curve.halfedges)
+    polyline.push_back(surface.point(source(h, surface)));
+  polyline.push_back(surface.point(target(curve.halfedges.back(), surface)));
+  return polyline;
+}
+
+std::vector<Curve> find_curves(Surface& surface, Scalar_map scalar_map, const Cut_options& options, Patch_map patch_map)
+{
+  namespace parameters = CGAL::parameters;
+  std::vector<Curve> curves;
+  Value_visitor visitor;
+  visitor.scalar_map = scalar_map;
+  const auto cut = parameters::cut_open(options.is_cut_open, parameters::face_patch_map(patch_map).visitor(visitor));
+  switch(options.type)
+  {
+  case Curves_type::CUTTING_SYSTEM:
+    CGAL::Reeb_graph::cutting_system(surface, scalar_map, std::back_inserter(curves), cut);
+    break;
+  case Curves_type::PANTS:
+    CGAL::Reeb_graph::pants_decomposition(surface, scalar_map, std::back_inserter(curves), cut);
+    break;
+  case Curves_type::BRANCH:
+    CGAL::Reeb_graph::branch_curves(
+      surface, scalar_map, std::back_inserter(curves),
+      parameters::persistence_threshold(options.persistence.value_or(0),
+                                        parameters::area_threshold(options.area.value_or(0), cut)));
+    break;
+  }
+  return curves;
+}
+
+} // namespace
+
+Cut_result cut_along_curves(Surface& surface, Scalar_map scalar_map, const Cut_options& options)
+{
+  Cut_result result;
+  result.patch_map = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
+  for(const Curve& curve : find_curves(surface, scalar_map, options, result.patch_map))
+    result.polylines.push_back(make_polyline(surface, curve));
+  for(const Surface::Face_index f : surface.faces())
+    result.number_of_patches = (std::max)(result.number_of_patches, std::size_t(result.patch_map[f]) + 1);
+  return result;
+}
+
+} // namespace reeb_graph_program

@@ -1,0 +1,31 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_CURVES_H
+#define CGAL_REEB_GRAPH_SRC_CURVES_H
+
+#include "base/options.h"
+#include "base/surface.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace reeb_graph_program {
+struct Cut_result
+{
+  std::vector<Polyline> polylines; // of the curves
+  Patch_map patch_map;
+  std::size_t number_of_patches = 0;
+};
+
+// Refines the surface, and finds the curves and the patches between them.
+Cut_result cut_along_curves(Surface& surface, Scalar_map scalar_map, const Cut_options& options);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_CURVES_H

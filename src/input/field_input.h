@@ -1,0 +1,25 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_FIELD_INPUT_H
+#define CGAL_REEB_GRAPH_SRC_FIELD_INPUT_H
+
+#include "base/options.h"
+#include "base/surface.h"
+
+namespace reeb_graph_program {
+// Reads the mesh. Throws Input_error, and std::runtime_error if the options do not fit together.
+Surface read_surface(const Input_options& options);
+
+// Adds the field to the surface that has been read. Throws Input_error, std::runtime_error, and the exceptions of the
+// library.
+Scalar_map add_field(const Input_options& options, Surface& surface);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_FIELD_INPUT_H

@@ -1,0 +1,150 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "input/mesh_input.h"
+
+#include "input/input_error.h"
+#include "input/mesh_file_checks.h"
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+namespace reeb_graph_program {
+namespace {
+Polygon_soup read_soup(const std::string& path)
+{
+  if(!std::ifstream(path) || !std::filesystem::is_regular_file(path))
+    throw Input_error(path, "the file cannot be read");
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  bool is_read = extension != ".stl" || is_stl_file_complete(path);
+
+  Polygon_soup soup;
+  try
+  {
+    is_read = is_read && CGAL::IO::read_polygon_soup(path, soup.points, soup.polygons);
+  }
+  catch(const std::exception&)
+  {
+    is_read = false;
+  }
+  if(!is_read)
+    throw Input_error(path, "not a valid OFF, OBJ, PLY, STL, or TS file, or its extension does not say which of them");
+  check_mesh_file(path, extension, soup);
+  return soup;
+}
+
+void check_polygons(const std::string& path, const Polygon_soup& soup, bool are_faces_triangulated)
+{
+  Polygon sorted;
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+  {
+    const Polygon& polygon = soup.polygons[i];
+    const std::string face = "face " + std::to_string(i);
+    for(const std::size_t v : polygon)
+      if(v >= soup.points.size())
+        throw Input_error(path, face + " has a vertex that does not exist");
+    if(polygon.size() < 3)
+      throw Input_error(path, face + " has fewer than three vertices");
+    if(polygon.size() > 3 && !are_faces_triangulated)
+      throw Input_error(path, face + " has " + std::to_string(polygon.size())
+                                + " vertices and is not a triangle; --triangulate cuts such faces into triangles");
+    sorted = polygon;
+    std::sort(sorted.begin(), sorted.end());
+    const auto repeated = std::adjacent_find(sorted.begin(), sorted.end());
+    if(repeated != sorted.end())
+      throw Input_error(path, face + " has vertex " + std::to_string(*repeated) + " at two of its corners");
+  }
+}
+
+// Notes the first place at which CGAL cannot orient the faces without cutting the surface open. CGAL copies the
+// visitor, hence the pointer.
+struct Obstacle_finder : PMP::Default_orientation_visitor
+{
+  explicit Obstacle_finder(std::optional<std::string>& obstacle) : obstacle(&obstacle) {}
+
+  void non_manifold_edge(std::size_t u, std::size_t v, std::size_t number_of_faces)
+  {
+    if(!*obstacle)
+      *obstacle = "the edge between the vertices " + std::to_string(u) + " and " + std::to_string(v) + " has "
+                + std::to_string(number_of_faces) + " faces";
+  }
+  void duplicated_vertex(std::size_t v, std::size_t)
+  {
+    if(!*obstacle)
+      *obstacle = "the surface is not manifold, or not orientable, at vertex " + std::to_string(v);
+  }
+
+  std::optional<std::string>* obstacle;
+};
+
+void orient(const std::string& path, Polygon_soup& soup)
+{
+  std::optional<std::string> obstacle;
+  if(!PMP::orient_polygon_soup(soup.points, soup.polygons, CGAL::parameters::visitor(Obstacle_finder(obstacle))))
+    throw Input_error(path, obstacle.value_or("the surface is not manifold, or not orientable"));
+}
+
+void triangulate(const std::string& path, Surface& surface)
+{
+  PMP::triangulate_faces(surface);
+  for(const Surface::Face_index f : surface.faces())
+    if(surface.degree(f) != 3)
+      throw Input_error(path, "face " + std::to_string(f.idx()) + " cannot be cut into triangles");
+}
+
+} // namespace
+
+bool assemble(const Polygon_soup& soup, Surface& surface)
+{
+  surface.clear();
+  surface.reserve(static_cast<Surface::size_type>(soup.points.size()),
+                  static_cast<Surface::size_type>(soup.points.size() + soup.polygons.size()),
+                  static_cast<Surface::size_type>(soup.polygons.size()));
+  for(const Point& point : soup.points)
+    surface.add_vertex(point);
+  std::vector<Surface::Vertex_index> face;
+  for(const Polygon& polygon : soup.polygons)
+  {
+    face.clear();
+    for(const std::size_t v : polygon)
+      face.emplace_back(static_cast<Surface::size_type>(v));
+    if(CGAL::Euler::add_face(face, surface) == Surface::null_face())
+      return false;
+  }
+  return true;
+}
+
+Surface read_surface(const std::string& path, bool are_faces_triangulated)
+{
+  Polygon_soup soup = read_soup(path);
+  check_polygons(path, soup, are_faces_triangulated);
+  Surface surface;
+  if(!assemble(soup, surface))
+  {
+    orient(path, soup);
+    if(!assemble(soup, surface))
+      throw Input_error(path, "the faces do not form a manifold surface");
+  }
+  if(are_faces_triangulated)
+    triangulate(path, surface);
+  return surface;
+}
+
+} // namespace reeb_graph_program

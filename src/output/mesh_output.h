@@ -1,0 +1,31 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_MESH_OUTPUT_H
+#define CGAL_REEB_GRAPH_SRC_MESH_OUTPUT_H
+
+#include "base/surface.h"
+
+#include <filesystem>
+
+namespace reeb_graph_program {
+// The mesh in the OFF format, with all digits of the coordinates.
+void write_surface(const std::filesystem::path& path, const Surface& surface);
+
+// One number per line in the order of the vertices, with all digits.
+void write_scalars(const std::filesystem::path& path, const Surface& surface, Scalar_map scalar_map);
+
+// The mesh in the PLY format, with vertices coloured from blue, the lowest, to red, the highest.
+void write_coloured_surface(const std::filesystem::path& path, Surface surface, Scalar_map scalar_map);
+
+// The mesh in the PLY format, with the patch of each face as a property, and a colour for each patch.
+void write_surface_with_patches(const std::filesystem::path& path, Surface surface, Patch_map patch_map);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_MESH_OUTPUT_H

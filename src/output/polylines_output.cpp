@@ -1,0 +1,38 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "output/polylines_output.h"
+
+#include "output/output_file.h"
+
+#include <limits>
+#include <stdexcept>
+
+namespace reeb_graph_program {
+void check_polylines_format(const std::string& path)
+{
+  const std::string ending = ".polylines.txt";
+  if(path.size() <= ending.size() || path.compare(path.size() - ending.size(), ending.size(), ending) != 0)
+    throw std::runtime_error(path + ": the file name of polylines ends in " + ending);
+}
+
+void write_polylines(const std::string& path, const std::vector<Polyline>& polylines)
+{
+  write_file(path, [&](std::ostream& stream) {
+    stream.precision(std::numeric_limits<double>::max_digits10);
+    for(const Polyline& polyline : polylines)
+    {
+      stream << polyline.size();
+      for(const Point& point : polyline)
+        stream << ' ' << point;
+      stream << '\n';
+    }
+  });
+}
+
+} // namespace reeb_graph_program

@@ -1,0 +1,98 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "output/report_output.h"
+
+#include "base/peak_memory.h"
+
+#include <nlohmann/json.hpp>
+
+#include <iomanip>
+
+namespace reeb_graph_program {
+namespace {
+std::string count(std::size_t number, const std::string& singular, const std::string& plural)
+{
+  return std::to_string(number) + " " + (number == 1 ? singular : plural);
+}
+
+std::string count(std::size_t number, const std::string& singular) { return count(number, singular, singular + "s"); }
+
+std::string count_saddles(const CGAL::Reeb_graph::Critical_vertex_counts& counts)
+{
+  std::size_t total = 0;
+  std::string by_multiplicity;
+  for(const auto& [multiplicity, number] : counts.saddles)
+  {
+    total += number;
+    if(multiplicity > 1)
+      by_multiplicity += (by_multiplicity.empty() ? "" : ", ") + std::to_string(number) + " of multiplicity "
+                       + std::to_string(multiplicity);
+  }
+  return count(total, "saddle") + (by_multiplicity.empty() ? "" : " (" + by_multiplicity + ")");
+}
+
+} // namespace
+
+void write_text(std::ostream& out, const Report& report)
+{
+  const Surface_counts& surface = report.surface;
+  const auto& critical_vertices = report.critical_vertices;
+  out << "surface  " << count(surface.vertices, "vertex", "vertices") << ", " << count(surface.edges, "edge") << ", "
+      << count(surface.faces, "face") << "\n         " << count(surface.components, "component") << ", "
+      << count(surface.border_loops, "border loop") << ", Euler characteristic " << surface.euler_characteristic;
+  if(surface.genus)
+    out << ", genus " << *surface.genus;
+  out << "\nfield    " << count(critical_vertices.minima, "minimum", "minima") << ", "
+      << count_saddles(critical_vertices) << ", " << count(critical_vertices.maxima, "maximum", "maxima");
+  if(critical_vertices.border_saddles > 0)
+    out << ", " << count(critical_vertices.border_saddles, "saddle") << " on the border";
+  if(critical_vertices.isolated > 0)
+    out << ", " << count(critical_vertices.isolated, "isolated vertex", "isolated vertices");
+  out << "\ngraph    " << count(report.graph.nodes, "node") << ", " << count(report.graph.arcs, "arc") << ", "
+      << count(report.graph.loops, "loop");
+  if(report.graph.hidden_handles.value_or(0) > 0)
+    out << ", " << count(static_cast<std::size_t>(*report.graph.hidden_handles), "hidden handle");
+  out << "\nseconds  " << std::fixed << std::setprecision(3);
+  for(std::size_t i = 0; i < report.seconds.size(); ++i)
+    out << (i == 0 ? "" : ", ") << report.seconds[i].first << " " << report.seconds[i].second;
+  out << "\nmemory   " << std::setprecision(1) << static_cast<double>(peak_memory_bytes()) / 1e6 << " MB at the peak\n";
+}
+
+void write_json(std::ostream& out, const Report& report)
+{
+  nlohmann::ordered_json json;
+  json["vertices"] = report.surface.vertices;
+  json["edges"] = report.surface.edges;
+  json["faces"] = report.surface.faces;
+  json["components"] = report.surface.components;
+  json["border_loops"] = report.surface.border_loops;
+  json["euler_characteristic"] = report.surface.euler_characteristic;
+  json["genus"] = nullptr;
+  if(report.surface.genus)
+    json["genus"] = *report.surface.genus;
+  json["minima"] = report.critical_vertices.minima;
+  json["saddles"] = nlohmann::ordered_json::object();
+  for(const auto& [multiplicity, number] : report.critical_vertices.saddles)
+    json["saddles"][std::to_string(multiplicity)] = number;
+  json["border_saddles"] = report.critical_vertices.border_saddles;
+  json["maxima"] = report.critical_vertices.maxima;
+  json["isolated"] = report.critical_vertices.isolated;
+  json["nodes"] = report.graph.nodes;
+  json["arcs"] = report.graph.arcs;
+  json["loops"] = report.graph.loops;
+  json["hidden_handles"] = nullptr;
+  if(report.graph.hidden_handles)
+    json["hidden_handles"] = *report.graph.hidden_handles;
+  for(const auto& [step, seconds] : report.seconds)
+    json["seconds"][step] = seconds;
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  out << json.dump(2) << '\n';
+}
+
+} // namespace reeb_graph_program
