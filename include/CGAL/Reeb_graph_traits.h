@@ -13,13 +13,14 @@
 
 #include <CGAL/Reeb_graph/Halfedge_chain.h>
 #include <CGAL/Reeb_graph/Node_kind.h>
+#include <CGAL/Reeb_graph/internal/base/is_ordered.h>
 #include <CGAL/Reeb_graph/internal/output/graph_storage.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <limits>
+#include <functional>
 #include <type_traits>
 
 namespace CGAL {
@@ -107,23 +108,14 @@ public:
 #endif
 
   /// the strict weak order of the scalar values
-  struct Less_scalar
-  {
-    /// returns `true` if `a` is lower than `b`.
-    bool operator()(const Scalar& a, const Scalar& b) const { return a < b; }
-  };
+  typedef std::less<Scalar> Less_scalar;
 
   /// the test that a value has a place in the order
   struct Is_ordered
   {
-    /// returns `false` for NaN, `true` for any other value, infinities included.
-    bool operator()(const Scalar& a) const
-    {
-      if constexpr(std::numeric_limits<Scalar>::has_quiet_NaN)
-        return a == a;
-      else
-        return true;
-    }
+    /// returns `false` for NaN, and for a `std::pair`, `std::tuple` or `std::array` with NaN inside, `true` for any
+    /// other value, infinities included.
+    bool operator()(const Scalar& a) const { return Reeb_graph::internal::is_ordered(a); }
   };
 
   /// returns the order.

@@ -135,14 +135,15 @@ namespace CGAL {
 ///
 /// \exception Reeb_graph::Non_triangular_face_error if a face is not a triangle
 /// \exception Reeb_graph::Degenerate_face_error if a face has one vertex at two corners
+/// \exception Reeb_graph::Edge_without_face_error if an edge is on no face, and the mesh lists its edges
 /// \exception Reeb_graph::Non_manifold_vertex_error if the faces of a vertex form more than one fan
-/// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN
+/// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN, or the order of the values is found to be none
 /// \exception Reeb_graph::Invalid_index_map_error if an index map is not one to one
 /// \exception Reeb_graph::Cancelled_error if `callback` returns `false`
 /// \exception Reeb_graph::Mesh_size_error if there are too many vertices or halfedges for 32-bit indices
 ///
-/// When one of these is thrown, `graph` is as it was before. When anything else is, such as `std::bad_alloc`, it can be
-/// empty instead.
+/// When one of these is thrown, `graph` is as it was before. When anything else is, such as `std::bad_alloc`, or as the
+/// order of the values contradicts itself, it can be empty instead.
 template <class ConcurrencyTag = Sequential_tag,
           class FaceListGraph,
           class ScalarMap,

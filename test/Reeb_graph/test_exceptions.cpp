@@ -112,6 +112,7 @@ BOOST_AUTO_TEST_CASE(exceptions_can_be_caught_by_their_bases)
   BOOST_TEST((std::is_base_of_v<Error, Face_error>));
   BOOST_TEST((std::is_base_of_v<Face_error, Non_triangular_face_error>));
   BOOST_TEST((std::is_base_of_v<Face_error, Degenerate_face_error>));
+  BOOST_TEST((std::is_base_of_v<Error, Edge_without_face_error>));
   BOOST_TEST((std::is_base_of_v<Vertex_error, Non_manifold_vertex_error>));
   BOOST_TEST((std::is_base_of_v<Vertex_error, Unordered_scalar_error>));
   BOOST_TEST((std::is_base_of_v<Error, Invalid_index_map_error>));
@@ -184,6 +185,54 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_border_that_touches_a_closed_fan_is_refused, Mes
     expect<Non_manifold_vertex_error>(mesh, ascending_values(6),
                                       [](const Non_manifold_vertex_error& error) { return error.vertex() == 1; });
   }
+}
+
+// `add_edge()` joins an edge to nothing. An edge whose halfedges follow each other makes a mesh that is valid.
+BOOST_AUTO_TEST_CASE_TEMPLATE(an_edge_without_a_face_is_refused, Mesh, Meshes)
+{
+  auto combinatorial_mesh = random_meshes::disk(5);
+  combinatorial_mesh.number_of_vertices += 2;
+  for(const bool is_joined : {false, true})
+    for(const std::size_t first : {0, 1, 6}) // inside, on the border, isolated
+    {
+      auto mesh = make_mesh<Mesh>(combinatorial_mesh);
+      const auto u = element(vertices(mesh), first), v = element(vertices(mesh), 7);
+      const std::size_t number_of_edges = num_edges(mesh);
+      BOOST_CHECK_NO_THROW(graph_checks::compute(mesh, ascending_values(8)));
+      const auto h = halfedge(add_edge(mesh), mesh), g = opposite(h, mesh);
+      set_target(h, v, mesh);
+      set_target(g, u, mesh);
+      if(is_joined)
+      {
+        set_next(h, g, mesh);
+        set_next(g, h, mesh);
+        set_halfedge(v, h, mesh);
+        if(first == 6)
+          set_halfedge(u, g, mesh);
+      }
+      const auto is_right = [&](const Edge_without_face_error& error) {
+        return error.edge() == number_of_edges && mentions(error, "edge " + std::to_string(number_of_edges) + " ");
+      };
+      expect<Edge_without_face_error>(mesh, ascending_values(8), is_right);
+      const auto scalar_map = make_scalar_map(mesh, ascending_values(8));
+      const graph_checks::Graph_of<Mesh> graph;
+      BOOST_CHECK_EXCEPTION(Augmentation(mesh, scalar_map, graph), Edge_without_face_error, is_right);
+      BOOST_CHECK_EXCEPTION(pants_decomposition(mesh, scalar_map, CGAL::Emptyset_iterator()), Edge_without_face_error,
+                            is_right);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(an_edge_without_a_face_is_refused_among_removed_ones)
+{
+  Surface_mesh mesh;
+  mesh_builders::build_with_garbage(mesh, mesh_builders::make_soup(random_meshes::tetrahedron()));
+  BOOST_REQUIRE(mesh.number_of_removed_edges() != 0);
+  BOOST_CHECK_NO_THROW(graph_checks::compute(mesh, ascending_values(4)));
+  const auto edge = mesh.edge(mesh.add_edge(element(vertices(mesh), 0), element(vertices(mesh), 1)));
+  const auto found = std::find(edges(mesh).begin(), edges(mesh).end(), edge);
+  const std::size_t position = static_cast<std::size_t>(std::distance(edges(mesh).begin(), found));
+  expect<Edge_without_face_error>(mesh, ascending_values(4),
+                                  [&](const Edge_without_face_error& error) { return error.edge() == position; });
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(nan_is_refused_everywhere, Mesh, Meshes)

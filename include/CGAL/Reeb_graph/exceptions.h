@@ -23,7 +23,7 @@ namespace Reeb_graph {
 /// \brief base of all exceptions that the package throws.
 ///
 /// They are thrown whatever the build type: checking the input does not depend on `NDEBUG`.
-/// Faces and vertices are named by their position in `faces(mesh)` and `vertices(mesh)`, from 0.
+/// Faces, edges and vertices are named by their position in `faces(mesh)`, `edges(mesh)` and `vertices(mesh)`, from 0.
 class Error : public std::runtime_error
 {
 public:
@@ -91,6 +91,25 @@ public:
 
 /// \ingroup PkgReebGraphExceptions
 ///
+/// \brief thrown for an edge that is on no face.
+class Edge_without_face_error : public Error
+{
+public:
+  /// constructs the exception for the edge at position `edge`.
+  explicit Edge_without_face_error(std::size_t edge)
+    : Error("edge " + std::to_string(edge) + " is on no face"),
+      edge_(edge)
+  {}
+
+  /// the position of the edge in `edges(mesh)`.
+  std::size_t edge() const { return edge_; }
+
+private:
+  std::size_t edge_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
 /// \brief thrown for a vertex whose faces form more than one fan.
 class Non_manifold_vertex_error : public Vertex_error
 {
@@ -103,14 +122,25 @@ public:
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown for a scalar value that the order does not place, such as NaN.
+/// \brief thrown for a scalar value that the order does not place, such as NaN, and where the order is found to
+/// contradict itself.
 class Unordered_scalar_error : public Vertex_error
 {
 public:
-  /// constructs the exception for the vertex at position `vertex`.
+  /// constructs the exception for the vertex at position `vertex`, whose value is not placed.
   explicit Unordered_scalar_error(std::size_t vertex)
     : Vertex_error(vertex, "the scalar value of vertex " + std::to_string(vertex) + " is not a number (NaN)")
   {}
+
+  /// returns the exception for an order that is none, which has shown near the vertex at position `vertex`.
+  static Unordered_scalar_error contradiction_near(std::size_t vertex)
+  {
+    return Unordered_scalar_error(vertex, "the order of the scalar values contradicts itself near vertex "
+                                            + std::to_string(vertex) + ": it is no strict weak order of them");
+  }
+
+private:
+  Unordered_scalar_error(std::size_t vertex, const std::string& message) : Vertex_error(vertex, message) {}
 };
 
 /// \ingroup PkgReebGraphExceptions

@@ -99,11 +99,15 @@ private:
 
   Index contour_above(Ascending_step step) const
   {
-    for(; contour_at(step.edge) == no_index; step = steepest_step(complex_, order_, step.target))
+    for(Index steps = 0; contour_at(step.edge) == no_index; ++steps)
     {
       const Index contour = slab_.contour_at_step(true, step.target, [&] { return step.edge; });
       if(contour != no_index)
         return contour;
+      const Index vertex = step.target;
+      step = steepest_step(complex_, order_, vertex);
+      if(step.edge == no_index || steps == complex_.number_of_vertices())
+        complex_.throw_contradiction_near(vertex);
     }
     return contour_at(step.edge);
   }

@@ -32,6 +32,20 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+// Throws if an arc lacks a node of the slab at an end, or has no step to begin with at a vertex: the order of the vertices
+// has contradicted itself.
+template <class Complex>
+void check_arcs(const Slab<Complex>& slab, const Large_vector<Slab_arc>& arcs)
+{
+  const Index number_of_nodes = slab.number_of_nodes(), number_of_vertices = slab.critical_vertices().size();
+  for(const Slab_arc& arc : arcs)
+  {
+    const bool has_first_step = arc.first_step.edge != no_index || arc.lower >= number_of_vertices;
+    if(arc.lower >= number_of_nodes || arc.upper >= number_of_nodes || !has_first_step)
+      slab.throw_contradiction_near(arc);
+  }
+}
+
 // Finds the arcs between the nodes of a slab by one of the two engines. They return the same arcs, in any order. First
 // steps are those of arcs that begin at a critical vertex.
 template <class ConcurrencyTag, class Complex, class Order, class Report>
@@ -40,9 +54,12 @@ Large_vector<Slab_arc> find_arcs_of_slab(const Slab<Complex>& slab,
                                          Method method,
                                          const Report& report)
 {
-  if(method == Method::CRITICAL_SETS)
-    return Critical_sets_engine<Complex, Order>(slab, order).find_arcs(report);
-  return Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report);
+  Large_vector<Slab_arc> arcs =
+    method == Method::CRITICAL_SETS
+      ? Critical_sets_engine<Complex, Order>(slab, order).find_arcs(report)
+      : Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report);
+  check_arcs(slab, arcs);
+  return arcs;
 }
 
 // The slab stage between partition and gluing: finds the arcs between critical vertices, slab by slab. With one slab,

@@ -179,6 +179,8 @@ private:
         name_piece(first_piece_of_group_, group, first_piece);
         name_piece(first_piece_of_arc_, next_arc, first_piece);
       });
+    if(upper <= lower)
+      complex_.throw_contradiction_near(graph_.nodes[upper].vertex);
     return {lower, upper, first_piece, piece - first_piece};
   }
 
@@ -235,8 +237,14 @@ private:
     };
     for_each_block<ConcurrencyTag>(graph_.nodes.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t node = begin; node != end; ++node)
-        std::sort(graph_.arcs.begin() + begins_of_arcs_[node], graph_.arcs.begin() + begins_of_arcs_[node + 1],
-                  is_before);
+      {
+        const auto first = graph_.arcs.begin() + begins_of_arcs_[node];
+        const auto last = graph_.arcs.begin() + begins_of_arcs_[node + 1];
+        if constexpr(Order::is_sure)
+          std::sort(first, last, is_before);
+        else if(last - first > 1)
+          std::stable_sort(first, last, is_before); // see sort()
+      }
     });
   }
 

@@ -269,6 +269,7 @@ protected:
       find_arcs<ConcurrencyTag>(surface_.complex, order_, all_vertices, Method::CONTOUR_TREES, 1, No_progress()),
       Ties::PERTURB, true, true);
     const Swept_vertices critical_vertices = classify_vertices<ConcurrencyTag>(surface_.complex, order_);
+    check_nodes_are_critical(all_arcs, critical_vertices);
     Large_vector<Slab_arc> critical_arcs;
     for(const Flat_arc& arc : all_arcs.arcs)
       critical_arcs.push_back({critical_vertices.ascending()[arc.lower], critical_vertices.ascending()[arc.upper],
@@ -277,19 +278,26 @@ protected:
                                                               critical_arcs, ties_, are_degree_two_nodes_kept_, true);
     check_same_graph(flat_graph);
 
+    const auto place_of_arc = [&](Index arc, Index vertex) {
+      if(arc == no_index)
+        surface_.complex.throw_contradiction_near(vertex);
+      return static_cast<Index>(flat_graph.nodes.size()) + arc;
+    };
     const auto place_of_critical = [&](Index critical) {
       const Index node = flat_graph.node_of_critical[critical];
       return node != no_index ? node
-                              : static_cast<Index>(flat_graph.nodes.size()) + flat_graph.arc_of_critical[critical];
+                              : place_of_arc(flat_graph.arc_of_critical[critical], critical_vertices.vertex(critical));
     };
     // On a plateau, a vertex is where the end of its arc is.
     const auto place_on_arc = [&](Index vertex, Index arc) {
+      if(arc == no_index)
+        surface_.complex.throw_contradiction_near(vertex);
       const Slab_arc& critical_arc = critical_arcs[arc];
       if(ties_ == Ties::CONTRACT && order_.are_tied(vertex, critical_vertices.vertex(critical_arc.lower)))
         return place_of_critical(critical_arc.lower);
       if(ties_ == Ties::CONTRACT && order_.are_tied(vertex, critical_vertices.vertex(critical_arc.upper)))
         return place_of_critical(critical_arc.upper);
-      return static_cast<Index>(flat_graph.nodes.size()) + flat_graph.arc_of_critical_arc[arc];
+      return place_of_arc(flat_graph.arc_of_critical_arc[arc], vertex);
     };
 
     checked_index(flat_graph.nodes.size() + flat_graph.arcs.size());
@@ -404,6 +412,17 @@ private:
         ties_ == Ties::CONTRACT ? order_.are_tied(lower, first) && !order_.are_tied(lower, upper) : lower == first;
       if(!fits)
         throw Graph_mismatch_error();
+    }
+  }
+
+  // With an order that contradicts itself, a regular vertex can be a node.
+  void check_nodes_are_critical(const Flat_graph& all_arcs, const Swept_vertices& critical_vertices) const
+  {
+    for(std::size_t node = 0; node != all_arcs.nodes.size(); ++node)
+    {
+      const Index vertex = all_arcs.nodes[node].vertex;
+      if(node >= critical_vertices.size() || critical_vertices.vertex(critical_vertices.ascending()[node]) != vertex)
+        surface_.complex.throw_contradiction_near(vertex);
     }
   }
 

@@ -29,7 +29,7 @@ namespace internal {
 
 // Memory for long arrays. Of a sweep over a million of vertices, half the time was spent on page faults: large pages
 // save them where the system has such pages, and elements without a constructor are not written twice.
-constexpr std::size_t large_page_size = std::size_t(1) << 21;
+inline constexpr std::size_t large_page_size = std::size_t(1) << 21;
 
 // Asks for large pages in the part of the memory that they fit into.
 inline void advise_large_pages(void* memory, std::size_t size)

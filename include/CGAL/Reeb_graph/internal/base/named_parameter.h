@@ -22,7 +22,7 @@ namespace internal {
 
 // Whether get_parameter() has found a named parameter, by the type that it returns.
 template <class Parameter>
-constexpr bool is_given = !std::is_same_v<std::decay_t<Parameter>, internal_np::Param_not_found>;
+inline constexpr bool is_given = !std::is_same_v<std::decay_t<Parameter>, internal_np::Param_not_found>;
 
 // A parameter that may be given by value or as std::reference_wrapper.
 template <class T>

@@ -33,7 +33,7 @@ namespace Reeb_graph {
 namespace internal {
 
 // The number of faces below which a second thread does not pay.
-constexpr std::size_t smallest_parallel_mesh = 20000;
+inline constexpr std::size_t smallest_parallel_mesh = 20000;
 
 // The few places where the package asks for TBB. With Sequential_tag none of it is needed.
 template <class ConcurrencyTag>
@@ -151,14 +151,17 @@ void invoke_both(const First& first, const Second& second)
   second();
 }
 
-// Sorts by an order without ties, so that the result is the same in any case. Faster on one thread than
+// Sorts by a Vertex_order, which has no ties, so that the result is the same in any case. Faster on one thread than
 // tbb::parallel_sort on two, if comparisons are cheap.
 template <class ConcurrencyTag, class Iterator, class Less>
 void sort(Iterator first, Iterator last, const Less& less, std::size_t number_of_runs)
 {
   if(number_of_runs <= 1)
   {
-    boost::sort::pdqsort_branchless(first, last, less);
+    if constexpr(Less::is_sure)
+      boost::sort::pdqsort_branchless(first, last, less);
+    else
+      std::stable_sort(first, last, less); // It stays inside of the range even if the order contradicts itself.
     return;
   }
   const Iterator middle = first + (last - first) / 2;

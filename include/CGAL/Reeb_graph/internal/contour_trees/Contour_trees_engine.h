@@ -82,7 +82,10 @@ public:
                                   first_steps = find_first_steps<ConcurrencyTag>(downwards->tree().sector_classes,
                                                                                  cuts.number_of_nodes());
                                 });
+    const std::size_t number_of_arcs = cuts.number_of_nodes() - join_tree.number_of_roots();
     Large_vector<Slab_arc> arcs = combine_trees(std::move(join_tree), std::move(split_tree), std::move(first_steps));
+    if(arcs.size() != number_of_arcs) // The trees are not those of one order.
+      slab_.throw_contradiction_near(arcs.empty() ? Slab_arc{no_index, no_index, {}} : arcs.back());
     glue_cuts(cuts, arcs);
     return arcs;
   }

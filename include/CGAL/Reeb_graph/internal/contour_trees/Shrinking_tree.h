@@ -39,7 +39,10 @@ public:
         prefetch(&nodes_[parents[node + ahead]]);
       nodes_[node].parent = parents[node];
       if(parents[node] == no_index)
+      {
+        ++number_of_roots_;
         continue;
+      }
       ++nodes_[parents[node]].number_of_children;
       nodes_[parents[node]].child_names ^= node;
     }
@@ -63,6 +66,9 @@ public:
     ++nodes_[parent].number_of_children;
     nodes_[parent].child_names ^= node;
   }
+
+  // That of the tree before any node has been removed.
+  Index number_of_roots() const { return number_of_roots_; }
 
   Index parent(Index node) const { return nodes_[node].parent; }
   Index number_of_children(Index node) const { return nodes_[node].number_of_children; }
@@ -94,6 +100,7 @@ private:
   };
 
   Large_vector<Node> nodes_;
+  Index number_of_roots_ = 0;
 };
 
 } // namespace internal

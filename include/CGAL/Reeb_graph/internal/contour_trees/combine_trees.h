@@ -44,14 +44,17 @@ public:
   }
 
 private:
+  // A root is none, as it is not one of trees of the same order.
   bool is_lower_leaf(Index node) const
   {
-    return join_tree_.number_of_children(node) == 0 && split_tree_.number_of_children(node) == 1;
+    return join_tree_.number_of_children(node) == 0 && split_tree_.number_of_children(node) == 1
+        && join_tree_.parent(node) != no_index;
   }
 
   bool is_upper_leaf(Index node) const
   {
-    return split_tree_.number_of_children(node) == 0 && join_tree_.number_of_children(node) == 1;
+    return split_tree_.number_of_children(node) == 0 && join_tree_.number_of_children(node) == 1
+        && split_tree_.parent(node) != no_index;
   }
 
   // Takes the node away if it is a leaf, and then its neighbor if that makes it one, and so on.

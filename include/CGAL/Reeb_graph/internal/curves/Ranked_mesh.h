@@ -34,7 +34,7 @@ namespace internal {
 // scalar values. Between the ranks of two vertices of the input there is room for those of the vertices that a
 // refinement adds.
 typedef std::uint64_t Rank;
-constexpr Rank rank_spacing = Rank(1) << 31;
+inline constexpr Rank rank_spacing = Rank(1) << 31;
 
 // A mesh that is refined, with the rank of each vertex, and its value as far as it places the points of new vertices.
 template <class Mesh_, class VertexPointMap, class Visitor>

@@ -51,11 +51,13 @@ public:
   bool has_triangle(Index halfedge) const { return !mesh_->is_border(Halfedge_index(halfedge)); }
 
   std::size_t number_of_faces() const { return mesh_->number_of_faces(); }
+  std::size_t number_of_live_edges() const { return mesh_->number_of_edges(); }
   Index halfedge_of_face_at(Index vertex) const
   {
     return has_vertex(vertex) ? find_halfedge_of_face(*mesh_, mesh_->halfedge(Vertex_index(vertex))).idx() : no_index;
   }
   void check_faces() const { internal::check_faces(*mesh_); }
+  void check_edges() const { internal::check_edges(*mesh_); }
 
 private:
   static Large_vector<Index> unset_numbers(std::size_t size)

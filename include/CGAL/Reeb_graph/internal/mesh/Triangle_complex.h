@@ -39,7 +39,7 @@ struct Halfedge_arrays
 class Triangle_complex : public Triangle_complex_base<Triangle_complex>
 {
 public:
-  // For faces that have been checked.
+  // For faces that have been checked, as has been that each edge has one.
   Triangle_complex(Halfedge_arrays arrays, std::size_t number_of_faces)
     : Triangle_complex_base<Triangle_complex>(std::move(arrays.halfedges_of_vertices)),
       halfedges_(std::move(arrays.halfedges)),
@@ -55,8 +55,10 @@ public:
   bool has_triangle(Index halfedge) const { return next(halfedge) != no_index; }
 
   std::size_t number_of_faces() const { return number_of_faces_; }
+  std::size_t number_of_live_edges() const { return halfedges_.size() / 2; }
   Index halfedge_of_face_at(Index vertex) const { return first_halfedge(vertex); }
   void check_faces() const {}
+  void check_edges() const {}
 
 private:
   Large_vector<Halfedge> halfedges_; // both members in one line of the cache, with the opposite halfedge

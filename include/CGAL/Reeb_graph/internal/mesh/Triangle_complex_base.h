@@ -28,8 +28,8 @@ class Unchecked_complex;
 //
 // A class `Complex` derived from this one has number_of_halfedges(), target(halfedge), has_triangle(halfedge),
 // next(halfedge), for a halfedge of a triangle, and has_vertex(number) and has_edge(number); and for Unchecked_complex,
-// number_of_faces(), halfedge_of_face_at(vertex), any one that ends there or no_index, and check_faces(), which throws
-// if a face is no triangle with three vertices.
+// number_of_faces(), number_of_live_edges(), halfedge_of_face_at(vertex), any one that ends there or no_index,
+// check_faces(), which throws if a face is no triangle with three vertices, and check_edges(), if an edge has no face.
 template <class Complex>
 class Triangle_complex_base
 {
@@ -113,6 +113,21 @@ public:
       if(halfedge == first || !complex().has_triangle(halfedge))
         return;
     }
+  }
+
+  // The position in vertices(mesh), in which removed vertices do not count.
+  std::size_t position(Index vertex) const
+  {
+    std::size_t position = 0;
+    for(Index v = 0; v != vertex; ++v)
+      position += complex().has_vertex(v) ? 1 : 0;
+    return position;
+  }
+
+  // Throws the error of an order of the vertices that contradicts itself, which has shown near `vertex`.
+  [[noreturn]] void throw_contradiction_near(Index vertex) const
+  {
+    throw Unordered_scalar_error::contradiction_near(position(vertex));
   }
 
 protected:

@@ -22,15 +22,18 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The fans of some vertices: how many corners of triangles they have, and how many fans there are with other faces.
+// The fans of some vertices: how many corners of triangles they have, how many fans are at the border, and how many
+// have other faces.
 struct Fan_counts
 {
   std::size_t corners = 0;
+  std::size_t border_fans = 0;
   std::size_t bad_fans = 0;
 
   Fan_counts& operator+=(const Fan_counts& other)
   {
     corners += other.corners;
+    border_fans += other.border_fans;
     bad_fans += other.bad_fans;
     return *this;
   }
@@ -89,16 +92,20 @@ public:
         return give_up(first, counts);
       first = turned;
     }
+    ++counts.border_fans;
     return false;
   }
 
   // From the sums of the counts. Throws if a face is no triangle, or has a corner that belongs to no fan: a mesh leads
-  // to one fan per vertex only, but there may be more.
+  // to one fan per vertex only, but there may be more. Throws if an edge has no face: the halfedges of the other ones
+  // are as many as the corners, and one more leaves each border vertex.
   Complex check(const Fan_counts& counts) &&
   {
-    if(counts.bad_fans != 0 || counts.corners != 3 * complex_.number_of_faces())
+    const bool has_other_halfedges = counts.corners + counts.border_fans != 2 * complex_.number_of_live_edges();
+    if(counts.bad_fans != 0 || counts.corners != 3 * complex_.number_of_faces() || has_other_halfedges)
     {
       complex_.check_faces();
+      complex_.check_edges();
       throw_non_manifold_vertex_error();
     }
     return std::move(complex_);
@@ -129,14 +136,12 @@ private:
       if(complex_.has_edge(edge_of(h)) && complex_.has_triangle(h))
         ++unreached[complex_.target(h)];
     }
-    std::size_t position = 0;
     for(Index v = 0; v != number_of_vertices(); ++v)
     {
       if(has_vertex(v))
         complex_.for_each_halfedge_around(v, [&](Index) { --unreached[v]; });
       if(unreached[v] != 0)
-        throw Non_manifold_vertex_error(position);
-      position += has_vertex(v) ? 1 : 0;
+        throw Non_manifold_vertex_error(complex_.position(v));
     }
   }
 

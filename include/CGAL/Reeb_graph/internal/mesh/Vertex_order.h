@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/is_ordered.h>
 
 #include <type_traits>
 
@@ -26,6 +27,9 @@ template <class Scalar, class Less>
 class Vertex_order
 {
 public:
+  // Whether the order cannot contradict itself, whatever the values are.
+  static constexpr bool is_sure = is_order_of_numbers<Scalar, Less>;
+
   // A vertex with its value, to be sorted without access to the array of all values.
   struct Key
   {

@@ -41,19 +41,34 @@ void check_faces(const FaceListGraph& mesh)
   }
 }
 
-// A halfedge of a face that ends where h does, the null halfedge if there is none.
+template <class FaceListGraph>
+void check_edges(const FaceListGraph& mesh)
+{
+  std::size_t position = 0;
+  for(const auto e : CGAL::make_range(edges(mesh)))
+  {
+    const auto h = halfedge(e, mesh);
+    if(is_border(h, mesh) && is_border(opposite(h, mesh), mesh))
+      throw Edge_without_face_error(position);
+    ++position;
+  }
+}
+
+// A halfedge of a face that ends where h does, the null halfedge if there is none. The turn ends at an edge that nobody
+// has joined to the other ones.
 template <class FaceListGraph, class HalfedgeDescriptor>
 HalfedgeDescriptor find_halfedge_of_face(const FaceListGraph& mesh, HalfedgeDescriptor h)
 {
   const HalfedgeDescriptor null = boost::graph_traits<FaceListGraph>::null_halfedge();
-  if(h == null || !is_border(h, mesh))
-    return h;
-  for(const HalfedgeDescriptor around : CGAL::halfedges_around_target(h, mesh))
+  HalfedgeDescriptor around = h;
+  while(around != null && is_border(around, mesh))
   {
-    if(!is_border(around, mesh))
-      return around;
+    const HalfedgeDescriptor second = next(around, mesh);
+    around = second == null ? null : opposite(second, mesh);
+    if(around == h)
+      return null;
   }
-  return null;
+  return around;
 }
 
 } // namespace internal

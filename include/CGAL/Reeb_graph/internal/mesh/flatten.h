@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/is_ordered.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/mesh/Descriptor_positions.h>
@@ -98,7 +99,13 @@ Large_vector<typename Traits::Scalar> read_values(const VertexList& vertices,
   static_assert(!std::is_same_v<Scalar, bool>, "Scalar values of type bool are not supported: use char.");
   constexpr bool is_read_in_parallel = std::is_arithmetic_v<Scalar> && !Is_changed_by_reading<ScalarMap>::value;
   typedef std::conditional_t<is_read_in_parallel, ConcurrencyTag, Sequential_tag> Tag;
-  const auto is_ordered = traits.is_ordered_object();
+  const auto is_ordered_object = traits.is_ordered_object();
+  const auto is_ordered = [&](const Scalar& value) {
+    if constexpr(is_order_of_numbers<Scalar, std::decay_t<decltype(traits.less_scalar_object())>>)
+      return internal::is_ordered(value) && is_ordered_object(value);
+    else
+      return is_ordered_object(value);
+  };
   Large_vector<Scalar> values;
   values.resize(vertices.size());
   Shared_counter<Tag> number_of_unordered;

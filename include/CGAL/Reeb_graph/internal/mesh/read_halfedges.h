@@ -23,6 +23,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -34,6 +35,18 @@ struct Read_halfedges
 {
   Halfedge_arrays arrays;
   Halfedge_list<FaceListGraph> halfedges;
+};
+
+// Whether the mesh is a model of EdgeListGraph, which a FaceListGraph need not be.
+template <class FaceListGraph, class = void>
+struct Has_edge_list : std::false_type
+{
+};
+template <class FaceListGraph>
+struct Has_edge_list<FaceListGraph,
+                     std::void_t<decltype(edges(std::declval<const FaceListGraph&>())),
+                                 decltype(num_edges(std::declval<const FaceListGraph&>()))>> : std::true_type
+{
 };
 
 // Numbers the edges as they are met, face by face.
@@ -77,6 +90,11 @@ Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
       arrays.halfedges_of_vertices[arrays.halfedges[numbers[i]].target] = numbers[i];
     }
     numbers_in_faces.push_back(numbers);
+  }
+  if constexpr(Has_edge_list<FaceListGraph>::value)
+  {
+    if(num_edges(mesh) != even_halfedges.size()) // It may count removed ones, too.
+      check_edges(mesh);
   }
   return {std::move(arrays), Halfedge_list<FaceListGraph>(std::move(even_halfedges))};
 }

@@ -37,7 +37,8 @@ struct Flat_chains
 };
 
 // Walks the pieces of chains from `begin` to `end`. A path that has entered an arc cannot leave it below the upper
-// node, so comparisons tell the end, and the chain does not depend on how the arc was found.
+// node, so comparisons tell the end, and the chain does not depend on how the arc was found. No vertex is passed twice,
+// unless the order contradicts itself.
 template <class Complex, class Order>
 Large_vector<Index> walk_pieces(const Complex& complex,
                                 const Order& order,
@@ -47,6 +48,7 @@ Large_vector<Index> walk_pieces(const Complex& complex,
 {
   Large_vector<Index> halfedges;
   halfedges.reserve(3 * static_cast<std::size_t>(end - begin));
+  const std::size_t most = complex.number_of_vertices() + static_cast<std::size_t>(end - begin);
   const auto add = [&](const Ascending_step& step) {
     const bool is_ascending = complex.target(step.edge) == step.target;
     halfedges.push_back(is_ascending ? step.edge : opposite_of(step.edge));
@@ -56,7 +58,12 @@ Large_vector<Index> walk_pieces(const Complex& complex,
     *begins_of_pieces++ = halfedges.size();
     Ascending_step step = piece->first_step;
     for(add(step); order(step.target, piece->upper_vertex); add(step))
-      step = steepest_step(complex, order, step.target);
+    {
+      const Index vertex = step.target;
+      step = steepest_step(complex, order, vertex);
+      if(step.edge == no_index || halfedges.size() == most)
+        complex.throw_contradiction_near(vertex);
+    }
   }
   return halfedges;
 }

@@ -38,7 +38,7 @@ namespace internal {
 namespace scalar_fields {
 
 typedef std::uint32_t Position; // of a vertex in vertices(mesh)
-constexpr Position no_position = (std::numeric_limits<Position>::max)();
+inline constexpr Position no_position = (std::numeric_limits<Position>::max)();
 
 typedef std::array<double, 3> Vector;
 

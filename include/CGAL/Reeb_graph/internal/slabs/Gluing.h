@@ -37,7 +37,7 @@ public:
     for(Index level = 0; level != slicing.number_of_levels(); ++level)
       first_contours_.push_back(
         checked_index(std::size_t(first_contours_.back()) + slicing.level(level).number_of_contours()));
-    upper_ends_.resize(first_contours_.back() - first_contours_.front());
+    upper_ends_.resize(first_contours_.back() - first_contours_.front(), no_index);
   }
 
   Large_vector<Slab_arc> operator()(const std::vector<Large_vector<Slab_arc>>& arcs_of_slabs)
@@ -57,7 +57,12 @@ public:
     for(Slab_arc& arc : arcs)
     {
       while(is_contour(arc.upper))
-        arc.upper = upper_ends_[arc.upper - first_contours_.front()];
+      {
+        const Index upper_end = upper_ends_[arc.upper - first_contours_.front()];
+        if(upper_end == no_index || (is_contour(upper_end) && upper_end <= arc.upper))
+          slicing_.complex().throw_contradiction_near(arc.first_step.target);
+        arc.upper = upper_end;
+      }
     }
     return arcs;
   }

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Bounding_level.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
 
 #include <cstddef>
@@ -55,6 +56,15 @@ public:
 
   const Complex& complex() const { return *complex_; }
   const Swept_vertices& critical_vertices() const { return *critical_vertices_; }
+
+  // Throws the error of an order of the vertices that contradicts itself, which has shown at an end of the arc, as far as
+  // it has any.
+  [[noreturn]] void throw_contradiction_near(const Slab_arc& arc) const
+  {
+    const Index size = critical_vertices_->size();
+    complex_->throw_contradiction_near(
+      critical_vertices_->vertex(arc.lower < size ? arc.lower : (arc.upper < size ? arc.upper : 0)));
+  }
 
   Index number_of_contours(bool is_upper) const
   {

@@ -53,13 +53,14 @@ public:
     slicing.levels_.assign(number_of_slabs - 1, Bounding_level(complex.number_of_edges()));
     slicing.template find_crossed_edges<ConcurrencyTag>();
     for_each_index<ConcurrencyTag>(slicing.levels_.size(), [&](std::size_t i) {
-      const Index vertex = slicing.level_vertices_[i];
-      slicing.levels_[i].find_contours(complex, [&](Index u) { return !order(vertex, u); });
+      slicing.levels_[i].find_contours(complex, [&](Index u) { return slicing.slabs_of_vertices_[u] <= i; });
     });
     slicing.distribute_critical_vertices();
     for_each_index<ConcurrencyTag>(slicing.parts_.size(), [&](std::size_t slab) { slicing.fill_part(slab); });
     return slicing;
   }
+
+  const Complex& complex() const { return *complex_; }
 
   Index number_of_slabs() const { return static_cast<Index>(parts_.size()); }
 
@@ -177,8 +178,12 @@ private:
     const auto ascending = critical_vertices_->ascending().begin();
     Large_vector<Index> ascending_in_slab;
     ascending_in_slab.reserve(parts_[slab].names.size());
-    std::for_each(ascending + first_of_slab(slab), ascending + first_of_slab(slab + 1),
-                  [&](Index critical) { ascending_in_slab.push_back(names_in_slabs_[critical]); });
+    std::for_each(ascending + first_of_slab(slab), ascending + first_of_slab(slab + 1), [&](Index critical) {
+      const Index vertex = critical_vertices_->vertex(critical);
+      if(slabs_of_vertices_[vertex] != slab)
+        complex_->throw_contradiction_near(vertex);
+      ascending_in_slab.push_back(names_in_slabs_[critical]);
+    });
     parts_[slab].critical_vertices = critical_vertices_->part(parts_[slab].names, std::move(ascending_in_slab));
   }
 

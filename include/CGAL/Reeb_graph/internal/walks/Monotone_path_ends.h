@@ -63,6 +63,8 @@ public:
     {
       passed.push_back(step.target);
       step = next_step(step.target);
+      if(step.target == no_index || passed.size() > complex_->number_of_vertices())
+        complex_->throw_contradiction_near(passed.back());
       end = end_of_step(step.target, find_edge);
     }
     for(const Index passed_vertex : passed)

@@ -35,14 +35,18 @@ public:
     : complex_(&complex),
       start_(start),
       entered_(start),
+      steps_left_(std::size_t(complex.number_of_edges()) + 2),
       is_source_below_(is_below(complex.source(start))),
       is_border_reached_(complex.is_on_border_edge(start))
   {}
 
-  // Goes to the next crossing edge. Returns whether there was one.
+  // Goes to the next crossing edge. Returns whether there was one. Around an edge whose ends are on one side of the
+  // level, as an order that contradicts itself may have it, the walk might never end.
   template <class IsBelow>
   bool go_on(const IsBelow& is_below)
   {
+    if(--steps_left_ == 0)
+      complex_->throw_contradiction_near(complex_->source(start_));
     if(!complex_->has_triangle(entered_) && !turn_round())
       return false;
     const Index next = complex_->next(entered_);
@@ -74,6 +78,7 @@ private:
   const Complex* complex_;
   Index start_;
   Index entered_;
+  std::size_t steps_left_;
   bool is_source_below_;
   bool is_border_reached_;
   bool has_turned_ = false;

@@ -1,0 +1,70 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_BASE_IS_ORDERED_H
+#define CGAL_REEB_GRAPH_INTERNAL_BASE_IS_ORDERED_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Types that the standard library orders lexicographically by their elements, which std::apply() shows.
+template <class T>
+struct Has_ordered_elements : std::false_type
+{
+};
+template <class First, class Second>
+struct Has_ordered_elements<std::pair<First, Second>> : std::true_type
+{
+};
+template <class... Elements>
+struct Has_ordered_elements<std::tuple<Elements...>> : std::true_type
+{
+};
+template <class T, std::size_t size>
+struct Has_ordered_elements<std::array<T, size>> : std::true_type
+{
+};
+
+// Whether `operator<` places a value: it does not place NaN, nor anything with NaN inside.
+template <class T>
+bool is_ordered(const T& value)
+{
+  if constexpr(Has_ordered_elements<T>::value)
+    return std::apply([](const auto&... elements) { return (is_ordered(elements) && ...); }, value);
+  else if constexpr(std::numeric_limits<T>::has_quiet_NaN)
+    return value == value;
+  else
+  {
+    static_cast<void>(value);
+    return true;
+  }
+}
+
+// Whether `Less` is the order of built-in numbers, which cannot contradict itself without NaN. Any other order can, and
+// then nothing may go out of bounds or on without end.
+template <class T, class Less>
+inline constexpr bool is_order_of_numbers =
+  std::is_arithmetic_v<
+    T> && (std::is_same_v<Less, std::less<T>> || std::is_same_v<Less, std::less<>> || std::is_same_v<Less, std::greater<T>> || std::is_same_v<Less, std::greater<>>);
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_BASE_IS_ORDERED_H
