@@ -49,7 +49,8 @@ namespace CGAL {
 /// Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020. By default the surface is cut along one contour per loop of the
 /// graph, what is left has a contour tree, made as by Y. Chiang, T. Lenz, X. Lu, G. Rote, *Simple and optimal
 /// output-sensitive construction of contour trees using monotone paths*, 2005, and H. Carr, J. Snoeyink, U. Axen,
-/// *Computing contour trees in all dimensions*, 2003, and the cuts are glued. With \f$ n \f$ vertices and faces,
+/// *Computing contour trees in all dimensions*, 2003, and the cuts are glued: the loop surgery of J. Tierny, A. Gyulassy,
+/// E. Simon, V. Pascucci, *Loop surgery for volumetric meshes: Reeb graphs reduced to contour trees*, 2009. With \f$ n \f$ vertices and faces,
 /// \f$ c \f$ critical vertices, and \f$ l \f$ the length of the contours at the vertices where loops close, this
 /// takes \f$ O(n + c \log c + l \log l) \f$ time and \f$ O(n + l) \f$ memory. On a closed surface of genus
 /// \f$ g \f$ there are at most \f$ 2g \f$ such vertices.

@@ -101,7 +101,8 @@ void use(const A& augmentation, const Graph& graph)
   }
   catch(const Error&)
   {}
-  for(const auto node : CGAL::make_range(vertices(graph)))
+  const std::size_t step = num_vertices(graph) / 50 + 1;
+  for(std::size_t node = 0; node < num_vertices(graph); node += step)
   {
     try
     {

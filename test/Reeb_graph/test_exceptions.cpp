@@ -539,6 +539,26 @@ BOOST_AUTO_TEST_CASE(an_order_that_throws_leaves_the_graph_as_it_was)
   }
 }
 
+// To sort NaN can lead anywhere. The order throws when it is asked.
+BOOST_AUTO_TEST_CASE(values_are_checked_before_they_are_compared)
+{
+  auto mesh = make_mesh<Surface_mesh>(random_meshes::seven_vertex_torus());
+  auto values = ascending_values(7);
+  const auto graph = graph_checks::compute(mesh, values);
+  std::atomic<std::size_t> number_of_calls(0);
+  Throwing_traits traits;
+  traits.less = {&number_of_calls, 0};
+  BOOST_CHECK_NO_THROW(internal::check_input(mesh, make_scalar_map(mesh, values), traits));
+  values[3] = not_a_number;
+  const auto scalar_map = make_scalar_map(mesh, values);
+  const auto patch_map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  const auto np = CGAL::parameters::geom_traits(traits);
+  BOOST_CHECK_THROW(internal::check_input(mesh, scalar_map, traits), Unordered_scalar_error);
+  BOOST_CHECK_THROW(segment_by_arcs(mesh, scalar_map, graph, patch_map, np), Unordered_scalar_error);
+  BOOST_CHECK_THROW(pants_decomposition(mesh, scalar_map, CGAL::Emptyset_iterator(), np), Unordered_scalar_error);
+  BOOST_TEST(number_of_calls == 0u);
+}
+
 // The same points and values, and halfedges that the mesh does not have.
 BOOST_AUTO_TEST_CASE(graphs_of_larger_meshes_with_the_same_values_are_refused)
 {

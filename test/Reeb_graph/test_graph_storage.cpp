@@ -17,8 +17,10 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cstddef>
 #include <iterator>
+#include <list>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -192,4 +194,29 @@ BOOST_AUTO_TEST_CASE(copies_are_independent)
   add_edge(add_vertex(assigned), add_vertex(assigned), assigned);
   BOOST_TEST(num_edges(assigned) == 1u);
   check_same(by_boost, plain);
+}
+
+// What the standard asks of an allocator: converted to that of another type and back, it is the same.
+BOOST_AUTO_TEST_CASE(allocators_of_other_types_share_their_memory)
+{
+  typedef CGAL::Reeb_graph::internal::Block_allocator<double> Allocator;
+  typedef std::allocator_traits<Allocator>::rebind_alloc<std::array<long, 7>> Other_allocator;
+  Allocator allocator;
+  Other_allocator other(allocator);
+  BOOST_TEST((Allocator(other) == allocator));
+  BOOST_TEST((other == allocator));
+  BOOST_TEST((allocator == Allocator(allocator)));
+  BOOST_TEST((allocator != Allocator()));
+  BOOST_TEST((allocator != allocator.select_on_container_copy_construction()));
+
+  double* const number = allocator.allocate(1);
+  *number = 5;
+  std::array<long, 7>* const numbers = other.allocate(1);
+  numbers->fill(6);
+  Other_allocator(allocator).deallocate(numbers, 1);
+  BOOST_TEST(*number == 5);
+  Allocator(other).deallocate(number, 1);
+
+  std::list<double, Allocator> list(3, 1., allocator);
+  BOOST_TEST((list.get_allocator() == allocator));
 }

@@ -206,8 +206,8 @@ public:
                                                    get_const_property_map(vertex_point, this->mesh()));
     for(const halfedge_descriptor h : contour.halfedges)
     {
-      const auto& lower = get(vertex_point_map, source(h, this->mesh()));
-      const auto& upper = get(vertex_point_map, target(h, this->mesh()));
+      const auto lower = get(vertex_point_map, source(h, this->mesh()));
+      const auto upper = get(vertex_point_map, target(h, this->mesh()));
       *points++ = lower + this->crossing_fraction(h, contour.value) * (upper - lower);
     }
     return points;

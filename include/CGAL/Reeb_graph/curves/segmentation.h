@@ -179,9 +179,9 @@ std::size_t segment_by_arcs(MutableFaceGraph& mesh,
   const auto traits = internal::choose_traits(mesh, scalar_map, np);
   auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
   const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
-  internal::rank_vertices(ranked, scalar_map, traits);
   const Augmentation<MutableFaceGraph, ScalarMap, ReebGraph, std::decay_t<decltype(traits)>> augmentation(
-    mesh, scalar_map, graph, np);
+    mesh, scalar_map, graph, np); // It checks the values before they are sorted.
+  internal::rank_vertices(ranked, scalar_map, traits);
   const auto borders = internal::find_arc_borders(ranked, graph, augmentation);
   const auto curves = internal::cut_and_mark(ranked, borders.contours, np);
   return internal::mark_arc_patches(ranked, graph, borders, curves, face_patch_map);

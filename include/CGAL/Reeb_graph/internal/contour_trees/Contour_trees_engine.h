@@ -39,6 +39,8 @@ namespace internal {
 // Contour trees joined by loop surgery: near-linear for any field. The surface is cut along the few contours that
 // close loops; what is left has a tree as Reeb graph, which comes from its join tree and its split tree. The sweep for
 // the split tree comes down to a contour just below a vertex after all that is above: it can cut there and go on.
+// (J. Tierny, A. Gyulassy, E. Simon, V. Pascucci, Loop surgery for volumetric meshes: Reeb graphs reduced to contour
+// trees, 2009, for volumes.)
 template <class Complex, class Order>
 class Contour_trees_engine
 {

@@ -30,7 +30,8 @@ namespace internal {
 
 // Finds contours along which the surface has to be cut so that its Reeb graph becomes a tree: at each vertex where
 // several lower contours meet, one of each sublevel component stays, the others close loops. Contours are traced only
-// where counting the components cannot exclude a loop.
+// where counting the components cannot exclude a loop. (Loop surgery is that of J. Tierny, A. Gyulassy, E. Simon,
+// V. Pascucci, 2009; where the loops are is counted here.)
 template <class Complex, class Order>
 class Loop_surgery
 {

@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/internal/curves/level_borders.h>
 #include <CGAL/Reeb_graph/internal/curves/rank_vertices.h>
 #include <CGAL/Reeb_graph/internal/curves/unfold_vertex.h>
+#include <CGAL/Reeb_graph/internal/mesh/flatten.h>
 #include <CGAL/Reeb_graph_traits.h>
 #include <CGAL/compute_reeb_graph.h>
 
@@ -35,12 +36,12 @@ auto choose_traits(const Mesh&, const ScalarMap&, const NamedParameters& np)
     parameters::get_parameter(np, internal_np::geom_traits));
 }
 
-// Throws what compute_reeb_graph() throws for input that has no Reeb graph, as long as nothing has been changed yet.
+// Throws what compute_reeb_graph() throws for input that has no Reeb graph, as long as nothing has been changed yet and
+// no values have been compared.
 template <class Mesh, class ScalarMap, class Traits>
 void check_input(const Mesh& mesh, const ScalarMap& scalar_map, const Traits& traits)
 {
-  typename Traits::Graph graph;
-  compute_reeb_graph(mesh, scalar_map, graph, parameters::geom_traits(traits));
+  flatten<Sequential_tag>(mesh, scalar_map, traits, parameters::default_values());
 }
 
 struct Component_counts

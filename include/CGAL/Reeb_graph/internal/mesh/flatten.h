@@ -214,17 +214,20 @@ Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph
                                                              const NamedParameters& np)
 {
   auto [unchecked, field] = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
-  Shared_counter<ConcurrencyTag> corners, bad_fans;
-  const auto set_fans = [&corners, &bad_fans, &complex = unchecked](std::size_t begin, std::size_t end) {
+  const std::size_t size = unchecked.number_of_vertices();
+  std::vector<Fan_counts> parts(number_of_parts<ConcurrencyTag>(size));
+  const auto set_fans = [&parts, &complex = unchecked](std::size_t part, std::size_t begin, std::size_t end) {
     Fan_counts counts;
     No_visitor_of_fan visitor;
     for(std::size_t v = begin; v != end; ++v)
       complex.set_fan(static_cast<Index>(v), counts, visitor);
-    corners.add(counts.corners);
-    bad_fans.add(counts.bad_fans);
+    parts[part] = counts;
   };
-  for_each_block<ConcurrencyTag>(unchecked.number_of_vertices(), set_fans);
-  return {std::move(field), std::move(unchecked).check({corners.get(), bad_fans.get()})};
+  for_each_part<ConcurrencyTag>(parts.size(), size, set_fans);
+  Fan_counts counts;
+  for(const Fan_counts& part : parts)
+    counts += part;
+  return {std::move(field), std::move(unchecked).check(counts)};
 }
 
 } // namespace internal

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <list>
+#include <map>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -51,21 +52,56 @@ boost::graph_detail::unstable_tag iterator_stability(const Inline_edge_list<T>&)
   return boost::graph_detail::unstable_tag();
 }
 
-// Takes single objects from large blocks. Copied allocators share them, copied containers do not.
+// The large blocks from which the allocators of one container take single objects, of one size or of several.
+class Block_pools
+{
+  struct Large_pages
+  {
+    typedef std::size_t size_type;
+    typedef std::ptrdiff_t difference_type;
+
+    static char* malloc BOOST_PREVENT_MACRO_SUBSTITUTION(size_type size)
+    {
+      void* block = (std::malloc)(size);
+      advise_large_pages(block, size);
+      return static_cast<char*>(block);
+    }
+    static void free BOOST_PREVENT_MACRO_SUBSTITUTION(char* block) { (std::free)(block); }
+  };
+
+  // In objects; a block is written to when it is taken.
+  static constexpr std::size_t smallest_block = 8, largest_block = 100000;
+
+public:
+  typedef boost::pool<Large_pages> Pool;
+
+  Pool& pool_of(std::size_t size_of_object)
+  {
+    return pools_.try_emplace(size_of_object, size_of_object, +smallest_block, +largest_block).first->second;
+  }
+
+private:
+  std::map<std::size_t, Pool> pools_; // which stay where they are
+};
+
+// Takes single objects from blocks. Copied allocators share them, those for other types, too; copied containers do not.
 template <class T>
 class Block_allocator
 {
+  template <class U>
+  friend class Block_allocator;
+
 public:
   typedef T value_type;
   typedef std::true_type propagate_on_container_move_assignment;
   typedef std::true_type propagate_on_container_swap;
   typedef std::false_type is_always_equal;
 
-  Block_allocator() : pool_(std::make_shared<Pool>(sizeof(T), smallest_block, largest_block)) {}
+  Block_allocator() : Block_allocator(std::make_shared<Block_pools>()) {}
   Block_allocator(const Block_allocator&) = default; // and no move, which would leave an allocator without a pool
   Block_allocator& operator=(const Block_allocator&) = default;
   template <class U>
-  Block_allocator(const Block_allocator<U>&) : Block_allocator()
+  Block_allocator(const Block_allocator<U>& other) : Block_allocator(other.pools_)
   {}
 
   Block_allocator select_on_container_copy_construction() const { return Block_allocator(); }
@@ -88,29 +124,25 @@ public:
       (pool_->free)(place);
   }
 
-  friend bool operator==(const Block_allocator& a, const Block_allocator& b) { return a.pool_ == b.pool_; }
-  friend bool operator!=(const Block_allocator& a, const Block_allocator& b) { return !(a == b); }
+  template <class U>
+  bool operator==(const Block_allocator<U>& other) const
+  {
+    return pools_ == other.pools_;
+  }
+  template <class U>
+  bool operator!=(const Block_allocator<U>& other) const
+  {
+    return !(*this == other);
+  }
 
 private:
-  struct Large_pages
-  {
-    typedef std::size_t size_type;
-    typedef std::ptrdiff_t difference_type;
+  explicit Block_allocator(std::shared_ptr<Block_pools> pools)
+    : pools_(std::move(pools)),
+      pool_(&pools_->pool_of(sizeof(T)))
+  {}
 
-    static char* malloc BOOST_PREVENT_MACRO_SUBSTITUTION(size_type size)
-    {
-      void* block = (std::malloc)(size);
-      advise_large_pages(block, size);
-      return static_cast<char*>(block);
-    }
-    static void free BOOST_PREVENT_MACRO_SUBSTITUTION(char* block) { (std::free)(block); }
-  };
-  typedef boost::pool<Large_pages> Pool;
-
-  // In objects; a block is written to when it is taken.
-  static constexpr std::size_t smallest_block = 8, largest_block = 100000;
-
-  std::shared_ptr<Pool> pool_;
+  std::shared_ptr<Block_pools> pools_;
+  Block_pools::Pool* pool_; // that of the objects
 };
 
 struct Inline_edge_list_selector
