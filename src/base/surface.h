@@ -11,13 +11,13 @@
 
 #include <CGAL/Reeb_graph_traits.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <vector>
 
 namespace reeb_graph_program {
-typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+typedef CGAL::Simple_cartesian<double>::Point_3 Point;
 typedef std::vector<Point> Polyline; // if it is closed, its first point is its last one as well
 typedef CGAL::Surface_mesh<Point> Surface;
 typedef Surface::Property_map<Surface::Vertex_index, double> Scalar_map;

@@ -10,10 +10,10 @@
 
 #include "input/input_error.h"
 #include "input/mesh_file_checks.h"
+#include "input/triangulate_faces.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
@@ -103,7 +103,7 @@ void orient(const std::string& path, Polygon_soup& soup)
 
 void triangulate(const std::string& path, Surface& surface)
 {
-  PMP::triangulate_faces(surface);
+  triangulate_faces(surface);
   for(const Surface::Face_index f : surface.faces())
     if(surface.degree(f) != 3)
       throw Input_error(path, "face " + std::to_string(f.idx()) + " cannot be cut into triangles");
