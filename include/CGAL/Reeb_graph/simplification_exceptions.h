@@ -13,6 +13,9 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 
+#include <cstddef>
+#include <string>
+
 namespace CGAL {
 namespace Reeb_graph {
 
@@ -24,6 +27,38 @@ class Arc_direction_error : public Error
 public:
   /// constructs the exception.
   Arc_direction_error() : Error("an arc of the graph does not lead to a node of higher number") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a threshold that is negative or NaN.
+class Threshold_error : public Error
+{
+public:
+  /// constructs the exception for the threshold `name`.
+  explicit Threshold_error(const std::string& name) : Error("the " + name + " is negative or not a number (NaN)") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a measure or a weight of a piece that is NaN.
+class Measure_error : public Error
+{
+public:
+  /// constructs the exception for what is not a number, `name`.
+  explicit Measure_error(const std::string& name) : Error("the " + name + " is not a number (NaN)") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown if there is not one weight for each node and each arc of a graph.
+class Piece_count_error : public Error
+{
+public:
+  /// constructs the exception from the two numbers.
+  Piece_count_error(std::size_t weights, std::size_t pieces)
+    : Error(std::to_string(weights) + " weights given for " + std::to_string(pieces) + " nodes and arcs")
+  {}
 };
 
 } // namespace Reeb_graph

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/simplification_exceptions.h>
 
 #include <cstddef>
 #include <string>
@@ -73,16 +74,6 @@ public:
 
 private:
   long euler_characteristic_;
-};
-
-/// \ingroup PkgReebGraphExceptions
-///
-/// \brief thrown for a threshold that is negative or NaN.
-class Threshold_error : public Error
-{
-public:
-  /// constructs the exception for the named parameter `name`.
-  explicit Threshold_error(const std::string& name) : Error("the " + name + " is negative or not a number (NaN)") {}
 };
 
 /// \ingroup PkgReebGraphExceptions

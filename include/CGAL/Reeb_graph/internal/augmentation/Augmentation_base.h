@@ -26,6 +26,7 @@
 #include <CGAL/Reeb_graph/internal/walks/Level.h>
 #include <CGAL/Reeb_graph/internal/walks/contour_tracing.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/simplification_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -85,7 +86,8 @@ protected:
         parameters::choose_parameter(parameters::get_parameter(np, keep_degree_two_nodes), false)),
       surface_(flatten<Sequential_tag>(mesh, scalar_map, traits_, np)),
       order_(surface_.values, traits_.less_scalar_object()),
-      position_(find_vertex_numbers(mesh, surface_.vertices, np))
+      position_(find_vertex_numbers(mesh, surface_.vertices, np)),
+      new_places_(read_new_places(parameters::get_parameter(np, simplification)))
   {
     static_assert(std::is_same_v<Chosen_traits<FaceListGraph, ScalarMap, NamedParameters, Traits>, Traits>,
                   "The last template parameter of Augmentation must be the type of the named parameter geom_traits.");
@@ -278,14 +280,15 @@ protected:
                                                               critical_arcs, ties_, are_degree_two_nodes_kept_, true);
     check_same_graph(flat_graph);
 
+    const auto new_place = [&](Index place) { return new_places_.empty() ? place : new_places_[place]; };
     const auto place_of_arc = [&](Index arc, Index vertex) {
       if(arc == no_index)
         surface_.complex.throw_contradiction_near(vertex);
-      return static_cast<Index>(flat_graph.nodes.size()) + arc;
+      return new_place(static_cast<Index>(flat_graph.nodes.size()) + arc);
     };
     const auto place_of_critical = [&](Index critical) {
       const Index node = flat_graph.node_of_critical[critical];
-      return node != no_index ? node
+      return node != no_index ? new_place(node)
                               : place_of_arc(flat_graph.arc_of_critical[critical], critical_vertices.vertex(critical));
     };
     // On a plateau, a vertex is where the end of its arc is.
@@ -311,7 +314,7 @@ protected:
                                                       : place_on_arc(vertex, all_arcs.arc_of_critical[i]));
     }
     const auto arc_range = edges(graph_);
-    return Vertex_locations(position_, surface_.vertices.size(), flat_graph.nodes.size(),
+    return Vertex_locations(position_, surface_.vertices.size(), num_vertices(graph_),
                             std::vector<arc_descriptor>(arc_range.first, arc_range.second), sorted_places);
   }
 
@@ -426,7 +429,29 @@ private:
     }
   }
 
+  // The places in this graph of the nodes, and behind them the arcs, of the one that has been simplified to it. None if
+  // it is not a simplified one.
+  template <class Parameter>
+  static std::vector<Index> read_new_places(const Parameter& parameter)
+  {
+    std::vector<Index> places;
+    if constexpr(is_given<Parameter>)
+    {
+      for(std::size_t node = 0; node != parameter.number_of_old_nodes(); ++node)
+        places.push_back(static_cast<Index>(parameter.index_of_node(node)));
+      for(std::size_t arc = 0; arc != parameter.number_of_old_arcs(); ++arc)
+        places.push_back(static_cast<Index>(parameter.index_of_arc(arc)));
+    }
+    return places;
+  }
+
   void check_same_graph(const Flat_graph& flat_graph) const
+  {
+    if(!(new_places_.empty() ? is_same_graph(flat_graph) : is_simplified_graph(flat_graph)))
+      throw Graph_mismatch_error();
+  }
+
+  bool is_same_graph(const Flat_graph& flat_graph) const
   {
     bool is_same = flat_graph.nodes.size() == num_vertices(graph_) && flat_graph.arcs.size() == num_edges(graph_);
     for(std::size_t node = 0; is_same && node != flat_graph.nodes.size(); ++node)
@@ -434,8 +459,24 @@ private:
     auto flat_arc = flat_graph.arcs.begin();
     for(auto arc = edges(graph_).first; is_same && flat_arc != flat_graph.arcs.end(); ++arc, ++flat_arc)
       is_same = source(*arc, graph_) == flat_arc->lower && target(*arc, graph_) == flat_arc->upper;
-    if(!is_same)
-      throw Graph_mismatch_error();
+    return is_same;
+  }
+
+  // Each of its nodes is one that is in its own place.
+  bool is_simplified_graph(const Flat_graph& flat_graph) const
+  {
+    const std::size_t number_of_places = num_vertices(graph_) + num_edges(graph_);
+    if(new_places_.size() != flat_graph.nodes.size() + flat_graph.arcs.size()
+       || std::any_of(new_places_.begin(), new_places_.end(), [&](Index place) { return place >= number_of_places; }))
+      return false;
+    std::size_t number_of_nodes = 0;
+    for(std::size_t node = 0; node != flat_graph.nodes.size(); ++node)
+    {
+      const Index place = new_places_[node];
+      if(place < num_vertices(graph_) && node_vertex(place) == flat_graph.nodes[node].vertex)
+        ++number_of_nodes;
+    }
+    return number_of_nodes == num_vertices(graph_);
   }
 
   const FaceListGraph& mesh_;
@@ -446,6 +487,7 @@ private:
   const Flat_surface<FaceListGraph, Scalar> surface_;
   const Order order_;
   const std::function<Index(vertex_descriptor)> position_;
+  const std::vector<Index> new_places_;
 };
 
 } // namespace internal

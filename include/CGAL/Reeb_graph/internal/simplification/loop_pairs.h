@@ -12,11 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/simplification/Link_cut_forest.h>
+#include <CGAL/Reeb_graph/internal/simplification/Highest_forest.h>
 #include <CGAL/Reeb_graph/internal/simplification/Node_neighbors.h>
-#include <CGAL/Reeb_graph/internal/simplification/tree_pairs.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -104,62 +102,6 @@ private:
   std::vector<Index> degrees_; // in the core
 };
 
-// A spanning forest of the core, maximal by the lower ends of its arcs, as arcs are added by ascending upper ends.
-class Highest_forest
-{
-public:
-  explicit Highest_forest(Index number_of_nodes)
-    : number_of_nodes_(number_of_nodes),
-      components_(number_of_nodes),
-      forest_(2 * number_of_nodes)
-  {
-    arcs_.reserve(number_of_nodes);
-  }
-
-  // Adds an arc. If it closes a cycle, the arc of lowest lower end leaves, and that end is returned; else no_index.
-  Index add(Index lower, Index upper)
-  {
-    const Index lower_root = components_.find(lower), upper_root = components_.find(upper);
-    if(lower_root != upper_root)
-    {
-      components_.link((std::max)(lower_root, upper_root), (std::min)(lower_root, upper_root));
-      arcs_.push_back({lower, upper});
-      insert(static_cast<Index>(number_of_nodes_ + arcs_.size() - 1));
-      return no_index;
-    }
-    const Index lowest = forest_.lowest_on_path(lower, upper);
-    if(lower <= forest_.key(lowest))
-      return lower;
-    Arc& arc = arcs_[lowest - number_of_nodes_];
-    const Index lowest_end = arc.lower;
-    forest_.cut(arc.lower, lowest);
-    forest_.cut(arc.upper, lowest);
-    arc = {lower, upper};
-    insert(lowest);
-    return lowest_end;
-  }
-
-private:
-  struct Arc
-  {
-    Index lower, upper;
-  };
-
-  // Arcs are nodes of the forest, too.
-  void insert(Index place)
-  {
-    const Arc& arc = arcs_[place - number_of_nodes_];
-    forest_.set_key(place, arc.lower);
-    forest_.link(place, arc.lower);
-    forest_.link(place, arc.upper);
-  }
-
-  Index number_of_nodes_;
-  Elder_components components_;
-  Link_cut_forest forest_;
-  std::vector<Arc> arcs_; // those that are in the forest
-};
-
 // Calls visit_pair(split saddle, join saddle) for each independent loop: the upper node of an arc that closes a cycle
 // is paired with the highest node that can be the lowest one of such a cycle.
 template <class VisitPair>
@@ -178,9 +120,9 @@ void pair_loops(const Flat_arc_ends& ends, const VisitPair& visit_pair)
   for(const Index node : nodes)
   {
     core.for_each_arc_below(node, [&](Index lower) {
-      const Index partner = forest.add(numbers[lower], numbers[node]);
+      const Index partner = forest.add({numbers[lower], numbers[node], numbers[lower], lower}).leaving;
       if(partner != no_index)
-        visit_pair(nodes[partner], node);
+        visit_pair(partner, node);
     });
   }
 }

@@ -1,0 +1,274 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SIMPLIFICATION_LEAF_PRUNING_H
+#define CGAL_REEB_GRAPH_INTERNAL_SIMPLIFICATION_LEAF_PRUNING_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <numeric>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// A leaf arc that could be removed.
+struct Leaf_arc
+{
+  Index leaf, saddle;    // its nodes
+  bool is_minimum;       // whether the leaf is the lower one of them
+  double weight;         // of the leaf, of the arc, and of all that they have taken up
+  Index lowest, highest; // of the leaf and the nodes that have been taken up
+};
+
+// Removes leaf arcs from a graph, the one of least measure first; of equal ones the one whose leaf has the lower number.
+// What is removed is taken up by the saddle at which it was. A node that is left with one arc below and one above is
+// taken up by these two, which become one arc. An arc is not removed if it is the only one on its side of the saddle, as
+// what is left would end there. (H. Carr, J. Snoeyink, M. van de Panne, Simplifying Flexible Isosurfaces Using Local
+// Geometric Measures, 2004.) The time is O(n log n).
+//
+// Nodes are numbered in ascending order. Places are the nodes, by their numbers, and behind them the arcs.
+class Leaf_pruning
+{
+public:
+  struct Arc
+  {
+    Index lower, upper;
+  };
+
+  // By place, how much each weighs.
+  Leaf_pruning(Index number_of_nodes, std::vector<Arc> arcs, const std::vector<double>& weights)
+    : number_of_nodes_(number_of_nodes),
+      arcs_(std::move(arcs)),
+      taken_up_(number_of_nodes + arcs_.size()),
+      nodes_(number_of_nodes),
+      owners_(number_of_nodes + arcs_.size()),
+      next_pieces_(arcs_.size(), no_index),
+      last_pieces_(arcs_.size())
+  {
+    for(Index place = 0; place != taken_up_.size(); ++place)
+      taken_up_[place].weight = weights[place];
+    for(Index node = 0; node != number_of_nodes; ++node)
+      taken_up_[node].lowest = taken_up_[node].highest = node;
+    std::iota(owners_.begin(), owners_.end(), Index(0));
+    std::iota(last_pieces_.begin(), last_pieces_.end(), Index(0));
+    for(Index arc = 0; arc != arcs_.size(); ++arc)
+    {
+      nodes_[arcs_[arc].lower].add(upper_side, arc);
+      nodes_[arcs_[arc].upper].add(lower_side, arc);
+    }
+    for(Index node = 0; node != number_of_nodes; ++node)
+      number_of_leaves_ += is_leaf(node) ? 1 : 0;
+  }
+
+  // `measure(leaf arc)` is a number, `can_be_removed(leaf arc)` whether it may be, and `goes_on(measure, number of leaves)`
+  // whether the arc of that measure is to be removed.
+  template <class Measure, class CanBeRemoved, class GoesOn>
+  void operator()(const Measure& measure, const CanBeRemoved& can_be_removed, const GoesOn& goes_on)
+  {
+    typedef std::pair<double, Index> Sized_leaf;
+    std::priority_queue<Sized_leaf, std::vector<Sized_leaf>, std::greater<Sized_leaf>> queue;
+    std::vector<double> measures(number_of_nodes_); // stale entries of the queue have another one
+    const auto consider = [&](Index node) {
+      if(!is_left(node) || !is_leaf(node) || !is_branch(node))
+        return;
+      const Leaf_arc leaf_arc = leaf_arc_of(node);
+      if(!can_be_removed(leaf_arc))
+        return;
+      measures[node] = measure(leaf_arc);
+      queue.emplace(measures[node], node);
+    };
+    for(Index node = 0; node != number_of_nodes_; ++node)
+    {
+      if(is_left(node) && is_passed(node))
+        join_at(node);
+    }
+    for(Index node = 0; node != number_of_nodes_; ++node)
+      consider(node);
+    while(!queue.empty())
+    {
+      const auto [size, leaf] = queue.top();
+      queue.pop();
+      if(!is_left(leaf) || !is_leaf(leaf) || measures[leaf] != size || !is_branch(leaf))
+        continue;
+      if(!goes_on(size, number_of_leaves_))
+        return;
+      remove(leaf, consider);
+    }
+  }
+
+  // Removes an arc that is not the only one on its side of either end. It is taken up by another place. Nodes that are
+  // left with one arc below and one above are joined the next time that leaf arcs are removed.
+  void remove_arc(Index arc, Index owner)
+  {
+    nodes_[arcs_[arc].lower].remove(upper_side, arc);
+    nodes_[arcs_[arc].upper].remove(lower_side, arc);
+    take_up(place_of_arc(arc), owner);
+    for(const Index node : {arcs_[arc].lower, arcs_[arc].upper})
+      number_of_leaves_ += is_leaf(node) ? 1 : 0;
+  }
+
+  Index number_of_nodes() const { return number_of_nodes_; }
+  Index number_of_arcs() const { return static_cast<Index>(arcs_.size()); }
+
+  // Whether a place is one of the graph that is left.
+  bool is_left(Index place) const { return owners_[place] == place; }
+  const Arc& arc(Index arc) const { return arcs_[arc]; }
+  Index place_of_arc(Index arc) const { return number_of_nodes_ + arc; }
+  Index in_degree(Index node) const { return nodes_[node].degrees[lower_side]; }
+  Index out_degree(Index node) const { return nodes_[node].degrees[upper_side]; }
+
+  // One of the two arcs above a node that has two, when the other one is given.
+  Index other_arc_above(Index node, Index arc) const { return nodes_[node].arcs[upper_side] ^ arc; }
+
+  // Calls visit(arc) for the arcs that have become this one, from below to above.
+  template <class Visit>
+  void for_each_piece(Index arc, const Visit& visit) const
+  {
+    for(Index piece = arc; piece != no_index; piece = next_pieces_[piece])
+      visit(piece);
+  }
+
+  // By place, the place that has taken it up.
+  std::vector<Index> find_owners() const
+  {
+    std::vector<Index> owners = owners_;
+    for(Index place = 0; place != owners.size(); ++place)
+      find_owner(owners, place);
+    return owners;
+  }
+
+private:
+  static constexpr int lower_side = 0, upper_side = 1;
+
+  // The arcs at each side of a node: how many, and the exclusive or of all their numbers, which is the number of the last
+  // one that is left.
+  struct Node
+  {
+    std::array<Index, 2> degrees = {0, 0};
+    std::array<Index, 2> arcs = {0, 0};
+
+    void add(int side, Index arc)
+    {
+      ++degrees[side];
+      arcs[side] ^= arc;
+    }
+    void remove(int side, Index arc)
+    {
+      --degrees[side];
+      arcs[side] ^= arc;
+    }
+  };
+
+  bool is_leaf(Index node) const { return nodes_[node].degrees[0] + nodes_[node].degrees[1] == 1; }
+  bool is_passed(Index node) const { return nodes_[node].degrees[0] == 1 && nodes_[node].degrees[1] == 1; }
+  bool is_minimum(Index leaf) const { return nodes_[leaf].degrees[lower_side] == 0; }
+  Index arc_of_leaf(Index leaf) const { return nodes_[leaf].arcs[is_minimum(leaf) ? upper_side : lower_side]; }
+
+  Index saddle_of_leaf(Index leaf) const
+  {
+    const Arc& arc = arcs_[arc_of_leaf(leaf)];
+    return is_minimum(leaf) ? arc.upper : arc.lower;
+  }
+
+  bool is_branch(Index leaf) const
+  {
+    return nodes_[saddle_of_leaf(leaf)].degrees[is_minimum(leaf) ? lower_side : upper_side] > 1;
+  }
+
+  // What a place is made of: itself and all that it has taken up.
+  struct Content
+  {
+    double weight;
+    Index lowest = no_index, highest = 0; // of the nodes
+
+    void add(const Content& other)
+    {
+      weight += other.weight;
+      lowest = (std::min)(lowest, other.lowest);
+      highest = (std::max)(highest, other.highest);
+    }
+  };
+
+  Leaf_arc leaf_arc_of(Index leaf) const
+  {
+    Content content = taken_up_[leaf];
+    content.add(taken_up_[place_of_arc(arc_of_leaf(leaf))]);
+    return {leaf, saddle_of_leaf(leaf), is_minimum(leaf), content.weight, content.lowest, content.highest};
+  }
+
+  void take_up(Index place, Index owner)
+  {
+    owners_[place] = owner;
+    taken_up_[owner].add(taken_up_[place]);
+  }
+
+  template <class Consider>
+  void remove(Index leaf, const Consider& consider)
+  {
+    const Index arc = arc_of_leaf(leaf), saddle = saddle_of_leaf(leaf);
+    nodes_[saddle].remove(is_minimum(leaf) ? lower_side : upper_side, arc);
+    nodes_[leaf] = Node();
+    take_up(place_of_arc(arc), saddle);
+    take_up(leaf, saddle);
+    --number_of_leaves_;
+    if(is_passed(saddle))
+    {
+      const Arc joined = join_at(saddle);
+      consider(joined.lower);
+      consider(joined.upper);
+    }
+    else if(is_leaf(saddle))
+    {
+      ++number_of_leaves_;
+      consider(saddle);
+    }
+  }
+
+  Arc join_at(Index node)
+  {
+    const Index below = nodes_[node].arcs[lower_side], above = nodes_[node].arcs[upper_side];
+    take_up(node, place_of_arc(below));
+    take_up(place_of_arc(above), place_of_arc(below));
+    next_pieces_[last_pieces_[below]] = above;
+    last_pieces_[below] = last_pieces_[above];
+    arcs_[below].upper = arcs_[above].upper;
+    nodes_[node] = Node();
+    nodes_[arcs_[above].upper].arcs[lower_side] ^= above ^ below;
+    return arcs_[below];
+  }
+
+  static Index find_owner(std::vector<Index>& owners, Index place)
+  {
+    while(owners[owners[place]] != owners[place])
+      owners[place] = owners[owners[place]];
+    return owners[place];
+  }
+
+  Index number_of_nodes_;
+  Index number_of_leaves_ = 0;
+  std::vector<Arc> arcs_;         // those that have been joined are the lowest of them
+  std::vector<Content> taken_up_; // by place
+  std::vector<Node> nodes_;
+  std::vector<Index> owners_;
+  std::vector<Index> next_pieces_, last_pieces_; // by arc: what it consists of
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_SIMPLIFICATION_LEAF_PRUNING_H

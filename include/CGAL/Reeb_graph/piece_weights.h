@@ -1,0 +1,101 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_PIECE_WEIGHTS_H
+#define CGAL_REEB_GRAPH_PIECE_WEIGHTS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphSimplification
+///
+/// \brief counts the vertices of the mesh that belong to each node and to each arc of a Reeb graph: weights for
+/// `simplify()`, as named parameter `piece_weights`.
+///
+/// \param mesh the mesh
+/// \param graph the Reeb graph
+/// \param locations what `Augmentation::locate_vertices()` has returned for the two
+///
+/// \returns the counts of the nodes, and behind them those of the arcs, in the order of `edges(graph)`.
+///
+/// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of this mesh
+template <class FaceListGraph, class ReebGraph, class VertexLocations>
+std::vector<double> vertex_counts_of_pieces(const FaceListGraph& mesh,
+                                            const ReebGraph& graph,
+                                            const VertexLocations& locations)
+{
+  std::vector<double> counts(num_vertices(graph) + num_edges(graph), 0);
+  for(const auto v : CGAL::make_range(vertices(mesh)))
+    counts.at(locations.index(v)) += 1;
+  return counts;
+}
+
+/// \ingroup PkgReebGraphSimplification
+///
+/// \brief adds up the area that belongs to each node and to each arc of a Reeb graph: weights for `simplify()`, as named
+/// parameter `piece_weights`.
+///
+/// A third of the area of each face belongs to each of its vertices.
+///
+/// \param mesh the mesh
+/// \param graph the Reeb graph
+/// \param locations what `Augmentation::locate_vertices()` has returned for the two
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type and points of a
+///                    three-dimensional kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the areas of the nodes, and behind them those of the arcs, in the order of `edges(graph)`.
+///
+/// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of this mesh
+template <class FaceListGraph,
+          class ReebGraph,
+          class VertexLocations,
+          class NamedParameters = parameters::Default_named_parameters>
+std::vector<double> areas_of_pieces(const FaceListGraph& mesh,
+                                    const ReebGraph& graph,
+                                    const VertexLocations& locations,
+                                    const NamedParameters& np = parameters::default_values())
+{
+  const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                      get_const_property_map(CGAL::vertex_point, mesh));
+  std::vector<double> areas(num_vertices(graph) + num_edges(graph), 0);
+  for(const auto f : CGAL::make_range(faces(mesh)))
+  {
+    const auto h = halfedge(f, mesh);
+    const auto a = source(h, mesh), b = target(h, mesh), c = target(next(h, mesh), mesh);
+    const double area =
+      std::sqrt(CGAL::to_double(squared_area(get(point_map, a), get(point_map, b), get(point_map, c))));
+    for(const auto v : {a, b, c})
+      areas.at(locations.index(v)) += area / 3;
+  }
+  return areas;
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_PIECE_WEIGHTS_H

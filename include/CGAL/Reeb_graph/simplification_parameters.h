@@ -1,0 +1,25 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SIMPLIFICATION_PARAMETERS_H
+#define CGAL_REEB_GRAPH_SIMPLIFICATION_PARAMETERS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+
+#include <cstddef>
+
+// The named parameters of simplification; their documentation is in the list `PkgReebGraphNamedParameters`.
+CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_leaves, std::size_t)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(cancel_loops, bool)
+CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(branch_measure)
+CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(piece_weights)
+CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(simplification)
+
+#endif // CGAL_REEB_GRAPH_SIMPLIFICATION_PARAMETERS_H

@@ -1,0 +1,131 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SIMPLIFY_H
+#define CGAL_REEB_GRAPH_SIMPLIFY_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Simplification.h>
+#include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
+#include <CGAL/Reeb_graph/internal/simplification/write_simplified_graph.h>
+#include <CGAL/Reeb_graph/simplification_exceptions.h>
+#include <CGAL/Reeb_graph/simplification_parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <memory>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphSimplification
+///
+/// \brief a leaf of a Reeb graph with its arc, as `simplify()` sees it: the arc that can be made of several ones, and all
+/// that has been removed from it.
+///
+/// \tparam NodeDescriptor the type of the nodes of the graph
+template <class NodeDescriptor>
+struct Branch
+{
+  NodeDescriptor leaf;   ///< the extremum
+  NodeDescriptor saddle; ///< the other end of the arc
+  bool is_minimum;       ///< whether the leaf is the lower end
+  double persistence;    ///< the largest absolute difference between the value at the saddle and one in the branch
+  double weight;         ///< the sum of the `piece_weights` of the branch, 0 if there are none
+};
+
+/// \ingroup PkgReebGraphSimplification
+///
+/// \brief removes what is small from a Reeb graph: arcs that end in a leaf, and on request loops.
+///
+/// The leaf arc of least measure is removed; of several, the one whose leaf has the lowest number. If one arc below its
+/// saddle and one above are left, they become one, which can be a leaf arc of a larger measure. So it goes on until no
+/// measure is below the threshold. A leaf arc that is the only one on its side of the saddle is no branch, as what is left
+/// would end there; so a branch with a loop stays as long as the loop does. See H. Carr, J. Snoeyink, M. van de Panne,
+/// *Simplifying Flexible Isosurfaces Using Local Geometric Measures*, 2004.
+///
+/// The measure of a leaf arc is its persistence by default: the largest difference between the value of the saddle and one
+/// in what would be removed, which is how far `simplify_field()` has to move a value. It is the difference between the
+/// ends of the arc, unless an extremum beyond the leaf has been removed from it before.
+///
+/// The simplified graph is one of the same type. Its nodes are nodes of `graph` in the same order, but those of degree two
+/// are never among them. Its arcs are sorted by lower node, upper node, and the first arc of `graph` that they are made
+/// of. The chain of an arc consists of the chains of these arcs, in pieces; so an `Augmentation` finds the contours of the
+/// branch that has been kept. A larger threshold gives a graph with nodes of that of a smaller one, and no more.
+///
+/// With \f$ n \f$ nodes and arcs, it takes \f$ O(n \log n) \f$ time, and the same again each time that cancelled loops have
+/// made new leaf arcs.
+///
+/// \tparam ReebGraph the type `Graph` of the traits class. `CGAL::to_double()` has to take the values of the nodes
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param graph a Reeb graph, computed with any named parameters
+/// \param threshold what is smaller is removed, in units of the measure; infinity if only `number_of_leaves` counts
+/// \param simplified the result; whatever it held before is cleared
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{number_of_leaves}
+///     \cgalParamDescription{no arc is removed any more when so many leaves are left, nodes with a single arc}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{0}
+///     \cgalParamExtra{use the functions `parameters::number_of_leaves()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{cancel_loops}
+///     \cgalParamDescription{whether loops of a persistence below the threshold are removed, too: of the two sides of a loop
+///                           one takes up the other. A loop stays while arcs that stay leave both of its sides. The
+///                           measure of a loop is always its persistence. A field on the mesh has its loops whatever its
+///                           values, so that `simplify_field()` has no such parameter.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{use the functions `parameters::cancel_loops()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{piece_weights}
+///     \cgalParamDescription{a number for each node, and then for each arc in the order of `edges(graph)`; see
+///                           `areas_of_pieces()` and `vertex_counts_of_pieces()`. They are added up over all that is removed.}
+///     \cgalParamType{a range of numbers}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{use the functions `parameters::piece_weights()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{branch_measure}
+///     \cgalParamDescription{how large a branch is}
+///     \cgalParamType{a function object that is called with a `Reeb_graph::Branch` and returns a `double`}
+///     \cgalParamDefault{`Branch::weight` if there are `piece_weights`, else `Branch::persistence`}
+///     \cgalParamExtra{use the functions `parameters::branch_measure()`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns for each node and arc of `graph` the node or arc of `simplified` that has taken it up.
+///
+/// \exception Reeb_graph::Threshold_error if the threshold is negative or NaN
+/// \exception Reeb_graph::Measure_error if a measure is NaN
+/// \exception Reeb_graph::Piece_count_error if there is not one weight for each node and each arc
+/// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
+///
+/// When one of these is thrown, `simplified` is as it was before.
+template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
+Simplification<ReebGraph> simplify(const ReebGraph& graph,
+                                   double threshold,
+                                   ReebGraph& simplified,
+                                   const NamedParameters& np = parameters::default_values())
+{
+  if(std::addressof(graph) == std::addressof(simplified))
+  {
+    const ReebGraph copy(graph);
+    return simplify(copy, threshold, simplified, np);
+  }
+  typedef Branch<typename boost::graph_traits<ReebGraph>::vertex_descriptor> Branch;
+  const internal::Leaf_pruning pruned = internal::prune_graph<Branch>(graph, threshold, np);
+  return internal::write_simplified_graph(graph, pruned, simplified);
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_SIMPLIFY_H

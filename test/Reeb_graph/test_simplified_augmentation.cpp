@@ -1,0 +1,223 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "computed_graphs.h"
+#include "curve_samples.h"
+#include "simplification_oracle.h"
+
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/curves/segmentation.h>
+#include <CGAL/Reeb_graph/piece_weights.h>
+#include <CGAL/Reeb_graph/simplify.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
+#include <boost/mpl/list.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <set>
+#include <vector>
+
+// The way from a simplified graph to the mesh.
+
+using namespace computed_graphs;
+using curve_samples::Sample;
+using mesh_builders::Polyhedron;
+using mesh_builders::Surface_mesh;
+
+typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
+
+namespace {
+template <class Mesh>
+struct Simplified_sample
+{
+  Simplified_sample(const Sample& sample, std::size_t seed)
+    : settings(settings_of_seed(seed)),
+      mesh(make_mesh<Mesh>(sample.soup)),
+      scalar_map(CGAL::Reeb_graph::make_scalar_map(mesh, sample.values)),
+      graph(compute<CGAL::Sequential_tag>(mesh, scalar_map, settings)),
+      threshold(static_cast<double>(seed % 13)),
+      simplification(CGAL::Reeb_graph::simplify(graph, threshold, simplified))
+  {}
+
+  auto parameters_of_simplified() const
+  {
+    return CGAL::parameters::simplification(simplification, named_parameters(settings));
+  }
+
+  typedef graph_checks::Graph_of<Mesh> Graph;
+  typedef CGAL::Reeb_graph::Augmentation<Mesh, graph_checks::Scalar_map_of<Mesh>> Augmentation;
+
+  Settings settings;
+  Mesh mesh;
+  graph_checks::Scalar_map_of<Mesh> scalar_map;
+  Graph graph, simplified;
+  double threshold;
+  CGAL::Reeb_graph::Simplification<Graph> simplification;
+};
+} // namespace
+
+// Each vertex is where the node or arc is that took up its own.
+BOOST_AUTO_TEST_CASE_TEMPLATE(vertices_are_in_the_place_that_took_them_up, Mesh, Meshes)
+{
+  for(std::size_t seed = 0; seed < 400; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const Simplified_sample<Mesh> sample(curve_samples::any_sample(seed), seed);
+      typedef typename Simplified_sample<Mesh>::Augmentation Augmentation;
+      const Augmentation augmentation(sample.mesh, sample.scalar_map, sample.graph, named_parameters(sample.settings));
+      const Augmentation simplified(sample.mesh, sample.scalar_map, sample.simplified,
+                                    sample.parameters_of_simplified());
+      const auto old_locations = augmentation.locate_vertices(), locations = simplified.locate_vertices();
+      std::size_t number_of_faults = 0, number_of_vertices = 0;
+      for(const auto v : vertices(sample.mesh))
+      {
+        const std::size_t old_place = old_locations.index(v), nodes = num_vertices(sample.graph);
+        const std::size_t place = old_place < nodes ? sample.simplification.index_of_node(old_place)
+                                                    : sample.simplification.index_of_arc(old_place - nodes);
+        number_of_faults += locations.index(v) == place ? 0 : 1;
+      }
+      for(const auto node : CGAL::make_range(vertices(sample.simplified)))
+        number_of_vertices += locations.vertices_of_node(node).size();
+      for(std::size_t arc = 0; arc != num_edges(sample.simplified); ++arc)
+        number_of_vertices += locations.vertices_of_arc(arc).size();
+      BOOST_TEST(number_of_faults == 0u);
+      BOOST_TEST(number_of_vertices == num_vertices(sample.mesh));
+
+      const auto counts = CGAL::Reeb_graph::vertex_counts_of_pieces(sample.mesh, sample.simplified, locations);
+      BOOST_TEST(std::accumulate(counts.begin(), counts.end(), 0.) == static_cast<double>(num_vertices(sample.mesh)));
+    }
+}
+
+// A contour of an arc is one of the arcs that it has been made of.
+BOOST_AUTO_TEST_CASE_TEMPLATE(contours_are_those_of_the_branch_kept, Mesh, Meshes)
+{
+  for(std::size_t seed = 0; seed < 400; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const Simplified_sample<Mesh> sample(curve_samples::any_sample(seed), seed);
+      typedef typename Simplified_sample<Mesh>::Augmentation Augmentation;
+      const Augmentation augmentation(sample.mesh, sample.scalar_map, sample.graph, named_parameters(sample.settings));
+      const Augmentation simplified(sample.mesh, sample.scalar_map, sample.simplified,
+                                    sample.parameters_of_simplified());
+      const simplification_oracle::Simplification_oracle oracle(sample.graph, sample.threshold);
+      const auto old_arcs = edges(sample.graph);
+      std::size_t number = 0;
+      for(const auto arc : CGAL::make_range(edges(sample.simplified)))
+      {
+        const auto& pieces = oracle.arcs[number++].pieces;
+        for(const double t : {0.01, 0.3, 0.7, 0.99})
+        {
+          const auto contour = simplified.contour(arc, t);
+          std::size_t number_of_same = 0;
+          for(const std::size_t piece : pieces)
+          {
+            const auto old_arc = *std::next(old_arcs.first, static_cast<std::ptrdiff_t>(piece));
+            const auto lower = sample.graph[source(old_arc, sample.graph)].value;
+            const auto upper = sample.graph[target(old_arc, sample.graph)].value;
+            if(lower <= contour.value && contour.value < upper)
+              number_of_same += augmentation.contour_at_value(old_arc, contour.value).halfedges == contour.halfedges;
+          }
+          const bool is_between_values = sample.simplified[source(arc, sample.simplified)].value <= contour.value
+                                      && contour.value < sample.simplified[target(arc, sample.simplified)].value;
+          const bool is_at_a_node = std::any_of(pieces.begin(), pieces.end(), [&](std::size_t piece) {
+            const auto old_arc = *std::next(old_arcs.first, static_cast<std::ptrdiff_t>(piece));
+            return sample.graph[source(old_arc, sample.graph)].value == contour.value;
+          });
+          if(is_between_values && !is_at_a_node)
+            BOOST_TEST(number_of_same == 1u);
+        }
+      }
+      for(const auto node : CGAL::make_range(vertices(sample.simplified)))
+      {
+        const auto critical_set = simplified.critical_set(node);
+        BOOST_TEST(critical_set.lower_contours.size() == in_degree(node, sample.simplified));
+        BOOST_TEST(critical_set.upper_contours.size() == out_degree(node, sample.simplified));
+      }
+    }
+}
+
+// One connected patch for each arc, and each face in one.
+BOOST_AUTO_TEST_CASE_TEMPLATE(patches_of_a_simplified_graph, Mesh, Meshes)
+{
+  for(std::size_t seed = 0; seed < 400; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Simplified_sample<Mesh> sample(curve_samples::any_sample(seed), seed);
+      std::map<typename boost::graph_traits<Mesh>::face_descriptor, std::size_t> patches;
+      const std::size_t number_of_patches =
+        CGAL::Reeb_graph::segment_by_arcs(sample.mesh, sample.scalar_map, sample.simplified,
+                                          boost::make_assoc_property_map(patches), sample.parameters_of_simplified());
+      std::size_t components_without_arc = 0;
+      for(const auto node : CGAL::make_range(vertices(sample.simplified)))
+        if(degree(node, sample.simplified) == 0
+           && halfedge(sample.simplified[node].vertex, sample.mesh) != boost::graph_traits<Mesh>::null_halfedge())
+          ++components_without_arc;
+      BOOST_TEST(number_of_patches == num_edges(sample.simplified) + components_without_arc);
+      BOOST_TEST(patches.size() == num_faces(sample.mesh));
+      std::set<std::size_t> numbers;
+      for(const auto& patch : patches)
+        numbers.insert(patch.second);
+      BOOST_TEST(numbers.size() == number_of_patches);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(simplification_by_area_and_by_number_of_vertices)
+{
+  const Sample sample = curve_samples::smooth_sample(2, 2000, 1);
+  const auto mesh = make_mesh<Surface_mesh>(sample.soup);
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, sample.values);
+  const auto graph = compute<CGAL::Sequential_tag>(mesh, scalar_map, Settings());
+  const CGAL::Reeb_graph::Augmentation augmentation(mesh, scalar_map, graph);
+  const auto locations = augmentation.locate_vertices();
+  const auto counts = CGAL::Reeb_graph::vertex_counts_of_pieces(mesh, graph, locations);
+  const auto areas = CGAL::Reeb_graph::areas_of_pieces(mesh, graph, locations);
+  BOOST_TEST(std::accumulate(areas.begin(), areas.end(), 0.) == CGAL::Polygon_mesh_processing::area(mesh),
+             boost::test_tools::tolerance(1e-9));
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.);
+  std::decay_t<decltype(graph)> by_count, by_area;
+  const auto map = CGAL::Reeb_graph::simplify(graph, 50, by_count, CGAL::parameters::piece_weights(counts));
+  CGAL::Reeb_graph::simplify(graph, area / 40, by_area, CGAL::parameters::piece_weights(areas));
+  for(const auto* simplified : {&by_count, &by_area})
+  {
+    BOOST_TEST(num_vertices(*simplified) < num_vertices(graph) / 4);
+    BOOST_TEST(num_vertices(*simplified) > 4u);
+    BOOST_TEST(num_edges(*simplified) == num_vertices(*simplified) + 1); // genus 2
+  }
+  // each leaf that is left and that could be removed has as many vertices
+  const CGAL::Reeb_graph::Augmentation augmentation_by_count(mesh, scalar_map, by_count,
+                                                             CGAL::parameters::simplification(map));
+  const auto new_locations = augmentation_by_count.locate_vertices();
+  std::size_t number = 0;
+  for(const auto arc : CGAL::make_range(edges(by_count)))
+  {
+    const auto lower = source(arc, by_count), upper = target(arc, by_count);
+    for(const auto leaf : {lower, upper})
+      if(degree(leaf, by_count) == 1 && (leaf == lower ? in_degree(upper, by_count) : out_degree(lower, by_count)) > 1)
+        BOOST_TEST(new_locations.vertices_of_arc(number).size() + new_locations.vertices_of_node(leaf).size() >= 50u);
+    ++number;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(simplifications_of_other_graphs)
+{
+  const Simplified_sample<Surface_mesh> sample(curve_samples::any_sample(6), 8);
+  const Simplified_sample<Surface_mesh> other(curve_samples::any_sample(12), 8);
+  typedef Simplified_sample<Surface_mesh>::Augmentation Augmentation;
+  BOOST_REQUIRE(num_vertices(sample.simplified) < num_vertices(sample.graph));
+  const Augmentation without(sample.mesh, sample.scalar_map, sample.simplified, named_parameters(sample.settings));
+  BOOST_CHECK_THROW(without.locate_vertices(), CGAL::Reeb_graph::Graph_mismatch_error);
+  const Augmentation with_other(sample.mesh, sample.scalar_map, sample.simplified,
+                                CGAL::parameters::simplification(other.simplification));
+  BOOST_CHECK_THROW(with_other.locate_vertices(), CGAL::Reeb_graph::Graph_mismatch_error);
+}
