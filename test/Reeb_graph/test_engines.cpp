@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <numeric>
 #include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -92,13 +93,20 @@ typedef CGAL::Reeb_graph_traits<Surface_mesh, Scalar_map> Traits;
 typedef stages::Vertex_order<double, Traits::Less_scalar> Order;
 typedef stages::Surface_mesh_complex<Surface_mesh::Point> Complex;
 
+// Kinds of indices do not become each other, nor numbers, unless told so.
+static_assert(!std::is_convertible_v<stages::Vertex_index, stages::Halfedge_index>);
+static_assert(!std::is_constructible_v<stages::Vertex_index, stages::Halfedge_index>);
+static_assert(!std::is_convertible_v<stages::Vertex_index, std::size_t>);
+static_assert(!std::is_convertible_v<std::size_t, stages::Vertex_index>);
+static_assert(std::is_trivial_v<stages::Vertex_index> && sizeof(stages::Vertex_index) == 4);
+
 // The total order, which counts how often it is asked.
 class Counting_order
 {
 public:
   explicit Counting_order(const Order& order) : order_(order) {}
 
-  bool operator()(stages::Index u, stages::Index v) const
+  bool operator()(stages::Vertex_index u, stages::Vertex_index v) const
   {
     ++number_of_calls_;
     return order_(u, v);
@@ -117,7 +125,7 @@ struct Surgery
   std::size_t number_of_traced_edges = 0; // one comparison each, and one more for each contour
   bool are_several_cuts_on_an_edge = false;
   bool is_longer_contour_cut = false; // where there is a choice between two
-  std::vector<stages::Index> split_tree, sector_classes;
+  std::vector<stages::Slab_node> split_tree, classes;
 };
 
 // Follows each cut from an edge on which it is the lowest one, and looks whether another one is lower elsewhere.
@@ -126,17 +134,18 @@ bool are_several_cuts_on_an_edge(const Complex& complex,
                                  const stages::Swept_vertices& critical_vertices,
                                  const stages::Loop_cuts& cuts)
 {
-  std::set<stages::Index> followed = {stages::no_index};
+  std::set<stages::Cut_index> followed = {stages::no_index};
   bool are_several = false;
-  for(stages::Index edge = 0; edge != complex.number_of_edges(); ++edge)
+  for(std::size_t edge = 0; edge != complex.number_of_edges(); ++edge)
   {
-    const stages::Index halfedge = complex.halfedge_of_triangle(edge), cut = cuts.lowest_at_edge(halfedge);
+    const stages::Halfedge_index halfedge = complex.halfedge_of_triangle(stages::Edge_index(edge));
+    const stages::Cut_index cut = cuts.lowest_at_edge(halfedge);
     if(!followed.insert(cut).second)
       continue;
-    const stages::Index vertex = critical_vertices.vertex(cuts.critical_vertex(cut));
+    const stages::Vertex_index vertex = critical_vertices.vertex(cuts.critical_vertex(cut));
     stages::trace_contour(
-      complex, halfedge, [&](stages::Index u) { return order(u, vertex); },
-      [&](stages::Index crossed) { are_several |= cuts.lowest_at_edge(crossed) != cut; });
+      complex, halfedge, [&](stages::Vertex_index u) { return order(u, vertex); },
+      [&](stages::Halfedge_index crossed) { are_several |= cuts.lowest_at_edge(crossed) != cut; });
   }
   return are_several || followed.size() - 1 != cuts.size();
 }
@@ -144,16 +153,18 @@ bool are_several_cuts_on_an_edge(const Complex& complex,
 std::size_t length_of_shortest_lower_contour(const Complex& complex,
                                              const Order& order,
                                              const stages::Swept_vertices& critical_vertices,
-                                             stages::Index critical)
+                                             stages::Swept_index critical)
 {
   std::size_t shortest = complex.number_of_edges();
-  critical_vertices.for_each_sector(critical, false, [&](stages::Index sector) {
+  for(const stages::Sector_index sector : critical_vertices.sectors(critical, stages::Side::LOWER))
+  {
     std::size_t length = 0;
     stages::trace_contour(
-      complex, critical_vertices.sector(false, sector).edge,
-      [&](stages::Index u) { return order(u, critical_vertices.vertex(critical)); }, [&](stages::Index) { ++length; });
+      complex, critical_vertices.sector(stages::Side::LOWER, sector).edge,
+      [&](stages::Vertex_index u) { return order(u, critical_vertices.vertex(critical)); },
+      [&](stages::Halfedge_index) { ++length; });
     shortest = std::min(shortest, length);
-  });
+  }
   return shortest;
 }
 
@@ -169,9 +180,9 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
   const auto& ascending = critical_vertices.ascending();
   const stages::Slab slab(surface.complex, critical_vertices);
 
-  stages::Merge_tree_sweep<Complex, Order, false> upwards(slab, order);
+  stages::Merge_tree_sweep<Complex, Order, stages::Side::LOWER> upwards(slab, order);
   upwards.find_path_ends<CGAL::Sequential_tag>();
-  std::for_each(ascending.begin(), ascending.end(), [&](stages::Index critical) { upwards.merge_at(critical); });
+  std::for_each(ascending.begin(), ascending.end(), [&](stages::Swept_index critical) { upwards.merge_at(critical); });
 
   stages::Cutting_sweep<Complex, Order> downwards(slab, order);
   if(are_paths_walked_first)
@@ -179,15 +190,16 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
   const Counting_order counting_order(order);
   stages::Loop_surgery<Complex, Counting_order> surgery(slab, counting_order, upwards.tree(), downwards.tree());
   bool is_longer_contour_cut = false;
-  std::for_each(ascending.rbegin(), ascending.rend(), [&](stages::Index critical) {
+  std::for_each(ascending.rbegin(), ascending.rend(), [&](stages::Swept_index critical) {
     downwards.merge_at(critical);
     if(surgery.can_close_loop(critical))
-      surgery.visit_loop_contours(critical, [&](stages::Index sublevel_class, const auto& crossed, bool has_border) {
-        downwards.cut(critical, sublevel_class, crossed, has_border);
-        is_longer_contour_cut |=
-          critical_vertices.number_of_lower_sectors(critical) == 2
-          && crossed.size() != length_of_shortest_lower_contour(surface.complex, order, critical_vertices, critical);
-      });
+      surgery.visit_loop_contours(
+        critical, [&](stages::Slab_node sublevel_class, const auto& crossed, bool has_border) {
+          downwards.cut(critical, sublevel_class, crossed, has_border);
+          is_longer_contour_cut |=
+            critical_vertices.number_of_lower_sectors(critical) == 2
+            && crossed.size() != length_of_shortest_lower_contour(surface.complex, order, critical_vertices, critical);
+        });
   });
   stages::Loop_cuts cuts = downwards.take_cuts();
   cuts.register_edges();
@@ -197,7 +209,7 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
           are_several_cuts_on_an_edge(surface.complex, order, critical_vertices, cuts),
           is_longer_contour_cut,
           {tree.parents.begin(), tree.parents.end()},
-          {tree.sector_classes.begin(), tree.sector_classes.end()}};
+          {tree.classes.begin(), tree.classes.end()}};
 }
 
 std::vector<double> noise(const Surface_mesh& mesh, std::size_t seed)
@@ -393,7 +405,7 @@ BOOST_AUTO_TEST_CASE(cuts_do_not_depend_on_when_paths_are_walked)
     {
       BOOST_TEST(late.number_of_cuts == early.number_of_cuts);
       BOOST_TEST(late.split_tree == early.split_tree, "other split trees");
-      BOOST_TEST(late.sector_classes == early.sector_classes, "other classes");
+      BOOST_TEST(late.classes == early.classes, "other classes");
     }
   }
   BOOST_TEST(number_of_cuts > 1000u);

@@ -155,10 +155,12 @@ BOOST_AUTO_TEST_CASE(as_many_slabs_as_vertices_of_noise)
   const stages::Vertex_order order(surface.values, Traits().less_scalar_object());
   const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.complex, order);
   typedef stages::Slicing<std::decay_t<decltype(surface.complex)>> Slicing;
-  const auto number_of_slabs = [&](stages::Index wanted) {
-    return Slicing::make<CGAL::Sequential_tag>(surface.complex, order, critical_vertices, wanted).number_of_slabs();
+  const auto number_of_slabs = [&](std::size_t wanted) {
+    return Slicing::make<CGAL::Sequential_tag>(surface.complex, order, critical_vertices,
+                                               static_cast<stages::Number>(wanted))
+      .number_of_slabs();
   };
-  for(const stages::Index few : {2, 3, 8, 64})
+  for(const std::size_t few : {2, 3, 8, 64})
     BOOST_TEST(number_of_slabs(few) == few);
   BOOST_TEST(number_of_slabs(critical_vertices.size()) > 8u);
   BOOST_TEST(number_of_slabs(critical_vertices.size()) < 1000u);

@@ -167,7 +167,7 @@ public:
   std::vector<Contour> contours_at_value(const Scalar& value) const
   {
     const auto level = this->level_of_value(value);
-    std::vector<std::pair<arc_descriptor, internal::Index>> starts;
+    std::vector<std::pair<arc_descriptor, internal::Halfedge_index>> starts;
     for(const arc_descriptor arc : this->arcs())
     {
       if(this->is_alive_at(arc, value))

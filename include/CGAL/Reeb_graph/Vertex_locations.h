@@ -13,6 +13,8 @@
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -73,8 +75,8 @@ public:
   /// \exception Unknown_vertex_error if the mesh had no such vertex
   std::size_t index(VertexDescriptor v) const
   {
-    const internal::Index position = position_(v);
-    if(position >= places_.size() || places_[position] == internal::no_index)
+    const internal::Vertex_index position = position_(v);
+    if(!places_.contains(position) || places_[position] == internal::no_index)
       throw Unknown_vertex_error();
     return places_[position];
   }
@@ -91,7 +93,7 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   // `sorted_places` has the place of each vertex of `sorted_vertices`, which is in ascending order.
-  Vertex_locations(std::function<internal::Index(VertexDescriptor)> position,
+  Vertex_locations(std::function<internal::Vertex_index(VertexDescriptor)> position,
                    std::size_t number_of_positions,
                    std::size_t number_of_nodes,
                    std::vector<arc_descriptor> arcs,
@@ -122,12 +124,12 @@ private:
     return Vertex_range(vertices_.data() + first_vertices_[place], vertices_.data() + first_vertices_[place + 1]);
   }
 
-  std::function<internal::Index(VertexDescriptor)> position_;
+  std::function<internal::Vertex_index(VertexDescriptor)> position_;
   std::size_t number_of_nodes_;
   std::vector<arc_descriptor> arcs_;
-  std::vector<internal::Index> places_;     // by position of the vertex
-  std::vector<std::size_t> first_vertices_; // by place, and one more
-  std::vector<VertexDescriptor> vertices_;  // by place, ascending
+  internal::Indexed_vector<internal::Vertex_index, internal::Index> places_; // nodes come first, then arcs
+  std::vector<std::size_t> first_vertices_;                                  // by place, and one more
+  std::vector<VertexDescriptor> vertices_;                                   // by place, ascending
 };
 
 } // namespace Reeb_graph

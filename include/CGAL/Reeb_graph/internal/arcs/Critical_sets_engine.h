@@ -12,9 +12,12 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/link_sectors.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
@@ -46,65 +49,68 @@ public:
   // An edge keeps the contour of the lowest level: that is where an ascending path meets it first. Calls
   // report(fraction) now and then.
   template <class Report>
-  Large_vector<Slab_arc> find_arcs(const Report& report)
+  Slab_arcs find_arcs(const Report& report)
   {
-    for(Index i = 0; i != slab_.number_of_contours(true); ++i)
-      arcs_.push_back({no_index, slab_.contour_node(true, i), {no_index, no_index}});
+    for(const Contour_index i : slab_.contours(Side::UPPER))
+      arcs_.push_back({no_index, slab_.contour_node(Side::UPPER, i), {no_index, no_index}});
     constexpr std::size_t vertices_per_report = 4096;
-    const Large_vector<Index>& ascending = critical_vertices_.ascending();
+    const Large_vector<Swept_index>& ascending = critical_vertices_.ascending();
     for(std::size_t i = ascending.size(); i-- != 0;)
     {
       register_lower_contours(ascending[i]);
       if(i % vertices_per_report == 0)
         report(0.7 * static_cast<double>(ascending.size() - i) / static_cast<double>(ascending.size()));
     }
-    for(Index i = 0; i != critical_vertices_.size(); ++i)
+    for(const Swept_index i : critical_vertices_.indices())
       climb_from(i);
-    for(Index i = 0; i != slab_.number_of_contours(false); ++i)
-      arcs_[contour_above(slab_.step_from_contour(false, i))].lower = slab_.contour_node(false, i);
+    for(const Contour_index i : slab_.contours(Side::LOWER))
+      arcs_[contour_above(slab_.step_from_contour(Side::LOWER, i))].lower = slab_.contour_node(Side::LOWER, i);
     return std::move(arcs_);
   }
 
 private:
-  void register_lower_contours(Index critical)
+  void register_lower_contours(Swept_index critical)
   {
-    const Index vertex = critical_vertices_.vertex(critical);
-    const auto is_below = [&](Index u) { return order_(u, vertex); };
-    const Index first_contour = static_cast<Index>(arcs_.size());
-    critical_vertices_.for_each_sector(critical, false, [&](Index sector) {
+    const Vertex_index vertex = critical_vertices_.vertex(critical);
+    const auto is_below = [&](Vertex_index u) { return order_(u, vertex); };
+    const Slab_arc_index first_contour = arcs_.end_key();
+    for(const Sector_index i : critical_vertices_.sectors(critical, Side::LOWER))
+    {
       // A contour can pass several sectors of the vertex; then the earlier trace has been here.
-      const Index edge = critical_vertices_.sector(false, sector).edge, registered = contour_at(edge);
+      const Halfedge_index edge = critical_vertices_.sector(Side::LOWER, i).edge;
+      const Slab_arc_index registered = contour_at(edge);
       if(registered != no_index && registered >= first_contour)
-        return;
-      const Index contour = static_cast<Index>(arcs_.size());
-      arcs_.push_back({no_index, critical, {no_index, no_index}});
-      trace_contour(complex_, edge, is_below, [&](Index halfedge) { contour_at_edge_[edge_of(halfedge)] = contour; });
-    });
+        continue;
+      arcs_.push_back({no_index, node_of(critical), {no_index, no_index}});
+      trace_contour(complex_, edge, is_below,
+                    [&](Halfedge_index halfedge) { contour_at_edge_[edge_of(halfedge)] = arcs_.last_key(); });
+    }
   }
 
-  Index contour_at(Index halfedge) const { return contour_at_edge_[edge_of(halfedge)]; }
+  Slab_arc_index contour_at(Halfedge_index halfedge) const { return contour_at_edge_[edge_of(halfedge)]; }
 
-  void climb_from(Index critical)
+  void climb_from(Swept_index critical)
   {
-    critical_vertices_.for_each_sector(critical, true, [&](Index i) {
-      const Link_sector& sector = critical_vertices_.sector(true, i);
+    for(const Sector_index i : critical_vertices_.sectors(critical, Side::UPPER))
+    {
+      const Link_sector& sector = critical_vertices_.sector(Side::UPPER, i);
       const Ascending_step first_step = {sector.edge, sector.extreme_neighbor};
       Slab_arc& arc = arcs_[contour_above(first_step)];
       // Several sectors can lead to one arc, whose chain begins in the highest one.
       if(arc.lower == no_index || order_(arc.first_step.target, first_step.target))
         arc.first_step = first_step;
-      arc.lower = critical;
-    });
+      arc.lower = node_of(critical);
+    }
   }
 
-  Index contour_above(Ascending_step step) const
+  Slab_arc_index contour_above(Ascending_step step) const
   {
-    for(Index steps = 0; contour_at(step.edge) == no_index; ++steps)
+    for(Number steps = 0; contour_at(step.edge) == no_index; ++steps)
     {
-      const Index contour = slab_.contour_at_step(true, step.target, [&] { return step.edge; });
+      const Contour_index contour = slab_.contour_at_step(Side::UPPER, step.target, [&] { return step.edge; });
       if(contour != no_index)
-        return contour;
-      const Index vertex = step.target;
+        return Slab_arc_index(contour.number()); // as the first arcs end at the contours of the upper level
+      const Vertex_index vertex = step.target;
       step = steepest_step(complex_, order_, vertex);
       if(step.edge == no_index || steps == complex_.number_of_vertices())
         complex_.throw_contradiction_near(vertex);
@@ -116,8 +122,8 @@ private:
   const Complex& complex_;
   const Order& order_;
   const Swept_vertices& critical_vertices_;
-  Large_vector<Index> contour_at_edge_; // a contour has the number of the arc that ends there
-  Large_vector<Slab_arc> arcs_;
+  Indexed_vector<Edge_index, Slab_arc_index> contour_at_edge_; // a contour has the name of the arc that ends there
+  Slab_arcs arcs_;
 };
 
 } // namespace internal

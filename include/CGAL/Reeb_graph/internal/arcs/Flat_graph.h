@@ -13,20 +13,30 @@
 
 #include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+struct Node_tag;
+struct Arc_tag;
+struct Piece_tag;
+typedef Index_of<Node_tag> Node_index;
+typedef Index_of<Arc_tag> Arc_index;
+typedef Index_of<Piece_tag> Piece_index;
+
 struct Flat_node
 {
-  Index vertex;
+  Vertex_index vertex;
   Node_kind kind;
 };
 
-inline Node_kind node_kind(Index in_degree, Index out_degree)
+inline Node_kind node_kind(Number in_degree, Number out_degree)
 {
   if(in_degree == 0)
     return out_degree == 0 ? Node_kind::ISOLATED : Node_kind::MINIMUM;
@@ -40,30 +50,30 @@ inline Node_kind node_kind(Index in_degree, Index out_degree)
 struct Chain_piece
 {
   Ascending_step first_step;
-  Index upper_vertex;
+  Vertex_index upper_vertex;
 };
 
 struct Flat_arc
 {
-  Index lower; // positions of nodes
-  Index upper;
-  Index first_piece;
-  Index number_of_pieces;
+  Node_index lower;
+  Node_index upper;
+  Piece_index first_piece;
+  Number number_of_pieces;
 };
 
 // The Reeb graph by indices: nodes in ascending order, arcs sorted.
 struct Flat_graph
 {
-  Large_vector<Flat_node> nodes;
-  Large_vector<Flat_arc> arcs;
-  Large_vector<Chain_piece> pieces;
+  Indexed_vector<Node_index, Flat_node> nodes;
+  Indexed_vector<Arc_index, Flat_arc> arcs;
+  Indexed_vector<Piece_index, Chain_piece> pieces;
 
   // By critical vertex: the node that it is part of, or else, on request, the arc that passes it.
-  Large_vector<Index> node_of_critical;
-  Large_vector<Index> arc_of_critical;
+  Indexed_vector<Swept_index, Node_index> node_of_critical;
+  Indexed_vector<Swept_index, Arc_index> arc_of_critical;
 
   // By arc between critical vertices, on request: the arc that it is part of, no_index if it has been contracted.
-  Large_vector<Index> arc_of_critical_arc;
+  Indexed_vector<Slab_arc_index, Arc_index> arc_of_critical_arc;
 };
 
 } // namespace internal

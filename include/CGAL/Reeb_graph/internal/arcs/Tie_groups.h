@@ -13,12 +13,10 @@
 
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/options.h>
-
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -30,7 +28,7 @@ template <class Order>
 class Tie_groups
 {
 public:
-  Tie_groups(const Order& order, const Swept_vertices& critical_vertices, const Large_vector<Slab_arc>& arcs, Ties ties)
+  Tie_groups(const Order& order, const Swept_vertices& critical_vertices, const Slab_arcs& arcs, Ties ties)
     : order_(order),
       critical_vertices_(critical_vertices),
       are_ties_contracted_(ties == Ties::CONTRACT)
@@ -38,13 +36,13 @@ public:
     if(!are_ties_contracted_)
       return;
     is_on_plateau_.assign(critical_vertices.size(), false);
-    Disjoint_sets groups(critical_vertices.size());
+    Disjoint_sets<Swept_index> groups(critical_vertices.size());
     for(const Slab_arc& arc : arcs)
     {
       if(!is_contracted(arc))
         continue;
-      groups.unite(arc.lower, arc.upper);
-      is_on_plateau_[arc.lower] = is_on_plateau_[arc.upper] = true;
+      groups.unite(arc.lower_vertex(), arc.upper_vertex());
+      is_on_plateau_[arc.lower_vertex()] = is_on_plateau_[arc.upper_vertex()] = true;
     }
     groups_ = groups.take_roots();
   }
@@ -54,21 +52,23 @@ public:
   bool is_contracted(const Slab_arc& arc) const
   {
     return are_ties_contracted_
-        && order_.are_tied(critical_vertices_.vertex(arc.lower), critical_vertices_.vertex(arc.upper));
+        && order_.are_tied(critical_vertices_.vertex(arc.lower_vertex()),
+                           critical_vertices_.vertex(arc.upper_vertex()));
   }
 
-  // A group has the number of one of its critical vertices.
-  Index group_of(Index critical) const { return are_ties_contracted_ ? groups_[critical] : critical; }
+  // A group has the name of one of its critical vertices.
+  Swept_index group_of(Swept_index critical) const { return are_ties_contracted_ ? groups_[critical] : critical; }
 
   // Whether there are others in the group.
-  bool is_on_plateau(Index critical) const { return are_ties_contracted_ && is_on_plateau_[critical]; }
+  bool is_on_plateau(Swept_index critical) const { return are_ties_contracted_ && is_on_plateau_[critical]; }
 
 private:
   const Order& order_;
   const Swept_vertices& critical_vertices_;
   const bool are_ties_contracted_;
-  Large_vector<Index> groups_;      // by critical vertex, if ties are contracted
-  std::vector<bool> is_on_plateau_; // by critical vertex, if ties are contracted
+  // Set if ties are contracted.
+  Indexed_vector<Swept_index, Swept_index> groups_;
+  Indexed_vector<Swept_index, bool> is_on_plateau_;
 };
 
 } // namespace internal

@@ -14,10 +14,12 @@
 #include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/arcs/Tie_groups.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/options.h>
 
@@ -40,7 +42,7 @@ public:
   Arc_reduction(const Complex& complex,
                 const Order& order,
                 const Swept_vertices& critical_vertices,
-                const Large_vector<Slab_arc>& arcs,
+                const Slab_arcs& arcs,
                 Ties ties,
                 bool are_degree_two_nodes_kept)
     : complex_(complex),
@@ -72,14 +74,14 @@ private:
   {
     degrees_.assign(critical_vertices_.size(), Degrees{0, 0, no_index});
     ranks_.resize(arcs_.size());
-    for(Index i = 0; i != arcs_.size(); ++i)
+    for(const Slab_arc_index i : arcs_.keys())
     {
       if(groups_.is_contracted(arcs_[i]))
         continue;
-      Degrees& degrees = degrees_[groups_.group_of(arcs_[i].lower)];
+      Degrees& degrees = degrees_[groups_.group_of(arcs_[i].lower_vertex())];
       ranks_[i] = degrees.out++;
       degrees.last_out_arc = i;
-      ++degrees_[groups_.group_of(arcs_[i].upper)].in;
+      ++degrees_[groups_.group_of(arcs_[i].upper_vertex())].in;
     }
   }
 
@@ -87,14 +89,14 @@ private:
   // arcs leave the node as leave the group, which is all that there is to count.
   void make_nodes()
   {
-    const Index size = critical_vertices_.size();
+    const Number size = critical_vertices_.size();
     graph_.node_of_critical.assign(size, no_index);
-    Large_vector<Index>& node_of_group = graph_.node_of_critical;
+    Indexed_vector<Swept_index, Node_index>& node_of_group = graph_.node_of_critical;
     graph_.nodes.reserve(size);
     begins_of_arcs_.reserve(size + 1);
-    Index number_of_arcs = 0;
+    Number number_of_arcs = 0;
     constexpr std::size_t ahead = 16;
-    const Large_vector<Index>& ascending = critical_vertices_.ascending();
+    const Large_vector<Swept_index>& ascending = critical_vertices_.ascending();
     for(std::size_t place = 0; place != size; ++place)
     {
       if(place + ahead < size)
@@ -103,20 +105,22 @@ private:
         prefetch(&degrees_[ascending[place + ahead]]);
         prefetch(&node_of_group[ascending[place + ahead]]);
       }
-      const Index i = ascending[place], group = groups_.group_of(i);
+      const Swept_index i = ascending[place], group = groups_.group_of(i);
       const Node_kind kind = node_kind(degrees_[group].in, degrees_[group].out);
       const bool is_node =
         kind != Node_kind::DEGREE_TWO || (are_degree_two_nodes_kept_ && critical_vertices_.is_critical(i));
       if(!is_node || node_of_group[group] != no_index)
         continue;
-      node_of_group[group] = static_cast<Index>(graph_.nodes.size());
+      node_of_group[group] = graph_.nodes.end_key();
       graph_.nodes.push_back({critical_vertices_.vertex(i), kind});
-      begins_of_arcs_.push_back(number_of_arcs);
+      begins_of_arcs_.push_back(Arc_index(number_of_arcs));
       number_of_arcs += degrees_[group].out;
     }
-    begins_of_arcs_.push_back(number_of_arcs);
+    begins_of_arcs_.push_back(Arc_index(number_of_arcs));
     graph_.arcs.resize(number_of_arcs);
-    for(Index i = 0; groups_.are_ties_contracted() && i != size; ++i)
+    if(!groups_.are_ties_contracted())
+      return;
+    for(const Swept_index i : critical_vertices_.indices())
       graph_.node_of_critical[i] = node_of_group[groups_.group_of(i)];
   }
 
@@ -127,9 +131,9 @@ private:
     const std::vector<std::size_t> begins_of_pieces = find_begins_of_pieces(number_of_parts);
     graph_.pieces.resize(begins_of_pieces.back());
     const auto make_arcs_of_part = [&](std::size_t part, std::size_t begin, std::size_t end) {
-      Index piece = static_cast<Index>(begins_of_pieces[part]);
-      for_each_first_arc(begin, end, [&](Index i, Index lower) {
-        graph_.arcs[begins_of_arcs_[lower] + ranks_[i]] = make_arc(i, lower, piece);
+      Piece_index piece(begins_of_pieces[part]);
+      for_each_first_arc(begin, end, [&](Slab_arc_index i, Node_index lower) {
+        graph_.arcs[Arc_index(begins_of_arcs_[lower].number() + ranks_[i])] = make_arc(i, lower, piece);
       });
     };
     for_each_part<ConcurrencyTag>(number_of_parts, arcs_.size(), make_arcs_of_part);
@@ -141,9 +145,9 @@ private:
     std::vector<std::size_t> begins_of_pieces(number_of_parts + 1, 0);
     const auto count_pieces = [&](std::size_t part, std::size_t begin, std::size_t end) {
       std::size_t count = 0;
-      for_each_first_arc(begin, end, [&](Index i, Index) {
+      for_each_first_arc(begin, end, [&](Slab_arc_index i, Node_index) {
         follow_arc(
-          i, [&](const Chain_piece&) { ++count; }, [](Index, Index) {});
+          i, [&](const Chain_piece&) { ++count; }, [](Swept_index, Slab_arc_index) {});
       });
       begins_of_pieces[part + 1] = count;
     };
@@ -157,49 +161,53 @@ private:
   void for_each_first_arc(std::size_t begin, std::size_t end, const Visit& visit) const
   {
     constexpr std::size_t far_ahead = 32, ahead = 16;
+    const auto lower_vertex = [&](std::size_t i) { return arcs_[Slab_arc_index(i)].lower_vertex(); };
     for(std::size_t i = begin; i != end; ++i)
     {
       if(i + far_ahead < end)
-        prefetch_element(graph_.node_of_critical, arcs_[i + far_ahead].lower);
+        prefetch_element(graph_.node_of_critical, lower_vertex(i + far_ahead));
       if(i + ahead < end)
-        prefetch_element(begins_of_arcs_, graph_.node_of_critical[arcs_[i + ahead].lower]);
-      const Index lower = graph_.node_of_critical[arcs_[i].lower];
-      if(lower != no_index && !groups_.is_contracted(arcs_[i]))
-        visit(static_cast<Index>(i), lower);
+        prefetch_element(begins_of_arcs_, graph_.node_of_critical[lower_vertex(i + ahead)]);
+      const Node_index lower = graph_.node_of_critical[lower_vertex(i)];
+      if(lower != no_index && !groups_.is_contracted(arcs_[Slab_arc_index(i)]))
+        visit(Slab_arc_index(i), lower);
     }
   }
 
-  Flat_arc make_arc(Index i, Index lower, Index& piece)
+  Flat_arc make_arc(Slab_arc_index i, Node_index lower, Piece_index& piece)
   {
-    const Index first_piece = piece;
+    const Piece_index first_piece = piece;
     name_piece(first_piece_of_arc_, i, first_piece);
-    const Index upper = follow_arc(
-      i, [&](const Chain_piece& chain_piece) { graph_.pieces[piece++] = chain_piece; },
-      [&](Index group, Index next_arc) {
-        name_piece(first_piece_of_group_, group, first_piece);
-        name_piece(first_piece_of_arc_, next_arc, first_piece);
-      });
+    const auto add_piece = [&](const Chain_piece& chain_piece) {
+      graph_.pieces[piece] = chain_piece;
+      ++piece;
+    };
+    const Node_index upper = follow_arc(i, add_piece, [&](Swept_index group, Slab_arc_index next_arc) {
+      name_piece(first_piece_of_group_, group, first_piece);
+      name_piece(first_piece_of_arc_, next_arc, first_piece);
+    });
     if(upper <= lower)
       complex_.throw_contradiction_near(graph_.nodes[upper].vertex);
-    return {lower, upper, first_piece, piece - first_piece};
+    return {lower, upper, first_piece, piece.number() - first_piece.number()};
   }
 
   // Follows an arc over the groups that are no nodes. Calls add_piece(piece of its chain), and pass(group, critical arc
   // that leaves it). At a single vertex every ascending path goes on inside the arc; on a plateau it can end, and a new
   // piece begins where the arc leaves. Returns the upper node.
   template <class AddPiece, class Pass>
-  Index follow_arc(Index i, const AddPiece& add_piece, const Pass& pass) const
+  Node_index follow_arc(Slab_arc_index i, const AddPiece& add_piece, const Pass& pass) const
   {
     Ascending_step first_step = arcs_[i].first_step;
     while(true)
     {
-      const Index critical = arcs_[i].upper, node = graph_.node_of_critical[critical];
+      const Swept_index critical = arcs_[i].upper_vertex();
+      const Node_index node = graph_.node_of_critical[critical];
       const bool is_piece_ended = node != no_index || (groups_.is_on_plateau(critical));
       if(is_piece_ended)
         add_piece(Chain_piece{first_step, critical_vertices_.vertex(critical)});
       if(node != no_index)
         return node;
-      const Index group = groups_.group_of(critical);
+      const Swept_index group = groups_.group_of(critical);
       i = degrees_[group].last_out_arc;
       pass(group, i);
       if(is_piece_ended)
@@ -207,15 +215,16 @@ private:
     }
   }
 
-  static void name_piece(Large_vector<Index>& first_pieces, Index i, Index first_piece)
+  template <class Key>
+  static void name_piece(Indexed_vector<Key, Piece_index>& first_pieces, Key i, Piece_index first_piece)
   {
     if(!first_pieces.empty())
       first_pieces[i] = first_piece;
   }
 
-  Index first_vertex(const Ascending_step& step) const
+  Vertex_index first_vertex(const Ascending_step& step) const
   {
-    const Index source = complex_.source(step.edge);
+    const Vertex_index source = complex_.source(step.edge);
     return source == step.target ? complex_.target(step.edge) : source;
   }
 
@@ -224,7 +233,7 @@ private:
   {
     if(a.target != b.target)
       return order_(a.target, b.target);
-    const Index first_of_a = first_vertex(a), first_of_b = first_vertex(b);
+    const Vertex_index first_of_a = first_vertex(a), first_of_b = first_vertex(b);
     return first_of_a != first_of_b ? order_(first_of_a, first_of_b) : a.edge < b.edge;
   }
 
@@ -238,8 +247,8 @@ private:
     for_each_block<ConcurrencyTag>(graph_.nodes.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t node = begin; node != end; ++node)
       {
-        const auto first = graph_.arcs.begin() + begins_of_arcs_[node];
-        const auto last = graph_.arcs.begin() + begins_of_arcs_[node + 1];
+        const auto first = graph_.arcs.begin() + begins_of_arcs_[Node_index(node)].number();
+        const auto last = graph_.arcs.begin() + begins_of_arcs_[Node_index(node + 1)].number();
         if constexpr(Order::is_sure)
           std::sort(first, last, is_before);
         else if(last - first > 1)
@@ -251,36 +260,36 @@ private:
   // Sorting has moved the arcs, but each keeps its first piece.
   void name_passing_arcs()
   {
-    Large_vector<Index> arc_of_first_piece(graph_.pieces.size(), no_index);
-    for(Index i = 0; i != graph_.arcs.size(); ++i)
+    Indexed_vector<Piece_index, Arc_index> arc_of_first_piece(graph_.pieces.size(), no_index);
+    for(const Arc_index i : graph_.arcs.keys())
       arc_of_first_piece[graph_.arcs[i].first_piece] = i;
-    const auto arc_of = [&](Index first_piece) {
+    const auto arc_of = [&](Piece_index first_piece) -> Arc_index {
       return first_piece == no_index ? no_index : arc_of_first_piece[first_piece];
     };
-    for(Index i = 0; i != critical_vertices_.size(); ++i)
+    for(const Swept_index i : critical_vertices_.indices())
       graph_.arc_of_critical.push_back(arc_of(first_piece_of_group_[groups_.group_of(i)]));
-    for(const Index first_piece : first_piece_of_arc_)
+    for(const Piece_index first_piece : first_piece_of_arc_)
       graph_.arc_of_critical_arc.push_back(arc_of(first_piece));
   }
 
   struct Degrees
   {
-    Index in;
-    Index out;
-    Index last_out_arc; // the only one of a group that is no node
+    Number in;
+    Number out;
+    Slab_arc_index last_out_arc; // the only one of a group that is no node
   };
 
   const Complex& complex_;
   const Order& order_;
   const Swept_vertices& critical_vertices_;
-  const Large_vector<Slab_arc>& arcs_;
+  const Slab_arcs& arcs_;
   const Tie_groups<Order> groups_;
   const bool are_degree_two_nodes_kept_;
-  Large_vector<Degrees> degrees_;            // by group
-  Large_vector<Index> ranks_;                // by critical arc: how many before it leave the same group
-  Large_vector<Index> begins_of_arcs_;       // by node: of those that leave it; and the end of the last ones
-  Large_vector<Index> first_piece_of_group_; // by group: that of the arc that passes it
-  Large_vector<Index> first_piece_of_arc_;   // by arc: that of the arc that it becomes part of
+  Indexed_vector<Swept_index, Degrees> degrees_;                   // by group
+  Indexed_vector<Slab_arc_index, Number> ranks_;                   // how many arcs before leave the same group
+  Indexed_vector<Node_index, Arc_index> begins_of_arcs_;           // that leave a node; and the end of the last ones
+  Indexed_vector<Swept_index, Piece_index> first_piece_of_group_;  // that of the arc that passes the group
+  Indexed_vector<Slab_arc_index, Piece_index> first_piece_of_arc_; // that of the arc that it becomes part of
   Flat_graph graph_;
 };
 
@@ -288,7 +297,7 @@ template <class ConcurrencyTag, class Complex, class Order>
 Flat_graph reduce_arcs(const Complex& complex,
                        const Order& order,
                        const Swept_vertices& critical_vertices,
-                       const Large_vector<Slab_arc>& arcs,
+                       const Slab_arcs& arcs,
                        Ties ties,
                        bool are_degree_two_nodes_kept,
                        bool are_passing_arcs_named)

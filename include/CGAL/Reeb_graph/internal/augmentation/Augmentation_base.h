@@ -139,7 +139,7 @@ protected:
 
   Valued_level level_below_node(node_descriptor node) const
   {
-    const Index v = node_vertex(node);
+    const Vertex_index v = node_vertex(node);
     return {ties_ == Ties::CONTRACT ? Level<Scalar, Order>::below_value(order_, surface_.values[v])
                                     : Level<Scalar, Order>::below_vertex(order_, v),
             value_of(v)};
@@ -147,7 +147,7 @@ protected:
 
   Valued_level level_above_node(node_descriptor node) const
   {
-    const Index v = node_vertex(node);
+    const Vertex_index v = node_vertex(node);
     return {ties_ == Ties::CONTRACT ? Level<Scalar, Order>::above_value(order_, surface_.values[v])
                                     : Level<Scalar, Order>::above_vertex(order_, v),
             value_of(v)};
@@ -185,7 +185,7 @@ protected:
     const std::size_t step =
       (std::min)(std::size_t(std::lower_bound(sums.begin() + 1, sums.end(), sum) - sums.begin()), chain.size()) - 1;
     const double fraction = used_fraction(arc, step) * (sum - sums[step]) / (sums[step + 1] - sums[step]);
-    const Index from = position_(source(chain[step], mesh_)), to = position_(target(chain[step], mesh_));
+    const Vertex_index from = position_(source(chain[step], mesh_)), to = position_(target(chain[step], mesh_));
     return level_between(arc, value_of(from) + fraction * (value_of(to) - value_of(from)), from);
   }
 
@@ -196,7 +196,7 @@ protected:
 
   // A halfedge of a triangle on the edge at which the chain of the arc crosses the level. Chains can overlap where a
   // piece ends; then the later one is inside the arc.
-  Index find_start(arc_descriptor arc, const Level<Scalar, Order>& is_below) const
+  Halfedge_index find_start(arc_descriptor arc, const Level<Scalar, Order>& is_below) const
   {
     const auto& chain = graph_[arc].chain;
     const auto first_above = std::partition_point(chain.begin() + 1, chain.end(),
@@ -207,18 +207,18 @@ protected:
     return number_of(h);
   }
 
-  Contour trace_from(arc_descriptor arc, Index start, const Valued_level& level) const
+  Contour trace_from(arc_descriptor arc, Halfedge_index start, const Valued_level& level) const
   {
     Contour contour;
     contour.arc = arc;
     contour.value = level.value;
-    Large_vector<Index> crossed;
+    Large_vector<Halfedge_index> crossed;
     contour.is_closed = trace_oriented_contour(surface_.complex, start, level.is_below, crossed);
     contour.halfedges.reserve(crossed.size());
-    for(const Index halfedge : crossed)
+    for(const Halfedge_index halfedge : crossed)
     {
       const bool is_target_below = level.is_below(surface_.complex.target(halfedge));
-      const Index ascending = is_target_below ? opposite_of(halfedge) : halfedge;
+      const Halfedge_index ascending = is_target_below ? opposite_of(halfedge) : halfedge;
       contour.halfedges.push_back(surface_.halfedges(mesh_, ascending));
     }
     return contour;
@@ -235,8 +235,9 @@ protected:
   std::vector<face_descriptor> star(node_descriptor node) const
   {
     std::vector<face_descriptor> faces;
-    surface_.complex.for_each_halfedge_around(
-      node_vertex(node), [&](Index halfedge) { faces.push_back(face(surface_.halfedges(mesh_, halfedge), mesh_)); });
+    surface_.complex.for_each_halfedge_around(node_vertex(node), [&](Halfedge_index halfedge) {
+      faces.push_back(face(surface_.halfedges(mesh_, halfedge), mesh_));
+    });
     std::reverse(faces.begin(), faces.end()); // counterclockwise
     return faces;
   }
@@ -244,10 +245,10 @@ protected:
   std::vector<halfedge_descriptor> border_loop(node_descriptor node) const
   {
     std::vector<halfedge_descriptor> loop;
-    const Index v = node_vertex(node);
+    const Vertex_index v = node_vertex(node);
     if(!surface_.complex.is_on_border(v))
       return loop;
-    const Index along_border = opposite_of(surface_.complex.first_halfedge(v));
+    const Halfedge_index along_border = opposite_of(surface_.complex.first_halfedge(v));
     const halfedge_descriptor first = surface_.halfedges(mesh_, along_border);
     halfedge_descriptor h = first;
     do
@@ -272,46 +273,50 @@ protected:
       Ties::PERTURB, true, true);
     const Swept_vertices critical_vertices = classify_vertices<ConcurrencyTag>(surface_.complex, order_);
     check_nodes_are_critical(all_arcs, critical_vertices);
-    Large_vector<Slab_arc> critical_arcs;
+    Slab_arcs critical_arcs;
     for(const Flat_arc& arc : all_arcs.arcs)
-      critical_arcs.push_back({critical_vertices.ascending()[arc.lower], critical_vertices.ascending()[arc.upper],
+      critical_arcs.push_back({node_of(critical_vertices.ascending()[arc.lower.number()]),
+                               node_of(critical_vertices.ascending()[arc.upper.number()]),
                                all_arcs.pieces[arc.first_piece].first_step});
     const Flat_graph flat_graph = reduce_arcs<ConcurrencyTag>(surface_.complex, order_, critical_vertices,
                                                               critical_arcs, ties_, are_degree_two_nodes_kept_, true);
     check_same_graph(flat_graph);
 
+    // A place is a number: nodes come first, then arcs.
     const auto new_place = [&](Index place) { return new_places_.empty() ? place : new_places_[place]; };
-    const auto place_of_arc = [&](Index arc, Index vertex) {
+    const auto place_of_arc = [&](Arc_index arc, Vertex_index vertex) {
       if(arc == no_index)
         surface_.complex.throw_contradiction_near(vertex);
-      return new_place(static_cast<Index>(flat_graph.nodes.size()) + arc);
+      return new_place(static_cast<Index>(flat_graph.nodes.size()) + arc.number());
     };
-    const auto place_of_critical = [&](Index critical) {
-      const Index node = flat_graph.node_of_critical[critical];
-      return node != no_index ? new_place(node)
+    const auto place_of_critical = [&](Swept_index critical) {
+      const Node_index node = flat_graph.node_of_critical[critical];
+      return node != no_index ? new_place(node.number())
                               : place_of_arc(flat_graph.arc_of_critical[critical], critical_vertices.vertex(critical));
     };
     // On a plateau, a vertex is where the end of its arc is.
-    const auto place_on_arc = [&](Index vertex, Index arc) {
+    const auto place_on_arc = [&](Vertex_index vertex, Arc_index arc) {
       if(arc == no_index)
         surface_.complex.throw_contradiction_near(vertex);
-      const Slab_arc& critical_arc = critical_arcs[arc];
-      if(ties_ == Ties::CONTRACT && order_.are_tied(vertex, critical_vertices.vertex(critical_arc.lower)))
-        return place_of_critical(critical_arc.lower);
-      if(ties_ == Ties::CONTRACT && order_.are_tied(vertex, critical_vertices.vertex(critical_arc.upper)))
-        return place_of_critical(critical_arc.upper);
-      return place_of_arc(flat_graph.arc_of_critical_arc[arc], vertex);
+      const Slab_arc& critical_arc = critical_arcs[Slab_arc_index(arc.number())];
+      if(ties_ == Ties::CONTRACT && order_.are_tied(vertex, critical_vertices.vertex(critical_arc.lower_vertex())))
+        return place_of_critical(critical_arc.lower_vertex());
+      if(ties_ == Ties::CONTRACT && order_.are_tied(vertex, critical_vertices.vertex(critical_arc.upper_vertex())))
+        return place_of_critical(critical_arc.upper_vertex());
+      return place_of_arc(flat_graph.arc_of_critical_arc[Slab_arc_index(arc.number())], vertex);
     };
 
     checked_index(flat_graph.nodes.size() + flat_graph.arcs.size());
     std::vector<std::pair<vertex_descriptor, Index>> sorted_places;
     sorted_places.reserve(all_vertices.size());
-    for(const Index i : all_vertices.ascending())
+    for(const Swept_index i : all_vertices.ascending())
     {
-      const Index vertex = all_vertices.vertex(i), critical = all_arcs.node_of_critical[i];
+      const Vertex_index vertex = all_vertices.vertex(i);
+      const Node_index critical = all_arcs.node_of_critical[i];
       sorted_places.emplace_back(surface_.vertices[vertex],
-                                 critical != no_index ? place_of_critical(critical_vertices.ascending()[critical])
-                                                      : place_on_arc(vertex, all_arcs.arc_of_critical[i]));
+                                 critical != no_index
+                                   ? place_of_critical(critical_vertices.ascending()[critical.number()])
+                                   : place_on_arc(vertex, all_arcs.arc_of_critical[i]));
     }
     const auto arc_range = edges(graph_);
     return Vertex_locations(position_, surface_.vertices.size(), num_vertices(graph_),
@@ -319,28 +324,28 @@ protected:
   }
 
 private:
-  Index node_vertex(node_descriptor node) const { return position_(graph_[node].vertex); }
-  Index lower_vertex(arc_descriptor arc) const { return node_vertex(source(arc, graph_)); }
-  Index upper_vertex(arc_descriptor arc) const { return node_vertex(target(arc, graph_)); }
-  // Of a halfedge that may be one of another mesh.
-  Index checked_source(halfedge_descriptor h) const
+  Vertex_index node_vertex(node_descriptor node) const { return position_(graph_[node].vertex); }
+  Vertex_index lower_vertex(arc_descriptor arc) const { return node_vertex(source(arc, graph_)); }
+  Vertex_index upper_vertex(arc_descriptor arc) const { return node_vertex(target(arc, graph_)); }
+  // The source of a halfedge that may be one of another mesh.
+  Vertex_index checked_source(halfedge_descriptor h) const
   {
     if(!can_be_halfedge(mesh_, h))
       throw Graph_mismatch_error();
-    const Index v = position_(source(h, mesh_));
-    if(v >= surface_.vertices.size())
+    const Vertex_index v = position_(source(h, mesh_));
+    if(v.number() >= surface_.vertices.size())
       throw Graph_mismatch_error();
     return v;
   }
 
-  double value_of(Index v) const { return CGAL::to_double(surface_.values[v]); }
+  double value_of(Vertex_index v) const { return CGAL::to_double(surface_.values[v]); }
 
   // The level of the value, if that is inside the arc. If it has been rounded up to the upper end, it is the last level
   // of lower values; if values do not tell, because they are tied or infinite, it is next to a vertex of the chain.
   // With another order than that of numbers, values can fall along an arc.
-  Valued_level level_between(arc_descriptor arc, double value, Index chain_vertex) const
+  Valued_level level_between(arc_descriptor arc, double value, Vertex_index chain_vertex) const
   {
-    const Index upper = upper_vertex(arc);
+    const Vertex_index upper = upper_vertex(arc);
     const double lower_end = value_of(lower_vertex(arc)), upper_end = value_of(upper);
     const bool is_falling = upper_end < lower_end;
     const bool is_rounded_up = is_falling ? value <= upper_end : value >= upper_end;
@@ -371,10 +376,10 @@ private:
   }
 
   // The number of h or of its opposite, whichever has a triangle.
-  Index number_of(halfedge_descriptor h) const
+  Halfedge_index number_of(halfedge_descriptor h) const
   {
-    Index result = no_index;
-    surface_.complex.visit_edges_around(position_(source(h, mesh_)), [&](Index, Index halfedge) {
+    Halfedge_index result = no_index;
+    surface_.complex.visit_edges_around(position_(source(h, mesh_)), [&](Vertex_index, Halfedge_index halfedge) {
       const halfedge_descriptor around = surface_.halfedges(mesh_, halfedge);
       if(around != h && around != opposite(h, mesh_))
         return false;
@@ -389,12 +394,12 @@ private:
     const auto mesh_vertices = vertices(mesh_);
     if(num_vertices(graph_) == 0 && mesh_vertices.first != mesh_vertices.second)
       throw Graph_mismatch_error();
-    Index lower_vertex = no_index;
+    Vertex_index lower_vertex = no_index;
     for(const node_descriptor node : CGAL::make_range(vertices(graph_)))
     {
-      const Index v = node_vertex(node);
-      const bool is_vertex =
-        v < surface_.vertices.size() && surface_.vertices.contains(v) && surface_.vertices[v] == graph_[node].vertex;
+      const Vertex_index v = node_vertex(node);
+      const bool is_vertex = v.number() < surface_.vertices.size() && surface_.vertices.contains(v)
+                          && surface_.vertices[v] == graph_[node].vertex;
       if(!is_vertex || order_.is_lower(v, graph_[node].value) || order_.is_higher(v, graph_[node].value)
          || (lower_vertex != no_index && !order_(lower_vertex, v)))
         throw Graph_mismatch_error();
@@ -407,10 +412,10 @@ private:
   {
     for(const arc_descriptor arc : arcs())
     {
-      const Index lower = lower_vertex(arc), upper = upper_vertex(arc);
+      const Vertex_index lower = lower_vertex(arc), upper = upper_vertex(arc);
       if(!order_(lower, upper) || graph_[arc].chain.empty())
         throw Graph_mismatch_error();
-      const Index first = checked_source(graph_[arc].chain.front());
+      const Vertex_index first = checked_source(graph_[arc].chain.front());
       const bool fits =
         ties_ == Ties::CONTRACT ? order_.are_tied(lower, first) && !order_.are_tied(lower, upper) : lower == first;
       if(!fits)
@@ -421,10 +426,11 @@ private:
   // With an order that contradicts itself, a regular vertex can be a node.
   void check_nodes_are_critical(const Flat_graph& all_arcs, const Swept_vertices& critical_vertices) const
   {
-    for(std::size_t node = 0; node != all_arcs.nodes.size(); ++node)
+    for(const Node_index node : all_arcs.nodes.keys())
     {
-      const Index vertex = all_arcs.nodes[node].vertex;
-      if(node >= critical_vertices.size() || critical_vertices.vertex(critical_vertices.ascending()[node]) != vertex)
+      const Vertex_index vertex = all_arcs.nodes[node].vertex;
+      const std::size_t place = node.number();
+      if(place >= critical_vertices.size() || critical_vertices.vertex(critical_vertices.ascending()[place]) != vertex)
         surface_.complex.throw_contradiction_near(vertex);
     }
   }
@@ -455,10 +461,10 @@ private:
   {
     bool is_same = flat_graph.nodes.size() == num_vertices(graph_) && flat_graph.arcs.size() == num_edges(graph_);
     for(std::size_t node = 0; is_same && node != flat_graph.nodes.size(); ++node)
-      is_same = flat_graph.nodes[node].vertex == node_vertex(node);
+      is_same = flat_graph.nodes[Node_index(node)].vertex == node_vertex(node);
     auto flat_arc = flat_graph.arcs.begin();
     for(auto arc = edges(graph_).first; is_same && flat_arc != flat_graph.arcs.end(); ++arc, ++flat_arc)
-      is_same = source(*arc, graph_) == flat_arc->lower && target(*arc, graph_) == flat_arc->upper;
+      is_same = source(*arc, graph_) == flat_arc->lower.number() && target(*arc, graph_) == flat_arc->upper.number();
     return is_same;
   }
 
@@ -473,7 +479,7 @@ private:
     for(std::size_t node = 0; node != flat_graph.nodes.size(); ++node)
     {
       const Index place = new_places_[node];
-      if(place < num_vertices(graph_) && node_vertex(place) == flat_graph.nodes[node].vertex)
+      if(place < num_vertices(graph_) && node_vertex(place) == flat_graph.nodes[Node_index(node)].vertex)
         ++number_of_nodes;
     }
     return number_of_nodes == num_vertices(graph_);
@@ -486,7 +492,7 @@ private:
   const bool are_degree_two_nodes_kept_;
   const Flat_surface<FaceListGraph, Scalar> surface_;
   const Order order_;
-  const std::function<Index(vertex_descriptor)> position_;
+  const std::function<Vertex_index(vertex_descriptor)> position_;
   const std::vector<Index> new_places_;
 };
 

@@ -12,7 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 
 #include <numeric>
@@ -24,78 +24,83 @@ namespace internal {
 
 // The root of the set of an element, where parent(element) is a reference to the element that it has been linked to:
 // itself at the root. Paths are halved on the way.
-template <class Parent>
-Index find_root(Index element, const Parent& parent)
+template <class Element, class Parent>
+Element find_root(Element element, const Parent& parent)
 {
   while(parent(element) != element)
     element = parent(element) = parent(parent(element));
   return element;
 }
 
-// Disjoint sets of numbers. The root of a set stands for all of it.
+// Disjoint sets of indices. The root of a set stands for all of it.
+template <class Element>
 class Disjoint_sets
 {
 public:
-  explicit Disjoint_sets(Index size) : parents_(size) { std::iota(parents_.begin(), parents_.end(), Index(0)); }
+  explicit Disjoint_sets(Number size) : parents_(size) { std::iota(parents_.begin(), parents_.end(), Element(0)); }
 
-  Index find(Index element)
+  Element find(Element element)
   {
-    return find_root(element, [&](Index i) -> Index& { return parents_[i]; });
+    return find_root(element, [&](Element i) -> Element& { return parents_[i]; });
   }
 
   // Joins two sets, given by their roots; `root` is the root of both then.
-  void link(Index old_root, Index root) { parents_[old_root] = root; }
+  void link(Element old_root, Element root) { parents_[old_root] = root; }
 
-  void unite(Index a, Index b) { link(find(a), find(b)); }
+  void unite(Element a, Element b) { link(find(a), find(b)); }
 
-  // By element, the root of its set. To be called at last.
-  Large_vector<Index> take_roots()
+  // The roots of the sets, by element. To be called at last.
+  Indexed_vector<Element, Element> take_roots()
   {
-    for(Index& parent : parents_)
+    for(Element& parent : parents_)
       parent = find(parent);
     return std::move(parents_);
   }
 
 private:
-  Large_vector<Index> parents_;
+  Indexed_vector<Element, Element> parents_;
 };
+
+struct Component_tag;
+typedef Index_of<Component_tag> Component_index;
 
 // The components of sublevel or superlevel sets that merge in a sweep: disjoint sets, each with a top, the node at which
 // the sweep has met it last. Both in one place, as a sweep jumps about in memory.
+template <class Node>
 class Merging_components
 {
 public:
-  Index size() const { return static_cast<Index>(components_.size()); }
+  Number size() const { return static_cast<Number>(components_.size()); }
 
-  // Adds a component of which `node` is all. Returns its number.
-  Index add(Index node)
+  // Adds a component of which `node` is all.
+  Component_index add(Node node)
   {
-    components_.push_back({size(), node});
-    return size() - 1;
+    components_.push_back({components_.end_key(), node});
+    return components_.last_key();
   }
 
-  Index find(Index component)
+  Component_index find(Component_index component)
   {
-    return find_root(component, [&](Index i) -> Index& { return components_[i].parent; });
+    return find_root(component, [&](Component_index i) -> Component_index& { return components_[i].parent; });
   }
 
   // Joins two components, given by their roots; `root` is the root of both then, and its top is that of both.
-  void link(Index old_root, Index root) { components_[old_root].parent = root; }
+  void link(Component_index old_root, Component_index root) { components_[old_root].parent = root; }
 
-  Index top(Index root) const { return components_[root].top; }
-  void set_top(Index root, Index node) { components_[root].top = node; }
+  Node top(Component_index root) const { return components_[root].top; }
+  void set_top(Component_index root, Node node) { components_[root].top = node; }
 
-  // To be called ahead of find(). For any number.
-  void prefetch(Index component) const { prefetch_element(components_, component); }
+  // To be called ahead of find(). For any index.
+  void prefetch(Component_index component) const { prefetch_element(components_, component); }
 
 private:
   struct Component
   {
-    Index parent;
-    Index top;
+    Component_index parent;
+    Node top;
   };
 
-  Large_vector<Component> components_;
+  Indexed_vector<Component_index, Component> components_;
 };
 
 } // namespace internal

@@ -21,20 +21,88 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Vertices, edges and halfedges are numbered by 32-bit integers: half the memory traffic of the sweeps.
-typedef std::uint32_t Index;
-inline constexpr Index no_index = (std::numeric_limits<Index>::max)();
+// Indices and what counts them have 32 bits: half the memory traffic of the sweeps.
+typedef std::uint32_t Number;
 
-inline Index checked_index(std::size_t i)
+// An index of things of one kind, where there are no others.
+typedef Number Index;
+
+// The null value of all kinds of indices.
+struct No_index
 {
-  if(i >= no_index)
-    throw Mesh_size_error();
-  return static_cast<Index>(i);
-}
+  constexpr operator Index() const { return (std::numeric_limits<Index>::max)(); }
+};
+inline constexpr No_index no_index = {};
 
-// The two halfedges of edge e are 2 e and 2 e + 1.
-constexpr Index edge_of(Index halfedge) { return halfedge / 2; }
-constexpr Index opposite_of(Index halfedge) { return halfedge ^ 1; }
+// The index of one of many things of the kind that `Tag` names. There is no way from one kind to another, nor to a
+// number, but an explicit one. As a number, it is unset if no value is given.
+template <class Tag>
+class Index_of
+{
+public:
+  Index_of() = default;
+  constexpr Index_of(No_index) : number_(No_index()) {}
+  explicit constexpr Index_of(std::size_t number) : number_(static_cast<Number>(number)) {}
+
+  constexpr Number number() const { return number_; }
+
+  Index_of& operator++()
+  {
+    ++number_;
+    return *this;
+  }
+
+  friend constexpr bool operator==(Index_of a, Index_of b) { return a.number_ == b.number_; }
+  friend constexpr bool operator!=(Index_of a, Index_of b) { return a.number_ != b.number_; }
+  friend constexpr bool operator<(Index_of a, Index_of b) { return a.number_ < b.number_; }
+  friend constexpr bool operator>(Index_of a, Index_of b) { return a.number_ > b.number_; }
+  friend constexpr bool operator<=(Index_of a, Index_of b) { return a.number_ <= b.number_; }
+  friend constexpr bool operator>=(Index_of a, Index_of b) { return a.number_ >= b.number_; }
+
+private:
+  Number number_;
+};
+
+// The indices from `begin` up to the one before `end`.
+template <class Key>
+class Index_range
+{
+public:
+  class iterator
+  {
+  public:
+    explicit iterator(Key key) : key_(key) {}
+
+    Key operator*() const { return key_; }
+    iterator& operator++()
+    {
+      ++key_;
+      return *this;
+    }
+    friend bool operator!=(iterator a, iterator b) { return a.key_ != b.key_; }
+
+  private:
+    Key key_;
+  };
+
+  Index_range(Key begin, Key end) : begin_(begin), end_(end) {}
+  explicit Index_range(std::size_t size) : begin_(0), end_(size) {}
+
+  iterator begin() const { return iterator(begin_); }
+  iterator end() const { return iterator(end_); }
+
+private:
+  Key begin_;
+  Key end_;
+};
+
+// Throws if there are more things than indices.
+inline Number checked_index(std::size_t size)
+{
+  if(size >= (std::numeric_limits<Number>::max)())
+    throw Mesh_size_error();
+  return static_cast<Number>(size);
+}
 
 } // namespace internal
 } // namespace Reeb_graph

@@ -23,7 +23,7 @@ namespace internal {
 
 // An array of zeros, for few of which another value comes: most systems let the pages where none does take neither
 // memory nor time. For numbers, and atomic ones, whose zero has no bit set.
-template <class T>
+template <class Key, class T>
 class Zeroed_array
 {
   static_assert(std::is_trivially_destructible_v<T>);
@@ -35,8 +35,8 @@ public:
       throw std::bad_alloc();
   }
 
-  T& operator[](std::size_t i) { return elements_.get()[i]; }
-  const T& operator[](std::size_t i) const { return elements_.get()[i]; }
+  T& operator[](Key key) { return elements_.get()[key.number()]; }
+  const T& operator[](Key key) const { return elements_.get()[key.number()]; }
 
 private:
   struct Free

@@ -28,13 +28,13 @@ inline void prefetch(const void* address)
 #endif
 }
 
-// The place where element number `i` of a vector is or would be: for any number.
-template <class Vector>
-void prefetch_element(const Vector& vector, std::size_t i)
+// The place where the element of a vector is or would be that `key` names: for any key.
+template <class Vector, class Key>
+void prefetch_element(const Vector& vector, Key key)
 {
   // Computed as a number, as a pointer must not leave its array.
   const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(vector.data());
-  prefetch(reinterpret_cast<const void*>(begin + i * sizeof(typename Vector::value_type)));
+  prefetch(reinterpret_cast<const void*>(begin + key.number() * sizeof(typename Vector::value_type)));
 }
 
 } // namespace internal

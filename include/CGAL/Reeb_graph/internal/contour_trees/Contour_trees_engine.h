@@ -12,7 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Cutting_sweep.h>
@@ -24,6 +26,7 @@
 #include <CGAL/Reeb_graph/internal/contour_trees/combine_trees.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/count_critical_vertices.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 
@@ -44,7 +47,7 @@ namespace internal {
 template <class Complex, class Order>
 class Contour_trees_engine
 {
-  typedef Merge_tree_sweep<Complex, Order, false> Upward_sweep;
+  typedef Merge_tree_sweep<Complex, Order, Side::LOWER> Upward_sweep;
   typedef Cutting_sweep<Complex, Order> Downward_sweep;
 
 public:
@@ -56,7 +59,7 @@ public:
 
   // Calls report(fraction) now and then.
   template <class ConcurrencyTag, class Report>
-  Large_vector<Slab_arc> find_arcs(const Report& report) const
+  Slab_arcs find_arcs(const Report& report) const
   {
     std::optional<Upward_sweep> upwards;
     std::optional<Downward_sweep> downwards;
@@ -78,14 +81,12 @@ public:
     insert_cuts(cuts, join_tree);
     report(0.75);
 
-    Large_vector<Ascending_step> first_steps;
-    invoke_both<ConcurrencyTag>([&] { split_tree = Shrinking_tree(downwards->tree().parents); },
-                                [&] {
-                                  first_steps = find_first_steps<ConcurrencyTag>(downwards->tree().sector_classes,
-                                                                                 cuts.number_of_nodes());
-                                });
+    Indexed_vector<Slab_node, Ascending_step> first_steps;
+    invoke_both<ConcurrencyTag>(
+      [&] { split_tree = Shrinking_tree(downwards->tree().parents); },
+      [&] { first_steps = find_first_steps<ConcurrencyTag>(downwards->tree().classes, cuts.number_of_nodes()); });
     const std::size_t number_of_arcs = cuts.number_of_nodes() - join_tree.number_of_roots();
-    Large_vector<Slab_arc> arcs = combine_trees(std::move(join_tree), std::move(split_tree), std::move(first_steps));
+    Slab_arcs arcs = combine_trees(std::move(join_tree), std::move(split_tree), std::move(first_steps));
     if(arcs.size() != number_of_arcs) // The trees are not those of one order.
       slab_.throw_contradiction_near(arcs.empty() ? Slab_arc{no_index, no_index, {}} : arcs.back());
     glue_cuts(cuts, arcs);
@@ -145,28 +146,30 @@ private:
 
   void sweep_upwards(Upward_sweep& sweep) const
   {
-    const Large_vector<Index>& ascending = critical_vertices_.ascending();
-    visit_in_order(sweep, ascending.begin(), ascending.end(), [&](Index critical) { sweep.merge_at(critical); });
+    const Large_vector<Swept_index>& ascending = critical_vertices_.ascending();
+    visit_in_order(sweep, ascending.begin(), ascending.end(), [&](Swept_index critical) { sweep.merge_at(critical); });
     sweep.merge_last_contours();
   }
 
   void sweep_downwards(Downward_sweep& sweep) const
   {
-    const Large_vector<Index>& ascending = critical_vertices_.ascending();
-    visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Index critical) { sweep.merge_at(critical); });
+    const Large_vector<Swept_index>& ascending = critical_vertices_.ascending();
+    visit_in_order(sweep, ascending.rbegin(), ascending.rend(),
+                   [&](Swept_index critical) { sweep.merge_at(critical); });
     sweep.merge_last_contours();
   }
 
-  // That of as many components, with and without border, if they are spheres, disks, and single vertices. Those have no
-  // loops, and all other ones smaller Euler characteristics.
+  // The Euler characteristic that the surface has if its components, with and without border, are spheres, disks, and
+  // single vertices. Those have no loops, and all other ones smaller Euler characteristics.
   std::ptrdiff_t largest_euler_characteristic(const Merge_tree& join_tree) const
   {
     std::ptrdiff_t result = 0;
-    for(Index i = 0; i != critical_vertices_.size(); ++i)
+    for(const Swept_index i : critical_vertices_.indices())
     {
-      if(join_tree.parents[i] != no_index)
+      if(join_tree.parents[node_of(i)] != no_index)
         continue;
-      const bool is_sphere = !join_tree.is_border_reached[i] && critical_vertices_.number_of_lower_sectors(i) != 0;
+      const bool is_sphere =
+        !join_tree.is_border_reached[node_of(i)] && critical_vertices_.number_of_lower_sectors(i) != 0;
       result += is_sphere ? 2 : 1;
     }
     return result;
@@ -175,15 +178,15 @@ private:
   void sweep_downwards_and_cut(Downward_sweep& sweep, const Merge_tree& join_tree) const
   {
     Loop_surgery<Complex, Order> surgery(slab_, order_, join_tree, sweep.tree());
-    const Large_vector<Index>& ascending = critical_vertices_.ascending();
-    visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Index critical) {
+    const Large_vector<Swept_index>& ascending = critical_vertices_.ascending();
+    visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Swept_index critical) {
       sweep.merge_at(critical);
       if(!surgery.can_close_loop(critical))
         return;
-      surgery.visit_loop_contours(critical,
-                                  [&](Index sublevel_class, const Large_vector<Index>& crossed_edges, bool has_border) {
-                                    sweep.cut(critical, sublevel_class, crossed_edges, has_border);
-                                  });
+      surgery.visit_loop_contours(
+        critical, [&](Slab_node sublevel_class, const Large_vector<Halfedge_index>& crossed_edges, bool has_border) {
+          sweep.cut(critical, sublevel_class, crossed_edges, has_border);
+        });
     });
     sweep.merge_last_contours();
   }
@@ -192,41 +195,43 @@ private:
   static void insert_cuts(const Loop_cuts& cuts, Shrinking_tree& join_tree)
   {
     join_tree.resize(cuts.number_of_nodes());
-    for(Index cut = 0; cut != cuts.size(); ++cut)
+    for(const Cut_index cut : cuts.cuts())
     {
       join_tree.put_above(cuts.sublevel_class(cut), cuts.node_below(cut));
-      join_tree.put_leaf_below(cuts.critical_vertex(cut), cuts.node_above(cut));
+      join_tree.put_leaf_below(node_of(cuts.critical_vertex(cut)), cuts.node_above(cut));
     }
   }
 
-  // By node: the first step from its parent in the split tree towards it, in the highest of the sectors that lead
+  // The first step to each node from its parent in the split tree, in the highest of the sectors that lead
   // there. No node has two parents, so all sectors that lead to it are at one vertex.
   template <class ConcurrencyTag>
-  Large_vector<Ascending_step> find_first_steps(const Large_vector<Index>& superlevel_classes,
-                                                Index number_of_nodes) const
+  Indexed_vector<Slab_node, Ascending_step> find_first_steps(
+    const Indexed_vector<Sector_index, Slab_node>& superlevel_classes,
+    Number number_of_nodes) const
   {
-    constexpr std::size_t ahead = 24;
-    Large_vector<Ascending_step> first_steps(number_of_nodes, Ascending_step{no_index, no_index});
-    const auto find = [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i != end; ++i)
+    constexpr Number ahead = 24;
+    Indexed_vector<Slab_node, Ascending_step> first_steps(number_of_nodes, Ascending_step{no_index, no_index});
+    const auto find = [&](Sector_index begin, Sector_index end) {
+      for(const Sector_index i : Index_range(begin, end))
       {
-        if(i + ahead < end)
-          prefetch_element(first_steps, superlevel_classes[i + ahead]);
-        const Link_sector& sector = critical_vertices_.sector(true, static_cast<Index>(i));
+        const Sector_index later(i.number() + ahead);
+        if(later < end)
+          prefetch_element(first_steps, superlevel_classes[later]);
+        const Link_sector& sector = critical_vertices_.sector(Side::UPPER, i);
         Ascending_step& step = first_steps[superlevel_classes[i]];
         if(step.edge == no_index || order_(step.target, sector.extreme_neighbor))
           step = {sector.edge, sector.extreme_neighbor};
       }
     };
     for_each_block<ConcurrencyTag>(critical_vertices_.size(), [&](std::size_t begin, std::size_t end) {
-      find(critical_vertices_.first_sector(static_cast<Index>(begin), true),
-           critical_vertices_.first_sector(static_cast<Index>(end), true));
+      find(critical_vertices_.first_sector(Swept_index(begin), Side::UPPER),
+           critical_vertices_.first_sector(Swept_index(end), Side::UPPER));
     });
     return first_steps;
   }
 
   // Where an arc ends at a cut it goes on to the vertex just above, and the short arc from the cut to there is dropped.
-  static void glue_cuts(const Loop_cuts& cuts, Large_vector<Slab_arc>& arcs)
+  static void glue_cuts(const Loop_cuts& cuts, Slab_arcs& arcs)
   {
     if(cuts.size() == 0)
       return;
@@ -235,7 +240,7 @@ private:
     for(Slab_arc& arc : arcs)
     {
       if(cuts.is_node_below(arc.upper))
-        arc.upper = cuts.critical_vertex(cuts.cut_of_node(arc.upper));
+        arc.upper = node_of(cuts.critical_vertex(cuts.cut_of_node(arc.upper)));
     }
   }
 

@@ -12,12 +12,15 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Loop_cuts.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Merge_tree_sweep.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 
 #include <cstddef>
@@ -49,27 +52,30 @@ public:
     are_paths_walked_late_ = false;
   }
 
-  void prefetch_classes(Index critical) const { sweep_.prefetch_classes(critical); }
-  void prefetch_components(Index critical) const
+  void prefetch_classes(Swept_index critical) const { sweep_.prefetch_classes(critical); }
+  void prefetch_components(Swept_index critical) const
   {
     if(!are_paths_walked_late_)
       sweep_.prefetch_components(critical);
   }
 
-  void merge_at(Index critical)
+  void merge_at(Swept_index critical)
   {
     if(are_paths_walked_late_)
     {
-      critical_vertices_.for_each_sector(critical, true,
-                                         [&](Index i) { sweep_.find_path_end(i, end_at_cut_or_level(), passed_); });
+      for(const Sector_index i : critical_vertices_.sectors(critical, Side::UPPER))
+        sweep_.find_path_end(i, end_at_cut_or_level(), passed_);
     }
     sweep_.merge_at(critical);
   }
 
   // Cuts along a contour just below the critical vertex that has been merged at last; see Loop_cuts.
-  void cut(Index critical, Index sublevel_class, const Large_vector<Index>& crossed_edges, bool has_border)
+  void cut(Swept_index critical,
+           Slab_node sublevel_class,
+           const Large_vector<Halfedge_index>& crossed_edges,
+           bool has_border)
   {
-    const Index cut = cuts_.size();
+    const Cut_index cut = cuts_.next_cut();
     cuts_.add(critical, sublevel_class, crossed_edges);
     sweep_.put_on_last(cuts_.node_above(cut));
     components_of_cuts_.push_back(sweep_.add_component_of_cut(cuts_.node_below(cut), has_border));
@@ -89,32 +95,32 @@ private:
   // A path meets a cut before the upper level of the slab.
   auto end_at_cut_or_level() const
   {
-    return [this, end_at_level = sweep_.end_at_level()](Index target, const auto& find_edge) {
-      const Index cut = cuts_.has_registered_edges() ? cuts_.lowest_at_edge(find_edge()) : no_index;
+    return [this, end_at_level = sweep_.end_at_level()](Vertex_index target, const auto& find_edge) {
+      const Cut_index cut = cuts_.has_registered_edges() ? cuts_.lowest_at_edge(find_edge()) : no_index;
       return cut == no_index ? end_at_level(target, find_edge) : components_of_cuts_[cut];
     };
   }
 
   // Goes down against the paths from where they meet the last cut. If that gets more expensive than to walk all of them
   // again, this is left to merge_at(); then no later cut, as it is further down, can change an end that is known.
-  void correct_path_ends(const Large_vector<Index>& crossed_edges)
+  void correct_path_ends(const Large_vector<Halfedge_index>& crossed_edges)
   {
     if(!critical_numbers_)
       number_critical_vertices();
-    Large_vector<std::pair<Index, Index>> ends;
+    Large_vector<std::pair<Vertex_index, Vertex_index>> ends;
     ends.reserve(crossed_edges.size());
-    for(const Index edge : crossed_edges)
+    for(const Halfedge_index edge : crossed_edges)
       ends.push_back(ends_of(edge));
-    Large_vector<Index> corrected;
+    Large_vector<Vertex_index> corrected;
     constexpr std::size_t ahead = 16;
-    Index last = no_index, next_of_last = no_index; // Many edges in a row can end at one vertex.
+    Vertex_index last = no_index, next_of_last = no_index; // Many edges in a row can end at one vertex.
     for(std::size_t i = 0; i != crossed_edges.size(); ++i)
     {
       if(i + ahead < crossed_edges.size())
         prefetch_lower_end(ends[i + ahead].first);
       const auto [lower, higher] = ends[i];
-      const Index edge = edge_of(crossed_edges[i]);
-      correct_classes(lower, [edge](const Link_sector& sector) { return edge_of(sector.edge) == edge; });
+      const Edge_index edge = edge_of(crossed_edges[i]);
+      correct_components(lower, [edge](const Link_sector& sector) { return edge_of(sector.edge) == edge; });
       if(lower != last)
       {
         last = lower;
@@ -125,12 +131,12 @@ private:
     }
     for(; !corrected.empty() && !are_paths_walked_late_; ++number_of_corrections_)
     {
-      const Index vertex = corrected.back();
+      const Vertex_index vertex = corrected.back();
       corrected.pop_back();
-      complex_.for_each_edge_around(vertex, [&](Index neighbor, Index) {
+      complex_.for_each_edge_around(vertex, [&](Vertex_index neighbor, Halfedge_index) {
         if(!order_(neighbor, vertex))
           return;
-        correct_classes(neighbor, [vertex](const Link_sector& sector) { return sector.extreme_neighbor == vertex; });
+        correct_components(neighbor, [vertex](const Link_sector& sector) { return sector.extreme_neighbor == vertex; });
         if(is_on_known_path(neighbor, vertex))
           correct_path_end(neighbor, corrected);
       });
@@ -143,45 +149,46 @@ private:
   void number_critical_vertices()
   {
     critical_numbers_.emplace(complex_.number_of_vertices());
-    for(Index i = 0; i != critical_vertices_.size(); ++i)
-      (*critical_numbers_)[critical_vertices_.vertex(i)] = i + 1;
+    for(const Swept_index i : critical_vertices_.indices())
+      (*critical_numbers_)[critical_vertices_.vertex(i)] = i.number() + 1;
   }
 
-  // Of the upper sectors, those from which a path now meets the last cut.
+  // Corrects the components of the upper sectors from which a path now meets the last cut.
   template <class IsChanged>
-  void correct_classes(Index vertex, const IsChanged& is_changed)
+  void correct_components(Vertex_index vertex, const IsChanged& is_changed)
   {
-    const Index number = (*critical_numbers_)[vertex];
+    const Number number = (*critical_numbers_)[vertex];
     if(number == 0)
       return;
-    critical_vertices_.for_each_sector(number - 1, true, [&](Index i) {
-      if(is_changed(critical_vertices_.sector(true, i)))
+    for(const Sector_index i : critical_vertices_.sectors(Swept_index(number - 1), Side::UPPER))
+    {
+      if(is_changed(critical_vertices_.sector(Side::UPPER, i)))
         sweep_.set_path_end(i, components_of_cuts_.back());
-    });
+    }
   }
 
-  void prefetch_lower_end(Index vertex) const
+  void prefetch_lower_end(Vertex_index vertex) const
   {
     prefetch(&(*critical_numbers_)[vertex]);
     critical_vertices_.kept_neighbors().prefetch(vertex);
     sweep_.path_ends().prefetch(vertex);
   }
 
-  // The lower one first.
-  std::pair<Index, Index> ends_of(Index edge) const
+  // The ends of an edge, the lower one first.
+  std::pair<Vertex_index, Vertex_index> ends_of(Halfedge_index edge) const
   {
-    const Index source = complex_.source(edge), target = complex_.target(edge);
+    const Vertex_index source = complex_.source(edge), target = complex_.target(edge);
     return order_(source, target) ? std::make_pair(source, target) : std::make_pair(target, source);
   }
 
   // Whether the end of a path that goes from `lower` to `higher` is known.
-  bool is_on_known_path(Index lower, Index higher) const
+  bool is_on_known_path(Vertex_index lower, Vertex_index higher) const
   {
     return sweep_.path_ends().is_known(lower) && sweep_.path_ends().next_vertex(lower) == higher;
   }
 
-  // Once, as several edges may lead to a vertex.
-  void correct_path_end(Index vertex, Large_vector<Index>& corrected)
+  // Corrects the end of the path from a vertex, once, as several edges may lead there.
+  void correct_path_end(Vertex_index vertex, Large_vector<Vertex_index>& corrected)
   {
     if(sweep_.path_ends().end(vertex) == components_of_cuts_.back())
       return;
@@ -192,12 +199,12 @@ private:
   const Complex& complex_;
   const Order& order_;
   const Swept_vertices& critical_vertices_;
-  Merge_tree_sweep<Complex, Order, true> sweep_;
+  Merge_tree_sweep<Complex, Order, Side::UPPER> sweep_;
   Loop_cuts cuts_;
-  Large_vector<Index> components_of_cuts_;
-  Large_vector<Index> passed_;
-  std::optional<Zeroed_array<Index>> critical_numbers_; // by vertex, from 1 on; 0 if it is not critical
-  bool are_paths_walked_late_ = true;                   // each when its vertex is merged
+  Indexed_vector<Cut_index, Component_index> components_of_cuts_;
+  Large_vector<Vertex_index> passed_;
+  std::optional<Zeroed_array<Vertex_index, Number>> critical_numbers_; // from 1 on; 0 if it is not critical
+  bool are_paths_walked_late_ = true;                                  // each when its vertex is merged
   std::size_t number_of_corrections_ = 0;
 };
 

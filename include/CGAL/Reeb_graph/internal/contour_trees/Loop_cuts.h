@@ -12,7 +12,11 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 
 #include <cstddef>
 #include <unordered_map>
@@ -22,13 +26,16 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Contours along which the surface is cut, each just below a critical vertex that it touches. A cut adds two nodes
+struct Cut_tag;
+typedef Index_of<Cut_tag> Cut_index;
+
+// Contours along which the surface is cut so that no loop is left, each just below a critical vertex that it touches. A cut adds two nodes
 // to the trees: one below it, a maximum joined to the lower ends of the crossed edges, and one above it, a minimum
 // joined to the upper ends.
 class Loop_cuts
 {
 public:
-  Loop_cuts(Index number_of_other_nodes, Index number_of_edges)
+  Loop_cuts(Number number_of_other_nodes, Number number_of_edges)
     : number_of_other_nodes_(number_of_other_nodes),
       number_of_edges_(number_of_edges)
   {}
@@ -36,7 +43,7 @@ public:
   // Adds a contour just below the critical vertex `critical`, the top of whose sublevel component is
   // `sublevel_class`. Critical vertices have to come in descending order: an edge keeps its lowest contour.
   template <class HalfedgeRange>
-  void add(Index critical, Index sublevel_class, const HalfedgeRange& crossed_edges)
+  void add(Swept_index critical, Slab_node sublevel_class, const HalfedgeRange& crossed_edges)
   {
     critical_vertices_.push_back(critical);
     sublevel_classes_.push_back(sublevel_class);
@@ -54,7 +61,7 @@ public:
     if(unregistered_edges_.size() + few_lowest_cuts_.size() > number_of_edges_ / 32)
       switch_to_array();
     std::size_t i = 0;
-    Index cut = size() - static_cast<Index>(ends_of_unregistered_.size());
+    Cut_index cut(size() - ends_of_unregistered_.size());
     for(const std::size_t end : ends_of_unregistered_)
     {
       for(; i != end; ++i)
@@ -65,57 +72,61 @@ public:
     ends_of_unregistered_.clear();
   }
 
-  Index size() const { return static_cast<Index>(critical_vertices_.size()); }
-  Index number_of_nodes() const { return number_of_other_nodes_ + 2 * size(); }
-  Index node_below(Index cut) const { return number_of_other_nodes_ + 2 * cut; }
-  Index node_above(Index cut) const { return node_below(cut) + 1; }
+  Number size() const { return static_cast<Number>(critical_vertices_.size()); }
+  Index_range<Cut_index> cuts() const { return critical_vertices_.keys(); }
+  Cut_index next_cut() const { return critical_vertices_.end_key(); }
 
-  bool is_node_below(Index node) const { return is_cut_node(node) && (node - number_of_other_nodes_) % 2 == 0; }
-  bool is_node_above(Index node) const { return is_cut_node(node) && (node - number_of_other_nodes_) % 2 == 1; }
-  Index cut_of_node(Index node) const { return (node - number_of_other_nodes_) / 2; }
+  Number number_of_nodes() const { return number_of_other_nodes_ + 2 * size(); }
+  Slab_node node_below(Cut_index cut) const { return Slab_node(number_of_other_nodes_ + 2 * cut.number()); }
+  Slab_node node_above(Cut_index cut) const { return Slab_node(number_of_other_nodes_ + 2 * cut.number() + 1); }
 
-  Index critical_vertex(Index cut) const { return critical_vertices_[cut]; }
-  Index sublevel_class(Index cut) const { return sublevel_classes_[cut]; }
+  bool is_node_below(Slab_node node) const { return is_cut_node(node) && place_of_node(node) % 2 == 0; }
+  bool is_node_above(Slab_node node) const { return is_cut_node(node) && place_of_node(node) % 2 == 1; }
+  Cut_index cut_of_node(Slab_node node) const { return Cut_index(place_of_node(node) / 2); }
+
+  Swept_index critical_vertex(Cut_index cut) const { return critical_vertices_[cut]; }
+  Slab_node sublevel_class(Cut_index cut) const { return sublevel_classes_[cut]; }
 
   bool has_registered_edges() const { return !is_edge_cut_.empty(); }
 
   // The lowest registered contour that crosses the edge of the halfedge, no_index if there is none.
-  Index lowest_at_edge(Index halfedge) const
+  Cut_index lowest_at_edge(Halfedge_index halfedge) const
   {
-    const Index edge = edge_of(halfedge);
+    const Edge_index edge = edge_of(halfedge);
     if(!has_registered_edges() || !is_edge_cut_[edge])
       return no_index;
-    return lowest_cuts_.empty() ? few_lowest_cuts_.find(edge)->second : lowest_cuts_[edge];
+    return lowest_cuts_.empty() ? few_lowest_cuts_.find(edge.number())->second : lowest_cuts_[edge];
   }
 
 private:
-  void register_edge(Index edge, Index cut)
+  void register_edge(Edge_index edge, Cut_index cut)
   {
     is_edge_cut_[edge] = true;
-    (lowest_cuts_.empty() ? few_lowest_cuts_[edge] : lowest_cuts_[edge]) = cut;
+    (lowest_cuts_.empty() ? few_lowest_cuts_[edge.number()] : lowest_cuts_[edge]) = cut;
   }
 
   void switch_to_array()
   {
     lowest_cuts_.resize(number_of_edges_);
     for(const auto& [edge, cut] : few_lowest_cuts_)
-      lowest_cuts_[edge] = cut;
+      lowest_cuts_[Edge_index(edge)] = cut;
     few_lowest_cuts_.clear();
   }
 
-  bool is_cut_node(Index node) const { return node >= number_of_other_nodes_; }
+  bool is_cut_node(Slab_node node) const { return node.number() >= number_of_other_nodes_; }
+  Number place_of_node(Slab_node node) const { return node.number() - number_of_other_nodes_; }
 
-  Index number_of_other_nodes_;
-  Index number_of_edges_;
-  Large_vector<Index> critical_vertices_;
-  Large_vector<Index> sublevel_classes_;
-  Large_vector<Index> unregistered_edges_;
-  std::vector<std::size_t> ends_of_unregistered_; // of the last cuts, each in unregistered_edges_
-  // By edge. With few cut edges, to touch the pages of an array would take longer than all else that
+  Number number_of_other_nodes_;
+  Number number_of_edges_;
+  Indexed_vector<Cut_index, Swept_index> critical_vertices_;
+  Indexed_vector<Cut_index, Slab_node> sublevel_classes_;
+  Large_vector<Halfedge_index> unregistered_edges_;
+  std::vector<std::size_t> ends_of_unregistered_; // by one of the last cuts: where its unregistered edges end
+  // The lowest cuts at edges. With few cut edges, to touch the pages of an array would take longer than all else that
   // has to do with cuts; with many, a hash map would.
-  std::unordered_map<Index, Index> few_lowest_cuts_;
-  Large_vector<Index> lowest_cuts_; // unset where no cut is
-  std::vector<bool> is_edge_cut_;   // asked first; empty as long as nothing is registered
+  std::unordered_map<Number, Cut_index> few_lowest_cuts_;
+  Indexed_vector<Edge_index, Cut_index> lowest_cuts_; // unset where no cut is
+  Indexed_vector<Edge_index, bool> is_edge_cut_;      // asked first; empty as long as nothing is registered
 };
 
 } // namespace internal

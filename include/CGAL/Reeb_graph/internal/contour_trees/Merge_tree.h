@@ -11,24 +11,24 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
-
-#include <vector>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+// A join tree or a split tree. Its nodes are those of a slab, and two of each loop cut.
 struct Merge_tree
 {
-  Large_vector<Index> parents;         // by node: where its component merges; no_index at a root
-  std::vector<bool> is_border_reached; // by node: whether the component of which it is the top has border
-  std::vector<bool> is_class_shared;   // by critical vertex: whether two of its sectors are in one component
+  Indexed_vector<Slab_node, Slab_node> parents;      // where the component of a node merges; no_index at a root
+  Indexed_vector<Slab_node, bool> is_border_reached; // whether the component of which the node is the top has border
+  Indexed_vector<Swept_index, bool> is_class_shared; // whether two sectors of the vertex are in one component
 
-  // By lower link sector in the join tree, by upper one in the split tree: the top of the component that it is in when
-  // the sweep arrives at its vertex. Before that, the component in which a monotone path from there ends.
-  Large_vector<Index> sector_classes;
+  // By lower link sector in the join tree, by upper one in the split tree: the class of the sector, which is the top of
+  // the component that it is in when the sweep arrives at its vertex.
+  Indexed_vector<Sector_index, Slab_node> classes;
 };
 
 } // namespace internal

@@ -13,12 +13,16 @@
 
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Merge_tree.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/internal/walks/Monotone_path_ends.h>
 
 #include <cstddef>
@@ -27,13 +31,14 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The sweep over the critical vertices that builds a merge tree from the ends of monotone paths. (Y. Chiang, T. Lenz,
+// The sweep over the critical vertices that builds a merge tree from the ends of monotone paths: the join tree from
+// those that descend to the lower side, the split tree from those that ascend to the upper side. (Y. Chiang, T. Lenz,
 // X. Lu, G. Rote, Simple and optimal output-sensitive construction of contour trees using monotone paths, 2005.)
-template <class Complex, class Order, bool is_split_tree>
+template <class Complex, class Order, Side side>
 class Merge_tree_sweep
 {
 public:
-  typedef Monotone_path_ends<Complex, Order, is_split_tree> Path_ends;
+  typedef Monotone_path_ends<Complex, Order, side> Path_ends;
 
   Merge_tree_sweep(const Slab<Complex>& slab, const Order& order)
     : slab_(slab),
@@ -45,25 +50,26 @@ public:
     tree_.parents.assign(slab.number_of_nodes(), no_index);
     tree_.is_border_reached.assign(slab.number_of_nodes(), false);
     tree_.is_class_shared.assign(critical_vertices_.size(), false);
-    tree_.sector_classes.resize(critical_vertices_.total_number_of_sectors(is_split_tree));
-    for(Index i = 0; i != critical_vertices_.size(); ++i)
+    sector_components_.resize(critical_vertices_.total_number_of_sectors(side));
+    tree_.classes.resize(sector_components_.size());
+    for(const Swept_index i : critical_vertices_.indices())
     {
       if(is_extremum(i))
-        path_ends_.set_end(critical_vertices_.vertex(i), components_.add(i));
+        path_ends_.set_end(critical_vertices_.vertex(i), components_.add(node_of(i)));
       // A border vertex reaches a critical one or a cut along the border, downwards or upwards: their flags suffice.
       if(critical_vertices_.is_on_border(i))
-        tree_.is_border_reached[i] = true;
+        tree_.is_border_reached[node_of(i)] = true;
     }
     number_of_extrema_ = components_.size();
-    for(Index i = 0; i != slab.number_of_contours(is_split_tree); ++i)
+    for(const Contour_index i : slab.contours(side))
     {
-      const Index node = slab.contour_node(is_split_tree, i);
+      const Slab_node node = slab.contour_node(side, i);
       components_.add(node);
-      tree_.is_border_reached[node] = slab.is_border_reached(is_split_tree, i);
+      tree_.is_border_reached[node] = slab.is_border_reached(side, i);
     }
   }
 
-  // The ends that paths are known to have are the numbers of components that begin with extrema, then with contours of
+  // The ends that paths are known to have are components that begin with extrema, then with contours of
   // the level from which the sweep comes.
   Path_ends& path_ends() { return path_ends_; }
   const Path_ends& path_ends() const { return path_ends_; }
@@ -71,11 +77,13 @@ public:
   void forget_path_ends()
   {
     path_ends_ = Path_ends(slab_.complex(), order_, critical_vertices_.kept_neighbors());
-    Index component = 0;
-    for(Index i = 0; i != critical_vertices_.size(); ++i)
+    Component_index component(0);
+    for(const Swept_index i : critical_vertices_.indices())
     {
-      if(is_extremum(i))
-        path_ends_.set_end(critical_vertices_.vertex(i), component++);
+      if(!is_extremum(i))
+        continue;
+      path_ends_.set_end(critical_vertices_.vertex(i), component);
+      ++component;
     }
   }
 
@@ -83,59 +91,61 @@ public:
   template <class ConcurrencyTag>
   void find_path_ends()
   {
-    const std::size_t size = tree_.sector_classes.size();
+    const std::size_t size = sector_components_.size();
     constexpr std::size_t smallest_part = 4; // On a smooth field there are few paths, but long ones.
     const auto find_ends = [&](std::size_t, std::size_t begin, std::size_t end) {
-      Large_vector<Index> passed;
-      for(std::size_t i = begin; i != end; ++i)
-        find_path_end(static_cast<Index>(i), end_at_level(), passed);
+      Large_vector<Vertex_index> passed;
+      for(const Sector_index i : Index_range(Sector_index(begin), Sector_index(end)))
+        find_path_end(i, end_at_level(), passed);
     };
     for_each_part<ConcurrencyTag>(number_of_parts<ConcurrencyTag>(size, smallest_part), size, find_ends);
   }
 
   template <class EndOfStep>
-  void find_path_end(Index position, const EndOfStep& end_of_step, Large_vector<Index>& passed)
+  void find_path_end(Sector_index i, const EndOfStep& end_of_step, Large_vector<Vertex_index>& passed)
   {
-    const Link_sector& sector = critical_vertices_.sector(is_split_tree, position);
-    tree_.sector_classes[position] =
-      path_ends_(Ascending_step{sector.edge, sector.extreme_neighbor}, end_of_step, passed);
+    const Link_sector& sector = critical_vertices_.sector(side, i);
+    sector_components_[i] = path_ends_(Ascending_step{sector.edge, sector.extreme_neighbor}, end_of_step, passed);
   }
 
-  void set_path_end(Index position, Index end) { tree_.sector_classes[position] = end; }
+  void set_path_end(Sector_index i, Component_index end) { sector_components_[i] = end; }
 
-  // Of a step that leaves the slab; see Monotone_path_ends.
+  // The end of a step that leaves the slab; see Monotone_path_ends.
   auto end_at_level() const
   {
-    return [this](Index target, const auto& find_edge) {
-      const Index contour = slab_.contour_at_step(is_split_tree, target, find_edge);
-      return contour == no_index ? no_index : number_of_extrema_ + contour;
+    return [this](Vertex_index target, const auto& find_edge) -> Component_index {
+      const Contour_index contour = slab_.contour_at_step(side, target, find_edge);
+      if(contour == no_index)
+        return no_index;
+      return Component_index(number_of_extrema_ + contour.number());
     };
   }
 
   // To be called for the critical vertices in the order of the sweep. All classes are named before the first of them
   // gets a new top.
-  void merge_at(Index critical)
+  void merge_at(Swept_index critical)
   {
     merged_components_.clear();
-    critical_vertices_.for_each_sector(critical, is_split_tree, [&](Index i) {
-      const Index component = components_.find(tree_.sector_classes[i]);
-      merged_components_.push_back(component);
-      tree_.sector_classes[i] = components_.top(component);
-    });
-    for(const Index component : merged_components_)
+    for(const Sector_index i : critical_vertices_.sectors(critical, side))
     {
-      if(components_.find(component) != component || components_.top(component) == critical)
+      const Component_index component = components_.find(sector_components_[i]);
+      merged_components_.push_back(component);
+      tree_.classes[i] = components_.top(component);
+    }
+    for(const Component_index component : merged_components_)
+    {
+      if(components_.find(component) != component || components_.top(component) == node_of(critical))
       {
         tree_.is_class_shared[critical] = true;
         continue;
       }
-      put_on(component, critical);
+      put_on(component, node_of(critical));
       components_.link(component, merged_components_.front());
     }
   }
 
   // Puts a node on the component in which the critical vertex is that has been merged at last.
-  void put_on_last(Index node)
+  void put_on_last(Slab_node node)
   {
     add_nodes_up_to(node);
     put_on(merged_components_.front(), node);
@@ -144,18 +154,19 @@ public:
   // Puts the contours of the level at which the sweep ends on their components. To be called at last.
   void merge_last_contours()
   {
-    Large_vector<Index> passed;
-    const Index size = slab_.number_of_contours(!is_split_tree);
-    for(Index i = 0; i != size; ++i)
+    Large_vector<Vertex_index> passed;
+    constexpr Side last_side = opposite_of(side);
+    const Number size = slab_.number_of_contours(last_side);
+    for(Number i = 0; i != size; ++i)
     {
-      const Index contour = is_split_tree ? size - 1 - i : i;
-      const Index end = path_ends_(slab_.step_from_contour(!is_split_tree, contour), end_at_level(), passed);
-      put_on(components_.find(end), slab_.contour_node(!is_split_tree, contour));
+      const Contour_index contour(side == Side::UPPER ? size - 1 - i : i);
+      const Component_index end = path_ends_(slab_.step_from_contour(last_side, contour), end_at_level(), passed);
+      put_on(components_.find(end), slab_.contour_node(last_side, contour));
     }
   }
 
   // Adds a component that begins with a new node. Returns its number.
-  Index add_component_of_cut(Index node, bool is_border_reached)
+  Component_index add_component_of_cut(Slab_node node, bool is_border_reached)
   {
     add_nodes_up_to(node);
     tree_.is_border_reached[node] = is_border_reached;
@@ -163,35 +174,36 @@ public:
   }
 
   // To be called ahead of merge_at(), and again less far ahead. Nearly all vertices have two sectors at most.
-  void prefetch_classes(Index critical) const
+  void prefetch_classes(Swept_index critical) const
   {
-    prefetch_element(tree_.sector_classes, critical_vertices_.first_sector(critical, is_split_tree));
+    prefetch_element(sector_components_, critical_vertices_.first_sector(critical, side));
+    prefetch_element(tree_.classes, critical_vertices_.first_sector(critical, side));
   }
-  void prefetch_components(Index critical) const
+  void prefetch_components(Swept_index critical) const
   {
-    const Index first = critical_vertices_.first_sector(critical, is_split_tree);
-    if(first + 1 >= tree_.sector_classes.size())
+    const Sector_index first = critical_vertices_.first_sector(critical, side), second(first.number() + 1);
+    if(!sector_components_.contains(second))
       return;
-    components_.prefetch(tree_.sector_classes[first]);
-    components_.prefetch(tree_.sector_classes[first + 1]);
+    components_.prefetch(sector_components_[first]);
+    components_.prefetch(sector_components_[second]);
   }
 
   const Merge_tree& tree() const { return tree_; }
 
 private:
-  bool is_extremum(Index critical) const { return critical_vertices_.number_of_sectors(critical, is_split_tree) == 0; }
+  bool is_extremum(Swept_index critical) const { return critical_vertices_.number_of_sectors(critical, side) == 0; }
 
-  void add_nodes_up_to(Index node)
+  void add_nodes_up_to(Slab_node node)
   {
-    if(node < tree_.parents.size())
+    if(tree_.parents.contains(node))
       return;
-    tree_.parents.resize(node + 1, no_index);
-    tree_.is_border_reached.resize(node + 1, false);
+    tree_.parents.resize(node.number() + 1, no_index);
+    tree_.is_border_reached.resize(node.number() + 1, false);
   }
 
-  void put_on(Index component, Index top)
+  void put_on(Component_index component, Slab_node top)
   {
-    const Index old_top = components_.top(component);
+    const Slab_node old_top = components_.top(component);
     tree_.parents[old_top] = top;
     if(tree_.is_border_reached[old_top])
       tree_.is_border_reached[top] = true;
@@ -202,9 +214,10 @@ private:
   const Order& order_;
   const Swept_vertices& critical_vertices_;
   Path_ends path_ends_;
-  Index number_of_extrema_;
-  Merging_components components_;
-  Large_vector<Index> merged_components_;
+  Number number_of_extrema_;
+  Merging_components<Slab_node> components_;
+  Indexed_vector<Sector_index, Component_index> sector_components_; // in which a monotone path from there ends
+  Large_vector<Component_index> merged_components_;
   Merge_tree tree_;
 };
 

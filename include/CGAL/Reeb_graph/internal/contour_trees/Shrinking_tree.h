@@ -12,8 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 
 #include <cstddef>
 
@@ -28,15 +29,16 @@ class Shrinking_tree
 public:
   Shrinking_tree() = default;
   // Room that is left for more nodes is left here too.
-  explicit Shrinking_tree(const Large_vector<Index>& parents)
+  explicit Shrinking_tree(const Indexed_vector<Slab_node, Slab_node>& parents)
   {
     nodes_.reserve(parents.capacity());
     nodes_.assign(parents.size(), Node{no_index, 0, 0});
-    constexpr Index ahead = 16;
-    for(Index node = 0; node != parents.size(); ++node)
+    constexpr Number ahead = 16;
+    for(const Slab_node node : parents.keys())
     {
-      if(node + ahead < parents.size() && parents[node + ahead] != no_index)
-        prefetch(&nodes_[parents[node + ahead]]);
+      const Slab_node later(node.number() + ahead);
+      if(parents.contains(later) && parents[later] != no_index)
+        prefetch(&nodes_[parents[later]]);
       nodes_[node].parent = parents[node];
       if(parents[node] == no_index)
       {
@@ -44,63 +46,63 @@ public:
         continue;
       }
       ++nodes_[parents[node]].number_of_children;
-      nodes_[parents[node]].child_names ^= node;
+      nodes_[parents[node]].child_names ^= node.number();
     }
   }
 
   // Adds nodes, which have to be put somewhere then.
   void resize(std::size_t number_of_nodes) { nodes_.resize(number_of_nodes); }
 
-  void put_above(Index child, Index node)
+  void put_above(Slab_node child, Slab_node node)
   {
-    const Index parent = nodes_[child].parent;
-    nodes_[node] = {parent, 1, child};
+    const Slab_node parent = nodes_[child].parent;
+    nodes_[node] = {parent, 1, child.number()};
     nodes_[child].parent = node;
     if(parent != no_index)
-      nodes_[parent].child_names ^= node ^ child;
+      nodes_[parent].child_names ^= node.number() ^ child.number();
   }
 
-  void put_leaf_below(Index parent, Index node)
+  void put_leaf_below(Slab_node parent, Slab_node node)
   {
     nodes_[node] = {parent, 0, 0};
     ++nodes_[parent].number_of_children;
-    nodes_[parent].child_names ^= node;
+    nodes_[parent].child_names ^= node.number();
   }
 
-  // That of the tree before any node has been removed.
-  Index number_of_roots() const { return number_of_roots_; }
+  // How many roots the tree has before any node is removed.
+  Number number_of_roots() const { return number_of_roots_; }
 
-  Index parent(Index node) const { return nodes_[node].parent; }
-  Index number_of_children(Index node) const { return nodes_[node].number_of_children; }
-  Index only_child(Index node) const { return nodes_[node].child_names; }
+  Slab_node parent(Slab_node node) const { return nodes_[node].parent; }
+  Number number_of_children(Slab_node node) const { return nodes_[node].number_of_children; }
+  Slab_node only_child(Slab_node node) const { return Slab_node(nodes_[node].child_names); }
 
-  void remove_leaf(Index node)
+  void remove_leaf(Slab_node node)
   {
     Node& parent = nodes_[nodes_[node].parent];
     --parent.number_of_children;
-    parent.child_names ^= node;
+    parent.child_names ^= node.number();
   }
 
   // The only child takes the place of the node.
-  void remove_inner_node(Index node)
+  void remove_inner_node(Slab_node node)
   {
-    const Index child = only_child(node), parent = nodes_[node].parent;
+    const Slab_node child = only_child(node), parent = nodes_[node].parent;
     nodes_[child].parent = parent;
     if(parent != no_index)
-      nodes_[parent].child_names ^= node ^ child;
+      nodes_[parent].child_names ^= node.number() ^ child.number();
     nodes_[node].number_of_children = 0;
   }
 
 private:
   struct Node
   {
-    Index parent;
-    Index number_of_children;
-    Index child_names;
+    Slab_node parent;
+    Number number_of_children;
+    Number child_names;
   };
 
-  Large_vector<Node> nodes_;
-  Index number_of_roots_ = 0;
+  Indexed_vector<Slab_node, Node> nodes_;
+  Number number_of_roots_ = 0;
 };
 
 } // namespace internal

@@ -12,7 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Shrinking_tree.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
@@ -28,7 +28,9 @@ namespace internal {
 class Tree_combination
 {
 public:
-  Tree_combination(Shrinking_tree join_tree, Shrinking_tree split_tree, Large_vector<Ascending_step> first_steps)
+  Tree_combination(Shrinking_tree join_tree,
+                   Shrinking_tree split_tree,
+                   Indexed_vector<Slab_node, Ascending_step> first_steps)
     : join_tree_(std::move(join_tree)),
       split_tree_(std::move(split_tree)),
       first_steps_(std::move(first_steps))
@@ -36,29 +38,29 @@ public:
     arcs_.reserve(first_steps_.size());
   }
 
-  Large_vector<Slab_arc> operator()()
+  Slab_arcs operator()()
   {
-    for(Index node = 0; node != first_steps_.size(); ++node)
+    for(const Slab_node node : first_steps_.keys())
       take_leaves_from(node);
     return std::move(arcs_);
   }
 
 private:
-  // A root is none, as it is not one of trees of the same order.
-  bool is_lower_leaf(Index node) const
+  // A root is no leaf, as it is none of trees of the same order.
+  bool is_lower_leaf(Slab_node node) const
   {
     return join_tree_.number_of_children(node) == 0 && split_tree_.number_of_children(node) == 1
         && join_tree_.parent(node) != no_index;
   }
 
-  bool is_upper_leaf(Index node) const
+  bool is_upper_leaf(Slab_node node) const
   {
     return split_tree_.number_of_children(node) == 0 && join_tree_.number_of_children(node) == 1
         && split_tree_.parent(node) != no_index;
   }
 
   // Takes the node away if it is a leaf, and then its neighbor if that makes it one, and so on.
-  void take_leaves_from(Index node)
+  void take_leaves_from(Slab_node node)
   {
     while(node != no_index)
     {
@@ -71,9 +73,9 @@ private:
     }
   }
 
-  Index take_lower_leaf(Index node)
+  Slab_node take_lower_leaf(Slab_node node)
   {
-    const Index upper = join_tree_.parent(node), child = split_tree_.only_child(node);
+    const Slab_node upper = join_tree_.parent(node), child = split_tree_.only_child(node);
     arcs_.push_back({node, upper, first_steps_[child]});
     first_steps_[child] = first_steps_[node];
     join_tree_.remove_leaf(node);
@@ -81,9 +83,9 @@ private:
     return upper;
   }
 
-  Index take_upper_leaf(Index node)
+  Slab_node take_upper_leaf(Slab_node node)
   {
-    const Index lower = split_tree_.parent(node);
+    const Slab_node lower = split_tree_.parent(node);
     arcs_.push_back({lower, node, first_steps_[node]});
     split_tree_.remove_leaf(node);
     join_tree_.remove_inner_node(node);
@@ -92,13 +94,13 @@ private:
 
   Shrinking_tree join_tree_;
   Shrinking_tree split_tree_;
-  Large_vector<Ascending_step> first_steps_; // by node, from its parent in the split tree towards it
-  Large_vector<Slab_arc> arcs_;
+  Indexed_vector<Slab_node, Ascending_step> first_steps_; // from its parent in the split tree towards it
+  Slab_arcs arcs_;
 };
 
-inline Large_vector<Slab_arc> combine_trees(Shrinking_tree join_tree,
-                                            Shrinking_tree split_tree,
-                                            Large_vector<Ascending_step> first_steps)
+inline Slab_arcs combine_trees(Shrinking_tree join_tree,
+                               Shrinking_tree split_tree,
+                               Indexed_vector<Slab_node, Ascending_step> first_steps)
 {
   return Tree_combination(std::move(join_tree), std::move(split_tree), std::move(first_steps))();
 }

@@ -11,9 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <algorithm>
 #include <array>
@@ -24,9 +25,9 @@ namespace Reeb_graph {
 namespace internal {
 
 // One of the lower neighbors of a vertex and one of its higher ones, no_index if there is none.
-typedef std::array<Index, 2> Monotone_neighbors;
+typedef By_side<Vertex_index> Monotone_neighbors;
 
-// Those of the vertices in blocks of which many are critical. There, nearly each vertex is on a monotone path;
+// The monotone neighbors of the vertices in blocks of which many are critical. There, nearly each vertex is on a monotone path;
 // elsewhere, to find the few steps of paths again takes less than to keep all of them.
 class Kept_neighbors
 {
@@ -43,17 +44,20 @@ public:
 
   void keep(const Block& block, std::size_t begin, std::size_t end)
   {
-    std::copy_n(block.begin(), end - begin, &neighbors_[begin]);
+    std::copy_n(block.begin(), end - begin, &neighbors_[Vertex_index(begin)]);
   }
 
   // In unset places, both neighbors are the same.
-  bool has_neighbors(Index vertex) const { return neighbors_[vertex][false] != neighbors_[vertex][true]; }
-  Index neighbor(Index vertex, bool is_higher) const { return neighbors_[vertex][is_higher]; }
+  bool has_neighbors(Vertex_index vertex) const
+  {
+    return neighbors_[vertex][Side::LOWER] != neighbors_[vertex][Side::UPPER];
+  }
+  Vertex_index neighbor(Vertex_index vertex, Side side) const { return neighbors_[vertex][side]; }
 
-  void prefetch(Index vertex) const { internal::prefetch(&neighbors_[vertex]); }
+  void prefetch(Vertex_index vertex) const { internal::prefetch(&neighbors_[vertex]); }
 
 private:
-  Zeroed_array<Monotone_neighbors> neighbors_; // by vertex
+  Zeroed_array<Vertex_index, Monotone_neighbors> neighbors_;
 };
 
 } // namespace internal

@@ -12,13 +12,15 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/link_sectors.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -27,75 +29,82 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-typedef std::array<std::size_t, 2> Sector_counts; // of lower and of upper sectors
+struct Swept_tag;
+struct Sector_tag;
+typedef Index_of<Swept_tag> Swept_index;
+typedef Index_of<Sector_tag> Sector_index; // among those of one side
 
-// The vertices with link sectors other than one lower and one upper. Stages name a critical vertex by its position
-// here, which is that among the vertices of the mesh: what is near on the surface is then near in memory. Its lower and
-// its upper link sectors are named by their positions among all lower and all upper ones.
+typedef By_side<std::size_t> Sector_counts;
+
+// The vertices that a sweep visits: the critical ones, with link sectors other than one lower and one upper, or all of
+// them. Stages name such a vertex by its position here, where they have the order that they have in the mesh: what is
+// near on the surface is then near in memory. Its lower and its upper link sectors are named by their positions among
+// all lower and all upper ones.
 class Swept_vertices
 {
 public:
-  Index size() const { return static_cast<Index>(entries_.size()) - 1; }
-  Index vertex(Index critical) const { return entries_[critical].vertex; }
-  bool is_on_border(Index critical) const { return entries_[critical].is_on_border; }
+  Number size() const { return static_cast<Number>(entries_.size()) - 1; }
+  Index_range<Swept_index> indices() const { return Index_range<Swept_index>(size()); }
+  Vertex_index vertex(Swept_index critical) const { return entries_[critical].vertex; }
+  bool is_on_border(Swept_index critical) const { return entries_[critical].is_on_border; }
 
-  Index number_of_sectors(Index critical, bool is_upper) const
+  Number number_of_sectors(Swept_index critical, Side side) const
   {
-    return entries_[critical + 1].first_sectors[is_upper] - entries_[critical].first_sectors[is_upper];
+    return end_of_sectors(critical, side).number() - first_sector(critical, side).number();
   }
-  Index number_of_lower_sectors(Index critical) const { return number_of_sectors(critical, false); }
-  Index number_of_upper_sectors(Index critical) const { return number_of_sectors(critical, true); }
+  Number number_of_lower_sectors(Swept_index critical) const { return number_of_sectors(critical, Side::LOWER); }
+  Number number_of_upper_sectors(Swept_index critical) const { return number_of_sectors(critical, Side::UPPER); }
 
-  bool is_critical(Index critical) const
+  bool is_critical(Swept_index critical) const
   {
     return number_of_lower_sectors(critical) != 1 || number_of_upper_sectors(critical) != 1;
   }
 
   // In clockwise order. The turn around a vertex begins with an upper sector or with a lower one, then they alternate.
-  Index first_sector(Index critical, bool is_upper) const { return entries_[critical].first_sectors[is_upper]; }
-  bool is_first_upper(Index critical) const { return entries_[critical].is_first_upper; }
-
-  Index total_number_of_sectors(bool is_upper) const { return static_cast<Index>(sectors_[is_upper].size()); }
-  const Link_sector& sector(bool is_upper, Index position) const { return sectors_[is_upper][position]; }
-
-  // Calls visit(position) for the upper or the lower sectors.
-  template <class Visit>
-  void for_each_sector(Index critical, bool is_upper, const Visit& visit) const
+  Sector_index first_sector(Swept_index critical, Side side) const { return entries_[critical].first_sectors[side]; }
+  Sector_index end_of_sectors(Swept_index critical, Side side) const
   {
-    const Index end = entries_[critical + 1].first_sectors[is_upper];
-    for(Index i = entries_[critical].first_sectors[is_upper]; i != end; ++i)
-      visit(i);
+    return entries_[Swept_index(critical.number() + 1)].first_sectors[side];
+  }
+  bool is_first_upper(Swept_index critical) const { return entries_[critical].is_first_upper; }
+
+  // The lower or the upper sectors of a vertex.
+  Index_range<Sector_index> sectors(Swept_index critical, Side side) const
+  {
+    return {first_sector(critical, side), end_of_sectors(critical, side)};
   }
 
-  // Of vertices of the surface, critical or not.
+  Number total_number_of_sectors(Side side) const { return static_cast<Number>(sectors_[side].size()); }
+  const Link_sector& sector(Side side, Sector_index sector) const { return sectors_[side][sector]; }
+
+  // Neighbors of vertices of the surface, critical or not.
   const Kept_neighbors& kept_neighbors() const { return *kept_neighbors_; }
   void set_kept_neighbors(std::shared_ptr<const Kept_neighbors> neighbors) { kept_neighbors_ = std::move(neighbors); }
 
   void resize(std::size_t number_of_vertices, const Sector_counts& numbers_of_sectors)
   {
-    checked_index(numbers_of_sectors[false]);
-    checked_index(numbers_of_sectors[true]);
     entries_.resize(number_of_vertices + 1);
     entries_.back() = Entry();
-    for(const bool is_upper : {false, true})
+    for(const Side side : both_sides)
     {
-      sectors_[is_upper].resize(numbers_of_sectors[is_upper]);
-      entries_.back().first_sectors[is_upper] = static_cast<Index>(numbers_of_sectors[is_upper]);
+      sectors_[side].resize(checked_index(numbers_of_sectors[side]));
+      entries_.back().first_sectors[side] = sectors_[side].end_key();
     }
   }
 
-  // Sets the critical vertex number `critical`, which has the given sectors from `first_sectors` on.
+  // Sets one vertex, which has the given sectors from `first_sectors` on.
   template <class Complex, class Order>
-  void set(Index critical,
+  void set(Swept_index critical,
            const Complex& complex,
            const Order& order,
-           Index vertex,
+           Vertex_index vertex,
            const Link_summary& link,
            const Sector_counts& first_sectors)
   {
     find_link_sectors(complex, order, vertex, link,
-                      {sectors_[false].data() + first_sectors[false], sectors_[true].data() + first_sectors[true]});
-    entries_[critical] = {{static_cast<Index>(first_sectors[false]), static_cast<Index>(first_sectors[true])},
+                      {sectors_[Side::LOWER].data() + first_sectors[Side::LOWER],
+                       sectors_[Side::UPPER].data() + first_sectors[Side::UPPER]});
+    entries_[critical] = {{Sector_index(first_sectors[Side::LOWER]), Sector_index(first_sectors[Side::UPPER])},
                           vertex,
                           link.is_first_upper,
                           complex.is_on_border(vertex)};
@@ -105,60 +114,61 @@ public:
   template <class ConcurrencyTag, class Order>
   void sort(const Order& order)
   {
-    Large_vector<typename Order::Key> keys;
+    Large_vector<typename Order::template Key<Swept_index>> keys;
     keys.resize(size());
     for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
-        keys[i] = {order.key(entries_[i].vertex).value, static_cast<Index>(i)};
+        keys[i] = order.key(vertex(Swept_index(i)), Swept_index(i));
     });
     internal::sort<ConcurrencyTag>(keys.begin(), keys.end(), order);
     ascending_.resize(keys.size());
     for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
-        ascending_[i] = keys[i].vertex;
+        ascending_[i] = keys[i].name;
     });
   }
 
   // All critical vertices, from the lowest to the highest.
-  const Large_vector<Index>& ascending() const { return ascending_; }
+  const Large_vector<Swept_index>& ascending() const { return ascending_; }
 
   // The given ones alone. Their order has to be that of the names in the part.
-  Swept_vertices part(const Large_vector<Index>& critical_vertices, Large_vector<Index> ascending) const
+  template <class SweptIndices>
+  Swept_vertices part(const SweptIndices& critical_vertices, Large_vector<Swept_index> ascending) const
   {
     Swept_vertices result;
     result.entries_.reserve(critical_vertices.size() + 1);
-    const auto add_entry = [&](Index critical) {
+    const auto add_entry = [&](Swept_index critical) {
       result.entries_.push_back(entries_[critical]);
-      for(const bool is_upper : {false, true})
-        result.entries_.back().first_sectors[is_upper] = result.total_number_of_sectors(is_upper);
+      for(const Side side : both_sides)
+        result.entries_.back().first_sectors[side] = result.sectors_[side].end_key();
     };
-    for(const Index critical : critical_vertices)
+    for(const Swept_index critical : critical_vertices)
     {
       add_entry(critical);
-      for(const bool is_upper : {false, true})
-        for_each_sector(critical, is_upper,
-                        [&](Index i) { result.sectors_[is_upper].push_back(sectors_[is_upper][i]); });
+      for(const Side side : both_sides)
+        for(const Sector_index sector : sectors(critical, side))
+          result.sectors_[side].push_back(sectors_[side][sector]);
     }
-    add_entry(size());
+    add_entry(entries_.last_key());
     result.ascending_ = std::move(ascending);
     result.kept_neighbors_ = kept_neighbors_;
     return result;
   }
 
-  void prefetch(Index critical) const { internal::prefetch(&entries_[critical]); }
+  void prefetch(Swept_index critical) const { internal::prefetch(&entries_[critical]); }
 
 private:
   struct Entry
   {
-    std::array<Index, 2> first_sectors;
-    Index vertex;
+    By_side<Sector_index> first_sectors;
+    Vertex_index vertex;
     bool is_first_upper;
     bool is_on_border;
   };
 
-  Large_vector<Entry> entries_; // and one behind the last, that tells where its sectors end
-  std::array<Large_vector<Link_sector>, 2> sectors_;
-  Large_vector<Index> ascending_;
+  Indexed_vector<Swept_index, Entry> entries_; // and one behind the last, that tells where its sectors end
+  By_side<Indexed_vector<Sector_index, Link_sector>> sectors_;
+  Large_vector<Swept_index> ascending_;
   std::shared_ptr<const Kept_neighbors> kept_neighbors_; // shared with the parts
 };
 

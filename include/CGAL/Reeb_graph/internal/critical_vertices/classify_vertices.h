@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
@@ -29,12 +30,12 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Some of a part of the vertices.
+// What has been found of a part of the vertices.
 struct Found_vertices
 {
   struct Vertex
   {
-    Index vertex;
+    Vertex_index vertex;
     Link_summary link;
   };
 
@@ -60,17 +61,17 @@ Found_vertices find_vertices(const Complex& complex,
     const std::size_t end_of_block = (std::min)(block + neighbors.size(), end), number_of_earlier = number_of_found;
     if(found.vertices.size() < number_of_found + neighbors.size())
       found.vertices.resize(2 * (number_of_found + neighbors.size()));
-    for(std::size_t v = block; v != end_of_block; ++v)
+    for(const Vertex_index v : Index_range(Vertex_index(block), Vertex_index(end_of_block)))
     {
-      if(!complex.has_vertex(static_cast<Index>(v)))
+      if(!complex.has_vertex(v))
         continue;
-      const Vertex_link link = find_link(static_cast<Index>(v), found.fan_counts);
-      neighbors[v - block] = link.neighbors;
+      const Vertex_link link = find_link(v, found.fan_counts);
+      neighbors[v.number() - block] = link.neighbors;
       const bool is_found = is_wanted(link.summary.number_of_sectors);
-      found.vertices[number_of_found] = {static_cast<Index>(v), link.summary};
+      found.vertices[number_of_found] = {v, link.summary};
       number_of_found += is_found;
-      found.numbers_of_sectors[false] += is_found * link.summary.number_of_lower_sectors();
-      found.numbers_of_sectors[true] += is_found * link.summary.number_of_upper_sectors();
+      found.numbers_of_sectors[Side::LOWER] += is_found * link.summary.number_of_lower_sectors();
+      found.numbers_of_sectors[Side::UPPER] += is_found * link.summary.number_of_upper_sectors();
     }
     if(Kept_neighbors::are_worth_keeping(number_of_found - number_of_earlier, end_of_block - block))
       kept_neighbors.keep(neighbors, block, end_of_block);
@@ -111,19 +112,20 @@ Swept_vertices join_parts(const Complex& complex, const Order& order, const Foun
     first_vertices.push_back(number_of_vertices);
     first_sectors.push_back(numbers_of_sectors);
     number_of_vertices += part.vertices.size();
-    for(const bool is_upper : {false, true})
-      numbers_of_sectors[is_upper] += part.numbers_of_sectors[is_upper];
+    for(const Side side : both_sides)
+      numbers_of_sectors[side] += part.numbers_of_sectors[side];
   }
   Swept_vertices result;
   result.resize(number_of_vertices, numbers_of_sectors);
   for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t part) {
-    std::size_t i = first_vertices[part];
+    Swept_index i(first_vertices[part]);
     Sector_counts sectors = first_sectors[part];
     for(const auto& [vertex, link] : parts[part].vertices)
     {
-      result.set(static_cast<Index>(i++), complex, order, vertex, link, sectors);
-      sectors[false] += link.number_of_lower_sectors();
-      sectors[true] += link.number_of_upper_sectors();
+      result.set(i, complex, order, vertex, link, sectors);
+      ++i;
+      sectors[Side::LOWER] += link.number_of_lower_sectors();
+      sectors[Side::UPPER] += link.number_of_upper_sectors();
     }
   });
   result.template sort<ConcurrencyTag>(order);
@@ -131,14 +133,14 @@ Swept_vertices join_parts(const Complex& complex, const Order& order, const Foun
   return result;
 }
 
-inline bool has_critical_number_of_sectors(Index number_of_sectors) { return number_of_sectors != 2; }
+inline bool has_critical_number_of_sectors(Number number_of_sectors) { return number_of_sectors != 2; }
 
 // Finds the critical vertices: all but those with one lower and one upper sector. (The paper, Section 3.1; a border
 // vertex has a path as link, so its sectors are counted.)
 template <class ConcurrencyTag, class Complex, class Order>
 Swept_vertices classify_vertices(const Complex& complex, const Order& order)
 {
-  const auto find = [&](Index vertex, Fan_counts&) { return find_link(complex, order, vertex); };
+  const auto find = [&](Vertex_index vertex, Fan_counts&) { return find_link(complex, order, vertex); };
   return join_parts<ConcurrencyTag>(
     complex, order, find_vertices_in_parts<ConcurrencyTag>(complex, find, has_critical_number_of_sectors));
 }
@@ -154,7 +156,7 @@ struct Classified_complex
 template <class ConcurrencyTag, class Complex, class Order>
 Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Complex> unchecked, const Order& order)
 {
-  const auto find = [&](Index vertex, Fan_counts& counts) {
+  const auto find = [&](Vertex_index vertex, Fan_counts& counts) {
     return set_fan_and_find_link(unchecked, order, vertex, counts);
   };
   const auto found = find_vertices_in_parts<ConcurrencyTag>(unchecked, find, has_critical_number_of_sectors);
@@ -170,9 +172,9 @@ Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Comple
 template <class ConcurrencyTag, class Complex, class Order>
 Swept_vertices sort_all_vertices(const Complex& complex, const Order& order)
 {
-  const auto find = [&](Index vertex, Fan_counts&) { return find_link(complex, order, vertex); };
+  const auto find = [&](Vertex_index vertex, Fan_counts&) { return find_link(complex, order, vertex); };
   return join_parts<ConcurrencyTag>(complex, order,
-                                    find_vertices_in_parts<ConcurrencyTag>(complex, find, [](Index) { return true; }));
+                                    find_vertices_in_parts<ConcurrencyTag>(complex, find, [](Number) { return true; }));
 }
 
 } // namespace internal

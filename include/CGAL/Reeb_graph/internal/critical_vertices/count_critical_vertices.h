@@ -24,10 +24,10 @@ namespace internal {
 inline Critical_vertex_counts count_critical_vertices(const Swept_vertices& critical_vertices)
 {
   Critical_vertex_counts counts;
-  for(Index i = 0; i != critical_vertices.size(); ++i)
+  for(const Swept_index i : critical_vertices.indices())
   {
-    const Index number_of_lower_sectors = critical_vertices.number_of_lower_sectors(i);
-    const Index number_of_upper_sectors = critical_vertices.number_of_upper_sectors(i);
+    const Number number_of_lower_sectors = critical_vertices.number_of_lower_sectors(i);
+    const Number number_of_upper_sectors = critical_vertices.number_of_upper_sectors(i);
     if(number_of_lower_sectors == 0 && number_of_upper_sectors == 0)
       ++counts.isolated;
     else if(number_of_lower_sectors == 0)
@@ -47,7 +47,7 @@ inline Critical_vertex_counts count_critical_vertices(const Swept_vertices& crit
 inline std::ptrdiff_t euler_characteristic(const Swept_vertices& critical_vertices)
 {
   std::ptrdiff_t result = 0;
-  for(Index i = 0; i != critical_vertices.size(); ++i)
+  for(const Swept_index i : critical_vertices.indices())
   {
     const bool is_lower_link_closed =
       critical_vertices.number_of_upper_sectors(i) == 0 && !critical_vertices.is_on_border(i);

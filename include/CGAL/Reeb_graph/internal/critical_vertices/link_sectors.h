@@ -12,11 +12,12 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
 #include <CGAL/Reeb_graph/internal/mesh/Unchecked_complex.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <algorithm>
-#include <array>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -26,18 +27,19 @@ namespace internal {
 // one of an upper sector, the lowest one of a lower sector.
 struct Link_sector
 {
-  Index extreme_neighbor;
-  Index edge; // a halfedge of a triangle on the edge to that neighbor
+  Vertex_index extreme_neighbor;
+  Halfedge_index edge; // a halfedge of a triangle on the edge to that neighbor
 };
 
 // Upper and lower link sectors alternate, so it is enough to know how many there are and with which a turn begins.
 struct Link_summary
 {
-  Index number_of_sectors;
+  Number number_of_sectors;
   bool is_first_upper;
 
-  Index number_of_upper_sectors() const { return (number_of_sectors + is_first_upper) / 2; }
-  Index number_of_lower_sectors() const { return number_of_sectors - number_of_upper_sectors(); }
+  Number number_of_upper_sectors() const { return (number_of_sectors + is_first_upper) / 2; }
+  Number number_of_lower_sectors() const { return number_of_sectors - number_of_upper_sectors(); }
+  Side first_side() const { return side_of(is_first_upper); }
 };
 
 // What one turn around a vertex finds.
@@ -53,14 +55,14 @@ template <class Order>
 class Link_changes
 {
 public:
-  Link_changes(const Order& order, Index vertex) : order_(order), vertex_(vertex) {}
+  Link_changes(const Order& order, Vertex_index vertex) : order_(order), vertex_(vertex) {}
 
-  void begin(Index neighbor)
+  void begin(Vertex_index neighbor)
   {
     is_first_upper_ = is_last_upper_ = order_(vertex_, neighbor);
     set_neighbor(neighbor);
   }
-  void add(Index neighbor)
+  void add(Vertex_index neighbor)
   {
     const bool is_upper = order_(vertex_, neighbor);
     number_ += is_upper != is_last_upper_;
@@ -68,36 +70,36 @@ public:
     set_neighbor(neighbor);
   }
 
-  Vertex_link closed_link() const { return {{(std::max)(number_, Index(1)), is_first_upper_}, {lower_, higher_}}; }
+  Vertex_link closed_link() const { return {{(std::max)(number_, Number(1)), is_first_upper_}, {lower_, higher_}}; }
   Vertex_link path() const { return {{number_ + 1, is_first_upper_}, {lower_, higher_}}; }
 
 private:
   // Without a branch that could not be predicted, nor an array, which would have to be in memory.
-  void set_neighbor(Index neighbor)
+  void set_neighbor(Vertex_index neighbor)
   {
     lower_ = is_last_upper_ ? lower_ : neighbor;
     higher_ = is_last_upper_ ? neighbor : higher_;
   }
 
   const Order& order_;
-  const Index vertex_;
-  Index number_ = 0;
-  Index lower_ = no_index;
-  Index higher_ = no_index;
+  const Vertex_index vertex_;
+  Number number_ = 0;
+  Vertex_index lower_ = no_index;
+  Vertex_index higher_ = no_index;
   bool is_first_upper_ = false;
   bool is_last_upper_ = false;
 };
 
 template <class Complex, class Order>
-Vertex_link find_link(const Complex& complex, const Order& order, Index vertex)
+Vertex_link find_link(const Complex& complex, const Order& order, Vertex_index vertex)
 {
-  const Index first = complex.first_halfedge(vertex);
+  const Halfedge_index first = complex.first_halfedge(vertex);
   if(first == no_index)
     return {{0, false}, {no_index, no_index}};
   Link_changes<Order> changes(order, vertex);
   changes.begin(complex.source(first));
-  complex.for_each_halfedge_around(vertex,
-                                   [&](Index halfedge) { changes.add(complex.target(complex.next(halfedge))); });
+  complex.for_each_halfedge_around(
+    vertex, [&](Halfedge_index halfedge) { changes.add(complex.target(complex.next(halfedge))); });
   return complex.is_on_border(vertex) ? changes.path() : changes.closed_link();
 }
 
@@ -105,7 +107,7 @@ Vertex_link find_link(const Complex& complex, const Order& order, Index vertex)
 template <class Complex, class Order>
 Vertex_link set_fan_and_find_link(Unchecked_complex<Complex>& complex,
                                   const Order& order,
-                                  Index vertex,
+                                  Vertex_index vertex,
                                   Fan_counts& counts)
 {
   Link_changes<Order> changes(order, vertex);
@@ -115,9 +117,9 @@ Vertex_link set_fan_and_find_link(Unchecked_complex<Complex>& complex,
 
 // Makes `neighbor` the extreme one of its sector if it is. Without a branch that could not be predicted.
 template <class Order>
-void add_to_sector(Link_sector& sector, const Order& order, bool is_upper, Index neighbor, Index halfedge)
+void add_to_sector(Link_sector& sector, const Order& order, Side side, Vertex_index neighbor, Halfedge_index halfedge)
 {
-  const bool is_more_extreme = order(sector.extreme_neighbor, neighbor) == is_upper;
+  const bool is_more_extreme = order(sector.extreme_neighbor, neighbor) == (side == Side::UPPER);
   sector.extreme_neighbor = is_more_extreme ? neighbor : sector.extreme_neighbor;
   sector.edge = is_more_extreme ? halfedge : sector.edge;
 }
@@ -126,35 +128,36 @@ void add_to_sector(Link_sector& sector, const Order& order, bool is_upper, Index
 template <class Complex, class Order>
 void find_link_sectors(const Complex& complex,
                        const Order& order,
-                       Index vertex,
+                       Vertex_index vertex,
                        const Link_summary& summary,
-                       const std::array<Link_sector*, 2>& places)
+                       const By_side<Link_sector*>& places)
 {
   // Half of the critical vertices are extrema, if there are many: their only sector can stay in registers.
   if(summary.number_of_sectors == 1)
   {
     Link_sector sector = {vertex, no_index};
-    complex.for_each_edge_around(vertex, [&, is_upper = summary.is_first_upper](Index neighbor, Index halfedge) {
-      add_to_sector(sector, order, is_upper, neighbor, halfedge);
-    });
-    *places[summary.is_first_upper] = sector;
+    complex.for_each_edge_around(vertex,
+                                 [&, side = summary.first_side()](Vertex_index neighbor, Halfedge_index halfedge) {
+                                   add_to_sector(sector, order, side, neighbor, halfedge);
+                                 });
+    *places[summary.first_side()] = sector;
     return;
   }
 
-  bool is_last_upper = summary.is_first_upper;
-  for(Index i = 0; i != summary.number_of_sectors; ++i, is_last_upper = !is_last_upper)
-    places[is_last_upper][i / 2] = {vertex, no_index};
+  Side last_side = summary.first_side();
+  for(Number i = 0; i != summary.number_of_sectors; ++i, last_side = opposite_of(last_side))
+    places[last_side][i / 2] = {vertex, no_index};
 
-  is_last_upper = summary.is_first_upper;
-  Index i = 0;
-  complex.for_each_edge_around(vertex, [&](Index neighbor, Index halfedge) {
-    const bool is_upper = order(vertex, neighbor);
-    i += is_upper != is_last_upper;
+  last_side = summary.first_side();
+  Number i = 0;
+  complex.for_each_edge_around(vertex, [&](Vertex_index neighbor, Halfedge_index halfedge) {
+    const Side side = side_of(order(vertex, neighbor));
+    i += side != last_side;
     i = i == summary.number_of_sectors ? 0 : i; // The turn has begun within a sector, which goes on here.
-    is_last_upper = is_upper;
-    Link_sector sector = places[is_upper][i / 2];
-    add_to_sector(sector, order, is_upper, neighbor, halfedge);
-    places[is_upper][i / 2] = sector;
+    last_side = side;
+    Link_sector sector = places[side][i / 2];
+    add_to_sector(sector, order, side, neighbor, halfedge);
+    places[side][i / 2] = sector;
   });
 }
 

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
@@ -29,7 +30,7 @@ namespace internal {
 
 // The position of each vertex (or face) in the list given at construction, found through an index map, which can have
 // holes, such as those that removed elements leave. Without holes there is nothing to store.
-template <class IndexMap>
+template <class Position, class IndexMap>
 class Descriptor_positions
 {
 public:
@@ -38,30 +39,30 @@ public:
     : index_map_(index_map)
   {
     while(number_of_equal_indices_ != descriptors.size()
-          && checked_index(descriptors[number_of_equal_indices_], name) == number_of_equal_indices_)
+          && checked_index(descriptors[Position(number_of_equal_indices_)], name) == number_of_equal_indices_)
       ++number_of_equal_indices_;
     if(number_of_equal_indices_ == descriptors.size())
       return;
     number_of_equal_indices_ = 0;
     positions_.assign(descriptors.size(), no_index);
-    for(std::size_t position = 0; position != descriptors.size(); ++position)
-      store(checked_index(descriptors[position], name), static_cast<Index>(position), name);
+    for(const Position position : Index_range<Position>(descriptors.size()))
+      store(checked_index(descriptors[position], name), position, name);
   }
 
   template <class Descriptor>
-  Index operator[](const Descriptor& d) const
+  Position operator[](const Descriptor& d) const
   {
     const std::size_t index = static_cast<std::size_t>(get(index_map_, d));
-    return positions_.empty() ? static_cast<Index>(index) : positions_[index];
+    return positions_.empty() ? Position(index) : positions_[index];
   }
 
   // The same for descriptors that may be unknown, which have no_index.
   template <class Descriptor>
-  Index operator()(const Descriptor& d) const
+  Position operator()(const Descriptor& d) const
   {
     const std::size_t index = static_cast<std::size_t>(get(index_map_, d));
     if(positions_.empty())
-      return index < number_of_equal_indices_ ? static_cast<Index>(index) : no_index;
+      return index < number_of_equal_indices_ ? Position(index) : no_index;
     return index < positions_.size() ? positions_[index] : no_index;
   }
 
@@ -75,7 +76,7 @@ private:
     return static_cast<std::size_t>(i);
   }
 
-  void store(std::size_t index, Index position, const char* name)
+  void store(std::size_t index, Position position, const char* name)
   {
     if(index >= positions_.size())
       positions_.resize(index + 1, no_index);
@@ -86,29 +87,29 @@ private:
 
   IndexMap index_map_;
   std::size_t number_of_equal_indices_ = 0; // all or none
-  Large_vector<Index> positions_;           // empty if the indices are the positions
+  Large_vector<Position> positions_;        // empty if the indices are the positions
 };
 
 // The same for a mesh that has no index map, found through a dynamic property map.
-template <class DynamicMap>
+template <class Position, class DynamicMap>
 class Dynamic_positions
 {
 public:
   template <class DescriptorList>
   Dynamic_positions(const DynamicMap& map, const DescriptorList& descriptors) : map_(map)
   {
-    for(std::size_t position = 0; position != descriptors.size(); ++position)
-      put(map_, descriptors[position], static_cast<Index>(position + 1));
+    for(const Position position : Index_range<Position>(descriptors.size()))
+      put(map_, descriptors[position], position.number() + 1);
   }
 
   // no_index if nothing has been put there.
   template <class Descriptor>
-  Index operator[](const Descriptor& d) const
+  Position operator[](const Descriptor& d) const
   {
-    return get(map_, d) - 1;
+    return Position(get(map_, d) - 1);
   }
   template <class Descriptor>
-  Index operator()(const Descriptor& d) const
+  Position operator()(const Descriptor& d) const
   {
     return (*this)[d];
   }
@@ -131,36 +132,36 @@ struct Has_constant_index<Graph, IndexTag, true>
 {
 };
 
-template <class IndexTag, class DynamicTag, class Graph, class DescriptorList, class IndexParameter>
+template <class Position, class IndexTag, class DynamicTag, class Graph, class DescriptorList, class IndexParameter>
 auto make_descriptor_positions(const Graph& mesh,
                                const DescriptorList& descriptors,
                                const IndexParameter& index_parameter,
                                const char* name)
 {
   if constexpr(!std::is_same_v<IndexParameter, internal_np::Param_not_found>)
-    return Descriptor_positions<IndexParameter>(index_parameter, descriptors, name);
+    return Descriptor_positions<Position, IndexParameter>(index_parameter, descriptors, name);
   else if constexpr(Has_constant_index<Graph, IndexTag>::value)
   {
     typedef typename boost::property_map<Graph, IndexTag>::const_type Index_map;
-    return Descriptor_positions<Index_map>(get(IndexTag(), mesh), descriptors, name);
+    return Descriptor_positions<Position, Index_map>(get(IndexTag(), mesh), descriptors, name);
   }
   else
   {
-    return Dynamic_positions<decltype(get(DynamicTag(), mesh))>(get(DynamicTag(), mesh), descriptors);
+    return Dynamic_positions<Position, decltype(get(DynamicTag(), mesh))>(get(DynamicTag(), mesh), descriptors);
   }
 }
 
 template <class Graph, class DescriptorList, class NamedParameters>
 auto make_vertex_positions(const Graph& mesh, const DescriptorList& vertices, const NamedParameters& np)
 {
-  return make_descriptor_positions<boost::vertex_index_t, dynamic_vertex_property_t<Index>>(
+  return make_descriptor_positions<Vertex_index, boost::vertex_index_t, dynamic_vertex_property_t<Number>>(
     mesh, vertices, parameters::get_parameter(np, internal_np::vertex_index), "vertices");
 }
 
 template <class Graph, class DescriptorList, class NamedParameters>
 auto make_face_positions(const Graph& mesh, const DescriptorList& faces, const NamedParameters& np)
 {
-  return make_descriptor_positions<boost::face_index_t, dynamic_face_property_t<Index>>(
+  return make_descriptor_positions<Face_index, boost::face_index_t, dynamic_face_property_t<Number>>(
     mesh, faces, parameters::get_parameter(np, internal_np::face_index), "faces");
 }
 

@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
@@ -32,17 +32,18 @@ public:
   typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
 
   // From the halfedge with the even number of each edge.
-  explicit Halfedge_list(Large_vector<halfedge_descriptor> even_halfedges) : even_halfedges_(std::move(even_halfedges))
+  explicit Halfedge_list(Indexed_vector<Edge_index, halfedge_descriptor> even_halfedges)
+    : even_halfedges_(std::move(even_halfedges))
   {}
 
-  halfedge_descriptor operator()(const FaceListGraph& mesh, Index number) const
+  halfedge_descriptor operator()(const FaceListGraph& mesh, Halfedge_index halfedge) const
   {
-    const halfedge_descriptor h = even_halfedges_[edge_of(number)];
-    return number % 2 == 0 ? h : opposite(h, mesh);
+    const halfedge_descriptor h = even_halfedges_[edge_of(halfedge)];
+    return halfedge == even_halfedge(edge_of(halfedge)) ? h : opposite(h, mesh);
   }
 
 private:
-  Large_vector<halfedge_descriptor> even_halfedges_; // by edge
+  Indexed_vector<Edge_index, halfedge_descriptor> even_halfedges_;
 };
 
 // The halfedges of a Surface_mesh are numbers.
@@ -52,7 +53,10 @@ class Halfedge_list<Surface_mesh<Point>>
 public:
   typedef typename Surface_mesh<Point>::Halfedge_index halfedge_descriptor;
 
-  halfedge_descriptor operator()(const Surface_mesh<Point>&, Index number) const { return halfedge_descriptor(number); }
+  halfedge_descriptor operator()(const Surface_mesh<Point>&, Halfedge_index halfedge) const
+  {
+    return halfedge_descriptor(halfedge.number());
+  }
 };
 
 } // namespace internal

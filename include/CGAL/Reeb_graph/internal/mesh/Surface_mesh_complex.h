@@ -12,9 +12,10 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/Triangle_complex_base.h>
 #include <CGAL/Reeb_graph/internal/mesh/check_faces.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
@@ -30,41 +31,50 @@ template <class Point>
 class Surface_mesh_complex : public Triangle_complex_base<Surface_mesh_complex<Point>>
 {
   typedef Surface_mesh<Point> Mesh;
-  typedef typename Mesh::Vertex_index Vertex_index;
-  typedef typename Mesh::Halfedge_index Halfedge_index;
-  typedef typename Mesh::Edge_index Edge_index;
 
 public:
   explicit Surface_mesh_complex(const Mesh& mesh)
-    : Triangle_complex_base<Surface_mesh_complex>(unset_numbers(mesh.num_vertices())),
+    : Triangle_complex_base<Surface_mesh_complex>(unset_halfedges(mesh.num_vertices())),
       mesh_(&mesh)
   {
     checked_index(mesh.num_halfedges());
   }
 
-  Index number_of_halfedges() const { return mesh_->num_halfedges(); }
-  bool has_vertex(Index number) const { return !mesh_->has_garbage() || !mesh_->is_removed(Vertex_index(number)); }
-  bool has_edge(Index number) const { return !mesh_->has_garbage() || !mesh_->is_removed(Edge_index(number)); }
+  Number number_of_halfedges() const { return mesh_->num_halfedges(); }
+  bool has_vertex(Vertex_index v) const { return !mesh_->has_garbage() || !mesh_->is_removed(descriptor(v)); }
+  bool has_edge(Edge_index e) const
+  {
+    return !mesh_->has_garbage() || !mesh_->is_removed(typename Mesh::Edge_index(e.number()));
+  }
 
-  Index target(Index halfedge) const { return mesh_->target(Halfedge_index(halfedge)); }
-  Index next(Index halfedge) const { return mesh_->next(Halfedge_index(halfedge)); }
-  bool has_triangle(Index halfedge) const { return !mesh_->is_border(Halfedge_index(halfedge)); }
+  Vertex_index target(Halfedge_index h) const { return Vertex_index(mesh_->target(descriptor(h))); }
+  Halfedge_index next(Halfedge_index h) const { return Halfedge_index(mesh_->next(descriptor(h))); }
+  bool has_triangle(Halfedge_index h) const { return !mesh_->is_border(descriptor(h)); }
 
   std::size_t number_of_faces() const { return mesh_->number_of_faces(); }
   std::size_t number_of_live_edges() const { return mesh_->number_of_edges(); }
-  Index halfedge_of_face_at(Index vertex) const
+  Halfedge_index halfedge_of_face_at(Vertex_index v) const
   {
-    return has_vertex(vertex) ? find_halfedge_of_face(*mesh_, mesh_->halfedge(Vertex_index(vertex))).idx() : no_index;
+    if(!has_vertex(v))
+      return no_index;
+    const auto h = find_halfedge_of_face(*mesh_, mesh_->halfedge(descriptor(v)));
+    return h == mesh_->null_halfedge() ? Halfedge_index(no_index) : Halfedge_index(h);
   }
   void check_faces() const { internal::check_faces(*mesh_); }
   void check_edges() const { internal::check_edges(*mesh_); }
 
 private:
-  static Large_vector<Index> unset_numbers(std::size_t size)
+  static typename Mesh::Vertex_index descriptor(Vertex_index v) { return typename Mesh::Vertex_index(v.number()); }
+  static typename Mesh::Halfedge_index descriptor(Halfedge_index h)
   {
-    Large_vector<Index> numbers;
-    numbers.resize(checked_index(size));
-    return numbers;
+    return typename Mesh::Halfedge_index(h.number());
+  }
+
+  static Indexed_vector<Vertex_index, Halfedge_index> unset_halfedges(std::size_t size)
+  {
+    Indexed_vector<Vertex_index, Halfedge_index> halfedges;
+    halfedges.resize(checked_index(size));
+    return halfedges;
   }
 
   const Mesh* mesh_;

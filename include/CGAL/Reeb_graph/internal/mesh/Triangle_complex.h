@@ -12,8 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/Triangle_complex_base.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <cstddef>
 #include <utility>
@@ -24,15 +25,16 @@ namespace internal {
 
 struct Halfedge
 {
-  Index target;
-  Index next; // in its face; no_index if it has none
+  Vertex_index target;
+  Halfedge_index next; // in its face; no_index if it has none
 };
 
 // What a Triangle_complex is made from.
 struct Halfedge_arrays
 {
-  Large_vector<Halfedge> halfedges;
-  Large_vector<Index> halfedges_of_vertices; // one of a face that ends there; no_index if there is none
+  Indexed_vector<Halfedge_index, Halfedge> halfedges;
+  Indexed_vector<Vertex_index, Halfedge_index>
+    halfedges_of_vertices; // one of a face that ends there; no_index if there is none
 };
 
 // A surface copied from a mesh of any type into flat arrays. All numbers belong to vertices and edges.
@@ -46,22 +48,23 @@ public:
       number_of_faces_(number_of_faces)
   {}
 
-  Index number_of_halfedges() const { return static_cast<Index>(halfedges_.size()); }
-  bool has_vertex(Index) const { return true; }
-  bool has_edge(Index) const { return true; }
+  Number number_of_halfedges() const { return static_cast<Number>(halfedges_.size()); }
+  bool has_vertex(Vertex_index) const { return true; }
+  bool has_edge(Edge_index) const { return true; }
 
-  Index target(Index halfedge) const { return halfedges_[halfedge].target; }
-  Index next(Index halfedge) const { return halfedges_[halfedge].next; }
-  bool has_triangle(Index halfedge) const { return next(halfedge) != no_index; }
+  Vertex_index target(Halfedge_index halfedge) const { return halfedges_[halfedge].target; }
+  Halfedge_index next(Halfedge_index halfedge) const { return halfedges_[halfedge].next; }
+  bool has_triangle(Halfedge_index halfedge) const { return next(halfedge) != no_index; }
 
   std::size_t number_of_faces() const { return number_of_faces_; }
   std::size_t number_of_live_edges() const { return halfedges_.size() / 2; }
-  Index halfedge_of_face_at(Index vertex) const { return first_halfedge(vertex); }
+  Halfedge_index halfedge_of_face_at(Vertex_index vertex) const { return first_halfedge(vertex); }
   void check_faces() const {}
   void check_edges() const {}
 
 private:
-  Large_vector<Halfedge> halfedges_; // both members in one line of the cache, with the opposite halfedge
+  Indexed_vector<Halfedge_index, Halfedge>
+    halfedges_; // both members in one line of the cache, with the opposite halfedge
   std::size_t number_of_faces_;
 };
 

@@ -11,9 +11,12 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
+#include <cstddef>
 #include <utility>
 
 namespace CGAL {
@@ -35,36 +38,42 @@ class Triangle_complex_base
 {
 public:
   // The first number behind those of the vertices, or of the edges.
-  Index number_of_vertices() const { return static_cast<Index>(first_halfedges_.size()); }
-  Index number_of_edges() const { return complex().number_of_halfedges() / 2; }
+  Number number_of_vertices() const { return static_cast<Number>(first_halfedges_.size()); }
+  Number number_of_edges() const { return complex().number_of_halfedges() / 2; }
+  Index_range<Vertex_index> vertices() const { return Index_range<Vertex_index>(number_of_vertices()); }
 
-  Index source(Index halfedge) const { return complex().target(opposite_of(halfedge)); }
+  Vertex_index source(Halfedge_index halfedge) const { return complex().target(opposite_of(halfedge)); }
 
-  bool is_on_border_edge(Index halfedge) const
+  bool is_on_border_edge(Halfedge_index halfedge) const
   {
     return !complex().has_triangle(halfedge) || !complex().has_triangle(opposite_of(halfedge));
   }
 
-  bool is_on_triangle(Index edge) const
+  bool is_on_triangle(Edge_index edge) const
   {
-    return complex().has_edge(edge) && (complex().has_triangle(2 * edge) || complex().has_triangle(2 * edge + 1));
+    const Halfedge_index even = even_halfedge(edge);
+    return complex().has_edge(edge) && (complex().has_triangle(even) || complex().has_triangle(opposite_of(even)));
   }
   // For an edge on a triangle.
-  Index halfedge_of_triangle(Index edge) const { return complex().has_triangle(2 * edge) ? 2 * edge : 2 * edge + 1; }
+  Halfedge_index halfedge_of_triangle(Edge_index edge) const
+  {
+    const Halfedge_index even = even_halfedge(edge);
+    return complex().has_triangle(even) ? even : opposite_of(even);
+  }
 
   // In the triangle of the halfedge.
-  Index previous(Index halfedge) const { return complex().next(complex().next(halfedge)); }
+  Halfedge_index previous(Halfedge_index halfedge) const { return complex().next(complex().next(halfedge)); }
 
   // A halfedge of a triangle that ends at `vertex`, no_index if there is none. At a border vertex it is the one from
   // which turning clockwise meets all others.
-  Index first_halfedge(Index vertex) const { return first_halfedges_[vertex]; }
+  Halfedge_index first_halfedge(Vertex_index vertex) const { return first_halfedges_[vertex]; }
 
   // The next halfedge with the same target, clockwise. Behind the border it has no triangle.
-  Index clockwise(Index halfedge) const { return opposite_of(complex().next(halfedge)); }
+  Halfedge_index clockwise(Halfedge_index halfedge) const { return opposite_of(complex().next(halfedge)); }
 
-  bool is_on_border(Index vertex) const
+  bool is_on_border(Vertex_index vertex) const
   {
-    const Index halfedge = first_halfedge(vertex);
+    const Halfedge_index halfedge = first_halfedge(vertex);
     return halfedge != no_index && !complex().has_triangle(opposite_of(halfedge));
   }
 
@@ -72,14 +81,14 @@ public:
   // edges at `vertex`, turning clockwise, at a border vertex from border edge to border edge, until a call returns
   // true.
   template <class Visit>
-  void visit_edges_around(Index vertex, const Visit& visit) const
+  void visit_edges_around(Vertex_index vertex, const Visit& visit) const
   {
-    const Index first = first_halfedge(vertex);
-    for(Index halfedge = first; halfedge != no_index;)
+    const Halfedge_index first = first_halfedge(vertex);
+    for(Halfedge_index halfedge = first; halfedge != no_index;)
     {
       if(visit(source(halfedge), halfedge))
         return;
-      const Index turned = clockwise(halfedge);
+      const Halfedge_index turned = clockwise(halfedge);
       if(turned == first)
         return;
       if(!complex().has_triangle(turned))
@@ -93,9 +102,9 @@ public:
 
   // The same for each edge at `vertex`.
   template <class Visit>
-  void for_each_edge_around(Index vertex, const Visit& visit) const
+  void for_each_edge_around(Vertex_index vertex, const Visit& visit) const
   {
-    visit_edges_around(vertex, [&](Index neighbor, Index halfedge) {
+    visit_edges_around(vertex, [&](Vertex_index neighbor, Halfedge_index halfedge) {
       visit(neighbor, halfedge);
       return false;
     });
@@ -103,10 +112,10 @@ public:
 
   // Calls visit(halfedge) for the halfedges of triangles that end at `vertex`, clockwise.
   template <class Visit>
-  void for_each_halfedge_around(Index vertex, const Visit& visit) const
+  void for_each_halfedge_around(Vertex_index vertex, const Visit& visit) const
   {
-    const Index first = first_halfedge(vertex);
-    for(Index halfedge = first; halfedge != no_index;)
+    const Halfedge_index first = first_halfedge(vertex);
+    for(Halfedge_index halfedge = first; halfedge != no_index;)
     {
       visit(halfedge);
       halfedge = clockwise(halfedge);
@@ -116,23 +125,23 @@ public:
   }
 
   // The position in vertices(mesh), in which removed vertices do not count.
-  std::size_t position(Index vertex) const
+  std::size_t position(Vertex_index vertex) const
   {
     std::size_t position = 0;
-    for(Index v = 0; v != vertex; ++v)
+    for(const Vertex_index v : Index_range(Vertex_index(0), vertex))
       position += complex().has_vertex(v) ? 1 : 0;
     return position;
   }
 
   // Throws the error of an order of the vertices that contradicts itself, which has shown near `vertex`.
-  [[noreturn]] void throw_contradiction_near(Index vertex) const
+  [[noreturn]] void throw_contradiction_near(Vertex_index vertex) const
   {
     throw Unordered_scalar_error::contradiction_near(position(vertex));
   }
 
 protected:
   // From a halfedge of a face that ends there for each vertex, or anything else if the derived class knows them.
-  explicit Triangle_complex_base(Large_vector<Index> halfedges_of_vertices)
+  explicit Triangle_complex_base(Indexed_vector<Vertex_index, Halfedge_index> halfedges_of_vertices)
     : first_halfedges_(std::move(halfedges_of_vertices))
   {}
 
@@ -141,7 +150,7 @@ private:
 
   const Complex& complex() const { return static_cast<const Complex&>(*this); }
 
-  Large_vector<Index> first_halfedges_; // by vertex
+  Indexed_vector<Vertex_index, Halfedge_index> first_halfedges_;
 };
 
 } // namespace internal

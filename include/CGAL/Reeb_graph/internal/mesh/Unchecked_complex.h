@@ -13,7 +13,8 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <cstddef>
 #include <utility>
@@ -41,8 +42,8 @@ struct Fan_counts
 
 struct No_visitor_of_fan
 {
-  void begin(Index) {}
-  void add(Index) {}
+  void begin(Vertex_index) {}
+  void add(Vertex_index) {}
 };
 
 // A complex that may be none, as its faces may have more than three corners and its vertices more than one fan. The fan
@@ -53,8 +54,8 @@ class Unchecked_complex
 public:
   explicit Unchecked_complex(Complex complex) : complex_(std::move(complex)) {}
 
-  Index number_of_vertices() const { return complex_.number_of_vertices(); }
-  bool has_vertex(Index number) const { return complex_.has_vertex(number); }
+  Number number_of_vertices() const { return complex_.number_of_vertices(); }
+  bool has_vertex(Vertex_index number) const { return complex_.has_vertex(number); }
 
   // To be asked about vertices whose fans have been set, and nothing else.
   const Complex& at_set_fans() const { return complex_; }
@@ -64,19 +65,19 @@ public:
   // Shows the neighbors on the way, in clockwise order: visitor.begin(neighbor), then visitor.add(neighbor) for each
   // next one. Returns whether that has led back to the first one, as it does inside of the surface.
   template <class Visitor>
-  bool set_fan(Index vertex, Fan_counts& counts, Visitor& visitor)
+  bool set_fan(Vertex_index vertex, Fan_counts& counts, Visitor& visitor)
   {
-    Index& first = complex_.first_halfedges_[vertex];
+    Halfedge_index& first = complex_.first_halfedges_[vertex];
     first = complex_.halfedge_of_face_at(vertex);
     if(first == no_index)
       return false;
     if(complex_.target(first) != vertex)
       return give_up(first, counts);
     visitor.begin(complex_.source(first));
-    Index halfedge = first;
+    Halfedge_index halfedge = first;
     do
     {
-      const Index second = complex_.next(halfedge);
+      const Halfedge_index second = complex_.next(halfedge);
       if(!is_in_triangle(halfedge))
         return give_up(first, counts);
       ++counts.corners;
@@ -87,7 +88,7 @@ public:
       return true;
     for(; complex_.has_triangle(opposite_of(first)); ++counts.corners)
     {
-      const Index turned = complex_.previous(opposite_of(first));
+      const Halfedge_index turned = complex_.previous(opposite_of(first));
       if(!is_in_triangle(opposite_of(first)) || !is_in_triangle(turned))
         return give_up(first, counts);
       first = turned;
@@ -113,7 +114,7 @@ public:
 
 private:
   // From a halfedge that is not that of a triangle at the vertex on, turning might never end.
-  static bool give_up(Index& first, Fan_counts& counts)
+  static bool give_up(Halfedge_index& first, Fan_counts& counts)
   {
     first = no_index;
     ++counts.bad_fans;
@@ -121,25 +122,25 @@ private:
   }
 
   // Whether the face of the halfedge is a triangle with different vertices at this halfedge's ends.
-  bool is_in_triangle(Index halfedge) const
+  bool is_in_triangle(Halfedge_index halfedge) const
   {
-    const Index second = complex_.next(halfedge), third = complex_.next(second);
+    const Halfedge_index second = complex_.next(halfedge), third = complex_.next(second);
     return second != halfedge && third != halfedge && complex_.next(third) == halfedge
         && complex_.target(halfedge) != complex_.target(third);
   }
 
   void throw_non_manifold_vertex_error() const
   {
-    Large_vector<Index> unreached(number_of_vertices(), 0);
-    for(Index h = 0; h != complex_.number_of_halfedges(); ++h)
+    Indexed_vector<Vertex_index, Number> unreached(number_of_vertices(), 0);
+    for(const Halfedge_index h : Index_range<Halfedge_index>(complex_.number_of_halfedges()))
     {
       if(complex_.has_edge(edge_of(h)) && complex_.has_triangle(h))
         ++unreached[complex_.target(h)];
     }
-    for(Index v = 0; v != number_of_vertices(); ++v)
+    for(const Vertex_index v : complex_.vertices())
     {
       if(has_vertex(v))
-        complex_.for_each_halfedge_around(v, [&](Index) { --unreached[v]; });
+        complex_.for_each_halfedge_around(v, [&](Halfedge_index) { --unreached[v]; });
       if(unreached[v] != 0)
         throw Non_manifold_vertex_error(complex_.position(v));
     }

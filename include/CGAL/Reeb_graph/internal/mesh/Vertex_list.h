@@ -12,7 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
@@ -38,13 +39,13 @@ public:
 
   // The first number behind those of the vertices, of which not all need belong to a vertex.
   std::size_t size() const { return vertices_.size(); }
-  bool contains(std::size_t) const { return true; }
+  bool contains(Vertex_index) const { return true; }
 
-  vertex_descriptor operator[](std::size_t number) const { return vertices_[number]; }
-  std::size_t position(std::size_t number) const { return number; }
+  vertex_descriptor operator[](Vertex_index v) const { return vertices_[v]; }
+  std::size_t position(Vertex_index v) const { return v.number(); }
 
 private:
-  Large_vector<vertex_descriptor> vertices_;
+  Indexed_vector<Vertex_index, vertex_descriptor> vertices_;
 };
 
 // The vertices of a Surface_mesh are numbers. Removed ones keep theirs.
@@ -57,13 +58,13 @@ public:
   explicit Vertex_list(const Surface_mesh<Point>& mesh) : mesh_(&mesh) { checked_index(size()); }
 
   std::size_t size() const { return mesh_->num_vertices(); }
-  bool contains(std::size_t number) const { return !mesh_->has_garbage() || !mesh_->is_removed((*this)[number]); }
+  bool contains(Vertex_index v) const { return !mesh_->has_garbage() || !mesh_->is_removed((*this)[v]); }
 
-  vertex_descriptor operator[](std::size_t number) const { return vertex_descriptor(static_cast<Index>(number)); }
-  std::size_t position(std::size_t number) const
+  vertex_descriptor operator[](Vertex_index v) const { return vertex_descriptor(v.number()); }
+  std::size_t position(Vertex_index v) const
   {
     std::size_t position = 0;
-    for(std::size_t i = 0; i != number; ++i)
+    for(const Vertex_index i : Index_range<Vertex_index>(v.number()))
       position += contains(i) ? 1 : 0;
     return position;
   }

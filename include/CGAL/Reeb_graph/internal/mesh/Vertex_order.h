@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/is_ordered.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <type_traits>
 
@@ -30,35 +30,46 @@ public:
   // Whether the order cannot contradict itself, whatever the values are.
   static constexpr bool is_sure = is_order_of_numbers<Scalar, Less>;
 
-  // A vertex with its value, to be sorted without access to the array of all values.
+  // A name of a vertex with its value, to be sorted without access to the array of all values. Names are in the order of
+  // the vertices' indices.
+  template <class Name>
   struct Key
   {
     Scalar value;
-    Index vertex;
+    Name name;
   };
 
-  Vertex_order(const Large_vector<Scalar>& values, const Less& less) : values_(&values), less_(less) {}
+  Vertex_order(const Indexed_vector<Vertex_index, Scalar>& values, const Less& less) : values_(&values), less_(less) {}
 
   // Whether vertex u is lower than vertex v.
-  bool operator()(Index u, Index v) const { return is_before((*values_)[u], u, (*values_)[v], v); }
+  bool operator()(Vertex_index u, Vertex_index v) const { return is_before((*values_)[u], u, (*values_)[v], v); }
 
-  Key key(Index v) const { return {(*values_)[v], v}; }
+  template <class Name>
+  Key<Name> key(Vertex_index v, Name name) const
+  {
+    return {(*values_)[v], name};
+  }
 
-  bool operator()(const Key& a, const Key& b) const { return is_before(a.value, a.vertex, b.value, b.vertex); }
+  template <class Name>
+  bool operator()(const Key<Name>& a, const Key<Name>& b) const
+  {
+    return is_before(a.value, a.name, b.value, b.name);
+  }
 
   // Whether the values are the same, so that only the indices order the vertices.
-  bool are_tied(Index u, Index v) const
+  bool are_tied(Vertex_index u, Vertex_index v) const
   {
     return !less_((*values_)[u], (*values_)[v]) && !less_((*values_)[v], (*values_)[u]);
   }
 
   // Whether the value of vertex u is lower than `value`, or `value` lower than that of u.
-  bool is_lower(Index u, const Scalar& value) const { return less_((*values_)[u], value); }
-  bool is_higher(Index u, const Scalar& value) const { return less_(value, (*values_)[u]); }
+  bool is_lower(Vertex_index u, const Scalar& value) const { return less_((*values_)[u], value); }
+  bool is_higher(Vertex_index u, const Scalar& value) const { return less_(value, (*values_)[u]); }
 
 private:
   // Cheap comparisons are all done, as a branch on the first one could not be predicted.
-  bool is_before(const Scalar& value_u, Index u, const Scalar& value_v, Index v) const
+  template <class Name>
+  bool is_before(const Scalar& value_u, Name u, const Scalar& value_v, Name v) const
   {
     if constexpr(std::is_arithmetic<Scalar>::value)
     {
@@ -69,7 +80,7 @@ private:
       return less_(value_u, value_v) || (!less_(value_v, value_u) && u < v);
   }
 
-  const Large_vector<Scalar>* values_;
+  const Indexed_vector<Vertex_index, Scalar>* values_;
   Less less_;
 };
 

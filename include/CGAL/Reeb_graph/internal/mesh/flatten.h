@@ -12,8 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/is_ordered.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
@@ -23,6 +22,7 @@
 #include <CGAL/Reeb_graph/internal/mesh/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/Unchecked_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/Vertex_list.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/mesh/read_halfedges.h>
 
 #include <CGAL/Dynamic_property_map.h>
@@ -59,7 +59,7 @@ using Complex_of_t = typename Complex_of<FaceListGraph>::type;
 template <class FaceListGraph, class Scalar>
 struct Flat_field
 {
-  Large_vector<Scalar> values;
+  Indexed_vector<Vertex_index, Scalar> values;
   Vertex_list<FaceListGraph> vertices;
   Halfedge_list<FaceListGraph> halfedges;
 };
@@ -91,9 +91,9 @@ struct Is_changed_by_reading<CGAL::internal::Dynamic_property_map<Key, Value>> :
 
 // Only plain numbers are read in parallel: copies of others may share parts.
 template <class ConcurrencyTag, class VertexList, class ScalarMap, class Traits>
-Large_vector<typename Traits::Scalar> read_values(const VertexList& vertices,
-                                                  const ScalarMap& scalar_map,
-                                                  const Traits& traits)
+Indexed_vector<Vertex_index, typename Traits::Scalar> read_values(const VertexList& vertices,
+                                                                  const ScalarMap& scalar_map,
+                                                                  const Traits& traits)
 {
   typedef typename Traits::Scalar Scalar;
   static_assert(!std::is_same_v<Scalar, bool>, "Scalar values of type bool are not supported: use char.");
@@ -106,12 +106,12 @@ Large_vector<typename Traits::Scalar> read_values(const VertexList& vertices,
     else
       return is_ordered_object(value);
   };
-  Large_vector<Scalar> values;
+  Indexed_vector<Vertex_index, Scalar> values;
   values.resize(vertices.size());
   Shared_counter<Tag> number_of_unordered;
   for_each_block<Tag>(vertices.size(), [&](std::size_t begin, std::size_t end) {
     std::size_t unordered = 0;
-    for(std::size_t v = begin; v != end; ++v)
+    for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
     {
       if(!vertices.contains(v))
       {
@@ -123,7 +123,9 @@ Large_vector<typename Traits::Scalar> read_values(const VertexList& vertices,
     }
     number_of_unordered.add(unordered);
   });
-  for(std::size_t v = 0; number_of_unordered.get() != 0 && v != values.size(); ++v)
+  if(number_of_unordered.get() == 0)
+    return values;
+  for(const Vertex_index v : values.keys())
   {
     if(vertices.contains(v) && !is_ordered(values[v]))
       throw Unordered_scalar_error(vertices.position(v));
@@ -143,7 +145,7 @@ auto find_vertex_numbers(const FaceListGraph& mesh,
 template <class Point, class NamedParameters>
 auto find_vertex_numbers(const Surface_mesh<Point>&, const Vertex_list<Surface_mesh<Point>>&, const NamedParameters&)
 {
-  return [](typename Surface_mesh<Point>::Vertex_index v) { return static_cast<Index>(v); };
+  return [](typename Surface_mesh<Point>::Vertex_index v) { return Vertex_index(v); };
 }
 
 // Only a mesh that numbers its halfedges tells those of other meshes.
@@ -168,12 +170,14 @@ void check_index_maps(const FaceListGraph& mesh, const NamedParameters& np)
   if constexpr(is_given<decltype(get_parameter(np, internal_np::vertex_index))>)
   {
     const auto range = vertices(mesh);
-    make_vertex_positions(mesh, std::vector<typename Graph_traits::vertex_descriptor>(range.first, range.second), np);
+    typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+    make_vertex_positions(mesh, Indexed_vector<Vertex_index, vertex_descriptor>(range.first, range.second), np);
   }
   if constexpr(is_given<decltype(get_parameter(np, internal_np::face_index))>)
   {
     const auto range = faces(mesh);
-    make_face_positions(mesh, std::vector<typename Graph_traits::face_descriptor>(range.first, range.second), np);
+    typedef typename Graph_traits::face_descriptor face_descriptor;
+    make_face_positions(mesh, Indexed_vector<Face_index, face_descriptor>(range.first, range.second), np);
   }
 }
 
@@ -186,8 +190,8 @@ Unchecked_surface<FaceListGraph, typename Traits::Scalar> flatten_unchecked(cons
   Vertex_list<FaceListGraph> vertex_list(mesh);
   auto values = read_values<ConcurrencyTag>(vertex_list, scalar_map, traits);
   const auto face_range = faces(mesh);
-  const std::vector<typename boost::graph_traits<FaceListGraph>::face_descriptor> face_list(face_range.first,
-                                                                                            face_range.second);
+  typedef typename boost::graph_traits<FaceListGraph>::face_descriptor face_descriptor;
+  const Indexed_vector<Face_index, face_descriptor> face_list(face_range.first, face_range.second);
   auto read = read_halfedges(mesh, face_list, vertex_list.size(), make_vertex_positions(mesh, vertex_list, np),
                              make_face_positions(mesh, face_list, np));
   return {Unchecked_complex(Triangle_complex(std::move(read.arrays), face_list.size())),
@@ -219,8 +223,8 @@ Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph
   const auto set_fans = [&parts, &complex = unchecked](std::size_t part, std::size_t begin, std::size_t end) {
     Fan_counts counts;
     No_visitor_of_fan visitor;
-    for(std::size_t v = begin; v != end; ++v)
-      complex.set_fan(static_cast<Index>(v), counts, visitor);
+    for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
+      complex.set_fan(v, counts, visitor);
     parts[part] = counts;
   };
   for_each_part<ConcurrencyTag>(parts.size(), size, set_fans);

@@ -12,10 +12,11 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/Halfedge_list.h>
 #include <CGAL/Reeb_graph/internal/mesh/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/check_faces.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -62,28 +63,28 @@ Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
   check_faces(mesh);
   Halfedge_arrays arrays;
   arrays.halfedges_of_vertices.assign(number_of_vertices, no_index);
-  Large_vector<halfedge_descriptor> even_halfedges;
-  Large_vector<std::array<Index, 3>> numbers_in_faces;
+  Indexed_vector<Edge_index, halfedge_descriptor> even_halfedges;
+  Indexed_vector<Face_index, std::array<Halfedge_index, 3>> numbers_in_faces;
   numbers_in_faces.reserve(face_list.size());
 
   const auto add_edge_of = [&](halfedge_descriptor h) {
     even_halfedges.push_back(h);
     for(const auto v : {target(h, mesh), source(h, mesh)})
       arrays.halfedges.push_back({vertex_positions[v], no_index});
-    return checked_index(arrays.halfedges.size()) - 2;
+    return Halfedge_index(checked_index(arrays.halfedges.size()) - 2);
   };
   const auto number = [&](halfedge_descriptor h) {
     const auto across = face(opposite(h, mesh), mesh);
-    if(across == Graph_traits::null_face() || face_positions[across] >= numbers_in_faces.size())
+    if(across == Graph_traits::null_face() || !numbers_in_faces.contains(face_positions[across]))
       return add_edge_of(h);
-    const std::array<Index, 3>& numbers = numbers_in_faces[face_positions[across]];
-    const auto is_of_edge = [&](Index i) { return even_halfedges[edge_of(i)] == opposite(h, mesh); };
+    const std::array<Halfedge_index, 3>& numbers = numbers_in_faces[face_positions[across]];
+    const auto is_of_edge = [&](Halfedge_index i) { return even_halfedges[edge_of(i)] == opposite(h, mesh); };
     return opposite_of(is_of_edge(numbers[0]) ? numbers[0] : (is_of_edge(numbers[1]) ? numbers[1] : numbers[2]));
   };
-  for(std::size_t f = 0; f != face_list.size(); ++f)
+  for(const Face_index f : face_list.keys())
   {
     const halfedge_descriptor h = halfedge(face_list[f], mesh);
-    const std::array<Index, 3> numbers = {number(h), number(next(h, mesh)), number(prev(h, mesh))};
+    const std::array<Halfedge_index, 3> numbers = {number(h), number(next(h, mesh)), number(prev(h, mesh))};
     for(std::size_t i = 0; i != 3; ++i)
     {
       arrays.halfedges[numbers[i]].next = numbers[(i + 1) % 3];

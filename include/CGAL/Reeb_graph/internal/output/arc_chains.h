@@ -13,8 +13,10 @@
 
 #include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
 
 #include <cstddef>
@@ -27,26 +29,29 @@ namespace internal {
 // The chains of all arcs, one behind the other as their pieces are.
 struct Flat_chains
 {
-  std::vector<Large_vector<Index>> parts; // of the sequence of all halfedges, which are ascending
+  std::vector<Large_vector<Halfedge_index>> parts; // of the sequence of all halfedges, which are ascending
   std::vector<std::size_t> begins_of_parts;
-  Large_vector<std::size_t> begins_of_pieces; // and the end of the last one
+  Indexed_vector<Piece_index, std::size_t> begins_of_pieces; // and the end of the last one
 
   std::size_t size() const { return begins_of_pieces.back(); }
   std::size_t begin(const Flat_arc& arc) const { return begins_of_pieces[arc.first_piece]; }
-  std::size_t end(const Flat_arc& arc) const { return begins_of_pieces[arc.first_piece + arc.number_of_pieces]; }
+  std::size_t end(const Flat_arc& arc) const
+  {
+    return begins_of_pieces[Piece_index(arc.first_piece.number() + arc.number_of_pieces)];
+  }
 };
 
 // Walks the pieces of chains from `begin` to `end`. A path that has entered an arc cannot leave it below the upper
 // node, so comparisons tell the end, and the chain does not depend on how the arc was found. No vertex is passed twice,
 // unless the order contradicts itself.
 template <class Complex, class Order>
-Large_vector<Index> walk_pieces(const Complex& complex,
-                                const Order& order,
-                                const Chain_piece* begin,
-                                const Chain_piece* end,
-                                std::size_t* begins_of_pieces)
+Large_vector<Halfedge_index> walk_pieces(const Complex& complex,
+                                         const Order& order,
+                                         const Chain_piece* begin,
+                                         const Chain_piece* end,
+                                         std::size_t* begins_of_pieces)
 {
-  Large_vector<Index> halfedges;
+  Large_vector<Halfedge_index> halfedges;
   halfedges.reserve(3 * static_cast<std::size_t>(end - begin));
   const std::size_t most = complex.number_of_vertices() + static_cast<std::size_t>(end - begin);
   const auto add = [&](const Ascending_step& step) {
@@ -59,7 +64,7 @@ Large_vector<Index> walk_pieces(const Complex& complex,
     Ascending_step step = piece->first_step;
     for(add(step); order(step.target, piece->upper_vertex); add(step))
     {
-      const Index vertex = step.target;
+      const Vertex_index vertex = step.target;
       step = steepest_step(complex, order, vertex);
       if(step.edge == no_index || halfedges.size() == most)
         complex.throw_contradiction_near(vertex);
@@ -82,7 +87,7 @@ Flat_chains find_arc_chains(const Complex& complex, const Order& order, const Fl
                                      chains.begins_of_pieces.data() + begin);
   });
   std::size_t sum = 0;
-  for(const Large_vector<Index>& part : chains.parts)
+  for(const Large_vector<Halfedge_index>& part : chains.parts)
   {
     chains.begins_of_parts.push_back(sum);
     sum += part.size();
@@ -90,7 +95,7 @@ Flat_chains find_arc_chains(const Complex& complex, const Order& order, const Fl
   chains.begins_of_pieces.back() = sum;
   for_each_part<ConcurrencyTag>(chains.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
     for(std::size_t i = begin; part != 0 && i != end; ++i)
-      chains.begins_of_pieces[i] += chains.begins_of_parts[part];
+      chains.begins_of_pieces[Piece_index(i)] += chains.begins_of_parts[part];
   });
   return chains;
 }

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/mesh/flatten.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/output/arc_chains.h>
 #include <CGAL/Reeb_graph/internal/output/graph_storage.h>
 
@@ -44,7 +45,7 @@ auto chain_halfedges(const FaceListGraph& mesh,
   for_each_index<ConcurrencyTag>(chains.parts.size(), [&](std::size_t part) {
     std::transform(chains.parts[part].begin(), chains.parts[part].end(),
                    halfedges.begin() + chains.begins_of_parts[part],
-                   [&](Index halfedge) { return field.halfedges(mesh, halfedge); });
+                   [&](Halfedge_index halfedge) { return field.halfedges(mesh, halfedge); });
   });
   return std::make_shared<const std::vector<halfedge_descriptor>>(std::move(halfedges));
 }
@@ -64,10 +65,11 @@ void write_nodes_and_arcs(const Flat_field<FaceListGraph, Scalar>& field,
   graph.clear();
   reserve_nodes(graph, flat_graph.nodes.size());
   constexpr std::size_t ahead = 12;
-  for(std::size_t i = 0; i != flat_graph.nodes.size(); ++i)
+  for(const Node_index i : flat_graph.nodes.keys())
   {
-    if(i + ahead < flat_graph.nodes.size())
-      prefetch_element(field.values, flat_graph.nodes[i + ahead].vertex);
+    const Node_index later(i.number() + ahead);
+    if(flat_graph.nodes.contains(later))
+      prefetch_element(field.values, flat_graph.nodes[later].vertex);
     const Flat_node& flat_node = flat_graph.nodes[i];
     Node node;
     node.vertex = field.vertices[flat_node.vertex];
@@ -75,12 +77,12 @@ void write_nodes_and_arcs(const Flat_field<FaceListGraph, Scalar>& field,
     node.kind = flat_node.kind;
     add_vertex(std::move(node), graph);
   }
-  const std::size_t size = flat_graph.arcs.size();
-  for(std::size_t i = 0; i != size; ++i)
+  for(const Arc_index i : flat_graph.arcs.keys())
   {
-    if(i + ahead < size)
-      prefetch(&graph[flat_graph.arcs[i + ahead].upper]);
-    add_edge(flat_graph.arcs[i].lower, flat_graph.arcs[i].upper, graph);
+    const Arc_index later(i.number() + ahead);
+    if(flat_graph.arcs.contains(later))
+      prefetch(&graph[flat_graph.arcs[later].upper.number()]);
+    add_edge(flat_graph.arcs[i].lower.number(), flat_graph.arcs[i].upper.number(), graph);
   }
 }
 
@@ -116,12 +118,14 @@ void write_graph(const FaceListGraph& mesh,
     throw;
   }
   constexpr std::size_t ahead = 12;
-  std::size_t i = 0;
+  Arc_index i(0);
   for(const auto arc : CGAL::make_range(edges(graph)))
   {
-    if(i + ahead < flat_graph.arcs.size())
-      prefetch(&chains.begins_of_pieces[flat_graph.arcs[i + ahead].first_piece]);
-    const Flat_arc& flat_arc = flat_graph.arcs[i++];
+    const Arc_index later(i.number() + ahead);
+    if(flat_graph.arcs.contains(later))
+      prefetch(&chains.begins_of_pieces[flat_graph.arcs[later].first_piece]);
+    const Flat_arc& flat_arc = flat_graph.arcs[i];
+    ++i;
     graph[arc].chain = {halfedges, chains.begin(flat_arc), chains.end(flat_arc) - chains.begin(flat_arc)};
   }
 }

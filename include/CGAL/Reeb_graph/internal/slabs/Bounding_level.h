@@ -12,24 +12,26 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/base/Number_set.h>
+#include <CGAL/Reeb_graph/internal/base/Index_set.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/walks/contour_tracing.h>
-
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+struct Contour_tag;
+typedef Index_of<Contour_tag> Contour_index;
 
 // A level between two slabs, and its contours, numbered in the order of their first edges. It
 // holds the map from crossed edges to contours by which slabs are glued. (The paper, Section 5.3.)
 class Bounding_level
 {
 public:
-  explicit Bounding_level(Index number_of_edges) : crossed_edges_(number_of_edges) {}
+  explicit Bounding_level(Number number_of_edges) : crossed_edges_(number_of_edges) {}
 
-  void add_crossed_edge(Index edge) { crossed_edges_.add(edge); }
+  void add_crossed_edge(Edge_index edge) { crossed_edges_.add(edge); }
 
   // To be called after the last edge has been added.
   template <class Complex, class IsBelow>
@@ -37,13 +39,13 @@ public:
   {
     crossed_edges_.count_ranks();
     contours_.assign(crossed_edges_.size(), no_index);
-    crossed_edges_.for_each([&](Index edge) {
+    crossed_edges_.for_each([&](Edge_index edge) {
       if(contours_[crossed_edges_.rank(edge)] != no_index)
         return;
-      const Index contour = number_of_contours();
       first_edges_.push_back(edge);
+      const Contour_index contour = first_edges_.last_key();
       is_border_reached_.push_back(false);
-      trace_contour(complex, complex.halfedge_of_triangle(edge), is_below, [&](Index halfedge) {
+      trace_contour(complex, complex.halfedge_of_triangle(edge), is_below, [&](Halfedge_index halfedge) {
         contours_[crossed_edges_.rank(edge_of(halfedge))] = contour;
         if(complex.is_on_border_edge(halfedge))
           is_border_reached_.back() = true;
@@ -51,17 +53,22 @@ public:
     });
   }
 
-  Index number_of_contours() const { return static_cast<Index>(first_edges_.size()); }
-  Index first_edge(Index contour) const { return first_edges_[contour]; }
-  bool is_border_reached(Index contour) const { return is_border_reached_[contour]; }
+  Number number_of_contours() const { return static_cast<Number>(first_edges_.size()); }
+  Edge_index first_edge(Contour_index contour) const { return first_edges_[contour]; }
+  bool is_border_reached(Contour_index contour) const { return is_border_reached_[contour]; }
 
-  Index contour_at_edge(Index halfedge) const { return contours_[crossed_edges_.rank(edge_of(halfedge))]; }
+  Contour_index contour_at_edge(Halfedge_index halfedge) const
+  {
+    return contours_[crossed_edges_.rank(edge_of(halfedge))];
+  }
 
 private:
-  Number_set crossed_edges_;
-  Large_vector<Index> contours_;    // by rank of the edge
-  Large_vector<Index> first_edges_; // by contour
-  std::vector<bool> is_border_reached_;
+  typedef Index_set<Edge_index> Edge_set;
+
+  Edge_set crossed_edges_;
+  Indexed_vector<Edge_set::Rank_index, Contour_index> contours_;
+  Indexed_vector<Contour_index, Edge_index> first_edges_;
+  Indexed_vector<Contour_index, bool> is_border_reached_;
 };
 
 } // namespace internal

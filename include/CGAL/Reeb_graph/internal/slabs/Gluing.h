@@ -12,7 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slicing.h>
@@ -30,26 +31,25 @@ template <class Complex>
 class Gluing
 {
 public:
-  explicit Gluing(const Slicing<Complex>& slicing, Index number_of_critical_vertices)
+  explicit Gluing(const Slicing<Complex>& slicing, Number number_of_critical_vertices)
     : slicing_(slicing),
       first_contours_({number_of_critical_vertices})
   {
-    for(Index level = 0; level != slicing.number_of_levels(); ++level)
-      first_contours_.push_back(
-        checked_index(std::size_t(first_contours_.back()) + slicing.level(level).number_of_contours()));
+    for(const Bounding_level& level : slicing.levels())
+      first_contours_.push_back(checked_index(std::size_t(first_contours_.back()) + level.number_of_contours()));
     upper_ends_.resize(first_contours_.back() - first_contours_.front(), no_index);
   }
 
-  Large_vector<Slab_arc> operator()(const std::vector<Large_vector<Slab_arc>>& arcs_of_slabs)
+  Slab_arcs operator()(const Indexed_vector<Slab_index, Slab_arcs>& arcs_of_slabs)
   {
-    Large_vector<Slab_arc> arcs;
-    for(Index slab = 0; slab != arcs_of_slabs.size(); ++slab)
+    Slab_arcs arcs;
+    for(const Slab_index slab : arcs_of_slabs.keys())
     {
       for(const Slab_arc& arc : arcs_of_slabs[slab])
       {
-        const Index lower = name(slab, arc.lower), upper = name(slab, arc.upper);
+        const Slab_node lower = name(slab, arc.lower), upper = name(slab, arc.upper);
         if(is_contour(lower))
-          upper_ends_[lower - first_contours_.front()] = upper;
+          upper_end(lower) = upper;
         else
           arcs.push_back({lower, upper, arc.first_step});
       }
@@ -58,31 +58,33 @@ public:
     {
       while(is_contour(arc.upper))
       {
-        const Index upper_end = upper_ends_[arc.upper - first_contours_.front()];
-        if(upper_end == no_index || (is_contour(upper_end) && upper_end <= arc.upper))
+        const Slab_node above = upper_end(arc.upper);
+        if(above == no_index || (is_contour(above) && above <= arc.upper))
           slicing_.complex().throw_contradiction_near(arc.first_step.target);
-        arc.upper = upper_end;
+        arc.upper = above;
       }
     }
     return arcs;
   }
 
 private:
-  bool is_contour(Index node) const { return node >= first_contours_.front(); }
+  // The surface has the contours of all levels as nodes, behind its critical vertices.
+  bool is_contour(Slab_node node) const { return node.number() >= first_contours_.front(); }
+  Slab_node& upper_end(Slab_node contour) { return upper_ends_[contour.number() - first_contours_.front()]; }
 
-  // Of a node of a slab: contours are numbered behind the critical vertices, level by level.
-  Index name(Index number, Index node) const
+  // The node of the surface that a node of a slab is.
+  Slab_node name(Slab_index index, Slab_node node) const
   {
-    const Slab<Complex> slab = slicing_.slab(number);
-    if(node < slab.critical_vertices().size())
-      return slicing_.critical_vertex(number, node);
-    const bool is_upper = slab.is_contour_node(true, node);
-    return first_contours_[is_upper ? number : number - 1] + (node - slab.contour_node(is_upper, 0));
+    const Slab<Complex> slab = slicing_.slab(index);
+    if(!slab.is_contour(node))
+      return node_of(slicing_.critical_vertex(index, critical_vertex_of(node)));
+    const std::size_t level = slab.side_of_contour(node) == Side::UPPER ? index.number() : index.number() - 1;
+    return Slab_node(first_contours_[level] + slab.contour_of_node(node).number());
   }
 
   const Slicing<Complex>& slicing_;
-  Large_vector<Index> first_contours_; // by level
-  Large_vector<Index> upper_ends_;     // by contour
+  std::vector<Number> first_contours_; // by level: the number of its first contour among the nodes
+  std::vector<Slab_node> upper_ends_;  // by contour of all levels
 };
 
 } // namespace internal

@@ -12,17 +12,20 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Bounding_level.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
 
-#include <cstddef>
-
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+struct Slab_tag;
+typedef Index_of<Slab_tag> Slab_index;
 
 // The part of the surface between two bounding levels, or all of it. It is no copy: it has the numbers of the slabs in which
 // all vertices are, and its own critical vertices. Its nodes are these, followed by the contours of its lower level and
@@ -37,19 +40,17 @@ public:
       critical_vertices_(&critical_vertices)
   {}
 
-  // Slab `number`, between two levels, each of which can be missing.
+  // The slab of the given index, between two levels, each of which can be missing.
   Slab(const Complex& complex,
        const Swept_vertices& critical_vertices,
-       const Large_vector<Index>& slabs_of_vertices,
-       Index number,
-       const Bounding_level* lower_level,
-       const Bounding_level* upper_level)
+       const Indexed_vector<Vertex_index, Slab_index>& slabs_of_vertices,
+       Slab_index index,
+       const By_side<const Bounding_level*>& levels)
     : complex_(&complex),
       critical_vertices_(&critical_vertices),
       slabs_of_vertices_(&slabs_of_vertices),
-      number_(number),
-      lower_level_(lower_level),
-      upper_level_(upper_level)
+      index_(index),
+      levels_(levels)
   {}
 
   bool is_whole_surface() const { return slabs_of_vertices_ == nullptr; }
@@ -61,65 +62,70 @@ public:
   // it has any.
   [[noreturn]] void throw_contradiction_near(const Slab_arc& arc) const
   {
-    const Index size = critical_vertices_->size();
-    complex_->throw_contradiction_near(
-      critical_vertices_->vertex(arc.lower < size ? arc.lower : (arc.upper < size ? arc.upper : 0)));
+    const Slab_node node = !is_contour(arc.lower) ? arc.lower : (!is_contour(arc.upper) ? arc.upper : Slab_node(0));
+    complex_->throw_contradiction_near(critical_vertices_->vertex(critical_vertex_of(node)));
   }
 
-  Index number_of_contours(bool is_upper) const
+  // The contours of the lower or of the upper level.
+  Number number_of_contours(Side side) const { return levels_[side] ? levels_[side]->number_of_contours() : 0; }
+  Index_range<Contour_index> contours(Side side) const { return Index_range<Contour_index>(number_of_contours(side)); }
+
+  Number number_of_nodes() const
   {
-    const Bounding_level* level = is_upper ? upper_level_ : lower_level_;
-    return level == nullptr ? 0 : level->number_of_contours();
+    return critical_vertices_->size() + number_of_contours(Side::LOWER) + number_of_contours(Side::UPPER);
+  }
+  bool is_contour(Slab_node node) const { return node.number() >= critical_vertices_->size(); }
+  Slab_node contour_node(Side side, Contour_index contour) const
+  {
+    return Slab_node(first_contour_node(side) + contour.number());
   }
 
-  Index number_of_nodes() const { return contour_node(true, number_of_contours(true)); }
-  Index contour_node(bool is_upper, Index contour) const
+  // For the node of a contour.
+  Side side_of_contour(Slab_node node) const { return side_of(node.number() >= first_contour_node(Side::UPPER)); }
+  Contour_index contour_of_node(Slab_node node) const
   {
-    return critical_vertices_->size() + (is_upper ? number_of_contours(false) : 0) + contour;
-  }
-  bool is_contour_node(bool is_upper, Index node) const
-  {
-    return node >= contour_node(is_upper, 0) && node < contour_node(is_upper, number_of_contours(is_upper));
+    return Contour_index(node.number() - first_contour_node(side_of_contour(node)));
   }
 
-  bool is_border_reached(bool is_upper, Index contour) const
-  {
-    return (is_upper ? upper_level_ : lower_level_)->is_border_reached(contour);
-  }
+  bool is_border_reached(Side side, Contour_index contour) const { return levels_[side]->is_border_reached(contour); }
 
   // The contour at which a monotone path leaves the slab with a step to `target` over the edge find_edge(), no_index if
   // it does not.
   template <class FindEdge>
-  Index contour_at_step(bool is_upper, Index target, const FindEdge& find_edge) const
+  Contour_index contour_at_step(Side side, Vertex_index target, const FindEdge& find_edge) const
   {
-    const Bounding_level* level = is_upper ? upper_level_ : lower_level_;
-    if(level == nullptr || !is_outside(is_upper, target))
+    const Bounding_level* level = levels_[side];
+    if(level == nullptr || !is_outside(side, target))
       return no_index;
     return level->contour_at_edge(find_edge());
   }
 
   // A step from a contour of the upper or the lower level into the slab, or across all of it.
-  Ascending_step step_from_contour(bool is_upper, Index contour) const
+  Ascending_step step_from_contour(Side side, Contour_index contour) const
   {
-    const Index edge = complex_->halfedge_of_triangle((is_upper ? upper_level_ : lower_level_)->first_edge(contour));
-    const Index source = complex_->source(edge), target = complex_->target(edge);
+    const Halfedge_index edge = complex_->halfedge_of_triangle(levels_[side]->first_edge(contour));
+    const Vertex_index source = complex_->source(edge), target = complex_->target(edge);
     const bool is_source_lower = (*slabs_of_vertices_)[source] < (*slabs_of_vertices_)[target];
-    return {edge, is_source_lower == is_upper ? source : target};
+    return {edge, is_source_lower == (side == Side::UPPER) ? source : target};
   }
 
 private:
-  bool is_outside(bool is_upper, Index vertex) const
+  Number first_contour_node(Side side) const
   {
-    const Index slab = (*slabs_of_vertices_)[vertex];
-    return is_upper ? slab > number_ : slab < number_;
+    return critical_vertices_->size() + (side == Side::UPPER ? number_of_contours(Side::LOWER) : 0);
+  }
+
+  bool is_outside(Side side, Vertex_index vertex) const
+  {
+    const Slab_index slab = (*slabs_of_vertices_)[vertex];
+    return side == Side::UPPER ? slab > index_ : slab < index_;
   }
 
   const Complex* complex_;
   const Swept_vertices* critical_vertices_;
-  const Large_vector<Index>* slabs_of_vertices_ = nullptr;
-  Index number_ = 0;
-  const Bounding_level* lower_level_ = nullptr;
-  const Bounding_level* upper_level_ = nullptr;
+  const Indexed_vector<Vertex_index, Slab_index>* slabs_of_vertices_ = nullptr;
+  Slab_index index_ = Slab_index(0);
+  By_side<const Bounding_level*> levels_ = {nullptr, nullptr};
 };
 
 } // namespace internal

@@ -12,20 +12,37 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// What an engine returns: an arc from one critical vertex to the next one above, both as positions in the sequence
-// of critical vertices. Its chain begins with the step from the lower vertex to its highest neighbor inside the arc.
+// The nodes of a slab: its critical vertices, then others.
+struct Slab_node_tag;
+typedef Index_of<Slab_node_tag> Slab_node;
+
+constexpr Slab_node node_of(Swept_index critical) { return Slab_node(critical.number()); }
+constexpr Swept_index critical_vertex_of(Slab_node node) { return Swept_index(node.number()); }
+
+// What an engine returns: an arc from one node to the next one above. Its chain begins with the step from the lower
+// vertex to its highest neighbor inside the arc.
 struct Slab_arc
 {
-  Index lower;
-  Index upper;
+  Slab_node lower;
+  Slab_node upper;
   Ascending_step first_step;
+
+  // For an arc between critical vertices.
+  Swept_index lower_vertex() const { return critical_vertex_of(lower); }
+  Swept_index upper_vertex() const { return critical_vertex_of(upper); }
 };
+
+struct Slab_arc_tag;
+typedef Index_of<Slab_arc_tag> Slab_arc_index;
+typedef Indexed_vector<Slab_arc_index, Slab_arc> Slab_arcs;
 
 } // namespace internal
 } // namespace Reeb_graph

@@ -12,10 +12,12 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Index_set.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
-#include <CGAL/Reeb_graph/internal/base/Number_set.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Bounding_level.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 
@@ -38,10 +40,10 @@ public:
   static Slicing make(const Complex& complex,
                       const Order& order,
                       const Swept_vertices& critical_vertices,
-                      Index number_of_slabs)
+                      Number number_of_slabs)
   {
     const std::size_t most = largest_size_of_levels(complex) / (complex.number_of_edges() / 16 + 1) + 1;
-    number_of_slabs = static_cast<Index>((std::min)(std::size_t(number_of_slabs), most));
+    number_of_slabs = static_cast<Number>((std::min)(std::size_t(number_of_slabs), most));
     Slicing slicing(complex, critical_vertices, number_of_slabs);
     slicing.template find_slabs_of_vertices<ConcurrencyTag>(order);
     while(number_of_slabs > 2 && slicing.template size_of_levels<ConcurrencyTag>() > largest_size_of_levels(complex))
@@ -53,44 +55,45 @@ public:
     slicing.levels_.assign(number_of_slabs - 1, Bounding_level(complex.number_of_edges()));
     slicing.template find_crossed_edges<ConcurrencyTag>();
     for_each_index<ConcurrencyTag>(slicing.levels_.size(), [&](std::size_t i) {
-      slicing.levels_[i].find_contours(complex, [&](Index u) { return slicing.slabs_of_vertices_[u] <= i; });
+      slicing.levels_[i].find_contours(complex,
+                                       [&](Vertex_index u) { return slicing.slabs_of_vertices_[u] <= Slab_index(i); });
     });
     slicing.distribute_critical_vertices();
-    for_each_index<ConcurrencyTag>(slicing.parts_.size(), [&](std::size_t slab) { slicing.fill_part(slab); });
+    for_each_index<ConcurrencyTag>(slicing.parts_.size(),
+                                   [&](std::size_t slab) { slicing.fill_part(Slab_index(slab)); });
     return slicing;
   }
 
   const Complex& complex() const { return *complex_; }
 
-  Index number_of_slabs() const { return static_cast<Index>(parts_.size()); }
+  Number number_of_slabs() const { return static_cast<Number>(parts_.size()); }
 
-  Slab<Complex> slab(Index number) const
+  Slab<Complex> slab(Slab_index index) const
   {
-    return Slab<Complex>(*complex_, parts_[number].critical_vertices, slabs_of_vertices_, number,
-                         number == 0 ? nullptr : &levels_[number - 1],
-                         number == levels_.size() ? nullptr : &levels_[number]);
+    const std::size_t i = index.number();
+    return Slab<Complex>(*complex_, parts_[index].critical_vertices, slabs_of_vertices_, index,
+                         {i == 0 ? nullptr : &levels_[i - 1], i == levels_.size() ? nullptr : &levels_[i]});
   }
 
   // The name of a slab's critical vertex among those of the surface.
-  Index critical_vertex(Index slab, Index critical) const { return parts_[slab].names[critical]; }
+  Swept_index critical_vertex(Slab_index slab, Swept_index critical) const { return parts_[slab].names[critical]; }
 
-  // The level above the slab of the same number.
-  const Bounding_level& level(Index number) const { return levels_[number]; }
-  Index number_of_levels() const { return static_cast<Index>(levels_.size()); }
+  // By slab but the highest, the level above it.
+  const std::vector<Bounding_level>& levels() const { return levels_; }
 
 private:
   struct Part
   {
     Swept_vertices critical_vertices;
-    Large_vector<Index> names;
+    Indexed_vector<Swept_index, Swept_index> names;
   };
 
-  Slicing(const Complex& complex, const Swept_vertices& critical_vertices, Index number_of_slabs)
+  Slicing(const Complex& complex, const Swept_vertices& critical_vertices, Number number_of_slabs)
     : complex_(&complex),
       critical_vertices_(&critical_vertices),
       parts_(number_of_slabs)
   {
-    for(Index slab = 1; slab != number_of_slabs; ++slab)
+    for(std::size_t slab = 1; slab != number_of_slabs; ++slab)
       level_vertices_.push_back(critical_vertices.vertex(critical_vertices.ascending()[first_of_slab(slab) - 1]));
   }
 
@@ -100,16 +103,15 @@ private:
   template <class ConcurrencyTag, class Order>
   void find_slabs_of_vertices(const Order& order)
   {
-    slabs_of_vertices_.resize(complex_->number_of_vertices(), 0);
+    slabs_of_vertices_.resize(complex_->number_of_vertices(), Slab_index(0));
     for_each_block<ConcurrencyTag>(slabs_of_vertices_.size(), [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i != end; ++i)
+      for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
       {
-        const Index v = static_cast<Index>(i);
         if(!complex_->has_vertex(v))
           continue;
         const auto level = std::partition_point(level_vertices_.begin(), level_vertices_.end(),
-                                                [&](Index level_vertex) { return order(level_vertex, v); });
-        slabs_of_vertices_[i] = static_cast<Index>(level - level_vertices_.begin());
+                                                [&](Vertex_index level_vertex) { return order(level_vertex, v); });
+        slabs_of_vertices_[v] = Slab_index(static_cast<std::size_t>(level - level_vertices_.begin()));
       }
     });
   }
@@ -126,9 +128,8 @@ private:
     Shared_counter<ConcurrencyTag> number_of_crossings;
     for_each_block<ConcurrencyTag>(complex_->number_of_edges(), [&](std::size_t begin, std::size_t end) {
       std::size_t crossings = 0;
-      for(std::size_t i = begin; i != end; ++i)
+      for(const Edge_index edge : Index_range(Edge_index(begin), Edge_index(end)))
       {
-        const Index edge = static_cast<Index>(i);
         if(complex_->is_on_triangle(edge))
           crossings += range_of_levels(edge).second - range_of_levels(edge).first;
       }
@@ -137,26 +138,27 @@ private:
     return number_of_crossings.get() + (parts_.size() - 1) * (complex_->number_of_edges() / 16);
   }
 
-  // Those that the edge crosses, and the one behind them.
-  std::pair<Index, Index> range_of_levels(Index edge) const
+  // The first level that the edge crosses, and the one behind the last.
+  std::pair<std::size_t, std::size_t> range_of_levels(Edge_index edge) const
   {
-    return std::minmax<Index>(
-      {slabs_of_vertices_[complex_->source(2 * edge)], slabs_of_vertices_[complex_->target(2 * edge)]});
+    const Halfedge_index halfedge = even_halfedge(edge);
+    return std::minmax<std::size_t>({slabs_of_vertices_[complex_->source(halfedge)].number(),
+                                     slabs_of_vertices_[complex_->target(halfedge)].number()});
   }
 
   // One sweep for all levels, in blocks that do not share a word of the sets.
   template <class ConcurrencyTag>
   void find_crossed_edges()
   {
-    const std::size_t end_of_edges = complex_->number_of_edges(), word = Number_set::bits_per_word;
+    const std::size_t end_of_edges = complex_->number_of_edges(), word = Index_set<Edge_index>::bits_per_word;
     for_each_block<ConcurrencyTag>(end_of_edges / word + 1, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin * word; i < (std::min)(end * word, end_of_edges); ++i)
+      const Edge_index first(begin * word), last((std::min)(end * word, end_of_edges));
+      for(const Edge_index edge : Index_range(first, last))
       {
-        const Index edge = static_cast<Index>(i);
         if(!complex_->is_on_triangle(edge))
           continue;
         const auto range = range_of_levels(edge);
-        for(Index level = range.first; level != range.second; ++level)
+        for(std::size_t level = range.first; level != range.second; ++level)
           levels_[level].add_crossed_edge(edge);
       }
     });
@@ -165,35 +167,36 @@ private:
   void distribute_critical_vertices()
   {
     names_in_slabs_.resize(critical_vertices_->size());
-    for(Index i = 0; i != critical_vertices_->size(); ++i)
+    for(const Swept_index i : critical_vertices_->indices())
     {
-      Large_vector<Index>& names = parts_[slabs_of_vertices_[critical_vertices_->vertex(i)]].names;
-      names_in_slabs_[i] = static_cast<Index>(names.size());
+      Indexed_vector<Swept_index, Swept_index>& names = parts_[slabs_of_vertices_[critical_vertices_->vertex(i)]].names;
+      names_in_slabs_[i] = names.end_key();
       names.push_back(i);
     }
   }
 
-  void fill_part(std::size_t slab)
+  void fill_part(Slab_index slab)
   {
     const auto ascending = critical_vertices_->ascending().begin();
-    Large_vector<Index> ascending_in_slab;
+    Large_vector<Swept_index> ascending_in_slab;
     ascending_in_slab.reserve(parts_[slab].names.size());
-    std::for_each(ascending + first_of_slab(slab), ascending + first_of_slab(slab + 1), [&](Index critical) {
-      const Index vertex = critical_vertices_->vertex(critical);
+    const auto add = [&](Swept_index critical) {
+      const Vertex_index vertex = critical_vertices_->vertex(critical);
       if(slabs_of_vertices_[vertex] != slab)
         complex_->throw_contradiction_near(vertex);
       ascending_in_slab.push_back(names_in_slabs_[critical]);
-    });
+    };
+    std::for_each(ascending + first_of_slab(slab.number()), ascending + first_of_slab(slab.number() + 1), add);
     parts_[slab].critical_vertices = critical_vertices_->part(parts_[slab].names, std::move(ascending_in_slab));
   }
 
   const Complex* complex_;
   const Swept_vertices* critical_vertices_;
-  std::vector<Part> parts_;
+  Indexed_vector<Slab_index, Part> parts_;
   std::vector<Bounding_level> levels_;
-  Large_vector<Index> level_vertices_;
-  Large_vector<Index> slabs_of_vertices_;
-  Large_vector<Index> names_in_slabs_; // by critical vertex of the surface
+  std::vector<Vertex_index> level_vertices_;
+  Indexed_vector<Vertex_index, Slab_index> slabs_of_vertices_;
+  Indexed_vector<Swept_index, Swept_index> names_in_slabs_; // by critical vertex of the surface
 };
 
 } // namespace internal

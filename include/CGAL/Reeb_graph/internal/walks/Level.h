@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <optional>
 #include <utility>
@@ -25,15 +26,21 @@ template <class Scalar, class Order>
 class Level
 {
 public:
-  static Level above_vertex(const Order& order, Index vertex) { return Level(order, true, vertex, std::nullopt); }
-  static Level below_vertex(const Order& order, Index vertex) { return Level(order, false, vertex, std::nullopt); }
+  static Level above_vertex(const Order& order, Vertex_index vertex)
+  {
+    return Level(order, true, vertex, std::nullopt);
+  }
+  static Level below_vertex(const Order& order, Vertex_index vertex)
+  {
+    return Level(order, false, vertex, std::nullopt);
+  }
 
   // Just above the last vertex that is not higher than the value, or just below the first that is not lower.
   static Level above_value(const Order& order, const Scalar& value) { return Level(order, true, no_index, value); }
   static Level below_value(const Order& order, const Scalar& value) { return Level(order, false, no_index, value); }
 
   // Whether the vertex is below the level.
-  bool operator()(Index u) const
+  bool operator()(Vertex_index u) const
   {
     if(value_)
       return is_above_ ? !order_->is_higher(u, *value_) : order_->is_lower(u, *value_);
@@ -41,7 +48,7 @@ public:
   }
 
 private:
-  Level(const Order& order, bool is_above, Index vertex, std::optional<Scalar> value)
+  Level(const Order& order, bool is_above, Vertex_index vertex, std::optional<Scalar> value)
     : order_(&order),
       is_above_(is_above),
       vertex_(vertex),
@@ -50,7 +57,7 @@ private:
 
   const Order* order_;
   bool is_above_;
-  Index vertex_;
+  Vertex_index vertex_;
   std::optional<Scalar> value_;
 };
 

@@ -11,21 +11,25 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Finds the extremum in which a monotone path ends: a minimum for the join tree, a maximum for the split tree.
+// Finds the component in whose extremum a monotone path ends: a minimum if it descends, to the lower side, for the join
+// tree, a maximum if it ascends for the split tree.
 // A vertex is passed once: its end is kept. Several threads that pass it keep the same end.
-template <class Complex, class Order, bool is_ascending>
+template <class Complex, class Order, Side direction>
 class Monotone_path_ends
 {
 public:
@@ -36,29 +40,29 @@ public:
       ends_(complex.number_of_vertices())
   {}
 
-  void set_end(Index vertex, Index end) { ends_[vertex].set(end + 1); }
-  Index end(Index vertex) const { return ends_[vertex].get() - 1; }
-  void prefetch(Index vertex) const { internal::prefetch(&ends_[vertex]); }
-  bool is_known(Index vertex) const { return end(vertex) != no_index; }
+  void set_end(Vertex_index vertex, Component_index end) { ends_[vertex].set(end.number() + 1); }
+  Component_index end(Vertex_index vertex) const { return Component_index(ends_[vertex].get() - 1); }
+  void prefetch(Vertex_index vertex) const { internal::prefetch(&ends_[vertex]); }
+  bool is_known(Vertex_index vertex) const { return end(vertex) != no_index; }
 
   // The neighbor to which a path goes on, always the same one.
-  Index next_vertex(Index vertex) const { return next_step(vertex).target; }
+  Vertex_index next_vertex(Vertex_index vertex) const { return next_step(vertex).target; }
 
   // The edge over which it goes.
-  Index next_edge(Index vertex) const
+  Halfedge_index next_edge(Vertex_index vertex) const
   {
-    const Index next = next_vertex(vertex);
-    return find_edge(vertex, [&](Index neighbor) { return neighbor == next; }).edge;
+    const Vertex_index next = next_vertex(vertex);
+    return find_edge(vertex, [&](Vertex_index neighbor) { return neighbor == next; }).edge;
   }
 
   // The end of the path that begins with `step`. A step to `target` is the last one if end_of_step(target, find_edge)
   // is not no_index, where find_edge() tells its edge. `passed` is storage for the vertices on the way.
   template <class EndOfStep>
-  Index operator()(Ascending_step step, const EndOfStep& end_of_step, Large_vector<Index>& passed)
+  Component_index operator()(Ascending_step step, const EndOfStep& end_of_step, Large_vector<Vertex_index>& passed)
   {
     passed.clear();
     const auto find_edge = [&] { return step.edge != no_index ? step.edge : next_edge(passed.back()); };
-    Index end = end_of_step(step.target, find_edge);
+    Component_index end = end_of_step(step.target, find_edge);
     while(end == no_index && (end = this->end(step.target)) == no_index)
     {
       passed.push_back(step.target);
@@ -67,26 +71,26 @@ public:
         complex_->throw_contradiction_near(passed.back());
       end = end_of_step(step.target, find_edge);
     }
-    for(const Index passed_vertex : passed)
+    for(const Vertex_index passed_vertex : passed)
       set_end(passed_vertex, end);
     return end;
   }
 
 private:
   // Without its edge if the neighbor is kept: few steps need it.
-  Ascending_step next_step(Index vertex) const
+  Ascending_step next_step(Vertex_index vertex) const
   {
     if(kept_neighbors_->has_neighbors(vertex))
-      return {no_index, kept_neighbors_->neighbor(vertex, is_ascending)};
-    return find_edge(vertex, [&](Index neighbor) { return (*order_)(vertex, neighbor) == is_ascending; });
+      return {no_index, kept_neighbors_->neighbor(vertex, direction)};
+    return find_edge(vertex, [&](Vertex_index neighbor) { return side_of((*order_)(vertex, neighbor)) == direction; });
   }
 
   // The first one to a neighbor that is wanted.
   template <class IsWanted>
-  Ascending_step find_edge(Index vertex, const IsWanted& is_wanted) const
+  Ascending_step find_edge(Vertex_index vertex, const IsWanted& is_wanted) const
   {
     Ascending_step step = {no_index, no_index};
-    complex_->visit_edges_around(vertex, [&](Index neighbor, Index halfedge) {
+    complex_->visit_edges_around(vertex, [&](Vertex_index neighbor, Halfedge_index halfedge) {
       if(!is_wanted(neighbor))
         return false;
       step = {halfedge, neighbor};
@@ -98,7 +102,7 @@ private:
   const Complex* complex_;
   const Order* order_;
   const Kept_neighbors* kept_neighbors_;
-  Zeroed_array<Relaxed_value<Index>> ends_; // by vertex: the number behind the end, so that 0 is no_index
+  Zeroed_array<Vertex_index, Relaxed_value<Number>> ends_; // the number behind that of the end, so that 0 is no_index
 };
 
 } // namespace internal

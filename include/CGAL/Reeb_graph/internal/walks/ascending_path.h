@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -21,16 +22,16 @@ namespace internal {
 // `target`.
 struct Ascending_step
 {
-  Index edge;
-  Index target;
+  Halfedge_index edge;
+  Vertex_index target;
 };
 
 // The step from `vertex`, which is no maximum, to its highest neighbor. Without a branch, as none could be predicted.
 template <class Complex, class Order>
-Ascending_step steepest_step(const Complex& complex, const Order& order, Index vertex)
+Ascending_step steepest_step(const Complex& complex, const Order& order, Vertex_index vertex)
 {
   Ascending_step step = {no_index, vertex};
-  complex.for_each_edge_around(vertex, [&](Index neighbor, Index halfedge) {
+  complex.for_each_edge_around(vertex, [&](Vertex_index neighbor, Halfedge_index halfedge) {
     const bool is_higher = order(step.target, neighbor);
     step.edge = is_higher ? halfedge : step.edge;
     step.target = is_higher ? neighbor : step.target;

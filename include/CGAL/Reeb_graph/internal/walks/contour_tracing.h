@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,7 +31,7 @@ class Contour_walk
 {
 public:
   template <class IsBelow>
-  Contour_walk(const Complex& complex, Index start, const IsBelow& is_below)
+  Contour_walk(const Complex& complex, Halfedge_index start, const IsBelow& is_below)
     : complex_(&complex),
       start_(start),
       entered_(start),
@@ -49,15 +49,15 @@ public:
       complex_->throw_contradiction_near(complex_->source(start_));
     if(!complex_->has_triangle(entered_) && !turn_round())
       return false;
-    const Index next = complex_->next(entered_);
-    const Index left = is_below(complex_->target(next)) == is_source_below_ ? next : complex_->next(next);
+    const Halfedge_index next = complex_->next(entered_);
+    const Halfedge_index left = is_below(complex_->target(next)) == is_source_below_ ? next : complex_->next(next);
     entered_ = opposite_of(left);
     is_border_reached_ |= !complex_->has_triangle(entered_);
     return entered_ != start_;
   }
 
   // A halfedge of a triangle on the edge that has been reached.
-  Index crossed_edge() const { return opposite_of(entered_); }
+  Halfedge_index crossed_edge() const { return opposite_of(entered_); }
   bool is_border_reached() const { return is_border_reached_; }
   bool has_turned() const { return has_turned_; }
 
@@ -76,8 +76,8 @@ private:
   }
 
   const Complex* complex_;
-  Index start_;
-  Index entered_;
+  Halfedge_index start_;
+  Halfedge_index entered_;
   std::size_t steps_left_;
   bool is_source_below_;
   bool is_border_reached_;
@@ -87,7 +87,7 @@ private:
 // Calls visit(halfedge) once for each edge of the contour that crosses the edge of `start`, which has a triangle, as
 // have all the other ones.
 template <class Complex, class IsBelow, class Visit>
-void trace_contour(const Complex& complex, Index start, const IsBelow& is_below, const Visit& visit)
+void trace_contour(const Complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
 {
   visit(start);
   Contour_walk walk(complex, start, is_below);
@@ -98,10 +98,13 @@ void trace_contour(const Complex& complex, Index start, const IsBelow& is_below,
 // Replaces the content of `crossed` by halfedges of the edges of the contour that crosses the edge of `start`, in the
 // order in which they follow each other with the higher side on the left. Returns whether the contour is closed.
 template <class Complex, class IsBelow>
-bool trace_oriented_contour(const Complex& complex, Index start, const IsBelow& is_below, Large_vector<Index>& crossed)
+bool trace_oriented_contour(const Complex& complex,
+                            Halfedge_index start,
+                            const IsBelow& is_below,
+                            Large_vector<Halfedge_index>& crossed)
 {
   // Who enters a triangle over an edge has the source of that edge on the left.
-  const Index forward = is_below(complex.source(start)) ? opposite_of(start) : start;
+  const Halfedge_index forward = is_below(complex.source(start)) ? opposite_of(start) : start;
   Contour_walk walk(complex, forward, is_below);
   crossed.clear();
   std::ptrdiff_t number_of_forward_edges = 0;
