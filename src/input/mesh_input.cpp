@@ -9,23 +9,40 @@
 #include "input/mesh_input.h"
 
 #include "input/input_error.h"
-#include "input/mesh_file_checks.h"
+#include "input/mesh_formats.h"
 #include "input/triangulate_faces.h"
 
-#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/IO/GOCAD.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <vector>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace reeb_graph_program {
 namespace {
+Polygon_soup read_ts(const std::string& path)
+{
+  Polygon_soup soup;
+  bool is_read = false;
+  try
+  {
+    is_read = CGAL::IO::read_GOCAD(path, soup.points, soup.polygons);
+  }
+  catch(const std::exception&) // that says nothing of the file
+  {}
+  if(!is_read)
+    throw Input_error(path, "not a valid TS file");
+  return soup;
+}
+
 Polygon_soup read_soup(const std::string& path)
 {
   if(!std::ifstream(path) || !std::filesystem::is_regular_file(path))
@@ -33,21 +50,24 @@ Polygon_soup read_soup(const std::string& path)
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
-  bool is_read = extension != ".stl" || is_stl_file_complete(path);
+  if(extension == ".off")
+    return read_off(path);
+  if(extension == ".obj")
+    return read_obj(path);
+  if(extension == ".ply")
+    return read_ply(path);
+  if(extension == ".stl")
+    return read_stl(path);
+  if(extension == ".ts")
+    return read_ts(path);
+  throw Input_error(path, "the extension of a mesh file is .off, .obj, .ply, .stl, or .ts");
+}
 
-  Polygon_soup soup;
-  try
-  {
-    is_read = is_read && CGAL::IO::read_polygon_soup(path, soup.points, soup.polygons);
-  }
-  catch(const std::exception&)
-  {
-    is_read = false;
-  }
-  if(!is_read)
-    throw Input_error(path, "not a valid OFF, OBJ, PLY, STL, or TS file, or its extension does not say which of them");
-  check_mesh_file(path, extension, soup);
-  return soup;
+void check_points(const std::string& path, const std::vector<Point>& points)
+{
+  for(std::size_t i = 0; i < points.size(); ++i)
+    if(!std::isfinite(points[i].x()) || !std::isfinite(points[i].y()) || !std::isfinite(points[i].z()))
+      throw Input_error(path, "vertex " + std::to_string(i) + " has a coordinate that is not a finite number");
 }
 
 void check_polygons(const std::string& path, const Polygon_soup& soup, bool are_faces_triangulated)
@@ -134,6 +154,7 @@ bool assemble(const Polygon_soup& soup, Surface& surface)
 Surface read_surface(const std::string& path, bool are_faces_triangulated)
 {
   Polygon_soup soup = read_soup(path);
+  check_points(path, soup.points);
   check_polygons(path, soup, are_faces_triangulated);
   Surface surface;
   if(!assemble(soup, surface))

@@ -10,22 +10,13 @@
 #define CGAL_REEB_GRAPH_SRC_MESH_INPUT_H
 
 #include "base/surface.h"
+#include "input/Polygon_soup.h"
 
-#include <cstddef>
 #include <string>
-#include <vector>
 
 namespace reeb_graph_program {
-typedef std::vector<std::size_t> Polygon;
-
-struct Polygon_soup
-{
-  std::vector<Point> points;
-  std::vector<Polygon> polygons;
-};
-
-// Reads any format of CGAL's polygon soup readers. Vertex i of the surface is vertex i of the file, isolated ones
-// included. Faces are oriented consistently if need be. Throws Input_error.
+// Reads an OFF, OBJ, PLY, STL, or TS file. Vertex i of the surface is vertex i of the file, isolated ones included. Faces
+// are oriented consistently if need be. Throws Input_error.
 Surface read_surface(const std::string& path, bool are_faces_triangulated);
 
 // Returns false if some face finds its place taken: the faces are not consistently oriented, or not manifold.

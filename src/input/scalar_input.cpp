@@ -9,8 +9,8 @@
 #include "input/scalar_input.h"
 
 #include "input/input_error.h"
+#include "input/text_input.h"
 
-#include <charconv>
 #include <fstream>
 #include <string_view>
 #include <system_error>
@@ -27,14 +27,11 @@ std::string_view trim(std::string_view text)
 
 double parse_scalar(const std::string& path, std::size_t line, std::string_view text)
 {
-  std::string_view digits = text;
-  if(digits.size() > 1 && digits[0] == '+' && digits[1] != '-')
-    digits.remove_prefix(1); // std::from_chars takes no plus sign
   double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const std::errc error = parse_number(text, value);
   if(error == std::errc::result_out_of_range)
     throw Input_error(path, line, "'" + std::string(text) + "' is too large or too small for a double");
-  if(error != std::errc() || end != digits.data() + digits.size())
+  if(error != std::errc())
     throw Input_error(path, line, "'" + std::string(text) + "' is not a number");
   return value;
 }

@@ -29,21 +29,59 @@ foreach(name missing.off empty.off text.off truncated.off no_faces_left.off text
   expect_error("${name}" compute ${name} --field z ${graph})
 endforeach()
 
-# files that the readers take for another mesh
+# files that are a mesh up to some place
 file(WRITE ${FOLDER}/one_face_more.off
      "OFF\n4 3 0\n0 0 0\n4 0 0.25\n0 4 0.5\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n# end\n")
-expect_error("one_face_more.off: there are more faces than the 3" compute one_face_more.off --field z ${graph})
+expect_error("one_face_more.off:10: there are more faces than the 3" compute one_face_more.off --field z ${graph})
 set(vertices_obj "v 0 0 0\nv 4 0 0.25\nv 0 4 0.5\n")
 foreach(face "1 2 3 junk" "0 1 2" "1 2 3x" "1 2 -4" "1 2 9")
   file(WRITE ${FOLDER}/face.obj "${vertices_obj}f ${face}\nv 0 0 1\n")
-  expect_error("face.obj:(4: | not a valid)" compute face.obj --field z ${graph})
+  expect_error("face.obj:4: " compute face.obj --field z ${graph})
 endforeach()
-file(WRITE ${FOLDER}/face.obj "${vertices_obj}v 0 0 1\nf 1 2 4\t3\n")
-expect_error("face.obj:5: the face has been read with another number" compute face.obj --field z --triangulate ${graph})
-foreach(face "1 2 3 # the face" "1/7 2/8 3/9" "1//7 2//8 3//9" "-3 -2 -1" "1 2 4")
+foreach(face "1 2 3 # the face" "1/7 2/8 3/9" "1//7 2//8 3//9" "-3 -2 -1" "1 2 4" "1 2\t3" "1 2 \\\n 3")
   file(WRITE ${FOLDER}/face.obj "${vertices_obj}f ${face}\nv 0 0 1\n")
   expect_success(compute face.obj --field z)
 endforeach()
+
+set(ply_begin "ply\nformat ascii 1.0\n")
+set(ply_vertices "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n")
+set(ply_faces "element face 1\nproperty list uchar int vertex_indices\n")
+set(ply_data "end_header\n0 0 0\n1 0 0\n0 1 1\n3 0 1 2\n")
+file(WRITE ${FOLDER}/header.ply "${ply_begin}${ply_vertices}${ply_faces}${ply_data}")
+expect_success(compute header.ply --field z)
+string(REPLACE "float x" "int64 x" ply_other_type "${ply_vertices}")
+string(REPLACE "float x" "float u" ply_no_x "${ply_vertices}")
+string(REPLACE "element" "elemnt" ply_misspelt "${ply_vertices}")
+foreach(content
+    "3: 'property' has no place|${ply_begin}property float x\n${ply_vertices}${ply_faces}${ply_data}"
+    "4: 'int64' is no type|${ply_begin}${ply_other_type}${ply_faces}${ply_data}"
+    "no x, y and z|${ply_begin}${ply_no_x}${ply_faces}${ply_data}"
+    "3: 'elemnt' has no place|${ply_begin}${ply_misspelt}${ply_faces}${ply_data}"
+    "no list of vertices|${ply_begin}${ply_vertices}element face 1\nproperty int vertex_indices\n${ply_data}"
+    "8: the header does not end|${ply_begin}${ply_vertices}${ply_faces}"
+    "14: there is more|${ply_begin}${ply_vertices}${ply_faces}${ply_data}3 0 1 2\n"
+    "a number is missing|${ply_begin}element vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\n${ply_faces}${ply_data}"
+    "'2147483648' is not a number that is possible|${ply_begin}${ply_vertices}${ply_faces}end_header\n0 0 0\n1 0 0\n0 1 1\n3 0 1 2147483648\n")
+  string(FIND "${content}" "|" end)
+  string(SUBSTRING "${content}" 0 ${end} pattern)
+  math(EXPR begin "${end} + 1")
+  string(SUBSTRING "${content}" ${begin} -1 content)
+  file(WRITE ${FOLDER}/header.ply "${content}")
+  expect_error("header.ply:.*${pattern}" compute header.ply --field z ${graph})
+endforeach()
+file(WRITE ${FOLDER}/colours.off "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 255\n0 1 1\n3 0 1 2 -7\n")
+expect_success(compute colours.off --field z)
+file(WRITE ${FOLDER}/corners.off "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 1\n1000000000000 0 1 2\n")
+expect_error("corners.off:6: a number is missing" compute corners.off --field z ${graph})
+file(WRITE ${FOLDER}/fraction.off "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 1\n3 0 1 1.5\n")
+expect_error("fraction.off:6: '1.5' is not" compute fraction.off --field z ${graph})
+file(WRITE ${FOLDER}/binary.off "OFF BINARY\n")
+expect_error("binary OFF files are not read" compute binary.off --field z ${graph})
+file(WRITE ${FOLDER}/infinite.off "OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 1\n3 0 1 2\n")
+expect_error("vertex 1 has a coordinate that is not a finite number" compute infinite.off --field x ${graph})
+file(WRITE ${FOLDER}/four_corners.stl "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n"
+     "vertex 0 1 0\nendloop\nendfacet\nendsolid\n")
+expect_error("four_corners.stl:7: 'vertex' instead of 'endloop'" compute four_corners.stl --field x ${graph})
 
 # faces that are wrong
 file(WRITE ${FOLDER}/out_of_range.off "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 7\n")

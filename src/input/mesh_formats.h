@@ -1,0 +1,32 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_MESH_FORMATS_H
+#define CGAL_REEB_GRAPH_SRC_MESH_FORMATS_H
+
+#include "input/Polygon_soup.h"
+
+#include <string>
+
+namespace reeb_graph_program {
+// Readers of our own: those of CGAL differ from version to version, and some files that are damaged end the program in
+// them. Each throws Input_error, with the line where the file has lines, unless all of the file is a mesh of its format.
+// Numbers of vertices may be out of range, and coordinates no finite numbers.
+
+// OFF with or without vertex colours (COFF), normals (NOFF), textures (STOFF), and homogeneous coordinates (4OFF).
+Polygon_soup read_off(const std::string& path);
+// OBJ: vertices, and faces whose vertices are counted from the first one or from the last one before the face.
+Polygon_soup read_obj(const std::string& path);
+// PLY, ASCII or binary of any byte order.
+Polygon_soup read_ply(const std::string& path);
+// STL, ASCII or binary. Corners at the same point are one vertex.
+Polygon_soup read_stl(const std::string& path);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_MESH_FORMATS_H
