@@ -26,6 +26,8 @@ Polygon_soup read_obj(const std::string& path);
 Polygon_soup read_ply(const std::string& path);
 // STL, ASCII or binary. Corners at the same point are one vertex.
 Polygon_soup read_stl(const std::string& path);
+// TS of GOCAD: the triangles of its surfaces.
+Polygon_soup read_ts(const std::string& path);
 
 } // namespace reeb_graph_program
 

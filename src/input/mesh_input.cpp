@@ -12,7 +12,6 @@
 #include "input/mesh_formats.h"
 #include "input/triangulate_faces.h"
 
-#include <CGAL/IO/GOCAD.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -28,21 +27,6 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace reeb_graph_program {
 namespace {
-Polygon_soup read_ts(const std::string& path)
-{
-  Polygon_soup soup;
-  bool is_read = false;
-  try
-  {
-    is_read = CGAL::IO::read_GOCAD(path, soup.points, soup.polygons);
-  }
-  catch(const std::exception&) // that says nothing of the file
-  {}
-  if(!is_read)
-    throw Input_error(path, "not a valid TS file");
-  return soup;
-}
-
 Polygon_soup read_soup(const std::string& path)
 {
   if(!std::ifstream(path) || !std::filesystem::is_regular_file(path))
