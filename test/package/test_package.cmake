@@ -2,8 +2,9 @@
 cmake_minimum_required(VERSION 3.21)
 
 file(REMOVE_RECURSE ${FOLDER})
-set(options -D CMAKE_BUILD_TYPE=Release -D CGAL_DIR=${CGAL_DIR} -D CMAKE_CXX_COMPILER=${COMPILER}
-            -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
+# not optimized: it is enough that the program is built
+set(options -D CMAKE_BUILD_TYPE=Release "-D CMAKE_CXX_FLAGS_RELEASE=-O0 -DNDEBUG" -D CGAL_DIR=${CGAL_DIR}
+            -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
 if(USAGE STREQUAL "installed")
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_FOLDER} -B ${FOLDER}/package ${options}
                           -D CGAL_REEB_GRAPH_BUILD_PROGRAM=OFF -D CGAL_REEB_GRAPH_BUILD_TESTS=OFF

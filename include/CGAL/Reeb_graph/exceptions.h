@@ -189,6 +189,29 @@ public:
   Cancelled_error() : Error("the computation has been cancelled") {}
 };
 
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a scalar value or result that is infinite or NaN, by scalar fields, and where a field parametrizes
+/// arcs.
+class Non_finite_scalar_error : public Vertex_error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`.
+  explicit Non_finite_scalar_error(std::size_t vertex)
+    : Vertex_error(vertex, "the scalar value of vertex " + std::to_string(vertex) + " is not finite")
+  {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a vertex that does not belong to the mesh.
+class Unknown_vertex_error : public Error
+{
+public:
+  /// constructs the exception.
+  Unknown_vertex_error() : Error("the vertex is not one of the mesh") {}
+};
+
 } // namespace Reeb_graph
 } // namespace CGAL
 

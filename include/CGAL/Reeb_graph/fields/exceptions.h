@@ -45,19 +45,6 @@ public:
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown for a scalar value or result that is infinite or NaN, by scalar fields, and where a field parametrizes
-/// arcs.
-class Non_finite_scalar_error : public Vertex_error
-{
-public:
-  /// constructs the exception for the vertex at position `vertex`.
-  explicit Non_finite_scalar_error(std::size_t vertex)
-    : Vertex_error(vertex, "the scalar value of vertex " + std::to_string(vertex) + " is not finite")
-  {}
-};
-
-/// \ingroup PkgReebGraphExceptions
-///
 /// \brief thrown for a vector of a face that is infinite or NaN, one that is given or a gradient.
 class Non_finite_vector_error : public Face_error
 {
@@ -66,16 +53,6 @@ public:
   explicit Non_finite_vector_error(std::size_t face)
     : Face_error(face, "the vector of face " + std::to_string(face) + " is not finite")
   {}
-};
-
-/// \ingroup PkgReebGraphExceptions
-///
-/// \brief thrown for a vertex that does not belong to the mesh.
-class Unknown_vertex_error : public Error
-{
-public:
-  /// constructs the exception.
-  Unknown_vertex_error() : Error("the vertex is not one of the mesh") {}
 };
 
 /// \ingroup PkgReebGraphExceptions

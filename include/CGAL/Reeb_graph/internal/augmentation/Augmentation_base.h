@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/augmentation_exceptions.h>
-#include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/arcs/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/arcs/reduce_arcs.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
