@@ -48,9 +48,8 @@ OutputIterator find_far_apart_vertices(const FaceListGraph& mesh,
 {
   namespace fields = internal::scalar_fields;
   const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
-  const auto& handles = surface.vertex_handles();
   for(const auto& pair : fields::far_apart_vertices(surface, fields::uniform_graph(surface)))
-    *out++ = std::make_pair(handles[pair.first], handles[pair.second]);
+    *out++ = std::make_pair(surface.vertex_handle(pair.first), surface.vertex_handle(pair.second));
   return out;
 }
 

@@ -77,7 +77,7 @@ void compute_gradient(const FaceListGraph& mesh,
       throw Non_finite_vector_error(t);
   }
   for(std::size_t t = 0; t != gradients.size(); ++t)
-    put(gradient_map, surface.face_handles()[t], Vector_3(gradients[t][0], gradients[t][1], gradients[t][2]));
+    put(gradient_map, surface.face_handle(t), Vector_3(gradients[t][0], gradients[t][1], gradients[t][2]));
 }
 
 /// \ingroup PkgReebGraphFields

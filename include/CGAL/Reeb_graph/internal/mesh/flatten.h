@@ -195,7 +195,7 @@ Unchecked_surface<FaceListGraph, typename Traits::Scalar> flatten_unchecked(cons
   auto read = read_halfedges(mesh, face_list, vertex_list.size(), make_vertex_positions(mesh, vertex_list, np),
                              make_face_positions(mesh, face_list, np));
   return {Unchecked_complex(Triangle_complex(std::move(read.arrays), face_list.size())),
-          {std::move(values), std::move(vertex_list), std::move(read.halfedges)}};
+          {std::move(values), std::move(vertex_list), Halfedge_list<FaceListGraph>(std::move(read.even_halfedges))}};
 }
 
 template <class ConcurrencyTag, class Point, class ScalarMap, class Traits, class NamedParameters>
@@ -210,6 +210,25 @@ Unchecked_surface<Surface_mesh<Point>, typename Traits::Scalar> flatten_unchecke
   return {Unchecked_complex(Surface_mesh_complex<Point>(mesh)), {std::move(values), std::move(vertex_list), {}}};
 }
 
+// Sets the fans of all vertices, and checks the complex.
+template <class ConcurrencyTag, class Complex>
+Complex check_complex(Unchecked_complex<Complex> unchecked)
+{
+  const std::size_t size = unchecked.number_of_vertices();
+  std::vector<Fan_counts> parts(number_of_parts<ConcurrencyTag>(size));
+  for_each_part<ConcurrencyTag>(parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    Fan_counts counts;
+    No_visitor_of_fan visitor;
+    for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
+      unchecked.set_fan(v, counts, visitor);
+    parts[part] = counts;
+  });
+  Fan_counts counts;
+  for(const Fan_counts& part : parts)
+    counts += part;
+  return std::move(unchecked).check(counts);
+}
+
 // Checks the mesh.
 template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
 Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph& mesh,
@@ -218,20 +237,7 @@ Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph
                                                              const NamedParameters& np)
 {
   auto [unchecked, field] = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
-  const std::size_t size = unchecked.number_of_vertices();
-  std::vector<Fan_counts> parts(number_of_parts<ConcurrencyTag>(size));
-  const auto set_fans = [&parts, &complex = unchecked](std::size_t part, std::size_t begin, std::size_t end) {
-    Fan_counts counts;
-    No_visitor_of_fan visitor;
-    for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
-      complex.set_fan(v, counts, visitor);
-    parts[part] = counts;
-  };
-  for_each_part<ConcurrencyTag>(parts.size(), size, set_fans);
-  Fan_counts counts;
-  for(const Fan_counts& part : parts)
-    counts += part;
-  return {std::move(field), std::move(unchecked).check(counts)};
+  return {std::move(field), check_complex<ConcurrencyTag>(std::move(unchecked))};
 }
 
 } // namespace internal

@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
-#include <CGAL/Reeb_graph/internal/mesh/Halfedge_list.h>
 #include <CGAL/Reeb_graph/internal/mesh/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/check_faces.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
@@ -35,7 +34,9 @@ template <class FaceListGraph>
 struct Read_halfedges
 {
   Halfedge_arrays arrays;
-  Halfedge_list<FaceListGraph> halfedges;
+  Indexed_vector<Edge_index, typename boost::graph_traits<FaceListGraph>::halfedge_descriptor> even_halfedges;
+  // The halfedges of each face, from the one that the mesh gives on.
+  Indexed_vector<Face_index, std::array<Halfedge_index, 3>> halfedges_of_faces;
 };
 
 // Whether the mesh is a model of EdgeListGraph, which a FaceListGraph need not be.
@@ -64,8 +65,8 @@ Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
   Halfedge_arrays arrays;
   arrays.halfedges_of_vertices.assign(number_of_vertices, no_index);
   Indexed_vector<Edge_index, halfedge_descriptor> even_halfedges;
-  Indexed_vector<Face_index, std::array<Halfedge_index, 3>> numbers_in_faces;
-  numbers_in_faces.reserve(face_list.size());
+  Indexed_vector<Face_index, std::array<Halfedge_index, 3>> halfedges_of_faces;
+  halfedges_of_faces.reserve(face_list.size());
 
   const auto add_edge_of = [&](halfedge_descriptor h) {
     even_halfedges.push_back(h);
@@ -75,9 +76,9 @@ Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
   };
   const auto number = [&](halfedge_descriptor h) {
     const auto across = face(opposite(h, mesh), mesh);
-    if(across == Graph_traits::null_face() || !numbers_in_faces.contains(face_positions[across]))
+    if(across == Graph_traits::null_face() || !halfedges_of_faces.contains(face_positions[across]))
       return add_edge_of(h);
-    const std::array<Halfedge_index, 3>& numbers = numbers_in_faces[face_positions[across]];
+    const std::array<Halfedge_index, 3>& numbers = halfedges_of_faces[face_positions[across]];
     const auto is_of_edge = [&](Halfedge_index i) { return even_halfedges[edge_of(i)] == opposite(h, mesh); };
     return opposite_of(is_of_edge(numbers[0]) ? numbers[0] : (is_of_edge(numbers[1]) ? numbers[1] : numbers[2]));
   };
@@ -90,14 +91,14 @@ Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
       arrays.halfedges[numbers[i]].next = numbers[(i + 1) % 3];
       arrays.halfedges_of_vertices[arrays.halfedges[numbers[i]].target] = numbers[i];
     }
-    numbers_in_faces.push_back(numbers);
+    halfedges_of_faces.push_back(numbers);
   }
   if constexpr(Has_edge_list<FaceListGraph>::value)
   {
     if(num_edges(mesh) != even_halfedges.size()) // It may count removed ones, too.
       check_edges(mesh);
   }
-  return {std::move(arrays), Halfedge_list<FaceListGraph>(std::move(even_halfedges))};
+  return {std::move(arrays), std::move(even_halfedges), std::move(halfedges_of_faces)};
 }
 
 } // namespace internal

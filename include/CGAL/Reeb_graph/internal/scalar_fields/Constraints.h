@@ -102,7 +102,7 @@ void write_field(const Surface& surface, const std::vector<Scalar>& values, Fiel
     if(!std::isfinite(static_cast<typename Scalar_of_field<FieldMap>::type>(values[v])))
       throw Non_finite_scalar_error(v);
   for(std::size_t v = 0; v != values.size(); ++v)
-    put(field_map, surface.vertex_handles()[v], static_cast<Value>(values[v]));
+    put(field_map, surface.vertex_handle(v), static_cast<Value>(values[v]));
 }
 
 // The last step: nothing can be cancelled any more.

@@ -11,15 +11,21 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/Descriptor_positions.h>
+#include <CGAL/Reeb_graph/internal/mesh/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/mesh/Unchecked_complex.h>
+#include <CGAL/Reeb_graph/internal/mesh/flatten.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph/internal/mesh/read_halfedges.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -27,8 +33,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -37,8 +41,9 @@ namespace Reeb_graph {
 namespace internal {
 namespace scalar_fields {
 
-typedef std::uint32_t Position; // of a vertex in vertices(mesh)
-inline constexpr Position no_position = (std::numeric_limits<Position>::max)();
+// The position of a vertex in vertices(mesh).
+typedef Number Position;
+inline constexpr Position no_position = no_index;
 
 typedef std::array<double, 3> Vector;
 
@@ -59,8 +64,9 @@ struct Indexed_triangle
   std::array<bool, 3> is_on_border;
 };
 
-// A mesh as flat arrays, checked once. The points are divided by `scale`, a power of two, so that products of a few
-// coordinates neither overflow nor vanish.
+// A mesh as the fields see it: a triangle complex, checked as that of a Reeb graph is, as a list of its triangles, and
+// the points. These are divided by `scale`, a power of two, so that products of a few coordinates neither overflow nor
+// vanish.
 template <class FaceListGraph>
 class Indexed_surface
 {
@@ -68,6 +74,8 @@ public:
   typedef boost::graph_traits<FaceListGraph> Graph_traits;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef Indexed_vector<Vertex_index, vertex_descriptor> Vertex_handles;
+  typedef Indexed_vector<Face_index, face_descriptor> Face_handles;
 
   template <class NamedParameters>
   Indexed_surface(const FaceListGraph& mesh, const NamedParameters& np)
@@ -75,17 +83,17 @@ public:
       faces_(faces(mesh).first, faces(mesh).second),
       positions_(make_vertex_positions(mesh, vertices_, parameters::default_values()))
   {
-    if(vertices_.size() >= no_position || faces_.size() >= no_position / 3)
-      throw Mesh_size_error();
+    checked_index(vertices_.size());
     read_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                              get_const_property_map(CGAL::vertex_point, mesh)));
     read_triangles(mesh);
-    check_fans(mesh);
   }
 
   Position number_of_vertices() const { return static_cast<Position>(vertices_.size()); }
-  const std::vector<vertex_descriptor>& vertex_handles() const { return vertices_; }
-  const std::vector<face_descriptor>& face_handles() const { return faces_; }
+  vertex_descriptor vertex_handle(std::size_t v) const { return vertices_[Vertex_index(v)]; }
+  const Vertex_handles& vertex_handles() const { return vertices_; }
+  face_descriptor face_handle(std::size_t triangle) const { return faces_[Face_index(triangle)]; }
+  const Face_handles& face_handles() const { return faces_; }
   const std::vector<Indexed_triangle>& triangles() const { return triangles_; }
 
   const Vector& point(Position v) const { return points_[v]; }
@@ -96,8 +104,8 @@ public:
   {
     if(v == Graph_traits::null_vertex())
       return no_position;
-    const Position position = positions_(v);
-    return position < vertices_.size() && vertices_[position] == v ? position : no_position;
+    const Vertex_index position = positions_(v);
+    return vertices_.contains(position) && vertices_[position] == v ? position.number() : no_position;
   }
 
 private:
@@ -125,48 +133,21 @@ private:
 
   void read_triangles(const FaceListGraph& mesh)
   {
+    auto read = read_halfedges(mesh, faces_, vertices_.size(), positions_,
+                               make_face_positions(mesh, faces_, parameters::default_values()));
+    const Triangle_complex complex = check_complex<Sequential_tag>(
+      Unchecked_complex<Triangle_complex>(Triangle_complex(std::move(read.arrays), faces_.size())));
     triangles_.reserve(faces_.size());
-    for(const face_descriptor f : faces_)
-    {
-      const auto h = halfedge(f, mesh), h1 = next(h, mesh), h2 = next(h1, mesh);
-      if(h1 == h || h2 == h || next(h2, mesh) != h)
-        throw Non_triangular_face_error(triangles_.size());
-      const Position a = positions_[source(h, mesh)], b = positions_[source(h1, mesh)];
-      const Position c = positions_[source(h2, mesh)];
-      if(a == b || b == c || c == a)
-        throw Degenerate_face_error(triangles_.size());
-      triangles_.push_back({{a, b, c},
-                            {is_border(opposite(h, mesh), mesh), is_border(opposite(h1, mesh), mesh),
-                             is_border(opposite(h2, mesh), mesh)}});
-    }
+    for(const auto& [a, b, c] : read.halfedges_of_faces)
+      triangles_.push_back(
+        {{complex.source(a).number(), complex.source(b).number(), complex.source(c).number()},
+         {complex.is_on_border_edge(a), complex.is_on_border_edge(b), complex.is_on_border_edge(c)}});
   }
 
-  // A vertex whose faces form several fans would be a cut vertex, beyond which a field has an extremum of necessity.
-  void check_fans(const FaceListGraph& mesh) const
-  {
-    std::vector<Position> unseen(vertices_.size(), 0);
-    for(const Indexed_triangle& t : triangles_)
-      for(const Position v : t.vertices)
-        ++unseen[v];
-    for(std::size_t i = 0; i != vertices_.size(); ++i)
-    {
-      if(unseen[i] == 0)
-        continue;
-      int number_of_gaps = 0;
-      for(const auto h : halfedges_around_target(halfedge(vertices_[i], mesh), mesh))
-        if(is_border(h, mesh))
-          ++number_of_gaps;
-        else
-          --unseen[i];
-      if(unseen[i] != 0 || number_of_gaps > 1)
-        throw Non_manifold_vertex_error(i);
-    }
-  }
-
-  std::vector<vertex_descriptor> vertices_;
-  std::vector<face_descriptor> faces_;
+  Vertex_handles vertices_;
+  Face_handles faces_;
   decltype(make_vertex_positions(std::declval<const FaceListGraph&>(),
-                                 std::declval<const std::vector<vertex_descriptor>&>(),
+                                 std::declval<const Vertex_handles&>(),
                                  parameters::default_values())) positions_;
   std::vector<Vector> points_;
   std::vector<Indexed_triangle> triangles_;
