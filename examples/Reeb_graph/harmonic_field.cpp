@@ -43,7 +43,7 @@ int main(int argc, char* argv[])
   try
   {
     std::cout << "between two vertices that are far apart: ";
-    CGAL::Reeb_graph::compute_harmonic_field(mesh, scalar_map);
+    CGAL::Reeb_graph::compute_harmonic_field_between_far_apart_vertices(mesh, scalar_map);
     print_graph(mesh, scalar_map);
 
     std::cout << "with given values: ";

@@ -58,7 +58,7 @@ int main(int argc, char* argv[])
   Scalar_map unit_map = mesh.add_property_map<vertex_descriptor, double>("v:unit").first;
   try
   {
-    CGAL::Reeb_graph::compute_harmonic_field(mesh, scalar_map);
+    CGAL::Reeb_graph::compute_harmonic_field_between_far_apart_vertices(mesh, scalar_map);
     CGAL::Reeb_graph::compute_unit_gradient_field(mesh, scalar_map, unit_map);
     Reeb_graph graph;
     CGAL::compute_reeb_graph(mesh, scalar_map, graph);

@@ -62,10 +62,10 @@ void compute_harmonic(const Input_options& options, const Surface& surface, Scal
   Progress_bar progress_bar("harmonic field");
   const auto np = CGAL::parameters::laplacian_weights(weights(options)).callback(std::ref(progress_bar));
   if(options.lowest_vertex)
-    CGAL::Reeb_graph::compute_harmonic_field(surface, scalar_map, vertex(surface, *options.lowest_vertex),
-                                             vertex(surface, *options.highest_vertex), np);
+    CGAL::Reeb_graph::compute_harmonic_field_between(surface, scalar_map, vertex(surface, *options.lowest_vertex),
+                                                     vertex(surface, *options.highest_vertex), np);
   else
-    CGAL::Reeb_graph::compute_harmonic_field(surface, scalar_map, np);
+    CGAL::Reeb_graph::compute_harmonic_field_between_far_apart_vertices(surface, scalar_map, np);
 }
 
 void compute_poisson(const Input_options& options, const Surface& surface, Scalar_map scalar_map)

@@ -35,6 +35,8 @@
 
 using CGAL::parameters::laplacian_weights;
 using CGAL::Reeb_graph::compute_harmonic_field;
+using CGAL::Reeb_graph::compute_harmonic_field_between;
+using CGAL::Reeb_graph::compute_harmonic_field_between_far_apart_vertices;
 using CGAL::Reeb_graph::Critical_vertex_counts;
 using CGAL::Reeb_graph::Laplacian_weights;
 using field_checks::band;
@@ -196,12 +198,12 @@ BOOST_AUTO_TEST_CASE(poles_are_found)
     const auto pairs = far_apart_vertices(surface.soup);
     BOOST_TEST_REQUIRE(pairs.size() == 1u);
     auto field_map = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:field").first;
-    compute_harmonic_field(mesh, field_map, laplacian_weights(weights));
+    compute_harmonic_field_between_far_apart_vertices(mesh, field_map, laplacian_weights(weights));
     const Fixed_values poles = {{pairs[0].first, 0}, {pairs[0].second, 1}};
     const auto values = field_checks::values_of(mesh, field_map);
     check_two_poles(surface.soup, poles, surface.genus, values);
     const Surface_mesh::Vertex_index lowest(pairs[0].first), highest(pairs[0].second);
-    compute_harmonic_field(mesh, field_map, lowest, highest, laplacian_weights(weights));
+    compute_harmonic_field_between(mesh, field_map, lowest, highest, laplacian_weights(weights));
     BOOST_TEST((field_checks::values_of(mesh, field_map) == values));
   });
 }
@@ -497,9 +499,10 @@ BOOST_AUTO_TEST_CASE(any_solver_can_be_used)
     auto found = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
     auto found_iteratively = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
     const auto np = laplacian_weights(weights);
-    compute_harmonic_field(mesh, expected, lowest, highest, np);
-    compute_harmonic_field(mesh, found, lowest, highest, np.sparse_linear_solver(Solver()));
-    compute_harmonic_field(mesh, found_iteratively, lowest, highest, np.sparse_linear_solver(Iterative_solver()));
+    compute_harmonic_field_between(mesh, expected, lowest, highest, np);
+    compute_harmonic_field_between(mesh, found, lowest, highest, np.sparse_linear_solver(Solver()));
+    compute_harmonic_field_between(mesh, found_iteratively, lowest, highest,
+                                   np.sparse_linear_solver(Iterative_solver()));
     for(const auto v : mesh.vertices())
     {
       BOOST_TEST(std::abs(get(expected, v) - get(found, v)) < 1e-10);
@@ -556,8 +559,9 @@ BOOST_AUTO_TEST_CASE(where_iteration_fails_the_unsymmetric_equations_are_solved)
   const Surface_mesh::Vertex_index lowest(0), highest(300);
   auto expected = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
   auto found = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
-  compute_harmonic_field(mesh, expected, lowest, highest);
-  compute_harmonic_field(mesh, found, lowest, highest, CGAL::parameters::sparse_linear_solver(Diagonal_solver()));
+  compute_harmonic_field_between(mesh, expected, lowest, highest);
+  compute_harmonic_field_between(mesh, found, lowest, highest,
+                                 CGAL::parameters::sparse_linear_solver(Diagonal_solver()));
   for(const auto v : mesh.vertices())
     BOOST_TEST(std::abs(get(expected, v) - get(found, v)) < 1e-10);
 }

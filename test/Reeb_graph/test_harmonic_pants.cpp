@@ -46,7 +46,7 @@ std::optional<std::size_t> test_harmonic_pants(const generated_surfaces::Triangl
     number_of_curves += (3 * static_cast<std::size_t>(-component.euler_characteristic) - component.border_loops) / 2;
   }
   std::vector<CGAL::Reeb_graph::Curve<typename boost::graph_traits<Mesh>::halfedge_descriptor>> curves;
-  CGAL::Reeb_graph::pants_decomposition(mesh, std::back_inserter(curves));
+  CGAL::Reeb_graph::harmonic_pants_decomposition(mesh, std::back_inserter(curves));
   BOOST_TEST(curves.size() == number_of_curves);
   BOOST_TEST(fault_of_cut_mesh(mesh, curves, expected) == "");
   return number_of_borders;
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(a_torus_is_refused)
   auto mesh = curve_samples::make_mesh<Surface_mesh>(generated_surfaces::torus(8, 12));
   std::vector<CGAL::Reeb_graph::Curve<Surface_mesh::Halfedge_index>> curves;
   BOOST_CHECK_THROW(
-    CGAL::Reeb_graph::pants_decomposition(mesh, std::back_inserter(curves), CGAL::parameters::cut_open(true)),
+    CGAL::Reeb_graph::harmonic_pants_decomposition(mesh, std::back_inserter(curves), CGAL::parameters::cut_open(true)),
     CGAL::Reeb_graph::No_pants_decomposition_error);
   BOOST_TEST(num_vertices(mesh) == 96u);
 }

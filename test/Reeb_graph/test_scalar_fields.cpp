@@ -285,7 +285,7 @@ BOOST_AUTO_TEST_CASE(the_unit_gradient_field_of_a_harmonic_field_on_a_surface_wi
 {
   const Surface_mesh mesh = make_mesh<Surface_mesh>(generated_surfaces::closed_surface(3, 5000));
   const auto field = vertex_map(mesh), unit_field = vertex_map(mesh);
-  compute_harmonic_field(mesh, field);
+  compute_harmonic_field_between_far_apart_vertices(mesh, field);
   compute_unit_gradient_field(mesh, field, unit_field);
   const auto gradient = face_vector_map(mesh);
   compute_gradient(mesh, unit_field, gradient);
@@ -433,7 +433,7 @@ void compute_divergence_of_zero(Surface_mesh& mesh, Field_map field)
 
 const std::vector<Computation> all_computations = {
   compute_harmonic_with_constraints,
-  [](Surface_mesh& mesh, Field_map field) { compute_harmonic_field(mesh, field); },
+  [](Surface_mesh& mesh, Field_map field) { compute_harmonic_field_between_far_apart_vertices(mesh, field); },
   compute_curvature_poisson,
   compute_unit_gradient,
   compute_geodesic,
@@ -477,7 +477,8 @@ BOOST_AUTO_TEST_CASE(uniform_weights_need_no_area)
 {
   Surface_mesh mesh = make_mesh<Surface_mesh>(field_checks::stretched(small_surface(), 0, 0, 0));
   const auto field = vertex_map(mesh);
-  compute_harmonic_field(mesh, field, CGAL::parameters::laplacian_weights(Laplacian_weights::UNIFORM));
+  compute_harmonic_field_between_far_apart_vertices(mesh, field,
+                                                    CGAL::parameters::laplacian_weights(Laplacian_weights::UNIFORM));
   const auto values = field_checks::values_of(mesh, field);
   BOOST_TEST(*std::min_element(values.begin(), values.end()) == 0);
   BOOST_TEST(*std::max_element(values.begin(), values.end()) == 1);
@@ -565,7 +566,7 @@ BOOST_AUTO_TEST_CASE(computations_can_be_cancelled_at_each_step)
       if(is_geodesic)
         compute_geodesic_field(mesh, field, source_0, np);
       else
-        compute_harmonic_field(mesh, field, np);
+        compute_harmonic_field_between_far_apart_vertices(mesh, field, np);
     };
     Surface_mesh mesh = small_mesh();
     const Field_map field_map = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:field", 0).first;
@@ -591,7 +592,8 @@ struct Failing_solver : CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Ei
 BOOST_AUTO_TEST_CASE(a_failing_solver_is_reported)
 {
   const auto compute = [](Surface_mesh& mesh, Field_map field) {
-    compute_harmonic_field(mesh, field, CGAL::parameters::sparse_linear_solver(Failing_solver()));
+    compute_harmonic_field_between_far_apart_vertices(mesh, field,
+                                                      CGAL::parameters::sparse_linear_solver(Failing_solver()));
   };
   check_throws<Linear_solver_error>(small_mesh(), compute, "solver");
 }

@@ -23,25 +23,4 @@ CGAL_REEB_GRAPH_NAMED_PARAMETER(method, Reeb_graph::Method)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_slabs, std::size_t)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(laplacian_weights, Reeb_graph::Laplacian_weights)
 
-// For parameters that are not in this list.
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-
-template <class Tag, class T>
-auto start_parameters(const T& value)
-{
-  return Named_function_parameters<T, Tag>(value);
-}
-
-template <class Tag, class T, class Parameters>
-auto append_parameter(const T& value, const Parameters& np)
-{
-  return Named_function_parameters<T, Tag, Parameters>(value, np);
-}
-
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
-
 #endif // CGAL_REEB_GRAPH_NAMED_PARAMETERS_H

@@ -27,7 +27,7 @@ int main()
   CGAL::compute_reeb_graph(mesh, height, graph);
 #endif
 #ifdef EXPECT_Eigen3
-  CGAL::Reeb_graph::compute_harmonic_field(mesh, height);
+  CGAL::Reeb_graph::compute_harmonic_field_between_far_apart_vertices(mesh, height);
   CGAL::compute_reeb_graph(mesh, height, graph);
 #endif
   return num_vertices(graph) == 2 && num_edges(graph) == 1 ? EXIT_SUCCESS : EXIT_FAILURE;

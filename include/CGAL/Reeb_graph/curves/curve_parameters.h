@@ -11,177 +11,106 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/named_parameters.h>
-
-#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 
 #include <cstddef>
 
-// The named parameters of curves and of cutting along them.
+// The named parameters of curves and of cutting along them, and what the functions that share them say of them. All are
+// in the list `PkgReebGraphNamedParameters`.
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-
-enum cut_open_t
-{
-  cut_open
-};
-enum edge_curve_map_t
-{
-  edge_curve_map
-};
-enum curve_cost_t
-{
-  curve_cost
-};
-enum arc_weight_t
-{
-  arc_weight
-};
-enum number_of_candidates_t
-{
-  number_of_candidates
-};
-enum persistence_threshold_t
-{
-  persistence_threshold
-};
-enum area_threshold_t
-{
-  area_threshold
-};
-
-} // namespace internal
-} // namespace Reeb_graph
-
-namespace parameters {
-
-/// \ingroup PkgReebGraphNamedParameters
+/// \defgroup PkgReebGraphPlaceParameters Named Parameters for the Places of Curves
+/// \ingroup PkgReebGraphCurves
 ///
-/// \brief starts a pack of named parameters with `cut_open`, see `Reeb_graph::cut_along_contours()`.
-inline auto cut_open(bool is_cut_open)
-{
-  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::cut_open_t>(is_cut_open);
-}
-
-/// \ingroup PkgReebGraphNamedParameters
+/// \brief of the functions that choose contours of a Reeb graph.
 ///
-/// \brief appends `cut_open` to the pack `np`.
-template <class T, class Tag, class Base>
-auto cut_open(bool is_cut_open, const Named_function_parameters<T, Tag, Base>& np)
-{
-  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::cut_open_t>(is_cut_open, np);
-}
-
-/// \ingroup PkgReebGraphNamedParameters
+/// <b>Where the curves are:</b>
 ///
-/// \brief starts a pack of named parameters with `edge_curve_map`, see `Reeb_graph::cut_along_contours()`.
-template <class EdgeCurveMap>
-auto edge_curve_map(const EdgeCurveMap& map)
-{
-  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::edge_curve_map_t>(map);
-}
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{curve_cost}
+///     \cgalParamDescription{chooses the place of each curve: the candidate of least cost is taken}
+///     \cgalParamType{a function object that is called with a `Reeb_graph::Candidate_curve` and returns a `double`}
+///     \cgalParamDefault{the length; for `branch_curves()`, the length for positions up to 0.5, else more than that of
+///                       any of these}
+///     \cgalParamExtra{use the functions `parameters::curve_cost()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_candidates}
+///     \cgalParamDescription{the number of places that are tried for each curve, at least 1. They are evenly spread
+///                           over the edges of the chains of the arcs.}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{16}
+///     \cgalParamExtra{use the functions `parameters::number_of_candidates()`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 
-/// \ingroup PkgReebGraphNamedParameters
+/// \defgroup PkgReebGraphCuttingParameters Named Parameters of Cutting
+/// \ingroup PkgReebGraphCurves
 ///
-/// \brief appends `edge_curve_map` to the pack `np`.
-template <class EdgeCurveMap, class T, class Tag, class Base>
-auto edge_curve_map(const EdgeCurveMap& map, const Named_function_parameters<T, Tag, Base>& np)
-{
-  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::edge_curve_map_t>(map, np);
-}
-
-/// \ingroup PkgReebGraphNamedParameters
+/// \brief of all functions that cut a mesh along curves.
 ///
-/// \brief starts a pack of named parameters with `curve_cost`, see `Reeb_graph::cutting_system()`,
-/// `Reeb_graph::pants_decomposition()`, and `Reeb_graph::branch_curves()`.
-template <class CurveCost>
-auto curve_cost(const CurveCost& cost)
-{
-  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::curve_cost_t>(cost);
-}
-
-/// \ingroup PkgReebGraphNamedParameters
+/// <b>How the mesh is cut, and what is written:</b>
 ///
-/// \brief appends `curve_cost` to the pack `np`.
-template <class CurveCost, class T, class Tag, class Base>
-auto curve_cost(const CurveCost& cost, const Named_function_parameters<T, Tag, Base>& np)
-{
-  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::curve_cost_t>(cost, np);
-}
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{cut_open}
+///     \cgalParamDescription{whether the mesh is cut open along the curves, so that each closed curve becomes two
+///                           border cycles. The lower side gets new vertices at the points of the curve.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{use the functions `parameters::cut_open()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{is set to `true` for each edge of a curve; other edges are not written}
+///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and `bool` as value type}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_curve_map}
+///     \cgalParamDescription{is set to the number of the curve, from 0, for each edge of a curve; other edges are not
+///                           written}
+///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and an integer type as
+///                    value type}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{use the functions `parameters::edge_curve_map()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_patch_map}
+///     \cgalParamDescription{is set to the number of the piece that the face belongs to once the mesh is cut along all
+///                           curves, from 0. The functions that segment a mesh take this map as an argument.}
+///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptors as key type and an integer type as
+///                    value type}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 
-/// \ingroup PkgReebGraphNamedParameters
+/// \defgroup PkgReebGraphRefinementParameters Named Parameters of Refinements
+/// \ingroup PkgReebGraphCurves
 ///
-/// \brief starts a pack of named parameters with `arc_weight`, see `Reeb_graph::cutting_system()`.
-template <class ArcWeight>
-auto arc_weight(const ArcWeight& weight)
-{
-  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::arc_weight_t>(weight);
-}
-
-/// \ingroup PkgReebGraphNamedParameters
+/// \brief of all functions that split edges and faces of a mesh.
 ///
-/// \brief appends `arc_weight` to the pack `np`.
-template <class ArcWeight, class T, class Tag, class Base>
-auto arc_weight(const ArcWeight& weight, const Named_function_parameters<T, Tag, Base>& np)
-{
-  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::arc_weight_t>(weight, np);
-}
-
-/// \ingroup PkgReebGraphNamedParameters
+/// <b>What is known of the mesh and the field:</b>
 ///
-/// \brief starts a pack of named parameters with `number_of_candidates`, see `Reeb_graph::cutting_system()`,
-/// `Reeb_graph::pants_decomposition()`, and `Reeb_graph::branch_curves()`.
-inline auto number_of_candidates(std::size_t number)
-{
-  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::number_of_candidates_t>(number);
-}
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices}
+///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptors as key type and points of a
+///                    three-dimensional kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told of all edges and faces that are split, so that attributes can be carried over}
+///     \cgalParamType{a model of `ReebGraphRefinementVisitor`, by value or as `std::reference_wrapper`}
+///     \cgalParamDefault{`Reeb_graph::Default_refinement_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object}
+///     \cgalParamType{a model of `ReebGraphTraits`}
+///     \cgalParamDefault{`Reeb_graph_traits<MutableFaceGraph, ScalarMap>`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 
-/// \ingroup PkgReebGraphNamedParameters
-///
-/// \brief appends `number_of_candidates` to the pack `np`.
-template <class T, class Tag, class Base>
-auto number_of_candidates(std::size_t number, const Named_function_parameters<T, Tag, Base>& np)
-{
-  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::number_of_candidates_t>(number, np);
-}
-
-/// \ingroup PkgReebGraphNamedParameters
-///
-/// \brief starts a pack of named parameters with `persistence_threshold`, see `Reeb_graph::branch_curves()`.
-inline auto persistence_threshold(double threshold)
-{
-  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::persistence_threshold_t>(threshold);
-}
-
-/// \ingroup PkgReebGraphNamedParameters
-///
-/// \brief appends `persistence_threshold` to the pack `np`.
-template <class T, class Tag, class Base>
-auto persistence_threshold(double threshold, const Named_function_parameters<T, Tag, Base>& np)
-{
-  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::persistence_threshold_t>(threshold, np);
-}
-
-/// \ingroup PkgReebGraphNamedParameters
-///
-/// \brief starts a pack of named parameters with `area_threshold`, see `Reeb_graph::branch_curves()`.
-inline auto area_threshold(double threshold)
-{
-  return Reeb_graph::internal::start_parameters<Reeb_graph::internal::area_threshold_t>(threshold);
-}
-
-/// \ingroup PkgReebGraphNamedParameters
-///
-/// \brief appends `area_threshold` to the pack `np`.
-template <class T, class Tag, class Base>
-auto area_threshold(double threshold, const Named_function_parameters<T, Tag, Base>& np)
-{
-  return Reeb_graph::internal::append_parameter<Reeb_graph::internal::area_threshold_t>(threshold, np);
-}
-
-} // namespace parameters
-} // namespace CGAL
+CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(curve_cost)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_candidates, std::size_t)
+CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(arc_weight)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(persistence_threshold, double)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(area_threshold, double)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(cut_open, bool)
+CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(edge_curve_map)
 
 #endif // CGAL_REEB_GRAPH_CURVES_CURVE_PARAMETERS_H

@@ -17,9 +17,8 @@
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/internal/curves/contours_to_cut.h>
 #include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
+#include <CGAL/Reeb_graph/internal/curves/rank_vertices.h>
 #include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
-
-#include <algorithm>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -50,53 +49,11 @@ namespace Reeb_graph {
 /// \param scalar_map the scalar field that the contours are of
 /// \param contours contours of any arcs at any levels
 /// \param curves the output: one curve for each contour, in this order
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those below
 ///
-/// \cgalNamedParamsBegin
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{is set to `true` for each edge of a curve; other edges are not written}
-///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and `bool` as value type}
-///     \cgalParamDefault{none}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{edge_curve_map}
-///     \cgalParamDescription{is set to the number of the curve, from 0, for each edge of a curve; other edges are not
-///                           written}
-///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and an integer type as
-///                    value type}
-///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::edge_curve_map()`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{face_patch_map}
-///     \cgalParamDescription{is set to the number of the piece that the face belongs to once the mesh is cut along all
-///                           curves, from 0}
-///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptors as key type and an integer type as
-///                    value type}
-///     \cgalParamDefault{none}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{cut_open}
-///     \cgalParamDescription{whether the mesh is cut open along the curves, so that each closed curve becomes two
-///                           border cycles. The lower side gets new vertices at the points of the curve.}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{use the functions `parameters::cut_open()`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices}
-///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptors as key type and points of a
-///                    three-dimensional kernel as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of all edges and faces that are split, so that attributes can be carried over}
-///     \cgalParamType{a model of `ReebGraphRefinementVisitor`, by value or as `std::reference_wrapper`}
-///     \cgalParamDefault{`Reeb_graph::Default_refinement_visitor`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object}
-///     \cgalParamType{a model of `ReebGraphTraits`}
-///     \cgalParamDefault{`Reeb_graph_traits<MutableFaceGraph, ScalarMap>`}
-///   \cgalParamNEnd
-/// \cgalNamedParamsEnd
+/// \copydetails PkgReebGraphCuttingParameters
+///
+/// \copydetails PkgReebGraphRefinementParameters
 ///
 /// \returns the output iterator behind the last curve.
 ///
@@ -114,14 +71,11 @@ OutputIterator cut_along_contours(MutableFaceGraph& mesh,
                                   OutputIterator curves,
                                   const NamedParameters& np = parameters::default_values())
 {
-  const auto traits = internal::choose_traits(mesh, scalar_map, np);
-  internal::check_input(mesh, scalar_map, traits);
-  auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
-  const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
-  internal::rank_vertices(ranked, scalar_map, traits);
-  const auto contours_to_cut = internal::make_contours_to_cut(ranked, contours);
-  const auto result = internal::cut_and_mark(ranked, contours_to_cut, np);
-  return std::copy(result.begin(), result.end(), curves);
+  internal::check_input(mesh, scalar_map, np);
+  return internal::cut_along_found_contours(mesh, curves, np, [&](const auto& ranked) {
+    internal::rank_vertices(ranked, scalar_map, internal::choose_traits(mesh, scalar_map, np));
+    return internal::make_contours_to_cut(ranked, contours);
+  });
 }
 
 } // namespace Reeb_graph

@@ -14,10 +14,7 @@
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/internal/curves/choose_contours.h>
-#include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
 #include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
-
-#include <algorithm>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -53,22 +50,9 @@ namespace Reeb_graph {
 /// \param scalar_map the scalar field. If the mesh has borders, all vertices of a border component must have the same
 ///        value, and not have lower neighbors as well as higher ones.
 /// \param curves the output
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those below
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{curve_cost}
-///     \cgalParamDescription{chooses the place of each curve: the candidate of least cost is taken}
-///     \cgalParamType{a function object that is called with a `Reeb_graph::Candidate_curve` and returns a `double`}
-///     \cgalParamDefault{the length}
-///     \cgalParamExtra{use the functions `parameters::curve_cost()`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{number_of_candidates}
-///     \cgalParamDescription{the number of places that are tried for each curve, at least 1. They are evenly spread
-///                           over the edges of the chains of the arcs.}
-///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{16}
-///     \cgalParamExtra{use the functions `parameters::number_of_candidates()`}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{arc_weight}
 ///     \cgalParamDescription{chooses the curves: those of the arcs in a maximum spanning tree of the weights are not
 ///                           taken. It is called with the candidate that has been chosen for the arc.}
@@ -76,50 +60,13 @@ namespace Reeb_graph {
 ///     \cgalParamDefault{the length}
 ///     \cgalParamExtra{use the functions `parameters::arc_weight()`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{is set to `true` for each edge of a curve; other edges are not written}
-///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and `bool` as value type}
-///     \cgalParamDefault{none}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{edge_curve_map}
-///     \cgalParamDescription{is set to the number of the curve, from 0, for each edge of a curve; other edges are not
-///                           written}
-///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and an integer type as
-///                    value type}
-///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::edge_curve_map()`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{face_patch_map}
-///     \cgalParamDescription{is set to the number of the piece that the face belongs to once the mesh is cut along all
-///                           curves, from 0}
-///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptors as key type and an integer type as
-///                    value type}
-///     \cgalParamDefault{none}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{cut_open}
-///     \cgalParamDescription{whether the mesh is cut open along the curves, so that each closed curve becomes two
-///                           border cycles. The lower side gets new vertices at the points of the curve.}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{use the functions `parameters::cut_open()`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices}
-///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptors as key type and points of a
-///                    three-dimensional kernel as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of all edges and faces that are split, so that attributes can be carried over}
-///     \cgalParamType{a model of `ReebGraphRefinementVisitor`, by value or as `std::reference_wrapper`}
-///     \cgalParamDefault{`Reeb_graph::Default_refinement_visitor`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object}
-///     \cgalParamType{a model of `ReebGraphTraits`}
-///     \cgalParamDefault{`Reeb_graph_traits<MutableFaceGraph, ScalarMap>`}
-///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+///
+/// \copydetails PkgReebGraphPlaceParameters
+///
+/// \copydetails PkgReebGraphCuttingParameters
+///
+/// \copydetails PkgReebGraphRefinementParameters
 ///
 /// \returns the output iterator behind the last curve.
 ///
@@ -136,14 +83,10 @@ OutputIterator cutting_system(MutableFaceGraph& mesh,
                               OutputIterator curves,
                               const NamedParameters& np = parameters::default_values())
 {
-  const auto traits = internal::choose_traits(mesh, scalar_map, np);
-  internal::check_input(mesh, scalar_map, traits);
-  auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
-  const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
-  const auto simple = internal::compute_simple_reeb_graph(ranked, scalar_map, traits);
-  const auto contours = internal::choose_cutting_system(ranked, simple, np);
-  const auto result = internal::cut_and_mark(ranked, contours, np);
-  return std::copy(result.begin(), result.end(), curves);
+  internal::check_input(mesh, scalar_map, np);
+  return internal::cut_along_chosen_contours(mesh, scalar_map, curves, np, [&](const auto& ranked, const auto& simple) {
+    return internal::choose_cutting_system(ranked, simple, np);
+  });
 }
 
 } // namespace Reeb_graph

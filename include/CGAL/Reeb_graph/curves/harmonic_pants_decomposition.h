@@ -20,7 +20,7 @@ namespace Reeb_graph {
 
 /// \ingroup PkgReebGraphCurves
 ///
-/// \brief refines a mesh and finds a pants decomposition by a harmonic field.
+/// \brief refines a mesh and finds a pants decomposition by a harmonic field, which it computes.
 ///
 /// In each connected component, the field is 0 on the first border component and 1 on the other ones. If there is one
 /// border, the field is 1 at a vertex far from it; if there is none, it is 0 and 1 at the two vertices of
@@ -29,33 +29,26 @@ namespace Reeb_graph {
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam OutputIterator a model of `OutputIterator` for `Reeb_graph::Curve`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the mesh, which is changed
 /// \param curves the output
-/// \param np the named parameters of `pants_decomposition()` with a field, and those of `compute_harmonic_field()`
+/// \param np the named parameters of `pants_decomposition()`, but for `geom_traits`, and those of
+///        `compute_harmonic_field()`
 ///
 /// \returns the output iterator behind the last curve.
 ///
 /// It throws the exceptions of these two functions. When one is thrown, the mesh is as it was before.
-template <class MutableFaceGraph, class OutputIterator, class T, class Tag, class Base>
-OutputIterator pants_decomposition(MutableFaceGraph& mesh,
-                                   OutputIterator curves,
-                                   const Named_function_parameters<T, Tag, Base>& np)
+template <class MutableFaceGraph, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+OutputIterator harmonic_pants_decomposition(MutableFaceGraph& mesh,
+                                            OutputIterator curves,
+                                            const NamedParameters& np = parameters::default_values())
 {
   internal::check_negative_euler_characteristics(mesh);
   const auto field_map = get(dynamic_vertex_property_t<double>(), mesh);
   const internal::Harmonic_constraints<MutableFaceGraph> constraints(mesh, np);
   compute_harmonic_field(mesh, field_map, constraints.range(), np);
   return pants_decomposition(mesh, field_map, curves, np);
-}
-
-/// \ingroup PkgReebGraphCurves
-///
-/// \brief the same without named parameters.
-template <class MutableFaceGraph, class OutputIterator>
-OutputIterator pants_decomposition(MutableFaceGraph& mesh, OutputIterator curves)
-{
-  return pants_decomposition(mesh, curves, parameters::default_values());
 }
 
 } // namespace Reeb_graph

@@ -121,43 +121,12 @@ std::size_t segment_by_branches(MutableFaceGraph& mesh,
 /// \param scalar_map the scalar field
 /// \param graph the Reeb graph of the mesh and the field
 /// \param face_patch_map the result: for each face the number of its arc, in the order of `edges(graph)`, from 0
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those that the graph has been
-/// computed
-///        with, `ties`, `keep_degree_two_nodes` and `geom_traits`, and the ones listed below
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `ties` and `keep_degree_two_nodes`
+///        that the graph has been computed with, and those below
 ///
-/// \cgalNamedParamsBegin
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{is set to `true` for each edge of a curve; other edges are not written}
-///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and `bool` as value type}
-///     \cgalParamDefault{none}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{edge_curve_map}
-///     \cgalParamDescription{is set to the number of the curve, from 0, for each edge of a curve; other edges are not
-///                           written}
-///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and an integer type as
-///                    value type}
-///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::edge_curve_map()`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{cut_open}
-///     \cgalParamDescription{whether the mesh is cut open along the curves, so that each closed curve becomes two
-///                           border cycles. The lower side gets new vertices at the points of the curve.}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{use the functions `parameters::cut_open()`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices}
-///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptors as key type and points of a
-///                    three-dimensional kernel as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of all edges and faces that are split, so that attributes can be carried over}
-///     \cgalParamType{a model of `ReebGraphRefinementVisitor`, by value or as `std::reference_wrapper`}
-///     \cgalParamDefault{`Reeb_graph::Default_refinement_visitor`}
-///   \cgalParamNEnd
-/// \cgalNamedParamsEnd
+/// \copydetails PkgReebGraphCuttingParameters
+///
+/// \copydetails PkgReebGraphRefinementParameters
 ///
 /// \returns the number of patches: that of the arcs, and of the components without an arc.
 ///

@@ -43,26 +43,9 @@ namespace Reeb_graph {
 /// \param mesh the mesh, which is changed
 /// \param scalar_map the scalar field
 /// \param rank_map the result: for each vertex, new ones included, a different number
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those below
 ///
-/// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices}
-///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptors as key type and points of a
-///                    three-dimensional kernel as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of all edges and faces that are split, so that attributes can be carried over}
-///     \cgalParamType{a model of `ReebGraphRefinementVisitor`, by value or as `std::reference_wrapper`}
-///     \cgalParamDefault{`Reeb_graph::Default_refinement_visitor`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object}
-///     \cgalParamType{a model of `ReebGraphTraits`}
-///     \cgalParamDefault{`Reeb_graph_traits<MutableFaceGraph, ScalarMap>`}
-///   \cgalParamNEnd
-/// \cgalNamedParamsEnd
+/// \copydetails PkgReebGraphRefinementParameters
 ///
 /// It throws the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
 template <class MutableFaceGraph,
@@ -74,11 +57,10 @@ void unfold_multi_saddles(MutableFaceGraph& mesh,
                           RankMap rank_map,
                           const NamedParameters& np = parameters::default_values())
 {
-  const auto traits = internal::choose_traits(mesh, scalar_map, np);
-  internal::check_input(mesh, scalar_map, traits);
+  internal::check_input(mesh, scalar_map, np);
   auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
   const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
-  internal::rank_vertices(ranked, scalar_map, traits);
+  internal::rank_vertices(ranked, scalar_map, internal::choose_traits(mesh, scalar_map, np));
   internal::unfold_all_vertices(ranked);
   for(const auto v : vertices(mesh))
     put(rank_map, v, ranked.rank(v));

@@ -26,24 +26,32 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
-#include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Reeb_graph {
 
 namespace internal {
+namespace scalar_fields {
 
-template <class T>
-struct Is_named_parameters : std::false_type
+// The harmonic field with the values that fix_vertices(surface, graph, constraints) gives.
+template <class FaceListGraph, class FieldMap, class NamedParameters, class FixVertices>
+void write_harmonic_field(const FaceListGraph& mesh,
+                          FieldMap field_map,
+                          const NamedParameters& np,
+                          const FixVertices& fix_vertices)
 {
-};
+  const Progress progress(np);
+  progress.report(0);
+  const Indexed_surface<FaceListGraph> surface(mesh, np);
+  const Weighted_graph graph = laplacian_graph(surface, choose_weights(np));
+  Constraints<typename Scalar_of_field<FieldMap>::type> constraints(surface.number_of_vertices());
+  fix_vertices(surface, graph, constraints);
+  check_components(graph, constraints.is_fixed);
+  write_field(surface, harmonic_values(surface, graph, constraints, progress, np), field_map, progress);
+}
 
-template <class T, class Tag, class Base>
-struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type
-{
-};
-
+} // namespace scalar_fields
 } // namespace internal
 
 /// \ingroup PkgReebGraphFields
@@ -122,28 +130,16 @@ struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_
 template <class FaceListGraph,
           class FieldMap,
           class ConstraintRange,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          class = std::enable_if_t<
-            !internal::Is_named_parameters<ConstraintRange>::value
-            && !std::is_convertible_v<ConstraintRange, typename boost::graph_traits<FaceListGraph>::vertex_descriptor>>
-#endif
-          >
+          class NamedParameters = parameters::Default_named_parameters>
 void compute_harmonic_field(const FaceListGraph& mesh,
                             FieldMap field_map,
                             const ConstraintRange& constraints,
                             const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  typedef typename fields::Scalar_of_field<FieldMap>::type Scalar;
-  const internal::Progress progress(np);
-  progress.report(0);
-  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
-  const auto fixed = fields::read_constraints<Scalar>(surface, constraints);
-  const fields::Weighted_graph graph = fields::laplacian_graph(surface, fields::choose_weights(np));
-  fields::check_components(graph, fixed.is_fixed);
-  fields::write_field(surface, fields::harmonic_values(surface, graph, fixed, progress, np), field_map, progress);
+  fields::write_harmonic_field(mesh, field_map, np, [&](const auto& surface, const auto&, auto& fixed) {
+    fields::fix_vertices(surface, constraints, fixed);
+  });
 }
 
 /// \ingroup PkgReebGraphFields
@@ -151,13 +147,13 @@ void compute_harmonic_field(const FaceListGraph& mesh,
 /// \brief computes the harmonic field that is 0 at the vertex `lowest` and 1 at the vertex `highest` of a connected
 /// mesh.
 ///
-/// The same as `compute_harmonic_field()` with these two constraints.
+/// It is `compute_harmonic_field()` with these two constraints, and has its named parameters and exceptions.
 template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
-void compute_harmonic_field(const FaceListGraph& mesh,
-                            FieldMap field_map,
-                            typename boost::graph_traits<FaceListGraph>::vertex_descriptor lowest,
-                            typename boost::graph_traits<FaceListGraph>::vertex_descriptor highest,
-                            const NamedParameters& np = parameters::default_values())
+void compute_harmonic_field_between(const FaceListGraph& mesh,
+                                    FieldMap field_map,
+                                    typename boost::graph_traits<FaceListGraph>::vertex_descriptor lowest,
+                                    typename boost::graph_traits<FaceListGraph>::vertex_descriptor highest,
+                                    const NamedParameters& np = parameters::default_values())
 {
   typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
   const std::array<std::pair<vertex_descriptor, double>, 2> constraints = {{{lowest, 0.}, {highest, 1.}}};
@@ -169,33 +165,21 @@ void compute_harmonic_field(const FaceListGraph& mesh,
 /// \brief computes the harmonic field that is 0 and 1 at two vertices of each component that are far apart.
 ///
 /// The two are those of `find_far_apart_vertices()`. An isolated vertex gets the value 0. The named parameters and the
-/// exceptions are those of the first form of `compute_harmonic_field()`.
-template <class FaceListGraph,
-          class FieldMap,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          class = std::enable_if_t<internal::Is_named_parameters<NamedParameters>::value>
-#endif
-          >
-void compute_harmonic_field(const FaceListGraph& mesh,
-                            FieldMap field_map,
-                            const NamedParameters& np = parameters::default_values())
+/// exceptions are those of `compute_harmonic_field()`.
+template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
+void compute_harmonic_field_between_far_apart_vertices(const FaceListGraph& mesh,
+                                                       FieldMap field_map,
+                                                       const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  typedef typename fields::Scalar_of_field<FieldMap>::type Scalar;
-  const internal::Progress progress(np);
-  progress.report(0);
-  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
-  const fields::Weighted_graph graph = fields::laplacian_graph(surface, fields::choose_weights(np));
-  fields::Constraints<Scalar> fixed(surface.number_of_vertices());
-  for(const auto& pair : fields::far_apart_vertices(surface, graph))
-  {
-    fixed.fix(pair.first, Scalar(0));
-    if(pair.second != pair.first)
-      fixed.fix(pair.second, Scalar(1));
-  }
-  fields::write_field(surface, fields::harmonic_values(surface, graph, fixed, progress, np), field_map, progress);
+  fields::write_harmonic_field(mesh, field_map, np, [](const auto& surface, const auto& graph, auto& fixed) {
+    for(const auto& [lowest, highest] : fields::far_apart_vertices(surface, graph))
+    {
+      fixed.fix(lowest, 0);
+      if(highest != lowest)
+        fixed.fix(highest, 1);
+    }
+  });
 }
 
 } // namespace Reeb_graph

@@ -41,7 +41,8 @@ void solve_poisson_equation(const FaceListGraph& mesh,
   const Progress progress(np);
   progress.report(0);
   const Indexed_surface<FaceListGraph> surface(mesh, np);
-  const auto fixed = read_constraints<double>(surface, constraints);
+  Constraints<double> fixed(surface.number_of_vertices());
+  fix_vertices(surface, constraints, fixed);
   const Weighted_graph graph = cotangent_graph(surface);
   auto right_side = integrated_right_side(surface, graph);
   write_field(surface, poisson_values(surface, graph, fixed, std::move(right_side), progress, np), field_map, progress);

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/curves/Branch_pruning.h>
 #include <CGAL/Reeb_graph/internal/curves/Contour_choice.h>
 #include <CGAL/Reeb_graph/internal/curves/Graph_retract.h>
+#include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
 #include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -193,6 +194,20 @@ std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_bra
   for(const auto& path : Pruning(simple.graph, values, simple.is_border, areas, thresholds).branches())
     contours.push_back(choose(path).contour);
   return contours;
+}
+
+// Refines a mesh so that the contours of choose(ranked mesh, its Reeb graph with simple saddles) become paths of edges,
+// and outputs these. The input has been checked by check_input().
+template <class Mesh, class ScalarMap, class OutputIterator, class NamedParameters, class Choose>
+OutputIterator cut_along_chosen_contours(Mesh& mesh,
+                                         const ScalarMap& scalar_map,
+                                         OutputIterator output,
+                                         const NamedParameters& np,
+                                         const Choose& choose)
+{
+  return cut_along_found_contours(mesh, output, np, [&](const auto& ranked) {
+    return choose(ranked, compute_simple_reeb_graph(ranked, scalar_map, choose_traits(mesh, scalar_map, np)));
+  });
 }
 
 } // namespace internal

@@ -21,6 +21,7 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -116,6 +117,19 @@ std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
       put(face_patch_map, f, get(patch_map, f));
   }
   return curves;
+}
+
+// Refines a mesh so that the contours of find_contours(ranked mesh) become paths of edges, and outputs these.
+template <class Mesh, class OutputIterator, class NamedParameters, class FindContours>
+OutputIterator cut_along_found_contours(Mesh& mesh,
+                                        OutputIterator output,
+                                        const NamedParameters& np,
+                                        const FindContours& find_contours)
+{
+  auto visitor_parameter = choose_refinement_visitor(mesh, np);
+  const auto ranked = make_ranked_mesh(mesh, unwrap_reference(visitor_parameter), np);
+  const auto curves = cut_and_mark(ranked, find_contours(ranked), np);
+  return std::copy(curves.begin(), curves.end(), output);
 }
 
 } // namespace internal

@@ -21,6 +21,7 @@
 #include <CGAL/compute_reeb_graph.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <vector>
@@ -38,10 +39,10 @@ auto choose_traits(const Mesh&, const ScalarMap&, const NamedParameters& np)
 
 // Throws what compute_reeb_graph() throws for input that has no Reeb graph, as long as nothing has been changed yet and
 // no values have been compared.
-template <class Mesh, class ScalarMap, class Traits>
-void check_input(const Mesh& mesh, const ScalarMap& scalar_map, const Traits& traits)
+template <class Mesh, class ScalarMap, class NamedParameters>
+void check_input(const Mesh& mesh, const ScalarMap& scalar_map, const NamedParameters& np)
 {
-  flatten<Sequential_tag>(mesh, scalar_map, traits, parameters::default_values());
+  flatten<Sequential_tag>(mesh, scalar_map, choose_traits(mesh, scalar_map, np), parameters::default_values());
 }
 
 struct Component_counts

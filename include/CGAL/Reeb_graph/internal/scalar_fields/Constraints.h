@@ -63,14 +63,12 @@ struct Constraints
   }
 };
 
-// From a range of pairs of a vertex and its value.
-template <class Scalar, class Surface, class ConstraintRange>
-Constraints<Scalar> read_constraints(const Surface& surface, const ConstraintRange& range)
+// Fixes the vertices of a range of pairs of a vertex and its value.
+template <class Surface, class ConstraintRange, class Scalar>
+void fix_vertices(const Surface& surface, const ConstraintRange& range, Constraints<Scalar>& constraints)
 {
-  Constraints<Scalar> constraints(surface.number_of_vertices());
-  for(const auto& constraint : range)
-    constraints.fix(surface.position(constraint.first), static_cast<Scalar>(CGAL::to_double(constraint.second)));
-  return constraints;
+  for(const auto& [vertex, value] : range)
+    constraints.fix(surface.position(vertex), static_cast<Scalar>(CGAL::to_double(value)));
 }
 
 inline void check_components(const Weighted_graph& graph, const std::vector<bool>& is_fixed)
