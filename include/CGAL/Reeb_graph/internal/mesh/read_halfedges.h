@@ -64,7 +64,9 @@ Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
   check_faces(mesh);
   Halfedge_arrays arrays;
   arrays.halfedges_of_vertices.assign(number_of_vertices, no_index);
+  arrays.halfedges.reserve(3 * face_list.size()); // as many as a surface without border has
   Indexed_vector<Edge_index, halfedge_descriptor> even_halfedges;
+  even_halfedges.reserve(arrays.halfedges.capacity() / 2);
   Indexed_vector<Face_index, std::array<Halfedge_index, 3>> halfedges_of_faces;
   halfedges_of_faces.reserve(face_list.size());
 
