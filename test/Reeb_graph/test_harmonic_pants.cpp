@@ -12,6 +12,7 @@
 #include "cut_mesh_checks.h"
 
 #include <CGAL/Reeb_graph/curves/harmonic_pants_decomposition.h>
+#include <CGAL/iterator.h>
 
 #include <boost/mpl/list.hpp>
 
@@ -81,6 +82,16 @@ BOOST_AUTO_TEST_CASE(smooth_surfaces_with_and_without_holes)
         soup.triangles = mesh.triangles;
         BOOST_TEST((test_harmonic_pants<Surface_mesh>(soup) == number_of_holes));
       }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(an_edge_without_a_face_is_refused, Mesh, Meshes)
+{
+  auto mesh = curve_samples::make_mesh<Mesh>(generated_surfaces::closed_surface(2, 500));
+  const auto h = halfedge(add_edge(mesh), mesh), g = opposite(h, mesh);
+  set_target(h, *vertices(mesh).first, mesh);
+  set_target(g, *std::next(vertices(mesh).first), mesh);
+  BOOST_CHECK_THROW(CGAL::Reeb_graph::harmonic_pants_decomposition(mesh, CGAL::Emptyset_iterator()),
+                    CGAL::Reeb_graph::Edge_without_face_error);
 }
 
 BOOST_AUTO_TEST_CASE(a_torus_is_refused)

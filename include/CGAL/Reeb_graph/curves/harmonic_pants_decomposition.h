@@ -14,6 +14,12 @@
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
 #include <CGAL/Reeb_graph/internal/curves/harmonic_constraints.h>
+#include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
+
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -44,6 +50,8 @@ OutputIterator harmonic_pants_decomposition(MutableFaceGraph& mesh,
                                             OutputIterator curves,
                                             const NamedParameters& np = parameters::default_values())
 {
+  typedef typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor vertex_descriptor;
+  internal::check_input(mesh, boost::static_property_map<double, vertex_descriptor>(0), parameters::default_values());
   internal::check_negative_euler_characteristics(mesh);
   const auto field_map = get(dynamic_vertex_property_t<double>(), mesh);
   const internal::Harmonic_constraints<MutableFaceGraph> constraints(mesh, np);

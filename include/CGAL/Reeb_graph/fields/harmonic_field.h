@@ -114,6 +114,7 @@ void write_harmonic_field(const FaceListGraph& mesh,
 ///
 /// \exception Non_triangular_face_error if a face is not a triangle
 /// \exception Degenerate_face_error if a face has one vertex at two corners
+/// \exception Edge_without_face_error if an edge is on no face
 /// \exception Non_manifold_vertex_error if the faces of a vertex form more than one fan
 /// \exception Mesh_size_error if there are too many vertices or face corners for 32-bit indices
 /// \exception Non_finite_point_error if a coordinate is infinite or NaN
