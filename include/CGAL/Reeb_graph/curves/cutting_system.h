@@ -31,7 +31,7 @@ namespace Reeb_graph {
 ///
 /// By default the curves are short: along each arc of the graph, without the leaves that do not matter here, the
 /// shortest contour of several candidates is taken, and the arcs outside of a maximum spanning tree of these lengths
-/// are cut.
+/// give the curves.
 ///
 /// The method follows M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, Section
 /// 7. In advance, saddles of higher multiplicity, which could hide handles, are made simple as in

@@ -100,9 +100,9 @@ std::size_t segment_by_branches(MutableFaceGraph& mesh,
 ///
 /// \brief refines a mesh and cuts it into the regions of the arcs of its Reeb graph: one connected patch for each arc.
 ///
-/// At each node, all contours next to it are cut but one, the one that crosses the most edges: the node belongs to the
-/// patch of its arc. So no face is divided between two arcs, unlike in a segmentation of the vertices. The cuts are
-/// those of `cut_along_contours()`, and so is the time, for the contours next to the nodes.
+/// At each node, the mesh is cut along all contours next to it but one, the one that crosses the most edges: the node
+/// belongs to the patch of its arc. So no face is divided between two arcs, unlike in a segmentation of the vertices. Time
+/// and refinement are those of `cut_along_contours()` for the contours next to the nodes.
 ///
 /// Any mesh and any field will do, borders need not be levels. A component on which the field is constant has no arc if
 /// ties are contracted; it is a patch of its own, numbered behind those of the arcs. The halfedges of the chains of

@@ -91,7 +91,7 @@ public:
       if(is_leaf_lower)
         std::reverse(path.arcs.begin(), path.arcs.end());
       for(auto& piece : path.arcs)
-        piece.second = !is_leaf_lower;
+        piece.is_passed_upwards = !is_leaf_lower;
       path.first_node = is_leaf_lower ? arcs_[arc].upper : arcs_[arc].lower;
       path.last_node = is_leaf_lower ? arcs_[arc].lower : arcs_[arc].upper;
       result.push_back(path);
@@ -168,7 +168,7 @@ private:
       to_do.pop_back();
       if(arcs_[arc].lower_part == none)
       {
-        path.arcs.emplace_back(graph_arcs_[arc], true);
+        path.arcs.push_back({graph_arcs_[arc], true});
         continue;
       }
       to_do.push_back(arcs_[arc].upper_part);

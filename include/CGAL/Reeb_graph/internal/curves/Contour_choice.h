@@ -58,6 +58,7 @@ public:
   typedef typename Reeb_graph_traits<Mesh, Rank_map>::Graph Graph;
   typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
   typedef Arc_path<arc_descriptor> Path;
+  typedef typename Path::Passed_arc Passed_arc;
 
   struct Choice
   {
@@ -80,8 +81,8 @@ public:
   Choice operator()(const Path& path) const
   {
     std::size_t number_of_places = 0;
-    for(const auto& arc : path.arcs)
-      number_of_places += graph_[arc.first].chain.size();
+    for(const Passed_arc& passed : path.arcs)
+      number_of_places += graph_[passed.arc].chain.size();
     const std::size_t number_of_candidates = (std::min)(number_of_candidates_, number_of_places);
     Choice best;
     double least_cost = 0;
@@ -103,13 +104,13 @@ public:
   }
 
 private:
-  const auto& chain(const Path& path, std::size_t piece) const { return graph_[path.arcs[piece].first].chain; }
+  const auto& chain(const Path& path, std::size_t piece) const { return graph_[path.arcs[piece].arc].chain; }
 
-  Choice choice_at(const std::pair<arc_descriptor, bool>& arc, std::size_t place) const
+  Choice choice_at(const Passed_arc& passed, std::size_t place) const
   {
-    const auto& halfedges = graph_[arc.first].chain;
-    const halfedge_descriptor h = halfedges[arc.second ? place : halfedges.size() - 1 - place];
-    const auto contour = augmentation_.contour_at_value(arc.first, ranked_.rank(source(h, ranked_.mesh())));
+    const auto& halfedges = graph_[passed.arc].chain;
+    const halfedge_descriptor h = halfedges[passed.is_passed_upwards ? place : halfedges.size() - 1 - place];
+    const auto contour = augmentation_.contour_at_value(passed.arc, ranked_.rank(source(h, ranked_.mesh())));
     Choice choice = {make_contour_to_cut(ranked_, contour.halfedges, contour.is_closed), Candidate_curve()};
     choice.properties.value = choice.contour.value;
     choice.properties.length = length(choice.contour);

@@ -35,7 +35,7 @@ struct Contour_to_cut
   std::vector<HalfedgeDescriptor> halfedges; // ascending, one for each crossed edge; the higher side is on the left
   bool is_closed = false;
   double value = 0;
-  Rank lower_rank = 0; // of the highest lower end
+  Rank lower_rank = 0; // rank of the highest lower end
 
   friend bool operator<(const Contour_to_cut& a, const Contour_to_cut& b)
   {
@@ -81,7 +81,7 @@ public:
   }
 
 private:
-  // Sorts the crossings of each edge by level: contours are taken in ascending order.
+  // Sorts the crossings of each edge by level, as it takes the contours in ascending order.
   void sort_crossings()
   {
     number_edges();
@@ -152,8 +152,8 @@ private:
     }
   }
 
-  // Crossings are where the values of their contours are on the edge, but no two points coincide, and none is at an
-  // end: there is a minimal distance.
+  // Places the crossings where the values of their contours are on the edge, but keeps them apart from each other and
+  // from the ends.
   void place_crossings(std::size_t edge, vertex_descriptor u, vertex_descriptor w)
   {
     const std::size_t size = first_crossings_[edge + 1] - first_crossings_[edge];
@@ -172,8 +172,9 @@ private:
 
   bool is_corner(halfedge_descriptor h) const { return get(crossing_map_, target(h, mesh_)) == 0; }
 
-  // In a triangle, every contour joins the way from the lowest to the highest corner on the left to that on the right.
-  // Both are climbed at the same time; what is left below a segment is a polygon of up to five edges.
+  // Splits a triangle by the segments of all contours. Two ways lead from its lowest to its highest corner, and every
+  // segment joins the left one to the right one. Both are climbed at the same time; what is left below a segment is a
+  // polygon of up to five edges.
   void split_face(face_descriptor f)
   {
     const std::array<halfedge_descriptor, 2> ends = lowest_and_highest_corner(f);
@@ -197,7 +198,7 @@ private:
     ranked_.triangulate(segment);
   }
 
-  // The halfedges of a face that lead there.
+  // The halfedges of a face that lead to its lowest and to its highest corner.
   std::array<halfedge_descriptor, 2> lowest_and_highest_corner(face_descriptor f) const
   {
     std::array<halfedge_descriptor, 2> ends = {halfedge(f, mesh_), halfedge(f, mesh_)};
@@ -244,14 +245,15 @@ private:
   const RankedMesh& ranked_;
   Mesh& mesh_;
   const std::vector<Contour>& contours_;
-  typename boost::property_map<Mesh, dynamic_vertex_property_t<std::size_t>>::type crossing_map_; // plus one
-  std::vector<std::size_t> first_numbers_; // by contour: that of its first crossing
-  std::vector<std::size_t> edge_numbers_;  // by number of the crossing
+  // The number of its crossing for each new vertex, plus one.
+  typename boost::property_map<Mesh, dynamic_vertex_property_t<std::size_t>>::type crossing_map_;
+  std::vector<std::size_t> first_numbers_; // number of the first crossing, by contour
+  std::vector<std::size_t> edge_numbers_;  // number of the edge, by crossing
   std::vector<halfedge_descriptor> crossed_edges_;
-  std::vector<std::size_t> first_crossings_; // by edge, and one more
-  std::vector<Crossing> crossings_;          // by edge, ascending
+  std::vector<std::size_t> first_crossings_; // positions in crossings_, by edge, and one more
+  std::vector<Crossing> crossings_;          // crossings of one edge after the other, ascending
   std::vector<face_descriptor> crossed_faces_;
-  std::vector<halfedge_descriptor> path_; // by number of the crossing: the halfedge that leaves it
+  std::vector<halfedge_descriptor> path_; // halfedge of the curve that leaves a crossing, by crossing
   std::vector<double> fractions_;
 };
 

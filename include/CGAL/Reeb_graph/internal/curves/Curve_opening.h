@@ -42,7 +42,7 @@ public:
   }
 
 private:
-  // The border halfedges that lead to the ends of a curve from border to border.
+  // Keeps the border halfedges that lead to the ends of a curve from border to border.
   void remember_borders(const Curve<halfedge_descriptor>& curve)
   {
     if(curve.is_closed)
@@ -56,7 +56,7 @@ private:
     to_end_ = border_at(curve.halfedges.back());
   }
 
-  // The new edges take the place of the old ones in the faces below.
+  // Gives the faces below the curve new edges in the place of those of the curve.
   void add_edges(Curve<halfedge_descriptor>& curve)
   {
     added_.clear();
@@ -129,8 +129,8 @@ private:
 
   const RankedMesh& ranked_;
   Mesh& mesh_;
-  std::vector<halfedge_descriptor> added_; // the border halfedges of the lower side
-  halfedge_descriptor to_start_, to_end_;
+  std::vector<halfedge_descriptor> added_; // border halfedges of the lower side
+  halfedge_descriptor to_start_, to_end_;  // border halfedges that lead to the ends of the curve
 };
 
 } // namespace internal

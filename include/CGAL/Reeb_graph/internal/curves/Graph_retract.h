@@ -17,19 +17,24 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// A sequence of arcs that a curve can be moved along. `true`: passed upwards.
+// A sequence of arcs that a curve can be moved along.
 template <class ArcDescriptor>
 struct Arc_path
 {
+  struct Passed_arc
+  {
+    ArcDescriptor arc;
+    bool is_passed_upwards;
+  };
+
   std::size_t first_node = 0, last_node = 0;
-  std::vector<std::pair<ArcDescriptor, bool>> arcs;
+  std::vector<Passed_arc> arcs;
 };
 
 // The deformation retract of a Reeb graph: leaves are removed one after the other, unless they are to be kept; arcs
@@ -43,7 +48,7 @@ class Graph_retract
 public:
   typedef Arc_path<arc_descriptor> Path;
 
-  // `is_kept` has a value for each node.
+  // A leaf stays if `is_kept` is true for its node.
   Graph_retract(const ReebGraph& graph, const std::vector<bool>& is_kept)
     : graph_(graph),
       arcs_(edges(graph).first, edges(graph).second),
@@ -108,7 +113,7 @@ private:
     }
   }
 
-  // All paths that leave the node and have not been followed from their other end.
+  // Adds all paths that leave the node and have not been followed from their other end.
   void add_paths(std::size_t node)
   {
     for(const std::size_t arc : arcs_of_node_[node])
@@ -124,7 +129,7 @@ private:
     std::size_t node = first_node;
     do
     {
-      path.arcs.emplace_back(arcs_[arc], lower(arc) == node);
+      path.arcs.push_back({arcs_[arc], lower(arc) == node});
       is_left_[arc] = false;
       node = other_end(arc, node);
       arc = any_arc_left(node);

@@ -73,7 +73,7 @@ public:
     put(value_map_, v, value);
   }
 
-  // Where the value lies on the edge from `u` to the higher `w`: 0 at `u`, 1 at `w`, in the middle if that is unclear.
+  // The place of the value on the edge from `u` to the higher `w`: 0 at `u`, 1 at `w`, in the middle if it is unclear.
   double crossing_fraction(vertex_descriptor u, vertex_descriptor w, double value) const
   {
     const double fraction = (value - this->value(u)) / (this->value(w) - this->value(u));
@@ -154,7 +154,7 @@ private:
     return quality;
   }
 
-  // Positive for a triangle that is not degenerate, and the highest for an equilateral one.
+  // The quality is positive for a triangle that is not degenerate, and the highest for an equilateral one.
   double quality_of_triangle(vertex_descriptor u, vertex_descriptor v, vertex_descriptor w) const
   {
     const auto& p = get(vertex_point_map_, u);

@@ -25,15 +25,15 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The contours that part the regions of the arcs of a Reeb graph: at each node those of all arcs but one, to which the
-// node belongs. It is the one whose contour crosses the most edges.
+// The contours that part the regions of the arcs of a Reeb graph. At each node, these are the contours of all arcs but
+// one, to which the node belongs: the one whose contour crosses the most edges.
 template <class RankedMesh, class ReebGraph>
 struct Arc_borders
 {
   typedef typename RankedMesh::halfedge_descriptor halfedge_descriptor;
 
   std::vector<Contour_to_cut<halfedge_descriptor>> contours;
-  std::vector<std::size_t> higher_arcs, lower_arcs; // by contour: the numbers of the arcs on its sides
+  std::vector<std::size_t> higher_arcs, lower_arcs; // numbers of the arcs on both sides, by contour
 };
 
 template <class RankedMesh, class ReebGraph, class Augmentation>
@@ -75,8 +75,8 @@ Arc_borders<RankedMesh, ReebGraph> find_arc_borders(const RankedMesh& ranked,
   return result;
 }
 
-// Writes the number of its arc for each face of a mesh that has been cut along those contours. Components without an
-// arc get the numbers behind. Returns how many numbers there are.
+// Writes the number of its arc for each face of a mesh that has been cut along the borders of arcs. Components without
+// an arc get the numbers behind. Returns how many numbers there are.
 template <class RankedMesh, class ReebGraph, class PatchMap>
 std::size_t mark_arc_patches(const RankedMesh& ranked,
                              const ReebGraph& graph,

@@ -28,7 +28,7 @@
 #include <utility>
 #include <vector>
 
-// Which contours of a Reeb graph with simple saddles the curves are.
+// The choice of contours of a Reeb graph with simple saddles that become curves.
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -39,7 +39,8 @@ struct Length_of_curve
   double operator()(const Candidate_curve& candidate) const { return candidate.length; }
 };
 
-// The length, but beyond the half that is next to the saddle, a place is the worse the farther it is.
+// The cost of a place is the length of its contour. Beyond the half that is next to the saddle, a place is the worse
+// the farther it is.
 struct Cost_of_branch_curve
 {
   double operator()(const Candidate_curve& candidate) const

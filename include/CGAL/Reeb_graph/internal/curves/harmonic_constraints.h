@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Where a harmonic field is fixed so that all borders are its extrema: the first border of each component at 0, the
-// other ones at 1. The only border of a component has a vertex far from it as other end; a component without border
-// has two vertices that are far apart.
+// The vertices with given values of a harmonic field whose extrema are all borders: 0 on the first border of each
+// component, 1 on the other ones. A component with one border has a vertex far from it as other end; a component
+// without border has two vertices that are far apart.
 template <class Mesh>
 class Harmonic_constraints
 {
@@ -75,7 +75,7 @@ private:
     }
   }
 
-  // The first border of a component reaches all of its vertices.
+  // Fixes a border; the first one of a component reaches all of its vertices.
   void fix_border(halfedge_descriptor border)
   {
     const bool is_first = !get(is_reached_, target(border, mesh_));

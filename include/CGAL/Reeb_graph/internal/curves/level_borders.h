@@ -31,8 +31,7 @@ struct Level_border
 {
   std::vector<VertexDescriptor> vertices;
   bool is_minimum = true;
-  // Vertices on edges between border vertices of equal value lie between these and all other vertices.
-  std::size_t group = 0;
+  std::size_t group = 0; // number of the group of borders at one level on one side
 };
 
 // All border components of a mesh, each of which is an extremum of the field.
@@ -51,8 +50,8 @@ struct Level_borders
   }
 
   std::vector<Level_border<vertex_descriptor>> borders;
-  Number_map number_map;        // the number of the border of a vertex plus one, 0 if it is on none
-  std::vector<Rank> last_ranks; // by group: the rank nearest to those of the other vertices
+  Number_map number_map;        // number of the border of a vertex plus one, 0 if it is on none
+  std::vector<Rank> last_ranks; // rank nearest to those of the other vertices, by group
 };
 
 // Finds out on which side of the field the border is. Throws if it is on none.
@@ -82,7 +81,7 @@ void check_level_border(const Mesh& mesh,
   border.is_minimum = !has_lower;
 }
 
-// Border components are numbered in the order of their first vertices in vertices(mesh).
+// Finds the border components, in the order of their first vertices in vertices(mesh).
 template <class Mesh, class ScalarMap, class Less>
 Level_borders<Mesh> find_level_borders(Mesh& mesh, const ScalarMap& scalar_map, const Less& less)
 {

@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The vertices in order: by value, then by side, then by position. The side is -1 for vertices of a border that is a
-// minimum, 1 for those of one that is a maximum, and 0 else. All vertices of such a border have the same position.
+// The place of a vertex in the order: by value, then by side, then by position. The side is -1 for vertices of a border
+// that is a minimum, 1 for those of one that is a maximum, and 0 else. All vertices of such a border have one position.
 template <class RankedMesh, class Scalar>
 struct Vertex_key
 {
@@ -69,7 +69,8 @@ void rank_vertices(const RankedMesh& ranked, const ScalarMap& scalar_map, const 
     ranked.place(key.vertex, rank += rank_spacing, CGAL::to_double(key.value));
 }
 
-// The same, but all vertices of a border component have one rank, beyond all other vertices of their value.
+// Gives each vertex the rank of its place in the total order, but all vertices of a border component one rank, beyond
+// all other vertices of their value.
 template <class RankedMesh, class ScalarMap, class Traits>
 void rank_vertices(const RankedMesh& ranked,
                    const ScalarMap& scalar_map,

@@ -103,10 +103,10 @@ struct Simple_reeb_graph
   typedef typename Reeb_graph_traits<typename RankedMesh::Mesh, typename RankedMesh::Rank_map>::Graph Graph;
 
   Graph graph;
-  std::vector<bool> is_border; // by node
+  std::vector<bool> is_border; // whether a node is a border, by node
 };
 
-// Refines the mesh to that end. The input has been checked by check_input().
+// Refines the mesh so that its Reeb graph is simple. The input has been checked by check_input().
 template <class RankedMesh, class ScalarMap, class Traits>
 Simple_reeb_graph<RankedMesh> compute_simple_reeb_graph(const RankedMesh& ranked,
                                                         const ScalarMap& scalar_map,

@@ -38,8 +38,8 @@ class Vertex_unfolding
 
   struct Sector
   {
-    std::size_t first, size; // of the spokes
-    Rank first_rank;         // for an order that does not depend on where the spokes begin
+    std::size_t first, size; // positions of the spokes
+    Rank first_rank;         // makes the order independent of the spoke with which they begin
   };
 
 public:
@@ -105,7 +105,7 @@ private:
     }
   }
 
-  // A spoke that has been split begins at its new vertex.
+  // Splits the faces at a sector whose spokes have been split, and begin at their new vertices.
   void split_faces(const Sector& sector)
   {
     const std::size_t first = sector.first, last = sector.first + sector.size - 1;

@@ -38,7 +38,7 @@ struct Scalar_of_field
   typedef std::conditional_t<std::is_same_v<Value, float>, float, double> type;
 };
 
-// Fixed vertices, and their values.
+// Vertices whose values are given, and these values.
 template <class Scalar>
 struct Constraints
 {
@@ -103,7 +103,7 @@ void write_field(const Surface& surface, const std::vector<Scalar>& values, Fiel
     put(field_map, surface.vertex_handle(v), static_cast<Value>(values[v]));
 }
 
-// The last step: nothing can be cancelled any more.
+// Writes the field as the last step of a computation, which cannot be cancelled any more.
 template <class Surface, class Scalar, class FieldMap>
 void write_field(const Surface& surface,
                  const std::vector<Scalar>& values,

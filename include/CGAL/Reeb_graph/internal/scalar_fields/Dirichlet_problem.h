@@ -29,7 +29,7 @@ class Dirichlet_problem
 public:
   typedef std::vector<double> Values;
 
-  // `order` is that of the rows; `values` holds those of the fixed vertices, and h for the free ones
+  // The rows are in the order `order`; `values` holds the values of the fixed vertices, and h for the free ones.
   Dirichlet_problem(const Weighted_graph& graph,
                     const std::vector<Position>& order,
                     const std::vector<bool>& is_fixed,
@@ -91,12 +91,12 @@ private:
   bool is_free(Position v) const { return rows_[v] != no_position; }
 
   const Weighted_graph& graph_;
-  std::vector<Position> rows_;     // by vertex
-  std::vector<Position> vertices_; // by row
+  std::vector<Position> rows_;     // row of each vertex, no_position if it is fixed
+  std::vector<Position> vertices_; // vertex of each row
   Values right_side_;
 };
 
-// The factorized matrix of a problem; see Dirichlet_problem::fill().
+// The factorized matrix of a Dirichlet problem, see Dirichlet_problem::fill().
 template <class Solver>
 class Factorized_matrix
 {

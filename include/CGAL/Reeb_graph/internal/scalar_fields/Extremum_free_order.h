@@ -30,7 +30,7 @@ namespace scalar_fields {
 // ones, such as a thin leg where the field is flat to all digits, is numbered anew, in one place between two of its
 // monotone or fixed neighbors.
 //
-// Such a place exists: no vertex of a connected surface cuts it in two, as its link is connected. So if some of the
+// Such a place exists: no vertex of a connected surface parts it, as its link is connected. So if some of the
 // neighbors become one source and the other ones one sink, the part with both has an st-numbering, in which each
 // vertex has a lower and a higher neighbor. The only exception is a part whose neighbors are fixed to one value; it
 // is constant.
@@ -56,7 +56,7 @@ public:
   // Whether there is a vertex that is not monotone. Only then is there an order.
   bool is_changed() const { return std::find(is_monotone_.begin(), is_monotone_.end(), false) != is_monotone_.end(); }
 
-  // From the lowest to the highest vertex.
+  // The vertices, from the lowest to the highest one.
   const std::vector<Position>& ascending() const { return ascending_; }
 
   // Whether a vertex can have no value but that of the fixed vertices around its part.
@@ -66,7 +66,7 @@ public:
   Scalar constant_value(Position v) const { return constant_values_[part_of_vertex_[v]]; }
 
 private:
-  // Of vertices of equal value the fixed ones are lower, so that a value is fixed once or not at all.
+  // The order by value; of equal values, fixed vertices come first, so that a value is fixed once or not at all.
   bool is_lower(Position u, Position v) const
   {
     return std::make_tuple(values_[u], !is_fixed_[u], u) < std::make_tuple(values_[v], !is_fixed_[v], v);
@@ -104,7 +104,7 @@ private:
 
   struct Part
   {
-    std::vector<Position> vertices; // in the end in their order
+    std::vector<Position> vertices; // ascending once the part is placed
     Position lower_neighbor = no_position;
   };
 
@@ -151,7 +151,7 @@ private:
     return result;
   }
 
-  // In the largest gap between the values of its neighbors there is the most room for a part.
+  // Places a part in the largest gap between the values of its neighbors, where there is the most room.
   void place(Part& part, Position number, St_numbering& st_numbering)
   {
     const std::vector<Position> neighbors = neighbors_of_part(part);
@@ -182,7 +182,7 @@ private:
     return values_[neighbors[i]] - values_[neighbors[i - 1]];
   }
 
-  // Each part follows its lower neighbor.
+  // Merges the parts into the order of the monotone vertices; each follows its lower neighbor.
   void merge()
   {
     std::vector<Position> monotone_vertices;

@@ -36,8 +36,8 @@ namespace Reeb_graph {
 namespace internal {
 namespace scalar_fields {
 
-// The heat method knows distances up to a constant for each component, so each component is a mesh of its own. It also
-// depends on there being no isolated vertex. So it works on copies, which know the positions of their vertices.
+// The distances of the heat method. It knows distances up to a constant for each component, and depends on there being
+// no isolated vertex. So each component is copied to a mesh of its own, which knows the positions of its vertices.
 class Geodesic_distances
 {
 public:
@@ -71,7 +71,7 @@ public:
       run_on_components(copy, components, progress);
   }
 
-  // for the points divided by Indexed_surface::scale()
+  // The distances for the points divided by Indexed_surface::scale().
   const std::vector<double>& distances() const { return distances_; }
 
 private:
@@ -104,7 +104,7 @@ private:
     Mesh::Property_map<Mesh::Face_index, std::size_t> components;
   };
 
-  // In halves, as to take one component after the other from all of them would be quadratic.
+  // Splits the components into halves, as to take one after the other from all of them would be quadratic.
   void run_on_components(Copy& copy, const std::vector<std::size_t>& components, const Progress& progress)
   {
     if(components.size() == 1)

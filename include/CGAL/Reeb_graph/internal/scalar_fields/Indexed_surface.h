@@ -99,7 +99,7 @@ public:
   const Vector& point(Position v) const { return points_[v]; }
   double scale() const { return scale_; }
 
-  // no_position if `v` is not a vertex of the mesh
+  // The position of a vertex, no_position if it is not one of the mesh.
   Position position(vertex_descriptor v) const
   {
     if(v == Graph_traits::null_vertex())

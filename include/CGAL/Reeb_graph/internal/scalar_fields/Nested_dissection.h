@@ -85,7 +85,7 @@ private:
   const Surface& surface_;
   const Weighted_graph& graph_;
   std::vector<Position> vertices_;
-  std::vector<Position> halves_; // by vertex, the number of the last upper half that it was in
+  std::vector<Position> halves_; // number of the last upper half that a vertex was in, by vertex
   Position last_half_ = 0;
 };
 

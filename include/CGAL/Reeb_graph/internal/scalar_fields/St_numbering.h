@@ -30,7 +30,8 @@ class St_numbering
 public:
   explicit St_numbering(const Weighted_graph& graph) : graph_(graph), records_(graph.number_of_vertices()) {}
 
-  // `is_in_part` tells the vertices of the part, `is_source` those that belong to the source from the other ones.
+  // The order of `part`. `is_in_part` tells its vertices from the other ones, and `is_source` tells which of these
+  // belong to the source.
   template <class IsInPart, class IsSource>
   std::vector<Position> operator()(const std::vector<Position>& part,
                                    const IsInPart& is_in_part,
@@ -53,7 +54,7 @@ private:
   struct Record
   {
     Preorder preorder = no_position;
-    Preorder low; // the lowest one that is joined to a vertex of the subtree, or in it
+    Preorder low; // lowest number that is joined to a vertex of the subtree, or in it
     Preorder parent;
     Position next_edge;
   };
@@ -92,7 +93,7 @@ private:
     }
   }
 
-  // The vertices are inserted in preorder into a list from the source to the sink, before or behind their parents.
+  // Inserts the vertices in preorder into a list from the source to the sink, before or behind their parents.
   std::vector<Position> list(Position root)
   {
     const std::size_t size = preordered_.size();

@@ -102,7 +102,7 @@ private:
   std::vector<Neighbor> neighbors_;
 };
 
-// w_ij = (tan(theta / 2) + tan(phi / 2)) / |v_j - v_i|, with the angles at v_i on both sides of the edge.
+// The weights w_ij = (tan(theta / 2) + tan(phi / 2)) / |v_j - v_i|, with the angles at v_i on both sides of the edge.
 template <class Surface>
 Weighted_graph mean_value_graph(const Surface& surface)
 {
@@ -122,7 +122,7 @@ Weighted_graph mean_value_graph(const Surface& surface)
   });
 }
 
-// w_ij = (cot(alpha) + cot(beta)) / 2, with the angles that face the edge.
+// The weights w_ij = (cot(alpha) + cot(beta)) / 2, with the angles that face the edge.
 template <class Surface>
 Weighted_graph cotangent_graph(const Surface& surface)
 {
@@ -142,7 +142,7 @@ Weighted_graph cotangent_graph(const Surface& surface)
   });
 }
 
-// w_ij = 1
+// The weights w_ij = 1.
 template <class Surface>
 Weighted_graph uniform_graph(const Surface& surface)
 {
@@ -195,7 +195,7 @@ inline std::vector<Position> label_components(const Weighted_graph& graph)
   return labels;
 }
 
-// For each component, the first one of the vertices of least value.
+// The vertex of least value of each component, the first one if there are several.
 inline std::vector<Position> lowest_vertices_of_components(const Weighted_graph& graph,
                                                            const std::vector<double>& values)
 {

@@ -43,7 +43,7 @@ inline Vector normalized(const Vector& vector)
   return (1 / length(scaled)) * scaled;
 }
 
-// The gradients on the faces; those of the points divided by surface.scale().
+// The gradients on the faces, for the points divided by surface.scale().
 template <class Surface>
 std::vector<Vector> scaled_gradients(const Surface& surface, const std::vector<double>& values)
 {
@@ -80,7 +80,7 @@ std::vector<double> scaled_divergences(const Surface& surface, const std::vector
   return divergences;
 }
 
-// The mixed Voronoi areas of the vertices, zero for isolated ones; those of the points divided by surface.scale().
+// The mixed Voronoi areas of the vertices, zero for isolated ones, for the points divided by surface.scale().
 template <class Surface>
 std::vector<double> scaled_mixed_areas(const Surface& surface)
 {

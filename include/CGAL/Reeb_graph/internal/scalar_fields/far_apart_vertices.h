@@ -76,8 +76,8 @@ private:
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
 };
 
-// For each component two vertices: the one farthest from its first vertex, and the one farthest from that. They are
-// the same only in a component of a single vertex.
+// Two vertices of each component: the one farthest from its first vertex, and the one farthest from that. They are the
+// same only in a component of a single vertex.
 template <class Surface>
 std::vector<std::pair<Position, Position>> far_apart_vertices(const Surface& surface, const Weighted_graph& graph)
 {

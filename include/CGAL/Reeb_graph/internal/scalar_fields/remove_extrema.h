@@ -38,7 +38,7 @@ Scalar next_below(Scalar value)
   return std::nextafter(value, -std::numeric_limits<Scalar>::infinity());
 }
 
-// For each free vertex one neighbor that is to be strictly lower, and one that is to be strictly higher.
+// The supports of each free vertex: a neighbor that is to be strictly lower, and one that is to be strictly higher.
 struct Supports
 {
   std::vector<Position> lower, upper; // no_position for fixed and constant vertices
@@ -83,7 +83,7 @@ std::vector<Scalar> sweep_upwards(const std::vector<Position>& ascending,
   return values;
 }
 
-// The same downwards.
+// Sweeps over the vertices in descending order, and lowers each to `lower` of its higher neighbors.
 template <class Scalar, class Lower>
 std::vector<Scalar> sweep_downwards(const std::vector<Position>& ascending,
                                     const Supports& supports,

@@ -34,7 +34,7 @@ inline double inner_product(const Values& a, const Values& b)
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
 }
 
-// a += s b
+// Adds s b to a.
 inline void add(Values& a, double s, const Values& b)
 {
   for(std::size_t i = 0; i != a.size(); ++i)

@@ -23,17 +23,17 @@ namespace Reeb_graph {
 namespace internal {
 namespace scalar_fields {
 
-// What the fields need of a triangle with the corners 0, 1, 2: `edges[i]` leads from corner i to corner i + 1.
+// The geometry of a triangle with the corners 0, 1, 2: `edges[i]` leads from corner i to corner i + 1.
 struct Triangle_geometry
 {
   std::array<Vector, 3> edges;
   Vector normal; // its length is twice the area
   double double_area;
 
-  // of the angle at corner i
+  // The cotangent of the angle at corner i.
   double cotangent(int i) const { return -dot(edges[i], edges[(i + 2) % 3]) / double_area; }
 
-  // of half the angle at corner i, without cancellation
+  // The tangent of half the angle at corner i, without cancellation.
   double half_tangent(int i) const
   {
     const double product = length(edges[i]) * length(edges[(i + 2) % 3]);
@@ -41,7 +41,7 @@ struct Triangle_geometry
     return cosine > 0 ? double_area / (product + cosine) : (product - cosine) / double_area;
   }
 
-  // of the function that is 1 at corner i and 0 at the other ones
+  // The gradient of the function that is 1 at corner i and 0 at the other ones.
   Vector hat_gradient(int i) const { return (1 / double_area) * cross((1 / double_area) * normal, edges[(i + 1) % 3]); }
 };
 
