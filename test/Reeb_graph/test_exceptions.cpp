@@ -548,12 +548,12 @@ BOOST_AUTO_TEST_CASE(values_are_checked_before_they_are_compared)
   std::atomic<std::size_t> number_of_calls(0);
   Throwing_traits traits;
   traits.less = {&number_of_calls, 0};
-  BOOST_CHECK_NO_THROW(internal::check_input(mesh, make_scalar_map(mesh, values), traits));
+  const auto np = CGAL::parameters::geom_traits(traits);
+  BOOST_CHECK_NO_THROW(internal::check_input(mesh, make_scalar_map(mesh, values), np));
   values[3] = not_a_number;
   const auto scalar_map = make_scalar_map(mesh, values);
   const auto patch_map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
-  const auto np = CGAL::parameters::geom_traits(traits);
-  BOOST_CHECK_THROW(internal::check_input(mesh, scalar_map, traits), Unordered_scalar_error);
+  BOOST_CHECK_THROW(internal::check_input(mesh, scalar_map, np), Unordered_scalar_error);
   BOOST_CHECK_THROW(segment_by_arcs(mesh, scalar_map, graph, patch_map, np), Unordered_scalar_error);
   BOOST_CHECK_THROW(pants_decomposition(mesh, scalar_map, CGAL::Emptyset_iterator(), np), Unordered_scalar_error);
   BOOST_TEST(number_of_calls == 0u);
