@@ -166,8 +166,7 @@ void compute_reeb_graph(const FaceListGraph& mesh,
       return compute_reeb_graph<Sequential_tag>(mesh, scalar_map, graph, np);
   }
 
-  typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Default_traits;
-  const auto traits = choose_parameter<Default_traits>(get_parameter(np, internal_np::geom_traits));
+  const auto traits = stages::choose_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>>(np);
   auto visitor_parameter = choose_parameter<Reeb_graph::Default_visitor>(get_parameter(np, internal_np::visitor));
   auto& visitor = stages::unwrap_reference(visitor_parameter);
   const stages::Progress progress(np);

@@ -13,13 +13,25 @@
 
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/Vertex_locations.h>
-#include <CGAL/Reeb_graph/augmentation_exceptions.h>
-#include <CGAL/Reeb_graph/internal/augmentation/Augmentation_base.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Arc_contours.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Arc_levels.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Graph_on_mesh.h>
+#include <CGAL/Reeb_graph/internal/augmentation/New_places.h>
+#include <CGAL/Reeb_graph/internal/augmentation/check_graph.h>
+#include <CGAL/Reeb_graph/internal/augmentation/locate_vertices.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/simplification_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>
 
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -46,9 +58,9 @@ template <class FaceListGraph,
           class ScalarMap,
           class ReebGraph = typename Reeb_graph_traits<FaceListGraph, ScalarMap>::Graph,
           class Traits = Reeb_graph_traits<FaceListGraph, ScalarMap>>
-class Augmentation : private internal::Augmentation_base<FaceListGraph, ScalarMap, ReebGraph, Traits>
+class Augmentation
 {
-  typedef internal::Augmentation_base<FaceListGraph, ScalarMap, ReebGraph, Traits> Base;
+  typedef internal::Graph_on_mesh<FaceListGraph, ReebGraph, Traits> Graph_on_mesh;
 
 public:
   /// a scalar value
@@ -89,8 +101,19 @@ public:
                ScalarMap scalar_map,
                const ReebGraph& graph,
                const NamedParameters& np = parameters::default_values())
-    : Base(mesh, scalar_map, graph, np)
-  {}
+    : ties_(parameters::choose_parameter(parameters::get_parameter(np, internal::ties), Ties::PERTURB)),
+      are_degree_two_nodes_kept_(
+        parameters::choose_parameter(parameters::get_parameter(np, internal::keep_degree_two_nodes), false)),
+      on_mesh_(mesh, scalar_map, graph, internal::choose_traits<Traits>(np), np),
+      levels_(on_mesh_, ties_),
+      contours_(on_mesh_),
+      new_places_(parameters::get_parameter(np, internal::simplification))
+  {
+    static_assert(std::is_same_v<internal::Chosen_traits<Traits, NamedParameters>, Traits>,
+                  "The last template parameter of Augmentation must be the type of the named parameter geom_traits.");
+    internal::check_nodes(on_mesh_);
+    internal::check_arcs(on_mesh_, ties_);
+  }
 
 #ifndef DOXYGEN_RUNNING
   // Neither the mesh nor the graph is copied.
@@ -117,9 +140,8 @@ public:
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
   Contour contour(arc_descriptor arc, double t) const
   {
-    this->check_arc(arc);
-    this->check_parameter(t);
-    return this->trace(arc, this->level_of_parameter(arc, t));
+    check_place(arc, t);
+    return contours_.trace(arc, levels_.at_parameter(arc, t));
   }
 
   /// \brief returns the contour of an arc at a place between its ends, parametrized by another field.
@@ -137,9 +159,8 @@ public:
   template <class ParametrizationMap>
   Contour contour(arc_descriptor arc, double t, ParametrizationMap parametrization) const
   {
-    this->check_arc(arc);
-    this->check_parameter(t);
-    return this->trace(arc, this->level_of_parameter(arc, t, parametrization));
+    check_place(arc, t);
+    return contours_.trace(arc, levels_.at_parameter(arc, t, parametrization));
   }
 
   /// \brief returns the contour of an arc at the level just above the last vertex of value at most `value`.
@@ -149,10 +170,10 @@ public:
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
   Contour contour_at_value(arc_descriptor arc, const Scalar& value) const
   {
-    this->check_arc(arc);
-    if(!this->is_alive_at(arc, value))
+    internal::check_is_arc(on_mesh_.graph(), arc);
+    if(!levels_.is_alive_at(arc, value))
       throw Level_error();
-    return this->trace(arc, this->level_of_value(value));
+    return contours_.trace(arc, levels_.at_value(value));
   }
 
   /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
@@ -166,17 +187,13 @@ public:
   template <class ConcurrencyTag = Sequential_tag>
   std::vector<Contour> contours_at_value(const Scalar& value) const
   {
-    const auto level = this->level_of_value(value);
-    std::vector<std::pair<arc_descriptor, internal::Halfedge_index>> starts;
-    for(const arc_descriptor arc : this->arcs())
+    std::vector<arc_descriptor> arcs;
+    for(const arc_descriptor arc : on_mesh_.arcs())
     {
-      if(this->is_alive_at(arc, value))
-        starts.emplace_back(arc, this->find_start(arc, level.is_below));
+      if(levels_.is_alive_at(arc, value))
+        arcs.push_back(arc);
     }
-    std::vector<Contour> contours(starts.size());
-    internal::for_each_index<ConcurrencyTag>(
-      starts.size(), [&](std::size_t i) { contours[i] = this->trace_from(starts[i].first, starts[i].second, level); });
-    return contours;
+    return contours_.template trace_all<ConcurrencyTag>(arcs, levels_.at_value(value));
   }
 
   /// \brief writes the point at which a contour crosses each of its halfedges, by linear interpolation.
@@ -204,12 +221,13 @@ public:
     using parameters::choose_parameter;
     using parameters::get_parameter;
     const auto vertex_point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                                   get_const_property_map(vertex_point, this->mesh()));
+                                                   get_const_property_map(vertex_point, on_mesh_.mesh()));
     for(const halfedge_descriptor h : contour.halfedges)
     {
-      const auto lower = get(vertex_point_map, source(h, this->mesh()));
-      const auto upper = get(vertex_point_map, target(h, this->mesh()));
-      *points++ = lower + this->crossing_fraction(h, contour.value) * (upper - lower);
+      // Not by reference, as some maps return points that do not outlive the descriptor.
+      const auto lower = get(vertex_point_map, source(h, on_mesh_.mesh()));
+      const auto upper = get(vertex_point_map, target(h, on_mesh_.mesh()));
+      *points++ = lower + on_mesh_.crossing_fraction(h, contour.value) * (upper - lower);
     }
     return points;
   }
@@ -223,14 +241,15 @@ public:
   /// \exception Unknown_node_error if `node` is not a node of the graph
   Critical_set critical_set(node_descriptor node) const
   {
-    this->check_node(node);
+    const ReebGraph& graph = on_mesh_.graph();
+    internal::check_is_node(graph, node);
     Critical_set result;
-    for(const arc_descriptor arc : CGAL::make_range(in_edges(node, this->graph())))
-      result.lower_contours.push_back(this->trace(arc, this->level_below_node(node)));
-    for(const arc_descriptor arc : CGAL::make_range(out_edges(node, this->graph())))
-      result.upper_contours.push_back(this->trace(arc, this->level_above_node(node)));
-    result.star = this->star(node);
-    result.border_loop = this->border_loop(node);
+    for(const arc_descriptor arc : CGAL::make_range(in_edges(node, graph)))
+      result.lower_contours.push_back(contours_.trace(arc, levels_.below_node(node)));
+    for(const arc_descriptor arc : CGAL::make_range(out_edges(node, graph)))
+      result.upper_contours.push_back(contours_.trace(arc, levels_.above_node(node)));
+    result.star = on_mesh_.star(node);
+    result.border_loop = on_mesh_.border_loop(node);
     return result;
   }
 
@@ -244,8 +263,23 @@ public:
   template <class ConcurrencyTag = Sequential_tag>
   Vertex_locations locate_vertices() const
   {
-    return this->template make_vertex_locations<ConcurrencyTag>();
+    return internal::locate_vertices<ConcurrencyTag>(on_mesh_, ties_, are_degree_two_nodes_kept_, new_places_);
   }
+
+private:
+  void check_place(arc_descriptor arc, double t) const
+  {
+    internal::check_is_arc(on_mesh_.graph(), arc);
+    if(!(t > 0 && t < 1))
+      throw Parameter_error(t);
+  }
+
+  const Ties ties_;
+  const bool are_degree_two_nodes_kept_;
+  const Graph_on_mesh on_mesh_;
+  const internal::Arc_levels<Graph_on_mesh> levels_;
+  const internal::Arc_contours<Graph_on_mesh> contours_;
+  const internal::New_places new_places_;
 };
 
 #ifndef DOXYGEN_RUNNING
@@ -254,7 +288,7 @@ Augmentation(const FaceListGraph&, ScalarMap, const ReebGraph&, const NamedParam
   -> Augmentation<FaceListGraph,
                   ScalarMap,
                   ReebGraph,
-                  internal::Chosen_traits<FaceListGraph, ScalarMap, NamedParameters>>;
+                  internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters>>;
 #endif
 
 } // namespace Reeb_graph

@@ -18,8 +18,9 @@
 namespace CGAL {
 namespace Reeb_graph {
 
-/// \ingroup PkgReebGraphExceptions
-///
+/// \addtogroup PkgReebGraphExceptions
+/// @{
+
 /// \brief base of all exceptions that the package throws.
 ///
 /// They are thrown whatever the build type: checking the input does not depend on `NDEBUG`.
@@ -31,8 +32,6 @@ public:
   explicit Error(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// \ingroup PkgReebGraphExceptions
-///
 /// \brief base of the exceptions that name a vertex.
 class Vertex_error : public Error
 {
@@ -48,8 +47,6 @@ private:
   std::size_t vertex_;
 };
 
-/// \ingroup PkgReebGraphExceptions
-///
 /// \brief base of the exceptions that name a face.
 class Face_error : public Error
 {
@@ -65,8 +62,6 @@ private:
   std::size_t face_;
 };
 
-/// \ingroup PkgReebGraphExceptions
-///
 /// \brief thrown for a face that has not exactly three vertices.
 class Non_triangular_face_error : public Face_error
 {
@@ -77,8 +72,6 @@ public:
   {}
 };
 
-/// \ingroup PkgReebGraphExceptions
-///
 /// \brief thrown for a triangle that has the same vertex at two of its corners.
 class Degenerate_face_error : public Face_error
 {
@@ -89,8 +82,6 @@ public:
   {}
 };
 
-/// \ingroup PkgReebGraphExceptions
-///
 /// \brief thrown for an edge that is on no face.
 class Edge_without_face_error : public Error
 {
@@ -108,8 +99,6 @@ private:
   std::size_t edge_;
 };
 
-/// \ingroup PkgReebGraphExceptions
-///
 /// \brief thrown for a vertex whose faces form more than one fan.
 class Non_manifold_vertex_error : public Vertex_error
 {
@@ -120,8 +109,13 @@ public:
   {}
 };
 
-/// \ingroup PkgReebGraphExceptions
-///
+/// \brief thrown for a vertex that does not belong to the mesh.
+class Unknown_vertex_error : public Error
+{
+public:
+  Unknown_vertex_error() : Error("the vertex is not one of the mesh") {} ///< constructs the exception.
+};
+
 /// \brief thrown for a scalar value that the order does not place, such as NaN, and where the order is found to
 /// contradict itself.
 class Unordered_scalar_error : public Vertex_error
@@ -143,54 +137,6 @@ private:
   Unordered_scalar_error(std::size_t vertex, const std::string& message) : Vertex_error(vertex, message) {}
 };
 
-/// \ingroup PkgReebGraphExceptions
-///
-/// \brief thrown for an index map that does not number vertices, edges or faces one to one by non-negative integers
-/// less than 2<sup>32</sup> - 1.
-class Invalid_index_map_error : public Error
-{
-public:
-  /// constructs the exception for an index map over `simplices` (`"vertices"`, `"edges"` or `"faces"`).
-  explicit Invalid_index_map_error(const std::string& simplices)
-    : Error("the index map of the " + simplices + " is negative, too large, or the same for two of them")
-  {}
-};
-
-/// \ingroup PkgReebGraphExceptions
-///
-/// \brief thrown for a range of scalar values that is not as long as the range of vertices.
-class Scalar_count_error : public Error
-{
-public:
-  /// constructs the exception from the two lengths.
-  Scalar_count_error(std::size_t scalars, std::size_t vertices)
-    : Error(std::to_string(scalars) + " scalar values given for " + std::to_string(vertices) + " vertices")
-  {}
-};
-
-/// \ingroup PkgReebGraphExceptions
-///
-/// \brief thrown for a mesh of more than 2<sup>32</sup> - 2 vertices, halfedges or corners of faces.
-class Mesh_size_error : public Error
-{
-public:
-  /// constructs the exception.
-  Mesh_size_error() : Error("the mesh has more vertices, halfedges, or corners of faces than 32-bit indices can number")
-  {}
-};
-
-/// \ingroup PkgReebGraphExceptions
-///
-/// \brief thrown if the named parameter `callback` returns `false`.
-class Cancelled_error : public Error
-{
-public:
-  /// constructs the exception.
-  Cancelled_error() : Error("the computation has been cancelled") {}
-};
-
-/// \ingroup PkgReebGraphExceptions
-///
 /// \brief thrown for a scalar value or result that is infinite or NaN, by scalar fields, and where a field parametrizes
 /// arcs.
 class Non_finite_scalar_error : public Vertex_error
@@ -202,15 +148,81 @@ public:
   {}
 };
 
-/// \ingroup PkgReebGraphExceptions
-///
-/// \brief thrown for a vertex that does not belong to the mesh.
-class Unknown_vertex_error : public Error
+/// \brief thrown for an index map that does not number vertices, edges or faces one to one by non-negative integers
+/// less than 2<sup>32</sup> - 1.
+class Invalid_index_map_error : public Error
+{
+public:
+  /// constructs the exception for an index map over `simplices` (`"vertices"`, `"edges"` or `"faces"`).
+  explicit Invalid_index_map_error(const std::string& simplices)
+    : Error("the index map of the " + simplices + " is negative, too large, or the same for two of them")
+  {}
+};
+
+/// \brief thrown for a range of scalar values that is not as long as the range of vertices.
+class Scalar_count_error : public Error
+{
+public:
+  /// constructs the exception from the two lengths.
+  Scalar_count_error(std::size_t scalars, std::size_t vertices)
+    : Error(std::to_string(scalars) + " scalar values given for " + std::to_string(vertices) + " vertices")
+  {}
+};
+
+/// \brief thrown for a mesh of more than 2<sup>32</sup> - 2 vertices, halfedges or corners of faces.
+class Mesh_size_error : public Error
 {
 public:
   /// constructs the exception.
-  Unknown_vertex_error() : Error("the vertex is not one of the mesh") {}
+  Mesh_size_error() : Error("the mesh has more vertices, halfedges, or corners of faces than 32-bit indices can number")
+  {}
 };
+
+/// \brief thrown if the named parameter `callback` returns `false`.
+class Cancelled_error : public Error
+{
+public:
+  Cancelled_error() : Error("the computation has been cancelled") {} ///< constructs the exception.
+};
+
+/// \brief thrown for a graph that is not the Reeb graph of the mesh and the field that it is used with.
+class Graph_mismatch_error : public Error
+{
+public:
+  /// constructs the exception.
+  Graph_mismatch_error() : Error("the graph is not the one that these mesh, scalar map and named parameters give") {}
+};
+
+/// \brief thrown for an arc descriptor that is none of the graph.
+class Unknown_arc_error : public Error
+{
+public:
+  Unknown_arc_error() : Error("the arc is not one of the graph") {} ///< constructs the exception.
+};
+
+/// \brief thrown for a node descriptor that is none of the graph.
+class Unknown_node_error : public Error
+{
+public:
+  Unknown_node_error() : Error("the node is not one of the graph") {} ///< constructs the exception.
+};
+
+/// \brief thrown for a place on an arc that is not between its ends.
+class Parameter_error : public Error
+{
+public:
+  /// constructs the exception for the parameter `t`.
+  explicit Parameter_error(double t) : Error("the place on an arc must be between 0 and 1, not " + std::to_string(t)) {}
+};
+
+/// \brief thrown for a level at which an arc has no contour.
+class Level_error : public Error
+{
+public:
+  Level_error() : Error("the arc has no contour at this level") {} ///< constructs the exception.
+};
+
+/// @}
 
 } // namespace Reeb_graph
 } // namespace CGAL

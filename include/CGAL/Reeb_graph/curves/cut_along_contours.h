@@ -73,7 +73,8 @@ OutputIterator cut_along_contours(MutableFaceGraph& mesh,
 {
   internal::check_input(mesh, scalar_map, np);
   return internal::cut_along_found_contours(mesh, curves, np, [&](const auto& ranked) {
-    internal::rank_vertices(ranked, scalar_map, internal::choose_traits(mesh, scalar_map, np));
+    internal::rank_vertices(ranked, scalar_map,
+                            internal::choose_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>>(np));
     return internal::make_contours_to_cut(ranked, contours);
   });
 }

@@ -145,7 +145,7 @@ std::size_t segment_by_arcs(MutableFaceGraph& mesh,
                             FacePatchMap face_patch_map,
                             const NamedParameters& np = parameters::default_values())
 {
-  const auto traits = internal::choose_traits(mesh, scalar_map, np);
+  const auto traits = internal::choose_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>>(np);
   auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
   const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
   const Augmentation<MutableFaceGraph, ScalarMap, ReebGraph, std::decay_t<decltype(traits)>> augmentation(

@@ -60,7 +60,8 @@ void unfold_multi_saddles(MutableFaceGraph& mesh,
   internal::check_input(mesh, scalar_map, np);
   auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
   const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
-  internal::rank_vertices(ranked, scalar_map, internal::choose_traits(mesh, scalar_map, np));
+  internal::rank_vertices(ranked, scalar_map,
+                          internal::choose_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>>(np));
   internal::unfold_all_vertices(ranked);
   for(const auto v : vertices(mesh))
     put(rank_map, v, ranked.rank(v));

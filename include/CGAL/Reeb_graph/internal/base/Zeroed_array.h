@@ -22,11 +22,11 @@ namespace Reeb_graph {
 namespace internal {
 
 // An array of zeros, for few of which another value comes: most systems let the pages where none does take neither
-// memory nor time. For numbers, and atomic ones, whose zero has no bit set.
+// memory nor time. For numbers, whose zero has no bit set, and which need no constructor.
 template <class Key, class T>
 class Zeroed_array
 {
-  static_assert(std::is_trivially_destructible_v<T>);
+  static_assert(std::is_trivial_v<T>);
 
 public:
   explicit Zeroed_array(std::size_t size) : elements_(static_cast<T*>(std::calloc(size, sizeof(T))))

@@ -15,6 +15,7 @@
 
 #include <functional>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -23,6 +24,16 @@ namespace internal {
 // Whether get_parameter() has found a named parameter, by the type that it returns.
 template <class Parameter>
 inline constexpr bool is_given = !std::is_same_v<std::decay_t<Parameter>, internal_np::Param_not_found>;
+
+// The traits class: the named parameter geom_traits, or else the default.
+template <class Default, class NamedParameters>
+auto choose_traits(const NamedParameters& np)
+{
+  return parameters::choose_parameter<Default>(parameters::get_parameter(np, internal_np::geom_traits));
+}
+
+template <class Default, class NamedParameters>
+using Chosen_traits = decltype(choose_traits<Default>(std::declval<const NamedParameters&>()));
 
 // A parameter that may be given by value or as std::reference_wrapper.
 template <class T>

@@ -120,7 +120,7 @@ public:
   void set(T value) { value_.store(value, std::memory_order_relaxed); }
 
 private:
-  std::atomic<T> value_;
+  std::atomic<T> value_{T()};
 };
 
 // A number to which the blocks of a parallel loop add.

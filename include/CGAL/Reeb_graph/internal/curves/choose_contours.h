@@ -207,7 +207,8 @@ OutputIterator cut_along_chosen_contours(Mesh& mesh,
                                          const Choose& choose)
 {
   return cut_along_found_contours(mesh, output, np, [&](const auto& ranked) {
-    return choose(ranked, compute_simple_reeb_graph(ranked, scalar_map, choose_traits(mesh, scalar_map, np)));
+    const auto traits = choose_traits<Reeb_graph_traits<Mesh, ScalarMap>>(np);
+    return choose(ranked, compute_simple_reeb_graph(ranked, scalar_map, traits));
   });
 }
 

@@ -30,19 +30,13 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-template <class Mesh, class ScalarMap, class NamedParameters>
-auto choose_traits(const Mesh&, const ScalarMap&, const NamedParameters& np)
-{
-  return parameters::choose_parameter<Reeb_graph_traits<Mesh, ScalarMap>>(
-    parameters::get_parameter(np, internal_np::geom_traits));
-}
-
 // Throws what compute_reeb_graph() throws for input that has no Reeb graph, as long as nothing has been changed yet and
 // no values have been compared.
 template <class Mesh, class ScalarMap, class NamedParameters>
 void check_input(const Mesh& mesh, const ScalarMap& scalar_map, const NamedParameters& np)
 {
-  flatten<Sequential_tag>(mesh, scalar_map, choose_traits(mesh, scalar_map, np), parameters::default_values());
+  const auto traits = choose_traits<Reeb_graph_traits<Mesh, ScalarMap>>(np);
+  flatten<Sequential_tag>(mesh, scalar_map, traits, parameters::default_values());
 }
 
 struct Component_counts

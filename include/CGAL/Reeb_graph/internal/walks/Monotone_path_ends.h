@@ -13,9 +13,9 @@
 
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
-#include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
@@ -102,7 +102,7 @@ private:
   const Complex* complex_;
   const Order* order_;
   const Kept_neighbors* kept_neighbors_;
-  Zeroed_array<Vertex_index, Relaxed_value<Number>> ends_; // the number behind that of the end, so that 0 is no_index
+  Indexed_vector<Vertex_index, Relaxed_value<Number>> ends_; // the number behind that of the end, so that 0 is no_index
 };
 
 } // namespace internal

@@ -1,0 +1,143 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_CHECK_GRAPH_H
+#define CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_CHECK_GRAPH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
+#include <CGAL/Reeb_graph/internal/augmentation/New_places.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph/options.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The checks below throw Graph_mismatch_error for a graph that is not of this mesh and field.
+
+// Checks that the nodes are vertices of the mesh with their values, in ascending order.
+template <class GraphOnMesh>
+void check_nodes(const GraphOnMesh& on_mesh)
+{
+  const auto& graph = on_mesh.graph();
+  const auto mesh_vertices = vertices(on_mesh.mesh());
+  if(num_vertices(graph) == 0 && mesh_vertices.first != mesh_vertices.second)
+    throw Graph_mismatch_error();
+  Vertex_index lower_vertex = no_index;
+  for(const auto node : CGAL::make_range(vertices(graph)))
+  {
+    const Vertex_index v = on_mesh.node_vertex(node);
+    if(!on_mesh.is_vertex(v, graph[node].vertex) || on_mesh.order().is_lower(v, graph[node].value)
+       || on_mesh.order().is_higher(v, graph[node].value)
+       || (lower_vertex != no_index && !on_mesh.order()(lower_vertex, v)))
+      throw Graph_mismatch_error();
+    lower_vertex = v;
+  }
+}
+
+// Checks that each arc ascends, and that its chain begins at its lower node. With other ties than those of the graph,
+// the levels next to a node could miss its arcs.
+template <class GraphOnMesh>
+void check_arcs(const GraphOnMesh& on_mesh, Ties ties)
+{
+  const auto& order = on_mesh.order();
+  for(const auto arc : on_mesh.arcs())
+  {
+    const Vertex_index lower = on_mesh.lower_vertex(arc), upper = on_mesh.upper_vertex(arc);
+    if(!order(lower, upper) || on_mesh.chain(arc).empty())
+      throw Graph_mismatch_error();
+    const Vertex_index first = on_mesh.checked_source(on_mesh.chain(arc).front());
+    const bool fits =
+      ties == Ties::CONTRACT ? order.are_tied(lower, first) && !order.are_tied(lower, upper) : lower == first;
+    if(!fits)
+      throw Graph_mismatch_error();
+  }
+}
+
+// Whether the graph is the exact one, which `flat_graph` is.
+template <class GraphOnMesh>
+bool is_same_graph(const GraphOnMesh& on_mesh, const Flat_graph& flat_graph)
+{
+  const auto& graph = on_mesh.graph();
+  bool is_same = flat_graph.nodes.size() == num_vertices(graph) && flat_graph.arcs.size() == num_edges(graph);
+  for(std::size_t node = 0; is_same && node != flat_graph.nodes.size(); ++node)
+    is_same = flat_graph.nodes[Node_index(node)].vertex == on_mesh.node_vertex(node);
+  auto flat_arc = flat_graph.arcs.begin();
+  for(auto arc = edges(graph).first; is_same && flat_arc != flat_graph.arcs.end(); ++arc, ++flat_arc)
+    is_same = source(*arc, graph) == flat_arc->lower.number() && target(*arc, graph) == flat_arc->upper.number();
+  return is_same;
+}
+
+// Whether the exact graph, which `flat_graph` is, has been simplified to this one: whether each node here is one of
+// those that have come to its place.
+template <class GraphOnMesh>
+bool is_simplified_graph(const GraphOnMesh& on_mesh, const Flat_graph& flat_graph, const New_places& new_places)
+{
+  if(new_places.size() != flat_graph.nodes.size() + flat_graph.arcs.size())
+    return false;
+  const std::size_t number_of_nodes = num_vertices(on_mesh.graph());
+  std::size_t number_of_found = 0;
+  for(Index old_place = 0; old_place != new_places.size(); ++old_place)
+  {
+    const Index place = new_places(old_place);
+    if(place >= number_of_nodes + num_edges(on_mesh.graph()))
+      return false;
+    const bool is_node = old_place < flat_graph.nodes.size() && place < number_of_nodes;
+    if(is_node && on_mesh.node_vertex(place) == flat_graph.nodes[Node_index(old_place)].vertex)
+      ++number_of_found;
+  }
+  return number_of_found == number_of_nodes;
+}
+
+// Checks that the graph is the exact one, or what that has been simplified to.
+template <class GraphOnMesh>
+void check_same_graph(const GraphOnMesh& on_mesh, const Flat_graph& flat_graph, const New_places& new_places)
+{
+  const bool is_right = new_places.is_simplified() ? is_simplified_graph(on_mesh, flat_graph, new_places)
+                                                   : is_same_graph(on_mesh, flat_graph);
+  if(!is_right)
+    throw Graph_mismatch_error();
+}
+
+template <class ReebGraph>
+void check_is_node(const ReebGraph& graph, typename boost::graph_traits<ReebGraph>::vertex_descriptor node)
+{
+  if(node >= num_vertices(graph))
+    throw Unknown_node_error();
+}
+
+template <class ReebGraph>
+void check_is_arc(const ReebGraph& graph, typename boost::graph_traits<ReebGraph>::edge_descriptor arc)
+{
+  const auto lower = source(arc, graph), upper = target(arc, graph);
+  if(lower >= num_vertices(graph) || upper >= num_vertices(graph))
+    throw Unknown_arc_error();
+  const auto is_in = [&](const auto& range) { return std::find(range.first, range.second, arc) != range.second; };
+  // Nodes of high degree mostly have neighbors of low degree.
+  const bool is_known =
+    out_degree(lower, graph) < in_degree(upper, graph) ? is_in(out_edges(lower, graph)) : is_in(in_edges(upper, graph));
+  if(!is_known)
+    throw Unknown_arc_error();
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_CHECK_GRAPH_H

@@ -1,0 +1,55 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_LOCATE_VERTICES_H
+#define CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_LOCATE_VERTICES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Vertex_locations.h>
+#include <CGAL/Reeb_graph/internal/augmentation/New_places.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Vertex_places.h>
+#include <CGAL/Reeb_graph/internal/augmentation/check_graph.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph/options.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The places of all vertices in the graph, which has to be the exact one, or one that this has been simplified to.
+template <class ConcurrencyTag, class GraphOnMesh>
+auto locate_vertices(const GraphOnMesh& on_mesh,
+                     Ties ties,
+                     bool are_degree_two_nodes_kept,
+                     const New_places& new_places)
+{
+  typedef typename GraphOnMesh::vertex_descriptor vertex_descriptor;
+  typedef Vertex_places<typename GraphOnMesh::Complex, typename GraphOnMesh::Order> Places;
+  const auto places =
+    Places::template make<ConcurrencyTag>(on_mesh.complex(), on_mesh.order(), ties, are_degree_two_nodes_kept);
+  check_same_graph(on_mesh, places.graph(), new_places);
+  std::vector<std::pair<vertex_descriptor, Index>> sorted_places;
+  sorted_places.reserve(places.number_of_vertices());
+  places.for_each(
+    [&](Vertex_index vertex, Index place) { sorted_places.emplace_back(on_mesh.vertex(vertex), new_places(place)); });
+  const auto arcs = edges(on_mesh.graph());
+  typedef Reeb_graph::Vertex_locations<vertex_descriptor, typename GraphOnMesh::Graph> Locations;
+  return Locations(on_mesh.vertex_numbers(), on_mesh.end_of_vertices(), num_vertices(on_mesh.graph()),
+                   {arcs.first, arcs.second}, sorted_places);
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_LOCATE_VERTICES_H
