@@ -16,14 +16,18 @@
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/curves/unfold_multi_saddles.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
+#include <CGAL/Reeb_graph/simplify.h>
 
 #include <boost/mpl/list.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Cutting systems, pants decompositions and branch curves: their numbers, and the pieces between them.
@@ -204,6 +208,63 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(branches_are_disks, Mesh, Meshes)
       BOOST_TEST(static_cast<std::size_t>(disks) == curves.size());
       BOOST_TEST(fault_of_cut_mesh(mesh, curves, pieces) == "");
     }
+}
+
+namespace {
+// The leaf arcs of a simplified graph that reach the threshold, with all that they have taken up.
+template <class Graph>
+std::size_t number_of_large_leaf_arcs(const Graph& graph, double threshold)
+{
+  Graph simplified;
+  const auto simplification = CGAL::Reeb_graph::simplify(graph, threshold, simplified);
+  std::size_t number = 0, arc_index = num_vertices(simplified);
+  for(const auto arc : CGAL::make_range(edges(simplified)))
+  {
+    for(const auto& [leaf, saddle] : {std::make_pair(source(arc, simplified), target(arc, simplified)),
+                                      std::make_pair(target(arc, simplified), source(arc, simplified))})
+    {
+      double persistence = 0;
+      for(const auto node : CGAL::make_range(vertices(graph)))
+      {
+        const std::size_t index = simplification.index_of_node(node);
+        if(index == leaf || index == arc_index)
+          persistence = (std::max)(persistence, std::abs(simplified[saddle].value - graph[node].value));
+      }
+      const bool is_branch = degree(leaf, simplified) == 1 && degree(saddle, simplified) != 1;
+      number += is_branch && persistence >= threshold ? 1 : 0;
+    }
+    ++arc_index;
+  }
+  return number;
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(branches_are_the_leaf_arcs_of_the_simplified_graph)
+{
+  std::size_t number_of_branches = 0;
+  for(std::size_t seed = 0; seed < 150; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const Sample sample = curve_samples::random_sample(seed, false, 1 + seed % 2, seed % 3);
+      auto mesh = curve_samples::make_mesh<Surface_mesh>(sample.soup);
+      const auto values = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:value").first;
+      CGAL::Reeb_graph::unfold_multi_saddles(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, sample.values), values);
+      CGAL::Reeb_graph_traits<Surface_mesh, decltype(values)>::Graph graph;
+      CGAL::compute_reeb_graph(mesh, values, graph);
+      const double range = *std::max_element(values.begin(), values.end());
+      for(const double share : {0., 0.05, 0.2, 0.5, 0.9})
+      {
+        auto cut_mesh = mesh;
+        const auto cut_values =
+          cut_mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:value").first; // the one that is there
+        Curves_of<Surface_mesh> curves;
+        CGAL::Reeb_graph::branch_curves(cut_mesh, cut_values, std::back_inserter(curves),
+                                        CGAL::parameters::persistence_threshold(share * range));
+        BOOST_TEST(curves.size() == number_of_large_leaf_arcs(graph, share * range));
+        number_of_branches += share > 0.1 ? curves.size() : 0;
+      }
+    }
+  BOOST_TEST(number_of_branches > 100u);
 }
 
 namespace {

@@ -28,10 +28,10 @@ namespace Reeb_graph {
 /// saddle at the other. Each gives one of its contours, which is contractible. A component whose Reeb graph is a single
 /// arc has no branch.
 ///
-/// Noise makes thousands of small leaf arcs. Those that do not reach a threshold are removed from the graph, the least
-/// one first, relative to its threshold. Then the other two arcs at the saddle of a removed one are one arc, which can
-/// be a branch that is long enough. A leaf arc that is the only one on its side of the saddle is not removed, as no arc
-/// would go on there, but gives no curve either.
+/// Noise makes thousands of small leaf arcs. Those that do not reach a threshold are removed from the graph as by
+/// `simplify()`, the least one first, relative to its threshold. Then the other two arcs at the saddle of a removed one
+/// are one arc, which can be a branch that is long enough. A leaf arc that is the only one on its side of the saddle is
+/// not removed, as no arc would go on there, but gives no curve either if it is small.
 ///
 /// By default, the shortest contour of several candidates in the half next to the saddle is taken: a branch is cut off
 /// where it is attached.
@@ -55,7 +55,8 @@ namespace Reeb_graph {
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{persistence_threshold}
-///     \cgalParamDescription{the least difference between the values at the ends of a branch}
+///     \cgalParamDescription{the least persistence of a branch, as `simplify()` measures it by default: the difference
+///                           between the values at its ends, or that at the saddle and one that has been removed}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
 ///     \cgalParamExtra{use the functions `parameters::persistence_threshold()`}
@@ -90,10 +91,10 @@ OutputIterator branch_curves(MutableFaceGraph& mesh,
                              OutputIterator curves,
                              const NamedParameters& np = parameters::default_values())
 {
-  internal::check_thresholds(np);
+  const internal::Branch_thresholds thresholds(np); // It checks them before the mesh is changed.
   internal::check_input(mesh, scalar_map, np);
   return internal::cut_along_chosen_contours(mesh, scalar_map, curves, np, [&](const auto& ranked, const auto& simple) {
-    return internal::choose_branch_curves(ranked, simple, np);
+    return internal::choose_branch_curves(ranked, simple, thresholds, np);
   });
 }
 

@@ -12,16 +12,15 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
-#include <CGAL/Reeb_graph/internal/curves/Branch_pruning.h>
 #include <CGAL/Reeb_graph/internal/curves/Contour_choice.h>
 #include <CGAL/Reeb_graph/internal/curves/Graph_retract.h>
 #include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
+#include <CGAL/Reeb_graph/internal/curves/find_branches.h>
 #include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -139,60 +138,17 @@ std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_pan
   return contours;
 }
 
-// The area of the region of each arc: each vertex has a third of the area of its faces.
-template <class RankedMesh>
-std::vector<double> areas_of_arcs(const RankedMesh& ranked, const Simple_reeb_graph<RankedMesh>& simple)
-{
-  const auto& mesh = ranked.mesh();
-  const Augmentation<typename RankedMesh::Mesh, typename RankedMesh::Rank_map> augmentation(
-    mesh, ranked.rank_map(), simple.graph, parameters::ties(Ties::CONTRACT));
-  const auto locations = augmentation.locate_vertices();
-  const std::size_t number_of_nodes = num_vertices(simple.graph);
-  std::vector<double> areas(num_edges(simple.graph), 0);
-  for(const auto f : faces(mesh))
-  {
-    const auto h = halfedge(f, mesh);
-    const double area = ranked.area(source(h, mesh), target(h, mesh), target(next(h, mesh), mesh));
-    for(const auto v : vertices_around_face(h, mesh))
-    {
-      if(locations.index(v) >= number_of_nodes)
-        areas[locations.index(v) - number_of_nodes] += area / 3;
-    }
-  }
-  return areas;
-}
-
-template <class NamedParameters>
-void check_thresholds(const NamedParameters& np)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  if(!(choose_parameter(get_parameter(np, persistence_threshold), 0.) >= 0))
-    throw Threshold_error("persistence threshold");
-  if(!(choose_parameter(get_parameter(np, area_threshold), 0.) >= 0))
-    throw Threshold_error("area threshold");
-}
-
 template <class RankedMesh, class NamedParameters>
 std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_branch_curves(
   const RankedMesh& ranked,
   const Simple_reeb_graph<RankedMesh>& simple,
+  const Branch_thresholds& thresholds,
   const NamedParameters& np)
 {
-  typedef Branch_pruning<typename Simple_reeb_graph<RankedMesh>::Graph> Pruning;
-  const typename Pruning::Thresholds thresholds = {
-    parameters::choose_parameter(parameters::get_parameter(np, persistence_threshold), 0.),
-    parameters::choose_parameter(parameters::get_parameter(np, area_threshold), 0.)};
   const auto cost = choose_curve_cost<Cost_of_branch_curve>(np);
   const auto choose = make_contour_choice(ranked, simple, cost, np);
-
-  std::vector<double> values;
-  for(const auto node : CGAL::make_range(vertices(simple.graph)))
-    values.push_back(ranked.value(simple.graph[node].vertex));
-  const std::vector<double> areas =
-    thresholds.area > 0 ? areas_of_arcs(ranked, simple) : std::vector<double>(num_edges(simple.graph), 0);
   std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> contours;
-  for(const auto& path : Pruning(simple.graph, values, simple.is_border, areas, thresholds).branches())
+  for(const auto& path : find_branches(ranked, simple, thresholds))
     contours.push_back(choose(path).contour);
   return contours;
 }

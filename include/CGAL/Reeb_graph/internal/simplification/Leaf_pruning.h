@@ -34,6 +34,14 @@ struct Leaf_arc
   Index lowest, highest; // of the leaf and the nodes that have been taken up
 };
 
+// The largest difference between the value at the saddle of a leaf arc and one in the branch that it stands for.
+// `difference` gives the absolute difference between two nodes.
+template <class Difference>
+double persistence_of_leaf_arc(const Leaf_arc& arc, const Difference& difference)
+{
+  return (std::max)(difference(arc.lowest, arc.saddle), difference(arc.saddle, arc.highest));
+}
+
 // Removes leaf arcs from a graph, the one of least measure first; of equal ones the one whose leaf has the lower number.
 // What is removed is taken up by the saddle at which it was. A node that is left with one arc below and one above is
 // taken up by these two, which become one arc. An arc is not removed if it is the only one on its side of the saddle, as
@@ -131,6 +139,16 @@ public:
   Index in_degree(Index node) const { return nodes_[node].degrees[lower_side]; }
   Index out_degree(Index node) const { return nodes_[node].degrees[upper_side]; }
 
+  // A node that is left with a single arc, and this arc.
+  bool is_leaf(Index node) const { return nodes_[node].degrees[0] + nodes_[node].degrees[1] == 1; }
+  Index arc_of_leaf(Index leaf) const { return nodes_[leaf].arcs[is_minimum(leaf) ? upper_side : lower_side]; }
+  Leaf_arc leaf_arc_of(Index leaf) const
+  {
+    Content content = taken_up_[leaf];
+    content.add(taken_up_[place_of_arc(arc_of_leaf(leaf))]);
+    return {leaf, saddle_of_leaf(leaf), is_minimum(leaf), content.weight, content.lowest, content.highest};
+  }
+
   // One of the two arcs above a node that has two, when the other one is given.
   Index other_arc_above(Index node, Index arc) const { return nodes_[node].arcs[upper_side] ^ arc; }
 
@@ -173,10 +191,8 @@ private:
     }
   };
 
-  bool is_leaf(Index node) const { return nodes_[node].degrees[0] + nodes_[node].degrees[1] == 1; }
   bool is_passed(Index node) const { return nodes_[node].degrees[0] == 1 && nodes_[node].degrees[1] == 1; }
   bool is_minimum(Index leaf) const { return nodes_[leaf].degrees[lower_side] == 0; }
-  Index arc_of_leaf(Index leaf) const { return nodes_[leaf].arcs[is_minimum(leaf) ? upper_side : lower_side]; }
 
   Index saddle_of_leaf(Index leaf) const
   {
@@ -202,13 +218,6 @@ private:
       highest = (std::max)(highest, other.highest);
     }
   };
-
-  Leaf_arc leaf_arc_of(Index leaf) const
-  {
-    Content content = taken_up_[leaf];
-    content.add(taken_up_[place_of_arc(arc_of_leaf(leaf))]);
-    return {leaf, saddle_of_leaf(leaf), is_minimum(leaf), content.weight, content.lowest, content.highest};
-  }
 
   void take_up(Index place, Index owner)
   {

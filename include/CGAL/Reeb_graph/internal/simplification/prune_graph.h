@@ -95,8 +95,8 @@ Leaf_pruning prune_graph(const ReebGraph& graph, double threshold, const NamedPa
     return persistence(node_value(graph, lower), node_value(graph, upper));
   };
   const auto measure = [&](const Leaf_arc& arc) {
-    const double height = (std::max)(difference(arc.lowest, arc.saddle), difference(arc.saddle, arc.highest));
-    return measure_of_branch(Branch{arc.leaf, arc.saddle, arc.is_minimum, height, arc.weight}, np);
+    const double size = persistence_of_leaf_arc(arc, difference);
+    return measure_of_branch(Branch{arc.leaf, arc.saddle, arc.is_minimum, size, arc.weight}, np);
   };
   const auto prune = [&] {
     pruned(
