@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/link_sectors.h>
@@ -25,6 +24,7 @@
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -54,7 +54,7 @@ public:
     for(const Contour_index i : slab_.contours(Side::UPPER))
       arcs_.push_back({no_index, slab_.contour_node(Side::UPPER, i), {no_index, no_index}});
     constexpr std::size_t vertices_per_report = 4096;
-    const Large_vector<Swept_index>& ascending = critical_vertices_.ascending();
+    const std::vector<Swept_index>& ascending = critical_vertices_.ascending();
     for(std::size_t i = ascending.size(); i-- != 0;)
     {
       register_lower_contours(ascending[i]);

@@ -66,7 +66,7 @@ private:
   const Order& order_;
   const Swept_vertices& critical_vertices_;
   const bool are_ties_contracted_;
-  // Set if ties are contracted.
+  // Groups and plateaus are empty unless ties are contracted.
   Indexed_vector<Swept_index, Swept_index> groups_;
   Indexed_vector<Swept_index, bool> is_on_plateau_;
 };

@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/internal/arcs/Tie_groups.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
@@ -96,7 +95,7 @@ private:
     begins_of_arcs_.reserve(size + 1);
     Number number_of_arcs = 0;
     constexpr std::size_t ahead = 16;
-    const Large_vector<Swept_index>& ascending = critical_vertices_.ascending();
+    const std::vector<Swept_index>& ascending = critical_vertices_.ascending();
     for(std::size_t place = 0; place != size; ++place)
     {
       if(place + ahead < size)
@@ -139,7 +138,7 @@ private:
     for_each_part<ConcurrencyTag>(number_of_parts, arcs_.size(), make_arcs_of_part);
   }
 
-  // For the parts of the critical arcs: where their pieces begin in the sequence of all pieces; and how many these are.
+  // The places where the pieces of each part of the critical arcs begin in the sequence of all pieces; and the end.
   std::vector<std::size_t> find_begins_of_pieces(std::size_t number_of_parts) const
   {
     std::vector<std::size_t> begins_of_pieces(number_of_parts + 1, 0);

@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/walks/contour_tracing.h>
@@ -78,7 +77,7 @@ private:
     Contour contour;
     contour.arc = arc;
     contour.value = level.value;
-    Large_vector<Halfedge_index> crossed;
+    std::vector<Halfedge_index> crossed;
     contour.is_closed = trace_oriented_contour(on_mesh_.complex(), start, level.is_below, crossed);
     contour.halfedges.reserve(crossed.size());
     for(const Halfedge_index halfedge : crossed)

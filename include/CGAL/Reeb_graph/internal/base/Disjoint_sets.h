@@ -49,7 +49,7 @@ public:
 
   void unite(Element a, Element b) { link(find(a), find(b)); }
 
-  // The roots of the sets, by element. To be called at last.
+  // The roots of the sets, by element. The sets are gone then.
   Indexed_vector<Element, Element> take_roots()
   {
     for(Element& parent : parents_)
@@ -90,7 +90,7 @@ public:
   Node top(Component_index root) const { return components_[root].top; }
   void set_top(Component_index root, Node node) { components_[root].top = node; }
 
-  // To be called ahead of find(). For any index.
+  // Fetches a component ahead of find(). Any index is allowed.
   void prefetch(Component_index component) const { prefetch_element(components_, component); }
 
 private:

@@ -12,11 +12,11 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -38,7 +38,7 @@ public:
   // Indices in different words can be added from different threads.
   void add(Key key) { words_[word_of(key)] |= Word(1) << bit_of(key); }
 
-  // To be called after the last index has been added.
+  // Ranks can be asked for after this call, and no index added.
   void count_ranks()
   {
     ranks_.resize(words_.size());
@@ -76,8 +76,8 @@ private:
   static Number bit_of(Key key) { return key.number() % bits_per_word; }
   static Number count(Word word) { return static_cast<Number>(std::bitset<bits_per_word>(word).count()); }
 
-  Large_vector<Word> words_;
-  Large_vector<Number> ranks_; // by word
+  std::vector<Word> words_;
+  std::vector<Number> ranks_; // by word
   Number size_ = 0;
 };
 

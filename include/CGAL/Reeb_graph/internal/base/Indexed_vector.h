@@ -12,11 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 
 #include <cstddef>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -25,9 +22,9 @@ namespace internal {
 
 // A vector whose elements are named by indices of one kind.
 template <class Key, class T>
-class Indexed_vector : private std::conditional_t<std::is_same_v<T, bool>, std::vector<bool>, Large_vector<T>>
+class Indexed_vector : private std::vector<T>
 {
-  typedef std::conditional_t<std::is_same_v<T, bool>, std::vector<bool>, Large_vector<T>> Base;
+  typedef std::vector<T> Base;
 
 public:
   using typename Base::const_iterator;

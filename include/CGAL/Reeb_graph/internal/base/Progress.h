@@ -36,7 +36,7 @@ public:
       throw Cancelled_error();
   }
 
-  // There is nothing left to cancel.
+  // The end: there is nothing left to cancel.
   void report_end() const { callback_(1); }
 
 private:
@@ -61,7 +61,7 @@ private:
   double begin_, end_;
 };
 
-// For who does not want to know.
+// Progress that nobody wants to know of.
 struct No_progress
 {
   void operator()(double) const {}

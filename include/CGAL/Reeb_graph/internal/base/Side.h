@@ -30,7 +30,7 @@ inline constexpr std::array<Side, 2> both_sides = {Side::LOWER, Side::UPPER};
 constexpr Side side_of(bool is_upper) { return is_upper ? Side::UPPER : Side::LOWER; }
 constexpr Side opposite_of(Side side) { return side_of(side == Side::LOWER); }
 
-// One for each side, the lower one first.
+// Two elements, one for each side, the lower one first.
 template <class T>
 struct By_side
 {

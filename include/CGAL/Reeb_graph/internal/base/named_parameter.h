@@ -68,7 +68,7 @@ T& unwrap_reference(std::reference_wrapper<T>& parameter)
   }                                                                                                                    \
   }
 
-// The same for a parameter of which values have any type.
+// A named parameter whose values have any type, otherwise as above.
 #define CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(name)                                                              \
   CGAL_REEB_GRAPH_NAMED_PARAMETER_TAG(name)                                                                            \
   namespace CGAL {                                                                                                     \

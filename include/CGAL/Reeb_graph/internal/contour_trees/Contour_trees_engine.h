@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
@@ -34,6 +33,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -138,7 +138,8 @@ private:
     }
   }
 
-  // Then paths are best walked in the order of the mesh. Otherwise they are long, and cuts change most of their ends.
+  // Whether paths are best walked in the order of the mesh. Where critical vertices are few, paths are long, and cuts
+  // change most of their ends.
   bool has_many_critical_vertices() const
   {
     return critical_vertices_.size() > slab_.complex().number_of_vertices() / 64;
@@ -146,14 +147,14 @@ private:
 
   void sweep_upwards(Upward_sweep& sweep) const
   {
-    const Large_vector<Swept_index>& ascending = critical_vertices_.ascending();
+    const std::vector<Swept_index>& ascending = critical_vertices_.ascending();
     visit_in_order(sweep, ascending.begin(), ascending.end(), [&](Swept_index critical) { sweep.merge_at(critical); });
     sweep.merge_last_contours();
   }
 
   void sweep_downwards(Downward_sweep& sweep) const
   {
-    const Large_vector<Swept_index>& ascending = critical_vertices_.ascending();
+    const std::vector<Swept_index>& ascending = critical_vertices_.ascending();
     visit_in_order(sweep, ascending.rbegin(), ascending.rend(),
                    [&](Swept_index critical) { sweep.merge_at(critical); });
     sweep.merge_last_contours();
@@ -178,13 +179,13 @@ private:
   void sweep_downwards_and_cut(Downward_sweep& sweep, const Merge_tree& join_tree) const
   {
     Loop_surgery<Complex, Order> surgery(slab_, order_, join_tree, sweep.tree());
-    const Large_vector<Swept_index>& ascending = critical_vertices_.ascending();
+    const std::vector<Swept_index>& ascending = critical_vertices_.ascending();
     visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Swept_index critical) {
       sweep.merge_at(critical);
       if(!surgery.can_close_loop(critical))
         return;
       surgery.visit_loop_contours(
-        critical, [&](Slab_node sublevel_class, const Large_vector<Halfedge_index>& crossed_edges, bool has_border) {
+        critical, [&](Slab_node sublevel_class, const std::vector<Halfedge_index>& crossed_edges, bool has_border) {
           sweep.cut(critical, sublevel_class, crossed_edges, has_border);
         });
     });
@@ -230,7 +231,7 @@ private:
     return first_steps;
   }
 
-  // Where an arc ends at a cut it goes on to the vertex just above, and the short arc from the cut to there is dropped.
+  // Arcs that end at a cut go on to the vertex just above, and the short arcs from the cut to there are dropped.
   static void glue_cuts(const Loop_cuts& cuts, Slab_arcs& arcs)
   {
     if(cuts.size() == 0)

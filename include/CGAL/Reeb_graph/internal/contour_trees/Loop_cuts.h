@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
@@ -120,7 +119,7 @@ private:
   Number number_of_edges_;
   Indexed_vector<Cut_index, Swept_index> critical_vertices_;
   Indexed_vector<Cut_index, Slab_node> sublevel_classes_;
-  Large_vector<Halfedge_index> unregistered_edges_;
+  std::vector<Halfedge_index> unregistered_edges_;
   std::vector<std::size_t> ends_of_unregistered_; // by one of the last cuts: where its unregistered edges end
   // The lowest cuts at edges. With few cut edges, to touch the pages of an array would take longer than all else that
   // has to do with cuts; with many, a hash map would.

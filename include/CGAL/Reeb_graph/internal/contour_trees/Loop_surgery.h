@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Merge_tree.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
@@ -75,7 +74,7 @@ public:
   }
 
 private:
-  // For two lower sectors of one sublevel component. Both contours are walked at once, so that the longer one costs no
+  // Visits the shorter contour of two lower sectors of one sublevel component. Both are walked at once, so that the longer one costs no
   // more than the shorter one.
   template <class Visit>
   void visit_shorter_contour(Swept_index critical, const Visit& visit)
@@ -89,8 +88,8 @@ private:
     std::array<Contour_walk<Complex>, 2> walks = {Contour_walk(complex_, starts[0], is_below),
                                                   Contour_walk(complex_, starts[1], is_below)};
     std::size_t turn = 0;
-    std::array<Large_vector<Halfedge_index>, 2> crossed_edges = {Large_vector<Halfedge_index>(1, starts[0]),
-                                                                 Large_vector<Halfedge_index>(1, starts[1])};
+    std::array<std::vector<Halfedge_index>, 2> crossed_edges = {std::vector<Halfedge_index>(1, starts[0]),
+                                                                std::vector<Halfedge_index>(1, starts[1])};
     for(; walks[turn].go_on(is_below); turn = 1 - turn)
     {
       crossed_edges[turn].push_back(walks[turn].crossed_edge());
@@ -107,7 +106,7 @@ private:
     const Vertex_index vertex = critical_vertices_.vertex(critical);
     const auto is_below = [&](Vertex_index u) { return order_(u, vertex); };
     std::vector<Edge_index> sector_edges;
-    Large_vector<Halfedge_index> crossed_edges;
+    std::vector<Halfedge_index> crossed_edges;
     for(const Sector_index i : critical_vertices_.sectors(critical, Side::LOWER))
       sector_edges.push_back(edge_of(critical_vertices_.sector(Side::LOWER, i).edge));
     std::sort(sector_edges.begin(), sector_edges.end());
@@ -144,7 +143,7 @@ private:
     std::sort(classes_.begin(), classes_.end());
   }
 
-  // Nearly all saddles are simple.
+  // The number of distinct classes at a vertex, at once for simple saddles, as nearly all are.
   Number count_classes(Swept_index critical, Side side)
   {
     if(critical_vertices_.number_of_sectors(critical, side) == 2)

@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
@@ -26,6 +25,7 @@
 #include <CGAL/Reeb_graph/internal/walks/Monotone_path_ends.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -94,7 +94,7 @@ public:
     const std::size_t size = sector_components_.size();
     constexpr std::size_t smallest_part = 4; // On a smooth field there are few paths, but long ones.
     const auto find_ends = [&](std::size_t, std::size_t begin, std::size_t end) {
-      Large_vector<Vertex_index> passed;
+      std::vector<Vertex_index> passed;
       for(const Sector_index i : Index_range(Sector_index(begin), Sector_index(end)))
         find_path_end(i, end_at_level(), passed);
     };
@@ -102,7 +102,7 @@ public:
   }
 
   template <class EndOfStep>
-  void find_path_end(Sector_index i, const EndOfStep& end_of_step, Large_vector<Vertex_index>& passed)
+  void find_path_end(Sector_index i, const EndOfStep& end_of_step, std::vector<Vertex_index>& passed)
   {
     const Link_sector& sector = critical_vertices_.sector(side, i);
     sector_components_[i] = path_ends_(Ascending_step{sector.edge, sector.extreme_neighbor}, end_of_step, passed);
@@ -121,7 +121,7 @@ public:
     };
   }
 
-  // To be called for the critical vertices in the order of the sweep. All classes are named before the first of them
+  // Merges components at a critical vertex, which come in the order of the sweep. All classes are named before the first of them
   // gets a new top.
   void merge_at(Swept_index critical)
   {
@@ -151,10 +151,10 @@ public:
     put_on(merged_components_.front(), node);
   }
 
-  // Puts the contours of the level at which the sweep ends on their components. To be called at last.
+  // Puts the contours of the level at which the sweep ends on their components, when all vertices have been merged.
   void merge_last_contours()
   {
-    Large_vector<Vertex_index> passed;
+    std::vector<Vertex_index> passed;
     constexpr Side last_side = opposite_of(side);
     const Number size = slab_.number_of_contours(last_side);
     for(Number i = 0; i != size; ++i)
@@ -173,7 +173,7 @@ public:
     return components_.add(node);
   }
 
-  // To be called ahead of merge_at(), and again less far ahead. Nearly all vertices have two sectors at most.
+  // Fetch memory ahead of merge_at(), the second one less far ahead. Nearly all vertices have two sectors at most.
   void prefetch_classes(Swept_index critical) const
   {
     prefetch_element(sector_components_, critical_vertices_.first_sector(critical, side));
@@ -217,7 +217,7 @@ private:
   Number number_of_extrema_;
   Merging_components<Slab_node> components_;
   Indexed_vector<Sector_index, Component_index> sector_components_; // in which a monotone path from there ends
-  Large_vector<Component_index> merged_components_;
+  std::vector<Component_index> merged_components_;
   Merge_tree tree_;
 };
 

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// One of the lower neighbors of a vertex and one of its higher ones, no_index if there is none.
+// A lower neighbor of a vertex and a higher one, no_index if there is none.
 typedef By_side<Vertex_index> Monotone_neighbors;
 
 // The monotone neighbors of the vertices in blocks of which many are critical. There, nearly each vertex is on a monotone path;
@@ -47,7 +47,7 @@ public:
     std::copy_n(block.begin(), end - begin, &neighbors_[Vertex_index(begin)]);
   }
 
-  // In unset places, both neighbors are the same.
+  // Whether neighbors have been kept: in unset places, both are the same.
   bool has_neighbors(Vertex_index vertex) const
   {
     return neighbors_[vertex][Side::LOWER] != neighbors_[vertex][Side::UPPER];

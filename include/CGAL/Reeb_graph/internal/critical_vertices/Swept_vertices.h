@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
@@ -24,6 +23,7 @@
 #include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -60,7 +60,8 @@ public:
     return number_of_lower_sectors(critical) != 1 || number_of_upper_sectors(critical) != 1;
   }
 
-  // In clockwise order. The turn around a vertex begins with an upper sector or with a lower one, then they alternate.
+  // Sectors are in clockwise order. The turn around a vertex begins with an upper sector or with a lower one, then they
+  // alternate.
   Sector_index first_sector(Swept_index critical, Side side) const { return entries_[critical].first_sectors[side]; }
   Sector_index end_of_sectors(Swept_index critical, Side side) const
   {
@@ -110,11 +111,11 @@ public:
                           complex.is_on_border(vertex)};
   }
 
-  // To be called after the last vertex has been set. Ties are ordered by critical vertex as by vertex.
+  // Sorts the vertices when all have been set. Ties are ordered by critical vertex as by vertex.
   template <class ConcurrencyTag, class Order>
   void sort(const Order& order)
   {
-    Large_vector<typename Order::template Key<Swept_index>> keys;
+    std::vector<typename Order::template Key<Swept_index>> keys;
     keys.resize(size());
     for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
@@ -129,11 +130,11 @@ public:
   }
 
   // All critical vertices, from the lowest to the highest.
-  const Large_vector<Swept_index>& ascending() const { return ascending_; }
+  const std::vector<Swept_index>& ascending() const { return ascending_; }
 
-  // The given ones alone. Their order has to be that of the names in the part.
+  // The given vertices alone. Their order has to be that of the names in the part.
   template <class SweptIndices>
-  Swept_vertices part(const SweptIndices& critical_vertices, Large_vector<Swept_index> ascending) const
+  Swept_vertices part(const SweptIndices& critical_vertices, std::vector<Swept_index> ascending) const
   {
     Swept_vertices result;
     result.entries_.reserve(critical_vertices.size() + 1);
@@ -168,7 +169,7 @@ private:
 
   Indexed_vector<Swept_index, Entry> entries_; // and one behind the last, that tells where its sectors end
   By_side<Indexed_vector<Sector_index, Link_sector>> sectors_;
-  Large_vector<Swept_index> ascending_;
+  std::vector<Swept_index> ascending_;
   std::shared_ptr<const Kept_neighbors> kept_neighbors_; // shared with the parts
 };
 

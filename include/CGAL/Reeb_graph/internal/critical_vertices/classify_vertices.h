@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
@@ -39,12 +38,12 @@ struct Found_vertices
     Link_summary link;
   };
 
-  Large_vector<Vertex> vertices;
+  std::vector<Vertex> vertices;
   Sector_counts numbers_of_sectors = {0, 0};
   Fan_counts fan_counts; // if fans have been found on the way
 };
 
-// find_link(vertex, fan counts) tells the link of a vertex, is_wanted(number of link sectors) whether to take it.
+// Finds vertices from `begin` to `end`: find_link(vertex, fan counts) tells the link of a vertex, is_wanted(number of link sectors) whether to take it.
 template <class Complex, class FindLink, class IsWanted>
 Found_vertices find_vertices(const Complex& complex,
                              std::size_t begin,
@@ -98,7 +97,7 @@ Found_parts find_vertices_in_parts(const Complex& complex, const FindLink& find_
   return found;
 }
 
-// Puts each part in its place.
+// The vertices of all parts, each in its place.
 template <class ConcurrencyTag, class Complex, class Order>
 Swept_vertices join_parts(const Complex& complex, const Order& order, const Found_parts& found)
 {
@@ -152,7 +151,8 @@ struct Classified_complex
   Swept_vertices critical_vertices;
 };
 
-// The same for a complex that has not been checked, which is done on the way: both have to turn around each vertex.
+// Finds the critical vertices of a complex that has not been checked, which is done on the way: both have to turn around
+// each vertex.
 template <class ConcurrencyTag, class Complex, class Order>
 Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Complex> unchecked, const Order& order)
 {

@@ -74,7 +74,7 @@ public:
   Vertex_link path() const { return {{number_ + 1, is_first_upper_}, {lower_, higher_}}; }
 
 private:
-  // Without a branch that could not be predicted, nor an array, which would have to be in memory.
+  // Keeps a neighbor, without a branch that could not be predicted, nor an array, which would have to be in memory.
   void set_neighbor(Vertex_index neighbor)
   {
     lower_ = is_last_upper_ ? lower_ : neighbor;
@@ -103,7 +103,7 @@ Vertex_link find_link(const Complex& complex, const Order& order, Vertex_index v
   return complex.is_on_border(vertex) ? changes.path() : changes.closed_link();
 }
 
-// The same at a vertex whose fan has not been set yet: both in one turn if the vertex is inside of the surface.
+// Sets the fan of a vertex and finds its link: both in one turn if the vertex is inside of the surface.
 template <class Complex, class Order>
 Vertex_link set_fan_and_find_link(Unchecked_complex<Complex>& complex,
                                   const Order& order,

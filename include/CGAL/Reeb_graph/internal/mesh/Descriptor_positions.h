@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -23,6 +22,7 @@
 #include <cstddef>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -56,7 +56,7 @@ public:
     return positions_.empty() ? Position(index) : positions_[index];
   }
 
-  // The same for descriptors that may be unknown, which have no_index.
+  // The position of a descriptor that may be unknown; then it is no_index.
   template <class Descriptor>
   Position operator()(const Descriptor& d) const
   {
@@ -87,10 +87,10 @@ private:
 
   IndexMap index_map_;
   std::size_t number_of_equal_indices_ = 0; // all or none
-  Large_vector<Position> positions_;        // empty if the indices are the positions
+  std::vector<Position> positions_;         // empty if the indices are the positions
 };
 
-// The same for a mesh that has no index map, found through a dynamic property map.
+// The position of each vertex (or face) of a mesh that has no index map, found through a dynamic property map.
 template <class Position, class DynamicMap>
 class Dynamic_positions
 {

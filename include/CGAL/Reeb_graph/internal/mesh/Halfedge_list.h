@@ -31,7 +31,7 @@ class Halfedge_list
 public:
   typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
 
-  // From the halfedge with the even number of each edge.
+  // The list is made of the halfedge with the even number of each edge.
   explicit Halfedge_list(Indexed_vector<Edge_index, halfedge_descriptor> even_halfedges)
     : even_halfedges_(std::move(even_halfedges))
   {}

@@ -41,7 +41,7 @@ struct Halfedge_arrays
 class Triangle_complex : public Triangle_complex_base<Triangle_complex>
 {
 public:
-  // For faces that have been checked, as has been that each edge has one.
+  // The faces have been checked before, as has been that each edge has one.
   Triangle_complex(Halfedge_arrays arrays, std::size_t number_of_faces)
     : Triangle_complex_base<Triangle_complex>(std::move(arrays.halfedges_of_vertices)),
       halfedges_(std::move(arrays.halfedges)),

@@ -54,14 +54,14 @@ public:
     const Halfedge_index even = even_halfedge(edge);
     return complex().has_edge(edge) && (complex().has_triangle(even) || complex().has_triangle(opposite_of(even)));
   }
-  // For an edge on a triangle.
+  // One halfedge of an edge that is on a triangle.
   Halfedge_index halfedge_of_triangle(Edge_index edge) const
   {
     const Halfedge_index even = even_halfedge(edge);
     return complex().has_triangle(even) ? even : opposite_of(even);
   }
 
-  // In the triangle of the halfedge.
+  // The halfedge before, in the triangle of the halfedge.
   Halfedge_index previous(Halfedge_index halfedge) const { return complex().next(complex().next(halfedge)); }
 
   // A halfedge of a triangle that ends at `vertex`, no_index if there is none. At a border vertex it is the one from
@@ -100,7 +100,7 @@ public:
     }
   }
 
-  // The same for each edge at `vertex`.
+  // Calls visit(neighbor, halfedge) in the same way for each edge at `vertex`.
   template <class Visit>
   void for_each_edge_around(Vertex_index vertex, const Visit& visit) const
   {
@@ -140,7 +140,7 @@ public:
   }
 
 protected:
-  // From a halfedge of a face that ends there for each vertex, or anything else if the derived class knows them.
+  // The argument has for each vertex a halfedge of a face that ends there, or anything if the derived class knows them.
   explicit Triangle_complex_base(Indexed_vector<Vertex_index, Halfedge_index> halfedges_of_vertices)
     : first_halfedges_(std::move(halfedges_of_vertices))
   {}

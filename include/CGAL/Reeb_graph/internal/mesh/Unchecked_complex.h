@@ -57,7 +57,7 @@ public:
   Number number_of_vertices() const { return complex_.number_of_vertices(); }
   bool has_vertex(Vertex_index number) const { return complex_.has_vertex(number); }
 
-  // To be asked about vertices whose fans have been set, and nothing else.
+  // The complex as far as it goes: only vertices whose fans have been set may be asked about.
   const Complex& at_set_fans() const { return complex_; }
 
   // Turns to the halfedge with which the fan of a vertex begins, keeps it, and adds to `counts`.
@@ -97,7 +97,7 @@ public:
     return false;
   }
 
-  // From the sums of the counts. Throws if a face is no triangle, or has a corner that belongs to no fan: a mesh leads
+  // The complex, if the sums of the counts are right. Throws if a face is no triangle, or has a corner that belongs to no fan: a mesh leads
   // to one fan per vertex only, but there may be more. Throws if an edge has no face: the halfedges of the other ones
   // are as many as the corners, and one more leaves each border vertex.
   Complex check(const Fan_counts& counts) &&
@@ -113,7 +113,7 @@ public:
   }
 
 private:
-  // From a halfedge that is not that of a triangle at the vertex on, turning might never end.
+  // Ends a turn that might never end, as it has met a halfedge that is none of a triangle at the vertex.
   static bool give_up(Halfedge_index& first, Fan_counts& counts)
   {
     first = no_index;

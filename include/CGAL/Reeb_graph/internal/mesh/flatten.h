@@ -89,7 +89,7 @@ struct Is_changed_by_reading<CGAL::internal::Dynamic_property_map<Key, Value>> :
 {
 };
 
-// Only plain numbers are read in parallel: copies of others may share parts.
+// The values of all vertices. Only plain numbers are read in parallel: copies of others may share parts.
 template <class ConcurrencyTag, class VertexList, class ScalarMap, class Traits>
 Indexed_vector<Vertex_index, typename Traits::Scalar> read_values(const VertexList& vertices,
                                                                   const ScalarMap& scalar_map,
@@ -133,7 +133,7 @@ Indexed_vector<Vertex_index, typename Traits::Scalar> read_values(const VertexLi
   return values;
 }
 
-// From the vertices of a mesh to their numbers. It can outlive the mesh if its index map can.
+// The function from the vertices of a mesh to their indices. It can outlive the mesh if its index map can.
 template <class FaceListGraph, class NamedParameters>
 auto find_vertex_numbers(const FaceListGraph& mesh,
                          const Vertex_list<FaceListGraph>& vertices,
@@ -148,7 +148,7 @@ auto find_vertex_numbers(const Surface_mesh<Point>&, const Vertex_list<Surface_m
   return [](typename Surface_mesh<Point>::Vertex_index v) { return Vertex_index(v); };
 }
 
-// Only a mesh that numbers its halfedges tells those of other meshes.
+// Whether a halfedge can be one of the mesh. Only a mesh that numbers its halfedges tells those of other meshes.
 template <class FaceListGraph, class HalfedgeDescriptor>
 bool can_be_halfedge(const FaceListGraph&, const HalfedgeDescriptor&)
 {
@@ -161,7 +161,7 @@ bool can_be_halfedge(const Surface_mesh<Point>& mesh, typename Surface_mesh<Poin
   return mesh.has_valid_index(h);
 }
 
-// For a mesh that needs none: whoever gives one that is wrong is told so.
+// Index maps for a mesh that needs none are checked, too: whoever gives one that is wrong is told so.
 template <class FaceListGraph, class NamedParameters>
 void check_index_maps(const FaceListGraph& mesh, const NamedParameters& np)
 {
@@ -229,7 +229,7 @@ Complex check_complex(Unchecked_complex<Complex> unchecked)
   return std::move(unchecked).check(counts);
 }
 
-// Checks the mesh.
+// The mesh with its field by numbers, after it has been checked.
 template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
 Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph& mesh,
                                                              const ScalarMap& scalar_map,

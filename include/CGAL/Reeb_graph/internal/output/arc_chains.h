@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
@@ -29,7 +28,7 @@ namespace internal {
 // The chains of all arcs, one behind the other as their pieces are.
 struct Flat_chains
 {
-  std::vector<Large_vector<Halfedge_index>> parts; // of the sequence of all halfedges, which are ascending
+  std::vector<std::vector<Halfedge_index>> parts; // of the sequence of all halfedges, which are ascending
   std::vector<std::size_t> begins_of_parts;
   Indexed_vector<Piece_index, std::size_t> begins_of_pieces; // and the end of the last one
 
@@ -45,13 +44,13 @@ struct Flat_chains
 // node, so comparisons tell the end, and the chain does not depend on how the arc was found. No vertex is passed twice,
 // unless the order contradicts itself.
 template <class Complex, class Order>
-Large_vector<Halfedge_index> walk_pieces(const Complex& complex,
-                                         const Order& order,
-                                         const Chain_piece* begin,
-                                         const Chain_piece* end,
-                                         std::size_t* begins_of_pieces)
+std::vector<Halfedge_index> walk_pieces(const Complex& complex,
+                                        const Order& order,
+                                        const Chain_piece* begin,
+                                        const Chain_piece* end,
+                                        std::size_t* begins_of_pieces)
 {
-  Large_vector<Halfedge_index> halfedges;
+  std::vector<Halfedge_index> halfedges;
   halfedges.reserve(3 * static_cast<std::size_t>(end - begin));
   const std::size_t most = complex.number_of_vertices() + static_cast<std::size_t>(end - begin);
   const auto add = [&](const Ascending_step& step) {
@@ -87,7 +86,7 @@ Flat_chains find_arc_chains(const Complex& complex, const Order& order, const Fl
                                      chains.begins_of_pieces.data() + begin);
   });
   std::size_t sum = 0;
-  for(const Large_vector<Halfedge_index>& part : chains.parts)
+  for(const std::vector<Halfedge_index>& part : chains.parts)
   {
     chains.begins_of_parts.push_back(sum);
     sum += part.size();

@@ -11,15 +11,12 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
-
 #include <boost/container/small_vector.hpp>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/pending/container_traits.hpp>
 #include <boost/pool/pool.hpp>
 
 #include <cstddef>
-#include <cstdlib>
 #include <list>
 #include <map>
 #include <memory>
@@ -55,25 +52,11 @@ boost::graph_detail::unstable_tag iterator_stability(const Inline_edge_list<T>&)
 // The large blocks from which the allocators of one container take single objects, of one size or of several.
 class Block_pools
 {
-  struct Large_pages
-  {
-    typedef std::size_t size_type;
-    typedef std::ptrdiff_t difference_type;
-
-    static char* malloc BOOST_PREVENT_MACRO_SUBSTITUTION(size_type size)
-    {
-      void* block = (std::malloc)(size);
-      advise_large_pages(block, size);
-      return static_cast<char*>(block);
-    }
-    static void free BOOST_PREVENT_MACRO_SUBSTITUTION(char* block) { (std::free)(block); }
-  };
-
-  // In objects; a block is written to when it is taken.
+  // The number of objects in a block, which is written to when it is taken.
   static constexpr std::size_t smallest_block = 8, largest_block = 100000;
 
 public:
-  typedef boost::pool<Large_pages> Pool;
+  typedef boost::pool<boost::default_user_allocator_malloc_free> Pool;
 
   Pool& pool_of(std::size_t size_of_object)
   {
@@ -166,10 +149,7 @@ template <class Graph>
 void reserve_nodes(Graph& graph, std::size_t size)
 {
   if constexpr(Has_node_array<Graph>::value)
-  {
     graph.m_vertices.reserve(size);
-    advise_large_pages(graph.m_vertices.data(), size * sizeof(graph.m_vertices[0]));
-  }
 }
 
 } // namespace internal

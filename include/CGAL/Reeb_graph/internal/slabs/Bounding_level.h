@@ -33,7 +33,7 @@ public:
 
   void add_crossed_edge(Edge_index edge) { crossed_edges_.add(edge); }
 
-  // To be called after the last edge has been added.
+  // Finds the contours when all crossed edges have been added.
   template <class Complex, class IsBelow>
   void find_contours(const Complex& complex, const IsBelow& is_below)
   {

@@ -34,7 +34,7 @@ template <class Complex>
 class Slab
 {
 public:
-  // All of the surface.
+  // The slab that is all of the surface.
   Slab(const Complex& complex, const Swept_vertices& critical_vertices)
     : complex_(&complex),
       critical_vertices_(&critical_vertices)
@@ -80,7 +80,7 @@ public:
     return Slab_node(first_contour_node(side) + contour.number());
   }
 
-  // For the node of a contour.
+  // The contour that a node is: its side and its name there.
   Side side_of_contour(Slab_node node) const { return side_of(node.number() >= first_contour_node(Side::UPPER)); }
   Contour_index contour_of_node(Slab_node node) const
   {

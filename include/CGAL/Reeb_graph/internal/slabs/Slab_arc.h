@@ -35,7 +35,7 @@ struct Slab_arc
   Slab_node upper;
   Ascending_step first_step;
 
-  // For an arc between critical vertices.
+  // The ends of an arc between critical vertices.
   Swept_index lower_vertex() const { return critical_vertex_of(lower); }
   Swept_index upper_vertex() const { return critical_vertex_of(upper); }
 };

@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Index_set.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
@@ -78,7 +77,7 @@ public:
   // The name of a slab's critical vertex among those of the surface.
   Swept_index critical_vertex(Slab_index slab, Swept_index critical) const { return parts_[slab].names[critical]; }
 
-  // By slab but the highest, the level above it.
+  // The levels, each above the slab of the same number.
   const std::vector<Bounding_level>& levels() const { return levels_; }
 
 private:
@@ -116,7 +115,7 @@ private:
     });
   }
 
-  // In places of an array that takes one index: at most a few for each edge, whatever the number of slabs asked for.
+  // The memory that levels may take, in indices: at most a few for each edge, whatever the number of slabs asked for.
   static std::size_t largest_size_of_levels(const Complex& complex)
   {
     return 8 * std::size_t(complex.number_of_edges()) + (std::size_t(1) << 20);
@@ -146,7 +145,7 @@ private:
                                      slabs_of_vertices_[complex_->target(halfedge)].number()});
   }
 
-  // One sweep for all levels, in blocks that do not share a word of the sets.
+  // Finds the crossed edges in one sweep for all levels, in blocks that do not share a word of the sets.
   template <class ConcurrencyTag>
   void find_crossed_edges()
   {
@@ -178,7 +177,7 @@ private:
   void fill_part(Slab_index slab)
   {
     const auto ascending = critical_vertices_->ascending().begin();
-    Large_vector<Swept_index> ascending_in_slab;
+    std::vector<Swept_index> ascending_in_slab;
     ascending_in_slab.reserve(parts_[slab].names.size());
     const auto add = [&](Swept_index critical) {
       const Vertex_index vertex = critical_vertices_->vertex(critical);

@@ -35,7 +35,7 @@ public:
     return Level(order, false, vertex, std::nullopt);
   }
 
-  // Just above the last vertex that is not higher than the value, or just below the first that is not lower.
+  // The level just above the last vertex that is not higher than the value, or just below the first that is not lower.
   static Level above_value(const Order& order, const Scalar& value) { return Level(order, true, no_index, value); }
   static Level below_value(const Order& order, const Scalar& value) { return Level(order, false, no_index, value); }
 

@@ -14,13 +14,14 @@
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
+
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -48,7 +49,7 @@ public:
   // The neighbor to which a path goes on, always the same one.
   Vertex_index next_vertex(Vertex_index vertex) const { return next_step(vertex).target; }
 
-  // The edge over which it goes.
+  // The edge over which the path goes on.
   Halfedge_index next_edge(Vertex_index vertex) const
   {
     const Vertex_index next = next_vertex(vertex);
@@ -58,7 +59,7 @@ public:
   // The end of the path that begins with `step`. A step to `target` is the last one if end_of_step(target, find_edge)
   // is not no_index, where find_edge() tells its edge. `passed` is storage for the vertices on the way.
   template <class EndOfStep>
-  Component_index operator()(Ascending_step step, const EndOfStep& end_of_step, Large_vector<Vertex_index>& passed)
+  Component_index operator()(Ascending_step step, const EndOfStep& end_of_step, std::vector<Vertex_index>& passed)
   {
     passed.clear();
     const auto find_edge = [&] { return step.edge != no_index ? step.edge : next_edge(passed.back()); };
@@ -77,7 +78,7 @@ public:
   }
 
 private:
-  // Without its edge if the neighbor is kept: few steps need it.
+  // The next step, without its edge if the neighbor is kept: few steps need it.
   Ascending_step next_step(Vertex_index vertex) const
   {
     if(kept_neighbors_->has_neighbors(vertex))
@@ -85,7 +86,7 @@ private:
     return find_edge(vertex, [&](Vertex_index neighbor) { return side_of((*order_)(vertex, neighbor)) == direction; });
   }
 
-  // The first one to a neighbor that is wanted.
+  // The first edge that leads to a neighbor that is wanted.
   template <class IsWanted>
   Ascending_step find_edge(Vertex_index vertex, const IsWanted& is_wanted) const
   {

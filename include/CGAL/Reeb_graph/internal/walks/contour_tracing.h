@@ -11,11 +11,11 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Large_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -61,7 +61,7 @@ public:
   bool is_border_reached() const { return is_border_reached_; }
   bool has_turned() const { return has_turned_; }
 
-  // To be asked at the end.
+  // Whether the contour is closed, when the walk has ended.
   bool is_closed() const { return complex_->has_triangle(entered_); }
 
 private:
@@ -101,7 +101,7 @@ template <class Complex, class IsBelow>
 bool trace_oriented_contour(const Complex& complex,
                             Halfedge_index start,
                             const IsBelow& is_below,
-                            Large_vector<Halfedge_index>& crossed)
+                            std::vector<Halfedge_index>& crossed)
 {
   // Who enters a triangle over an edge has the source of that edge on the left.
   const Halfedge_index forward = is_below(complex.source(start)) ? opposite_of(start) : start;
