@@ -11,8 +11,11 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/tuning.h>
+
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -33,6 +36,8 @@ public:
   {
     if(elements_ == nullptr && size != 0)
       throw std::bad_alloc();
+    if(!is_used(Tuned_part::ZEROED_ARRAY))
+      std::memset(static_cast<void*>(elements_.get()), 0, size * sizeof(T));
   }
 
   T& operator[](Key key) { return elements_.get()[key.number()]; }

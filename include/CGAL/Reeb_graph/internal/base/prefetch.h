@@ -11,7 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <cstddef>
+#include <CGAL/Reeb_graph/internal/base/tuning.h>
+
 #include <cstdint>
 
 namespace CGAL {
@@ -22,7 +23,8 @@ namespace internal {
 inline void prefetch(const void* address)
 {
 #ifdef __GNUC__
-  __builtin_prefetch(address);
+  if(is_used(Tuned_part::PREFETCH))
+    __builtin_prefetch(address);
 #else
   static_cast<void>(address);
 #endif

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
+#include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <algorithm>
@@ -39,7 +40,7 @@ public:
 
   static bool are_worth_keeping(std::size_t number_of_critical_vertices, std::size_t number_of_vertices)
   {
-    return number_of_critical_vertices > number_of_vertices / 8;
+    return is_used(Tuned_part::KEPT_NEIGHBORS) && number_of_critical_vertices > number_of_vertices / 8;
   }
 
   void keep(const Block& block, std::size_t begin, std::size_t end)

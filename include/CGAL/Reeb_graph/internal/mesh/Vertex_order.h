@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/is_ordered.h>
+#include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <type_traits>
@@ -71,7 +72,7 @@ private:
   template <class Name>
   bool is_before(const Scalar& value_u, Name u, const Scalar& value_v, Name v) const
   {
-    if constexpr(std::is_arithmetic<Scalar>::value)
+    if constexpr(std::is_arithmetic<Scalar>::value && is_used(Tuned_part::BRANCHLESS_ORDER))
     {
       const unsigned is_lower = less_(value_u, value_v), is_higher = less_(value_v, value_u), is_first = u < v;
       return (is_lower | (is_first & ~is_higher)) != 0;

@@ -1,0 +1,148 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+// What the tuned parts gain: the time of the whole graph without the one that the macro CGAL_REEB_GRAPH_LEFT_OUT names.
+// With all of them, also the time to write a graph from arrays: with the containers of Reeb_graph_traits, with the usual
+// ones of an adjacency list, and as compressed rows, which cannot be changed. Shortest times of several runs.
+
+#include "Table.h"
+#include "inputs.h"
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/compute_reeb_graph.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <ctime>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+using benchmark::cell;
+
+typedef CGAL::Reeb_graph_traits<benchmark::Mesh, benchmark::Scalar_map> Traits;
+typedef Traits::Node Node;
+typedef Traits::Arc Arc;
+typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::bidirectionalS, Node, Arc> Usual_graph;
+typedef boost::compressed_sparse_row_graph<boost::bidirectionalS, Node, Arc> Compressed_graph;
+
+constexpr int number_of_repetitions = 5;
+
+// The time of the processor, as other programs may run beside this one, which has one thread.
+template <class Function>
+double processor_milliseconds(const Function& function)
+{
+  const std::clock_t begin = std::clock();
+  function();
+  return 1000. * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+template <class Run>
+double shortest_time(const Run& run)
+{
+  double shortest = std::numeric_limits<double>::max();
+  for(int repetition = 0; repetition != number_of_repetitions; ++repetition)
+    shortest = std::min(shortest, run());
+  return shortest;
+}
+
+struct Graph_arrays
+{
+  explicit Graph_arrays(const Traits::Graph& graph)
+  {
+    for(const auto node : CGAL::make_range(vertices(graph)))
+      nodes.push_back(graph[node]);
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      ends.emplace_back(source(arc, graph), target(arc, graph));
+      arcs.push_back(graph[arc]);
+    }
+  }
+
+  std::vector<Node> nodes;
+  std::vector<std::pair<std::size_t, std::size_t>> ends;
+  std::vector<Arc> arcs;
+};
+
+template <class Graph>
+void write(const Graph_arrays& arrays, Graph& graph)
+{
+  CGAL::Reeb_graph::internal::reserve_nodes(graph, arrays.nodes.size());
+  for(const Node& node : arrays.nodes)
+    add_vertex(node, graph);
+  for(std::size_t i = 0; i != arrays.arcs.size(); ++i)
+    add_edge(arrays.ends[i].first, arrays.ends[i].second, arrays.arcs[i], graph);
+}
+
+void write(const Graph_arrays& arrays, Compressed_graph& graph)
+{
+  graph = Compressed_graph(boost::edges_are_unsorted_multi_pass, arrays.ends.begin(), arrays.ends.end(),
+                           arrays.arcs.begin(), arrays.nodes.size());
+  for(std::size_t i = 0; i != arrays.nodes.size(); ++i)
+    graph[i] = arrays.nodes[i];
+}
+
+template <class Graph>
+double writing_time(const Graph_arrays& arrays)
+{
+  return shortest_time([&] {
+    Graph graph;
+    return processor_milliseconds([&] { write(arrays, graph); });
+  });
+}
+
+double computing_time(const benchmark::Input& input)
+{
+  return shortest_time([&] {
+    Traits::Graph graph;
+    return processor_milliseconds([&] { CGAL::compute_reeb_graph(input.mesh(), input.scalar_map(), graph); });
+  });
+}
+} // namespace
+
+// The name of what is left out, and the number of vertices.
+int main(int argc, char* argv[])
+{
+  const std::string name = argc > 1 ? argv[1] : "nothing";
+  const std::size_t number_of_vertices = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1000000;
+  const bool is_complete = CGAL::Reeb_graph::internal::is_left_out(CGAL::Reeb_graph::internal::Tuned_part::NONE);
+  benchmark::Input input("genus-3", number_of_vertices);
+  std::vector<benchmark::Column> columns = {{"", "", 24}};
+  for(const std::string& field : benchmark::field_names())
+    columns.push_back({field, "ms", 8});
+  std::vector<std::string> computing = {is_complete ? "with all parts" : "without " + name}, ours = {"our containers"},
+                           usual = {"usual containers"}, compressed = {"compressed rows"};
+  for(const std::string& field : benchmark::field_names())
+  {
+    input.set_field(field);
+    computing.push_back(cell(computing_time(input), 1));
+    if(!is_complete)
+      continue;
+    Traits::Graph graph;
+    CGAL::compute_reeb_graph(input.mesh(), input.scalar_map(), graph);
+    const Graph_arrays arrays(graph);
+    ours.push_back(cell(writing_time<Traits::Graph>(arrays), 1));
+    usual.push_back(cell(writing_time<Usual_graph>(arrays), 1));
+    compressed.push_back(cell(writing_time<Compressed_graph>(arrays), 1));
+  }
+  const std::string size = cell(std::size_t(input.mesh().number_of_vertices()));
+  benchmark::Table("From the mesh to the graph, one thread, " + size + " vertices", columns).print_row(computing);
+  if(is_complete)
+  {
+    const benchmark::Table table("Nodes and arcs alone, from arrays", columns);
+    for(const auto& row : {ours, usual, compressed})
+      table.print_row(row);
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,39 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_BASE_TUNING_H
+#define CGAL_REEB_GRAPH_INTERNAL_BASE_TUNING_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The parts that are there for speed alone. The benchmark leaves out one at a time, by the macro, to tell what it gains.
+enum class Tuned_part
+{
+  NONE,
+  PREFETCH,
+  KEPT_NEIGHBORS,
+  BRANCHLESS_ORDER,
+  ZEROED_ARRAY
+};
+
+#ifndef CGAL_REEB_GRAPH_LEFT_OUT
+#define CGAL_REEB_GRAPH_LEFT_OUT NONE
+#endif
+
+constexpr bool is_left_out(Tuned_part part) { return part == Tuned_part::CGAL_REEB_GRAPH_LEFT_OUT; }
+constexpr bool is_used(Tuned_part part) { return !is_left_out(part); }
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_BASE_TUNING_H
