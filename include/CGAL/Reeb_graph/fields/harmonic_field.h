@@ -13,10 +13,7 @@
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/field_constraints.h>
-#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/far_apart_vertices.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/harmonic_values.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -30,29 +27,6 @@
 
 namespace CGAL {
 namespace Reeb_graph {
-
-namespace internal {
-namespace scalar_fields {
-
-// The harmonic field with the values that fix_vertices(surface, graph, constraints) gives.
-template <class FaceListGraph, class FieldMap, class NamedParameters, class FixVertices>
-void write_harmonic_field(const FaceListGraph& mesh,
-                          FieldMap field_map,
-                          const NamedParameters& np,
-                          const FixVertices& fix_vertices)
-{
-  const Progress progress(np);
-  progress.report(0);
-  const Indexed_surface<FaceListGraph> surface(mesh, np);
-  const Weighted_graph graph = laplacian_graph(surface, choose_weights(np));
-  Constraints<typename Scalar_of_field<FieldMap>::type> constraints(surface.number_of_vertices());
-  fix_vertices(surface, graph, constraints);
-  check_components(graph, constraints.is_fixed);
-  write_field(surface, harmonic_values(surface, graph, constraints, progress, np), field_map, progress);
-}
-
-} // namespace scalar_fields
-} // namespace internal
 
 /// \ingroup PkgReebGraphFields
 ///

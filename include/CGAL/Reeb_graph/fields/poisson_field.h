@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
-#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
@@ -22,34 +21,9 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
-#include <utility>
 
 namespace CGAL {
 namespace Reeb_graph {
-
-namespace internal {
-namespace scalar_fields {
-
-// Solves with the right side that integrated_right_side(surface, graph) gives, in the scale of the indexed surface.
-template <class FaceListGraph, class FieldMap, class ConstraintRange, class NamedParameters, class RightSide>
-void solve_poisson_equation(const FaceListGraph& mesh,
-                            FieldMap field_map,
-                            const ConstraintRange& constraints,
-                            const NamedParameters& np,
-                            const RightSide& integrated_right_side)
-{
-  const Progress progress(np);
-  progress.report(0);
-  const Indexed_surface<FaceListGraph> surface(mesh, np);
-  Constraints<double> fixed(surface.number_of_vertices());
-  fix_vertices(surface, constraints, fixed);
-  const Weighted_graph graph = cotangent_graph(surface);
-  auto right_side = integrated_right_side(surface, graph);
-  write_field(surface, poisson_values(surface, graph, fixed, std::move(right_side), progress, np), field_map, progress);
-}
-
-} // namespace scalar_fields
-} // namespace internal
 
 /// \ingroup PkgReebGraphFields
 ///

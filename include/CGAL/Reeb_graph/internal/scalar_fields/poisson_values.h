@@ -15,11 +15,13 @@
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Default_solver.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_problem.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Nested_dissection.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/solve.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -50,6 +52,24 @@ std::vector<double> poisson_values(const Surface& surface,
   for(std::size_t row = 0; row != solution.size(); ++row)
     values[problem.vertex(row)] = solution[row];
   return values;
+}
+
+// Solves with the right side that integrated_right_side(surface, graph) gives, in the scale of the indexed surface.
+template <class FaceListGraph, class FieldMap, class ConstraintRange, class NamedParameters, class RightSide>
+void solve_poisson_equation(const FaceListGraph& mesh,
+                            FieldMap field_map,
+                            const ConstraintRange& constraints,
+                            const NamedParameters& np,
+                            const RightSide& integrated_right_side)
+{
+  const Progress progress(np);
+  progress.report(0);
+  const Indexed_surface<FaceListGraph> surface(mesh, np);
+  Constraints<double> fixed(surface.number_of_vertices());
+  fix_vertices(surface, constraints, fixed);
+  const Weighted_graph graph = cotangent_graph(surface);
+  auto right_side = integrated_right_side(surface, graph);
+  write_field(surface, poisson_values(surface, graph, fixed, std::move(right_side), progress, np), field_map, progress);
 }
 
 } // namespace scalar_fields
