@@ -61,6 +61,18 @@ public:
   {}
 };
 
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown if no field with the simplified graph has been found, because of a border or of a hidden handle in a
+/// removed piece, or of the order that is not that of numbers.
+class Piece_topology_error : public Error
+{
+public:
+  /// constructs the exception.
+  Piece_topology_error() : Error("a piece of the surface could not be given values without a node or a loop of its own")
+  {}
+};
+
 } // namespace Reeb_graph
 } // namespace CGAL
 

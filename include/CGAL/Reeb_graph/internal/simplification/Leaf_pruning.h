@@ -160,13 +160,20 @@ public:
       visit(piece);
   }
 
-  // By place, the place that has taken it up.
+  // By place, the place that has taken it up in the end.
   std::vector<Index> find_owners() const
   {
-    std::vector<Index> owners = owners_;
-    for(Index place = 0; place != owners.size(); ++place)
-      find_owner(owners, place);
-    return owners;
+    return follow_owners(
+      [](Index owner, Index result_of_owner) { return result_of_owner == no_index ? owner : result_of_owner; });
+  }
+
+  // By place, the node at which the last branch was that has been removed with it, no_index if none has: so each place
+  // that has been removed together with a branch is told from those that arcs consist of.
+  std::vector<Index> find_saddles() const
+  {
+    return follow_owners([&](Index owner, Index result_of_owner) {
+      return result_of_owner == no_index && owner < number_of_nodes_ ? owner : result_of_owner;
+    });
   }
 
 private:
@@ -260,11 +267,24 @@ private:
     return arcs_[below];
   }
 
-  static Index find_owner(std::vector<Index>& owners, Index place)
+  // By place, what choose(owner, result of the owner) gives; no_index for a place that is left.
+  template <class Choose>
+  std::vector<Index> follow_owners(const Choose& choose) const
   {
-    while(owners[owners[place]] != owners[place])
-      owners[place] = owners[owners[place]];
-    return owners[place];
+    std::vector<Index> results(owners_.size(), no_index), path;
+    std::vector<bool> is_known(owners_.size(), false);
+    for(Index first = 0; first != owners_.size(); ++first)
+    {
+      for(Index place = first; !is_known[place] && !is_left(place); place = owners_[place])
+        path.push_back(place);
+      for(; !path.empty(); path.pop_back())
+      {
+        const Index place = path.back();
+        results[place] = choose(owners_[place], results[owners_[place]]);
+        is_known[place] = true;
+      }
+    }
+    return results;
   }
 
   Index number_of_nodes_;

@@ -98,7 +98,10 @@ Simplification<ReebGraph> write_simplified_graph(const ReebGraph& graph,
   }
   const std::vector<Index> owners = pruned.find_owners();
   for(Index place = 0; place != new_places.size(); ++place)
-    new_places[place] = new_places[owners[place]];
+  {
+    if(owners[place] != no_index)
+      new_places[place] = new_places[owners[place]];
+  }
   return Simplification<ReebGraph>(pruned.number_of_nodes(), number_of_new_nodes, std::move(new_places), new_arcs);
 }
 

@@ -1,0 +1,185 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SIMPLIFICATION_SIMPLIFIED_VALUES_H
+#define CGAL_REEB_GRAPH_INTERNAL_SIMPLIFICATION_SIMPLIFIED_VALUES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/simplification/Moved_pieces.h>
+#include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
+#include <CGAL/Reeb_graph/internal/simplification/write_simplified_graph.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/scalar_maps.h>
+#include <CGAL/Reeb_graph/simplification_exceptions.h>
+#include <CGAL/compute_reeb_graph.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// By position of the vertex.
+template <class Mesh, class ScalarMap>
+auto read_values(const Mesh& mesh, const ScalarMap& scalar_map)
+{
+  typedef std::decay_t<typename boost::property_traits<ScalarMap>::value_type> Scalar;
+  std::vector<Scalar> values;
+  for(const auto v : CGAL::make_range(vertices(mesh)))
+    values.push_back(get(scalar_map, v));
+  return values;
+}
+
+template <class Mesh>
+scalar_fields::Weighted_graph make_vertex_graph(const Mesh& mesh, std::size_t number_of_vertices)
+{
+  const auto positions = get(dynamic_vertex_property_t<Index>(), mesh);
+  Index position = 0;
+  for(const auto v : CGAL::make_range(vertices(mesh)))
+    put(positions, v, position++);
+  return scalar_fields::Weighted_graph(number_of_vertices, [&](const auto& visit) {
+    for(const auto e : CGAL::make_range(edges(mesh)))
+    {
+      const Index u = get(positions, source(e, mesh)), v = get(positions, target(e, mesh));
+      visit(scalar_fields::Weighted_graph::Contribution{u, v, 1});
+      visit(scalar_fields::Weighted_graph::Contribution{v, u, 1});
+    }
+  });
+}
+
+// By node, the position of its vertex.
+template <class Mesh, class ReebGraph>
+std::vector<Index> positions_of_nodes(const Mesh& mesh, const ReebGraph& graph)
+{
+  const auto nodes = get(dynamic_vertex_property_t<Index>(), mesh);
+  for(const auto v : CGAL::make_range(vertices(mesh)))
+    put(nodes, v, no_index);
+  for(Index node = 0; node != num_vertices(graph); ++node)
+    put(nodes, graph[node].vertex, node);
+  std::vector<Index> positions(num_vertices(graph));
+  Index position = 0;
+  for(const auto v : CGAL::make_range(vertices(mesh)))
+  {
+    if(get(nodes, v) != no_index)
+      positions[get(nodes, v)] = position;
+    ++position;
+  }
+  return positions;
+}
+
+// By position of the vertex, the number of its place in the graph.
+template <class Mesh, class ScalarMap, class ReebGraph, class NamedParameters>
+std::vector<Index> find_places_of_vertices(const Mesh& mesh,
+                                           const ScalarMap& scalar_map,
+                                           const ReebGraph& graph,
+                                           const NamedParameters& np)
+{
+  const Augmentation<Mesh, ScalarMap, ReebGraph> augmentation(mesh, scalar_map, graph, np);
+  const auto locations = augmentation.locate_vertices();
+  std::vector<Index> places;
+  for(const auto v : CGAL::make_range(vertices(mesh)))
+    places.push_back(static_cast<Index>(locations.index(v)));
+  return places;
+}
+
+// Whether a graph is the simplified one, if nodes are told by the place of their vertices, `place_of_node(node)`. A node at
+// which several saddles are in one vertex may have come apart into a tree of nodes in the same place.
+template <class ReebGraph, class SimplifiedGraph, class PlaceOfNode>
+bool is_simplified_graph(const ReebGraph& graph, const SimplifiedGraph& simplified, const PlaceOfNode& place_of_node)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> arcs, expected_arcs;
+  std::size_t number_of_surplus_nodes = num_vertices(graph);
+  std::vector<bool> is_found(num_vertices(simplified), false);
+  for(std::size_t node = 0; node != num_vertices(graph); ++node)
+  {
+    const std::size_t place = place_of_node(node);
+    if(place >= num_vertices(simplified))
+      return false;
+    number_of_surplus_nodes -= is_found[place] ? 0 : 1;
+    is_found[place] = true;
+  }
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const std::size_t lower = place_of_node(source(arc, graph)), upper = place_of_node(target(arc, graph));
+    if(lower != upper)
+      arcs.emplace_back(lower, upper);
+    else
+      --number_of_surplus_nodes;
+  }
+  for(const auto arc : CGAL::make_range(edges(simplified)))
+    expected_arcs.emplace_back(source(arc, simplified), target(arc, simplified));
+  std::sort(arcs.begin(), arcs.end());
+  std::sort(expected_arcs.begin(), expected_arcs.end());
+  return number_of_surplus_nodes == 0 && arcs == expected_arcs
+      && std::find(is_found.begin(), is_found.end(), false) == is_found.end();
+}
+
+// The values of the simplified field, by position of the vertex; see simplify_field().
+template <class Branch, class Traits, class Mesh, class ScalarMap, class NamedParameters>
+auto simplified_values(const Mesh& mesh, const ScalarMap& scalar_map, double threshold, const NamedParameters& np)
+{
+  typedef typename Traits::Scalar Scalar;
+  const Ties ties_of_graph = parameters::choose_parameter(parameters::get_parameter(np, ties), Ties::PERTURB);
+  typename Traits::Graph graph, simplified;
+  compute_reeb_graph(mesh, scalar_map, graph, np);
+  const Leaf_pruning pruned = prune_graph<Branch>(graph, threshold, np);
+  const std::vector<Scalar> values = read_values(mesh, scalar_map);
+  const std::vector<Index> places = find_places_of_vertices(mesh, scalar_map, graph, np);
+  const std::vector<Index> saddles_of_places = pruned.find_saddles();
+  std::vector<Index> saddles;
+  for(const Index place : places)
+    saddles.push_back(saddles_of_places[place]);
+  std::vector<Scalar> result = values;
+  if(ties_of_graph == Ties::CONTRACT)
+  {
+    for(std::size_t v = 0; v != values.size(); ++v)
+    {
+      if(saddles[v] != no_index)
+        result[v] = graph[saddles[v]].value;
+    }
+  }
+  else if constexpr(std::is_floating_point_v<Scalar>)
+  {
+    const std::vector<Index> positions = positions_of_nodes(mesh, graph);
+    for(Index& saddle : saddles)
+      saddle = saddle == no_index ? no_index : positions[saddle];
+    const auto vertex_graph = make_vertex_graph(mesh, values.size());
+    result = Moved_pieces<Scalar>(vertex_graph, saddles, values, threshold).move();
+  }
+  else
+    throw Scalar_resolution_error(0);
+  const auto simplification = write_simplified_graph(graph, pruned, simplified);
+  const auto result_map = make_scalar_map(mesh, result);
+  typename Reeb_graph_traits<Mesh, std::decay_t<decltype(result_map)>>::Graph graph_of_result;
+  compute_reeb_graph(mesh, result_map, graph_of_result, parameters::ties(ties_of_graph));
+  const std::vector<Index> positions = positions_of_nodes(mesh, graph_of_result);
+  const auto place_of_node = [&](std::size_t node) {
+    const Index place = places[positions[node]];
+    return place < num_vertices(graph) ? simplification.index_of_node(place)
+                                       : simplification.index_of_arc(place - num_vertices(graph));
+  };
+  if(!is_simplified_graph(graph_of_result, simplified, place_of_node))
+    throw Piece_topology_error();
+  return result;
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_SIMPLIFICATION_SIMPLIFIED_VALUES_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SIMPLIFY_FIELD_H
+#define CGAL_REEB_GRAPH_SIMPLIFY_FIELD_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/simplification/simplified_values.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/simplification_exceptions.h>
+#include <CGAL/Reeb_graph/simplification_parameters.h>
+#include <CGAL/Reeb_graph/simplify.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphSimplification
+///
+/// \brief computes a field whose Reeb graph is the simplified graph of a given field.
+///
+/// What `simplify()` removes from the graph is a piece of the surface. The values in this piece are moved to that of its
+/// saddle, or next to it; all other values stay as they are. No value changes by as much as the threshold, if the measure is
+/// the persistence. So everything that takes a field can be done with the simplified one: cutting systems, pants, branches.
+///
+/// - With `Ties::CONTRACT`, a removed piece gets the value of its saddle: it becomes part of a plateau.
+/// - With `Ties::PERTURB`, it gets different values next to that of its saddle, in an order in which each vertex has a
+///   lower and a higher neighbor (an st-numbering: R. E. Tarjan, *Two Streamlined Depth-First Search Algorithms*, 1986).
+///   The graph is the same with contracted ties if the field had none. Where a saddle of higher multiplicity stays, its
+///   node can be at another vertex of the pieces next to it.
+///
+/// With perturbed ties not every simplified graph is that of a field on the mesh: a removed piece with a border, or with a
+/// handle that a multi-saddle hides, can need a loop. So the graph of the result is computed and compared.
+///
+/// On the subject, see U. Bauer, C. Lange, M. Wardetzky, *Optimal Topological Simplification of Discrete Functions on
+/// Surfaces*, 2012, and J. Tierny, V. Pascucci, *Generalized Topological Simplification of Scalar Fields on Surfaces*, 2012.
+/// It takes the time of `compute_reeb_graph()` three times, and that of `Augmentation::locate_vertices()`.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph` with dynamic property maps
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value type
+///         that `CGAL::to_double()` takes; with `Ties::PERTURB`, a built-in floating point type. The order is that of
+///         `operator<`.
+/// \tparam SimplifiedScalarMap a model of `WritablePropertyMap` with the same key and value types
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the triangulated surface; it is only read
+/// \param scalar_map the scalar field
+/// \param threshold what is smaller is removed, in units of the measure
+/// \param simplified_scalar_map the result; it can be the same map as `scalar_map`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `ties`, `vertex_index_map` and
+///        `face_index_map` of `compute_reeb_graph()`, and `number_of_leaves`, `piece_weights` and `branch_measure` of
+///        `simplify()`
+///
+/// \returns the largest absolute difference between a value of the result and the given one.
+///
+/// \exception Reeb_graph::Scalar_resolution_error if there are too few numbers next to the value of a saddle to give each
+///            vertex of a piece another one, as where vertices are tied with it
+/// \exception Reeb_graph::Piece_topology_error if no such values of a piece have been found
+///
+/// and the exceptions of `compute_reeb_graph()` and `simplify()`. When one is thrown, `simplified_scalar_map` is as it was
+/// before.
+template <class FaceListGraph,
+          class ScalarMap,
+          class SimplifiedScalarMap,
+          class NamedParameters = parameters::Default_named_parameters>
+double simplify_field(const FaceListGraph& mesh,
+                      ScalarMap scalar_map,
+                      double threshold,
+                      SimplifiedScalarMap simplified_scalar_map,
+                      const NamedParameters& np = parameters::default_values())
+{
+  typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Traits;
+  typedef Branch<typename boost::graph_traits<typename Traits::Graph>::vertex_descriptor> Branch;
+  const auto values = internal::simplified_values<Branch, Traits>(mesh, scalar_map, threshold, np);
+  double largest_difference = 0;
+  std::size_t position = 0;
+  for(const auto v : CGAL::make_range(vertices(mesh)))
+  {
+    const auto& value = values[position++];
+    largest_difference = (std::max)(largest_difference,
+                                    internal::persistence(CGAL::to_double(get(scalar_map, v)), CGAL::to_double(value)));
+    put(simplified_scalar_map, v, value);
+  }
+  return largest_difference;
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_SIMPLIFY_FIELD_H

@@ -1,0 +1,272 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "computed_graphs.h"
+#include "simplification_oracle.h"
+
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/simplify.h>
+#include <CGAL/Reeb_graph/simplify_field.h>
+
+#include <boost/mpl/list.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+// The Reeb graph of a simplified field, computed anew, is the simplified graph.
+
+using namespace computed_graphs;
+using mesh_builders::Polyhedron;
+using mesh_builders::Surface_mesh;
+using simplification_oracle::Simplification_oracle;
+namespace parameters = CGAL::parameters;
+
+typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
+
+namespace {
+typedef std::vector<std::pair<std::size_t, std::size_t>> Arcs;
+
+struct Field_sample
+{
+  Field_sample(Mesh_class mesh_class, Field_class field_class, std::size_t seed)
+  {
+    Random random(seed);
+    mesh = random_meshes::random_mesh(mesh_class, random);
+    values = random_meshes::random_field(mesh, field_class, random);
+    threshold = 0.5 + static_cast<double>(random.below(2 + mesh.number_of_vertices / 2));
+  }
+
+  Combinatorial_mesh mesh;
+  std::vector<double> values;
+  double threshold;
+};
+
+template <class Mesh>
+std::vector<double> values_of(const Mesh& mesh, const graph_checks::Scalar_map_of<Mesh>& map)
+{
+  std::vector<double> values;
+  for(const auto v : vertices(mesh))
+    values.push_back(get(map, v));
+  return values;
+}
+
+template <class Graph>
+std::size_t number_of_leaves(const Graph& graph)
+{
+  std::size_t leaves = 0;
+  for(std::size_t node = 0; node < num_vertices(graph); ++node)
+    leaves += degree(node, graph) == 1 ? 1 : 0;
+  return leaves;
+}
+
+template <class Graph>
+std::vector<double> sorted_values(const Graph& graph)
+{
+  std::vector<double> values;
+  for(std::size_t node = 0; node < num_vertices(graph); ++node)
+    values.push_back(graph[node].value);
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+template <class Graph>
+std::vector<std::size_t> sorted_degrees(const Graph& graph)
+{
+  std::vector<std::size_t> degrees;
+  for(std::size_t node = 0; node < num_vertices(graph); ++node)
+    degrees.push_back(1000 * in_degree(node, graph) + out_degree(node, graph));
+  std::sort(degrees.begin(), degrees.end());
+  return degrees;
+}
+
+// What arcs and nodes consist of that are still there, by number of the place in the graph before.
+template <class Graph>
+std::set<std::size_t> places_that_stay(const Graph& graph, const Simplification_oracle& oracle)
+{
+  std::set<std::size_t> places;
+  const Arcs arcs = persistence_oracle::arcs_of(graph);
+  for(const auto& node : oracle.nodes)
+    places.insert(node.first);
+  for(const auto& arc : oracle.arcs)
+    for(const std::size_t piece : arc.pieces)
+      places.insert({arcs[piece].first, arcs[piece].second, num_vertices(graph) + piece});
+  return places;
+}
+
+// Tests a field; returns `false` if there is none, which the caller has to justify.
+template <class Mesh>
+bool test_field(const Field_sample& sample, Ties ties)
+{
+  const Mesh mesh = make_mesh<Mesh>(sample.mesh);
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, sample.values);
+  const auto result_map = CGAL::Reeb_graph::make_scalar_map(mesh, sample.values);
+  Settings settings;
+  settings.ties = ties;
+  const auto graph = compute<CGAL::Sequential_tag>(mesh, scalar_map, settings);
+  graph_checks::Graph_of<Mesh> simplified;
+  CGAL::Reeb_graph::simplify(graph, sample.threshold, simplified);
+  double largest_change = 0;
+  try
+  {
+    largest_change =
+      CGAL::Reeb_graph::simplify_field(mesh, scalar_map, sample.threshold, result_map, parameters::ties(ties));
+  }
+  catch(const CGAL::Reeb_graph::Piece_topology_error&)
+  {
+    BOOST_TEST(values_of(mesh, result_map) == sample.values, boost::test_tools::per_element());
+    return false;
+  }
+  const auto result = compute<CGAL::Sequential_tag>(mesh, result_map, settings);
+  BOOST_TEST(number_of_leaves(result) == number_of_leaves(simplified));
+  BOOST_TEST(num_edges(result) - num_vertices(result) == num_edges(simplified) - num_vertices(simplified));
+  if(ties == Ties::CONTRACT)
+  {
+    BOOST_TEST(sorted_values(result) == sorted_values(simplified), boost::test_tools::per_element());
+    BOOST_TEST(num_edges(result) == num_edges(simplified));
+  }
+  else if(num_vertices(result) == num_vertices(simplified))
+    BOOST_TEST(sorted_degrees(result) == sorted_degrees(simplified), boost::test_tools::per_element());
+
+  const CGAL::Reeb_graph::Augmentation<Mesh, graph_checks::Scalar_map_of<Mesh>> augmentation(mesh, scalar_map, graph,
+                                                                                             parameters::ties(ties));
+  const auto locations = augmentation.locate_vertices();
+  const auto staying = places_that_stay(graph, Simplification_oracle(graph, sample.threshold));
+  double change = 0;
+  for(const auto v : vertices(mesh))
+  {
+    const double difference = get(result_map, v) == get(scalar_map, v) // also of infinities
+                              ? 0
+                              : std::abs(get(result_map, v) - get(scalar_map, v));
+    change = (std::max)(change, difference);
+    if(staying.count(locations.index(v)) != 0)
+      BOOST_TEST(difference == 0);
+  }
+  BOOST_TEST(change == largest_change);
+  BOOST_TEST((change == 0 || change < sample.threshold));
+  return true;
+}
+
+// The arcs as pairs of numbers of nodes.
+Arcs shape(const Surface_mesh& mesh, const std::vector<double>& values)
+{
+  return persistence_oracle::arcs_of(graph_checks::compute(mesh, values));
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(fields_with_contracted_ties, Mesh, Meshes)
+{
+  for(std::size_t seed = 0; seed < 1000; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const Field_sample sample(static_cast<Mesh_class>(seed % 6), static_cast<Field_class>(seed / 6 % 8), seed);
+      BOOST_TEST(test_field<Mesh>(sample, Ties::CONTRACT));
+    }
+}
+
+// A handle that a multi-saddle hides in a removed piece is all that can be in the way.
+BOOST_AUTO_TEST_CASE_TEMPLATE(fields_of_closed_surfaces, Mesh, Meshes)
+{
+  std::size_t number_of_failures = 0;
+  for(std::size_t seed = 0; seed < 1000; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const Field_sample sample(Mesh_class::CLOSED, Field_class::PERMUTATION, seed);
+      const bool is_sphere = sample.mesh.triangles.size() == 2 * (sample.mesh.number_of_vertices - 2);
+      const bool is_found = test_field<Mesh>(sample, Ties::PERTURB);
+      BOOST_TEST((is_found || !is_sphere));
+      number_of_failures += is_found ? 0 : 1;
+    }
+  BOOST_TEST(number_of_failures < 20u);
+}
+
+BOOST_AUTO_TEST_CASE(fields_of_surfaces_with_border)
+{
+  std::size_t number_of_failures = 0;
+  for(std::size_t seed = 0; seed < 1000; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+  number_of_failures +=
+    test_field<Surface_mesh>(Field_sample(static_cast<Mesh_class>(1 + seed % 5), Field_class::PERMUTATION, seed),
+                             Ties::PERTURB)
+      ? 0
+      : 1;
+  BOOST_TEST(number_of_failures < 100u);
+}
+
+// Where vertices are tied with a saddle, there is no number between them.
+BOOST_AUTO_TEST_CASE(saddles_without_room)
+{
+  std::size_t number_of_failures = 0;
+  for(std::size_t seed = 0; seed < 200; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      try
+      {
+        test_field<Surface_mesh>(Field_sample(Mesh_class::CLOSED, Field_class::FEW_VALUES, seed), Ties::PERTURB);
+      }
+      catch(const CGAL::Reeb_graph::Scalar_resolution_error&)
+      {
+        ++number_of_failures;
+      }
+    }
+  BOOST_TEST(number_of_failures > 0u);
+}
+
+// Noise of 5 percent of the range and a threshold of 11 percent: the graph is that of the field without noise. The mesh is
+// so fine that noise does not exchange the saddles of neighboring loops.
+BOOST_AUTO_TEST_CASE(noise_is_removed)
+{
+  for(unsigned genus = 0; genus <= 10; ++genus)
+    for(const std::size_t seed : {1, 2})
+      BOOST_TEST_CONTEXT("genus " << genus << ", seed " << seed)
+      {
+        Random random(seed);
+        const auto soup = generated_surfaces::closed_surface(genus, 30000);
+        const auto mesh = make_mesh<Surface_mesh>(soup);
+        std::vector<double> smooth, noisy;
+        for(const auto& p : soup.points)
+          smooth.push_back(0.9 * p[0] + 0.4 * p[1] + 0.15 * p[2]);
+        const auto range = std::minmax_element(smooth.begin(), smooth.end());
+        const double noise = 0.05 * (*range.second - *range.first);
+        for(const double value : smooth)
+          noisy.push_back(value + noise * (static_cast<double>(random.below(2000001)) / 1000000 - 1));
+        const auto noisy_range = std::minmax_element(noisy.begin(), noisy.end());
+        const double threshold = 0.11 * (*noisy_range.second - *noisy_range.first);
+
+        const auto graph = graph_checks::compute(mesh, noisy);
+        graph_checks::Graph_of<Surface_mesh> simplified;
+        CGAL::Reeb_graph::simplify(graph, threshold, simplified);
+        BOOST_TEST(num_vertices(graph) > 20 * num_vertices(simplified));
+        BOOST_TEST((persistence_oracle::arcs_of(simplified) == shape(mesh, smooth)));
+
+        const auto result_map = CGAL::Reeb_graph::make_scalar_map(mesh, noisy);
+        const double change =
+          CGAL::Reeb_graph::simplify_field(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, noisy), threshold, result_map);
+        BOOST_TEST(change < threshold);
+        BOOST_TEST((shape(mesh, values_of(mesh, result_map)) == shape(mesh, smooth)));
+      }
+}
+
+BOOST_AUTO_TEST_CASE(bad_input)
+{
+  using namespace CGAL::Reeb_graph;
+  const Field_sample sample(Mesh_class::CLOSED, Field_class::PERMUTATION, 1);
+  const auto mesh = make_mesh<Surface_mesh>(sample.mesh);
+  auto values = sample.values;
+  const auto scalar_map = make_scalar_map(mesh, values);
+  BOOST_CHECK_THROW(simplify_field(mesh, scalar_map, -1, scalar_map), Threshold_error);
+  BOOST_CHECK_THROW(simplify_field(mesh, scalar_map, std::nan(""), scalar_map), Threshold_error);
+  values[0] = std::nan("");
+  BOOST_CHECK_THROW(simplify_field(mesh, make_scalar_map(mesh, values), 1, scalar_map), Unordered_scalar_error);
+  BOOST_TEST(simplify_field(mesh, scalar_map, 0, scalar_map) == 0);
+}
