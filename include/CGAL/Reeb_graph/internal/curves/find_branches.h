@@ -112,7 +112,7 @@ auto find_branches(const RankedMesh& ranked,
                       branch_weights(ranked, simple, thresholds));
   pruned(
     size, [&](const Leaf_arc& arc) { return !simple.is_border[arc.leaf]; },
-    [](double relative_size, std::size_t) { return relative_size < 1; });
+    [](double relative_size) { return relative_size < 1; }, [](Index) { return true; });
 
   const std::vector<arc_descriptor> graph_arcs(edges(graph).first, edges(graph).second);
   std::vector<Arc_path<arc_descriptor>> branches;

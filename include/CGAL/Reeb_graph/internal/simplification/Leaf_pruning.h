@@ -12,13 +12,10 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/simplification/Leaf_queue.h>
 
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <numeric>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -58,46 +55,48 @@ public:
   };
 
   // By place, how much each weighs.
-  Leaf_pruning(Index number_of_nodes, std::vector<Arc> arcs, const std::vector<double>& weights)
+  Leaf_pruning(Index number_of_nodes, const std::vector<Arc>& arcs, const std::vector<double>& weights)
     : number_of_nodes_(number_of_nodes),
-      arcs_(std::move(arcs)),
-      taken_up_(number_of_nodes + arcs_.size()),
       nodes_(number_of_nodes),
-      owners_(number_of_nodes + arcs_.size()),
-      next_pieces_(arcs_.size(), no_index),
-      last_pieces_(arcs_.size())
+      places_(number_of_nodes + arcs.size())
   {
-    for(Index place = 0; place != taken_up_.size(); ++place)
-      taken_up_[place].weight = weights[place];
-    for(Index node = 0; node != number_of_nodes; ++node)
-      taken_up_[node].lowest = taken_up_[node].highest = node;
-    std::iota(owners_.begin(), owners_.end(), Index(0));
-    std::iota(last_pieces_.begin(), last_pieces_.end(), Index(0));
-    for(Index arc = 0; arc != arcs_.size(); ++arc)
+    for(Index place = 0; place != places_.size(); ++place)
     {
-      nodes_[arcs_[arc].lower].add(upper_side, arc);
-      nodes_[arcs_[arc].upper].add(lower_side, arc);
+      const bool is_node = place < number_of_nodes;
+      places_[place] = {place, {weights[place], is_node ? place : Index(no_index), is_node ? place : 0}};
+    }
+    arcs_.reserve(arcs.size());
+    for(const Arc& arc : arcs)
+    {
+      const Index number = number_of_arcs();
+      arcs_.push_back({arc, no_index, number});
+      nodes_[arc.lower].add(upper_side, number);
+      nodes_[arc.upper].add(lower_side, number);
     }
     for(Index node = 0; node != number_of_nodes; ++node)
       number_of_leaves_ += is_leaf(node) ? 1 : 0;
   }
 
-  // `measure(leaf arc)` is a number, `can_be_removed(leaf arc)` whether it may be, and `goes_on(measure, number of leaves)`
-  // whether the arc of that measure is to be removed.
-  template <class Measure, class CanBeRemoved, class GoesOn>
-  void operator()(const Measure& measure, const CanBeRemoved& can_be_removed, const GoesOn& goes_on)
+  // `measure(leaf arc)` is a number, `can_be_removed(leaf arc)` whether it may be, `is_small(measure)` whether an arc of
+  // that measure is to be removed, and `goes_on(number of leaves)` whether there are still so many leaves.
+  template <class Measure, class CanBeRemoved, class IsSmall, class GoesOn>
+  void operator()(const Measure& measure,
+                  const CanBeRemoved& can_be_removed,
+                  const IsSmall& is_small,
+                  const GoesOn& goes_on)
   {
-    typedef std::pair<double, Index> Sized_leaf;
-    std::priority_queue<Sized_leaf, std::vector<Sized_leaf>, std::greater<Sized_leaf>> queue;
-    std::vector<double> measures(number_of_nodes_); // stale entries of the queue have another one
+    Leaf_queue queue(number_of_nodes_);
     const auto consider = [&](Index node) {
       if(!is_left(node) || !is_leaf(node) || !is_branch(node))
         return;
       const Leaf_arc leaf_arc = leaf_arc_of(node);
       if(!can_be_removed(leaf_arc))
         return;
-      measures[node] = measure(leaf_arc);
-      queue.emplace(measures[node], node);
+      const double size = measure(leaf_arc);
+      if(is_small(size))
+        queue.push(size, node);
+      else
+        queue.drop(node);
     };
     for(Index node = 0; node != number_of_nodes_; ++node)
     {
@@ -106,15 +105,11 @@ public:
     }
     for(Index node = 0; node != number_of_nodes_; ++node)
       consider(node);
-    while(!queue.empty())
+    queue.sort();
+    for(Index leaf = queue.pop(); leaf != no_index && goes_on(number_of_leaves_); leaf = queue.pop())
     {
-      const auto [size, leaf] = queue.top();
-      queue.pop();
-      if(!is_left(leaf) || !is_leaf(leaf) || measures[leaf] != size || !is_branch(leaf))
-        continue;
-      if(!goes_on(size, number_of_leaves_))
-        return;
-      remove(leaf, consider);
+      if(is_left(leaf) && is_leaf(leaf) && is_branch(leaf))
+        remove(leaf, consider);
     }
   }
 
@@ -122,10 +117,10 @@ public:
   // left with one arc below and one above are joined the next time that leaf arcs are removed.
   void remove_arc(Index arc, Index owner)
   {
-    nodes_[arcs_[arc].lower].remove(upper_side, arc);
-    nodes_[arcs_[arc].upper].remove(lower_side, arc);
+    nodes_[arcs_[arc].ends.lower].remove(upper_side, arc);
+    nodes_[arcs_[arc].ends.upper].remove(lower_side, arc);
     take_up(place_of_arc(arc), owner);
-    for(const Index node : {arcs_[arc].lower, arcs_[arc].upper})
+    for(const Index node : {arcs_[arc].ends.lower, arcs_[arc].ends.upper})
       number_of_leaves_ += is_leaf(node) ? 1 : 0;
   }
 
@@ -133,8 +128,8 @@ public:
   Index number_of_arcs() const { return static_cast<Index>(arcs_.size()); }
 
   // Whether a place is one of the graph that is left.
-  bool is_left(Index place) const { return owners_[place] == place; }
-  const Arc& arc(Index arc) const { return arcs_[arc]; }
+  bool is_left(Index place) const { return places_[place].owner == place; }
+  const Arc& arc(Index arc) const { return arcs_[arc].ends; }
   Index place_of_arc(Index arc) const { return number_of_nodes_ + arc; }
   Index in_degree(Index node) const { return nodes_[node].degrees[lower_side]; }
   Index out_degree(Index node) const { return nodes_[node].degrees[upper_side]; }
@@ -144,8 +139,8 @@ public:
   Index arc_of_leaf(Index leaf) const { return nodes_[leaf].arcs[is_minimum(leaf) ? upper_side : lower_side]; }
   Leaf_arc leaf_arc_of(Index leaf) const
   {
-    Content content = taken_up_[leaf];
-    content.add(taken_up_[place_of_arc(arc_of_leaf(leaf))]);
+    Content content = places_[leaf].content;
+    content.add(places_[place_of_arc(arc_of_leaf(leaf))].content);
     return {leaf, saddle_of_leaf(leaf), is_minimum(leaf), content.weight, content.lowest, content.highest};
   }
 
@@ -156,7 +151,7 @@ public:
   template <class Visit>
   void for_each_piece(Index arc, const Visit& visit) const
   {
-    for(Index piece = arc; piece != no_index; piece = next_pieces_[piece])
+    for(Index piece = arc; piece != no_index; piece = arcs_[piece].next_piece)
       visit(piece);
   }
 
@@ -203,7 +198,7 @@ private:
 
   Index saddle_of_leaf(Index leaf) const
   {
-    const Arc& arc = arcs_[arc_of_leaf(leaf)];
+    const Arc& arc = arcs_[arc_of_leaf(leaf)].ends;
     return is_minimum(leaf) ? arc.upper : arc.lower;
   }
 
@@ -216,7 +211,7 @@ private:
   struct Content
   {
     double weight;
-    Index lowest = no_index, highest = 0; // of the nodes
+    Index lowest, highest; // of the nodes
 
     void add(const Content& other)
     {
@@ -228,8 +223,8 @@ private:
 
   void take_up(Index place, Index owner)
   {
-    owners_[place] = owner;
-    taken_up_[owner].add(taken_up_[place]);
+    places_[place].owner = owner;
+    places_[owner].content.add(places_[place].content);
   }
 
   template <class Consider>
@@ -259,41 +254,52 @@ private:
     const Index below = nodes_[node].arcs[lower_side], above = nodes_[node].arcs[upper_side];
     take_up(node, place_of_arc(below));
     take_up(place_of_arc(above), place_of_arc(below));
-    next_pieces_[last_pieces_[below]] = above;
-    last_pieces_[below] = last_pieces_[above];
-    arcs_[below].upper = arcs_[above].upper;
+    arcs_[arcs_[below].last_piece].next_piece = above;
+    arcs_[below].last_piece = arcs_[above].last_piece;
+    arcs_[below].ends.upper = arcs_[above].ends.upper;
     nodes_[node] = Node();
-    nodes_[arcs_[above].upper].arcs[lower_side] ^= above ^ below;
-    return arcs_[below];
+    nodes_[arcs_[below].ends.upper].arcs[lower_side] ^= above ^ below;
+    return arcs_[below].ends;
   }
 
   // By place, what choose(owner, result of the owner) gives; no_index for a place that is left.
   template <class Choose>
   std::vector<Index> follow_owners(const Choose& choose) const
   {
-    std::vector<Index> results(owners_.size(), no_index), path;
-    std::vector<bool> is_known(owners_.size(), false);
-    for(Index first = 0; first != owners_.size(); ++first)
+    std::vector<Index> results(places_.size(), no_index), path;
+    std::vector<bool> is_known(places_.size(), false);
+    for(Index first = 0; first != places_.size(); ++first)
     {
-      for(Index place = first; !is_known[place] && !is_left(place); place = owners_[place])
+      for(Index place = first; !is_known[place] && !is_left(place); place = places_[place].owner)
         path.push_back(place);
       for(; !path.empty(); path.pop_back())
       {
         const Index place = path.back();
-        results[place] = choose(owners_[place], results[owners_[place]]);
+        results[place] = choose(places_[place].owner, results[places_[place].owner]);
         is_known[place] = true;
       }
     }
     return results;
   }
 
+  struct Arc_record
+  {
+    Arc ends;
+    Index next_piece; // of the arc that this one has become part of
+    Index last_piece; // of this arc
+  };
+
+  struct Place
+  {
+    Index owner; // itself, if it is left
+    Content content;
+  };
+
   Index number_of_nodes_;
   Index number_of_leaves_ = 0;
-  std::vector<Arc> arcs_;         // those that have been joined are the lowest of them
-  std::vector<Content> taken_up_; // by place
+  std::vector<Arc_record> arcs_; // those that have been joined are the lowest of them
   std::vector<Node> nodes_;
-  std::vector<Index> owners_;
-  std::vector<Index> next_pieces_, last_pieces_; // by arc: what it consists of
+  std::vector<Place> places_;
 };
 
 } // namespace internal

@@ -91,9 +91,11 @@ Leaf_pruning prune_graph(const ReebGraph& graph, double threshold, const NamedPa
 
   Leaf_pruning pruned(static_cast<Index>(num_vertices(graph)), read_arcs(graph),
                       read_piece_weights(num_vertices(graph) + num_edges(graph), np));
-  const auto difference = [&](Index lower, Index upper) {
-    return persistence(node_value(graph, lower), node_value(graph, upper));
-  };
+  std::vector<double> values;
+  values.reserve(num_vertices(graph));
+  for(std::size_t node = 0; node != num_vertices(graph); ++node)
+    values.push_back(node_value(graph, node));
+  const auto difference = [&](Index lower, Index upper) { return persistence(values[lower], values[upper]); };
   const auto measure = [&](const Leaf_arc& arc) {
     const double size = persistence_of_leaf_arc(arc, difference);
     return measure_of_branch(Branch{arc.leaf, arc.saddle, arc.is_minimum, size, arc.weight}, np);
@@ -101,7 +103,8 @@ Leaf_pruning prune_graph(const ReebGraph& graph, double threshold, const NamedPa
   const auto prune = [&] {
     pruned(
       measure, [](const Leaf_arc&) { return true; },
-      [&](double size, Index number) { return (size < threshold || std::isinf(threshold)) && number > leaves; });
+      [&](double size) { return size < threshold || std::isinf(threshold); },
+      [&](Index number) { return number > leaves; });
   };
   prune();
   const auto is_small = [&](Index split, Index join) { return difference(split, join) < threshold; };

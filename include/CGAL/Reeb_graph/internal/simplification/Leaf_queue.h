@@ -1,0 +1,85 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SIMPLIFICATION_LEAF_QUEUE_H
+#define CGAL_REEB_GRAPH_INTERNAL_SIMPLIFICATION_LEAF_QUEUE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Leaves by their measures, from the least one. A leaf that is pushed again has a new measure. Those that are there at
+// first are sorted, and only later ones are in a heap: a sweep over memory instead of jumps.
+class Leaf_queue
+{
+public:
+  explicit Leaf_queue(Index number_of_nodes) : measures_(number_of_nodes) {}
+
+  void push(double measure, Index leaf)
+  {
+    measures_[leaf] = measure;
+    if(is_sorted_)
+      later_.emplace(measure, leaf);
+    else
+      first_.emplace_back(measure, leaf);
+  }
+
+  // A leaf whose new measure does not matter any more.
+  void drop(Index leaf) { measures_[leaf] = std::numeric_limits<double>::quiet_NaN(); }
+
+  // To be called once, before the first pop().
+  void sort()
+  {
+    std::sort(first_.begin(), first_.end());
+    is_sorted_ = true;
+  }
+
+  // no_index if there is none
+  Index pop()
+  {
+    while(next_ != first_.size() || !later_.empty())
+    {
+      const bool is_first = later_.empty() || (next_ != first_.size() && first_[next_] < later_.top());
+      const auto [measure, leaf] = is_first ? first_[next_] : later_.top();
+      if(is_first)
+        ++next_;
+      else
+        later_.pop();
+      if(measures_[leaf] == measure)
+        return leaf;
+    }
+    return no_index;
+  }
+
+private:
+  typedef std::pair<double, Index> Sized_leaf;
+
+  std::vector<double> measures_; // the last ones
+  std::vector<Sized_leaf> first_;
+  std::size_t next_ = 0;
+  bool is_sorted_ = false;
+  std::priority_queue<Sized_leaf, std::vector<Sized_leaf>, std::greater<Sized_leaf>> later_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_SIMPLIFICATION_LEAF_QUEUE_H
