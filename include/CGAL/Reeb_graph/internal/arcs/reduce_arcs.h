@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/arcs/Arc_order.h>
 #include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/arcs/Tie_groups.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
@@ -32,8 +33,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Makes nodes and arcs of the critical vertices and the arcs between them. A group of critical
-// vertices is a node, unless one arc enters it and one leaves it.
+// Makes nodes and arcs of the critical vertices and the arcs between them. A group of critical vertices is a node, unless
+// one arc enters it and one leaves it.
 template <class ConcurrencyTag, class Complex, class Order>
 class Arc_reduction
 {
@@ -201,7 +202,7 @@ private:
     {
       const Swept_index critical = arcs_[i].upper_vertex();
       const Node_index node = graph_.node_of_critical[critical];
-      const bool is_piece_ended = node != no_index || (groups_.is_on_plateau(critical));
+      const bool is_piece_ended = node != no_index || groups_.is_on_plateau(critical);
       if(is_piece_ended)
         add_piece(Chain_piece{first_step, critical_vertices_.vertex(critical)});
       if(node != no_index)
@@ -221,28 +222,9 @@ private:
       first_pieces[i] = first_piece;
   }
 
-  Vertex_index first_vertex(const Ascending_step& step) const
-  {
-    const Vertex_index source = complex_.source(step.edge);
-    return source == step.target ? complex_.target(step.edge) : source;
-  }
-
-  // Halfedges count only if there are several between two vertices: meshes number them in different ways.
-  bool is_step_before(const Ascending_step& a, const Ascending_step& b) const
-  {
-    if(a.target != b.target)
-      return order_(a.target, b.target);
-    const Vertex_index first_of_a = first_vertex(a), first_of_b = first_vertex(b);
-    return first_of_a != first_of_b ? order_(first_of_a, first_of_b) : a.edge < b.edge;
-  }
-
   void sort_arcs_of_nodes()
   {
-    const auto is_before = [&](const Flat_arc& a, const Flat_arc& b) {
-      return a.upper != b.upper
-             ? a.upper < b.upper
-             : is_step_before(graph_.pieces[a.first_piece].first_step, graph_.pieces[b.first_piece].first_step);
-    };
+    const Arc_order is_before(complex_, order_, graph_.pieces);
     for_each_block<ConcurrencyTag>(graph_.nodes.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t node = begin; node != end; ++node)
       {
