@@ -10,6 +10,7 @@
 // beside two floors that are measured in the same run: std::sort of (value, index) pairs, and one sweep over the
 // faces as flat triangles. Then how the time grows with the mesh. All surfaces are generated.
 
+#include "simplification_table.h"
 #include "tables.h"
 
 #ifdef CGAL_REEB_GRAPH_BENCHMARK_VTK
@@ -26,7 +27,7 @@
 int main(int argc, char* argv[])
 {
   benchmark::Options options;
-  std::vector<std::string> tables = {"comparison", "growth"};
+  std::vector<std::string> tables = {"comparison", "simplification", "growth"};
   CLI::App app("Times and memory of Reeb graphs, beside sorting the field and sweeping over the faces");
   const auto add_list = [&](const std::string& name, auto& list, const std::string& description) {
     return app.add_option(name, list, description)->delimiter(',')->capture_default_str();
@@ -64,6 +65,8 @@ int main(int argc, char* argv[])
   };
   if(is_wanted("comparison"))
     benchmark::print_comparison_and_stages(options);
+  if(is_wanted("simplification"))
+    benchmark::print_simplification(options);
   if(is_wanted("growth"))
     benchmark::print_growth(options);
 #ifdef CGAL_REEB_GRAPH_BENCHMARK_VTK
