@@ -116,12 +116,13 @@ auto find_branches(const RankedMesh& ranked,
 
   const std::vector<arc_descriptor> graph_arcs(edges(graph).first, edges(graph).second);
   std::vector<Arc_path<arc_descriptor>> branches;
-  for(Index node = 0; node != pruned.number_of_nodes(); ++node)
+  for(Index arc = 0; arc != pruned.number_of_arcs(); ++arc)
   {
-    if(!pruned.is_leaf(node) || simple.is_border[node])
+    const auto [lower, upper] = pruned.arc(arc);
+    if(!pruned.is_left(pruned.place_of_arc(arc)) || pruned.is_leaf(lower) == pruned.is_leaf(upper))
       continue;
-    const Leaf_arc leaf_arc = pruned.leaf_arc_of(node);
-    if(!pruned.is_leaf(leaf_arc.saddle) && size(leaf_arc) >= 1)
+    const Leaf_arc leaf_arc = pruned.leaf_arc_of(pruned.is_leaf(lower) ? lower : upper);
+    if(!simple.is_border[leaf_arc.leaf] && size(leaf_arc) >= 1)
       branches.push_back(path_of_branch(pruned, leaf_arc, graph_arcs));
   }
   return branches;
