@@ -403,8 +403,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_contours_lie_on_their_edges, Mesh, Meshe
       for(std::size_t i = 0; i < points.size(); ++i)
       {
         const auto& p = points[i];
-        const auto& lower = get(points_of_vertices, source(contour.halfedges[i], mesh));
-        const auto& upper = get(points_of_vertices, target(contour.halfedges[i], mesh));
+        const auto lower = get(points_of_vertices, source(contour.halfedges[i], mesh));
+        const auto upper = get(points_of_vertices, target(contour.halfedges[i], mesh));
         BOOST_TEST(std::abs(0.9 * p.x() + 0.3 * p.y() + 0.2 * p.z() - contour.value) < 1e-9);
         const double detour = std::sqrt(CGAL::squared_distance(lower, p)) + std::sqrt(CGAL::squared_distance(p, upper))
                             - std::sqrt(CGAL::squared_distance(lower, upper));
