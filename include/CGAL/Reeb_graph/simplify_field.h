@@ -47,7 +47,7 @@ namespace Reeb_graph {
 ///
 /// On the subject, see U. Bauer, C. Lange, M. Wardetzky, *Optimal Topological Simplification of Discrete Functions on
 /// Surfaces*, 2012, and J. Tierny, V. Pascucci, *Generalized Topological Simplification of Scalar Fields on Surfaces*, 2012.
-/// It takes the time of `compute_reeb_graph()` three times, and that of `Augmentation::locate_vertices()`.
+/// It takes the time of `compute_reeb_graph()` twice, that of `Augmentation::locate_vertices()`, and near-linear time.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph` with dynamic property maps
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value type

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/simplification/Leaf_arc.h>
 #include <CGAL/Reeb_graph/internal/simplification/Leaf_queue.h>
 
 #include <algorithm>
@@ -21,23 +22,6 @@
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
-
-// A leaf arc that could be removed.
-struct Leaf_arc
-{
-  Index leaf, saddle;    // its nodes
-  bool is_minimum;       // whether the leaf is the lower one of them
-  double weight;         // of the leaf, of the arc, and of all that they have taken up
-  Index lowest, highest; // of the leaf and the nodes that have been taken up
-};
-
-// The largest difference between the value at the saddle of a leaf arc and one in the branch that it stands for.
-// `difference` gives the absolute difference between two nodes.
-template <class Difference>
-double persistence_of_leaf_arc(const Leaf_arc& arc, const Difference& difference)
-{
-  return (std::max)(difference(arc.lowest, arc.saddle), difference(arc.saddle, arc.highest));
-}
 
 // Removes leaf arcs from a graph, the one of least measure first; of equal ones the one whose leaf has the lower number.
 // What is removed is taken up by the saddle at which it was. A node that is left with one arc below and one above is

@@ -1,0 +1,43 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SIMPLIFICATION_LEAF_ARC_H
+#define CGAL_REEB_GRAPH_INTERNAL_SIMPLIFICATION_LEAF_ARC_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// A leaf arc that could be removed.
+struct Leaf_arc
+{
+  Index leaf, saddle;    // its nodes
+  bool is_minimum;       // whether the leaf is the lower one of them
+  double weight;         // of the leaf, of the arc, and of all that they have taken up
+  Index lowest, highest; // of the leaf and the nodes that have been taken up
+};
+
+// The largest difference between the value at the saddle of a leaf arc and one in the branch that it stands for.
+// `difference` gives the absolute difference between two nodes.
+template <class Difference>
+double persistence_of_leaf_arc(const Leaf_arc& arc, const Difference& difference)
+{
+  return (std::max)(difference(arc.lowest, arc.saddle), difference(arc.saddle, arc.highest));
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_SIMPLIFICATION_LEAF_ARC_H
