@@ -8,6 +8,7 @@
 
 #include "base/threads.h"
 #include "commands/commands.h"
+#include "input/threshold_input.h"
 
 #include <CLI/CLI.hpp>
 
@@ -27,6 +28,7 @@ using reeb_graph_program::Field_options;
 using reeb_graph_program::Graph_options;
 using reeb_graph_program::Input_options;
 using reeb_graph_program::run_with_threads;
+using reeb_graph_program::Simplification_options;
 
 void add_input_options(CLI::App& command, Input_options& options)
 {
@@ -92,6 +94,17 @@ void add_graph_options(CLI::App& command, Graph_options& options)
     ->check(CLI::PositiveNumber);
 }
 
+void add_simplification_options(CLI::App& command, Simplification_options& options)
+{
+  command.add_option_function<std::string>(
+    "--simplify",
+    [&options](const std::string& text) { options.threshold = reeb_graph_program::parse_threshold(text); },
+    "Remove branches of the graph that are less persistent: X in units of the field, or P% of its range");
+  command.add_option("--leaves", options.number_of_leaves, "Remove branches until the graph has this many leaves")
+    ->check(CLI::NonNegativeNumber);
+  command.add_flag("--cancel-loops", options.are_loops_cancelled, "With --simplify: remove loops as well");
+}
+
 void add_compute_command(CLI::App& app, Compute_options& options)
 {
   CLI::App* command = app.add_subcommand("compute", "Compute the Reeb graph of a scalar field on a triangle mesh");
@@ -101,6 +114,13 @@ void add_compute_command(CLI::App& app, Compute_options& options)
   command->add_option("--graph", options.graph_path, "Write the graph to this file, .graphml or .dot");
   command->add_option("--vertex-arcs", options.vertex_arcs_path,
                       "Write to this file, for each vertex on a line, the arc or node of the graph that it belongs to");
+  command->add_option(
+    "--pairs", options.pairs_path,
+    "Write the pairs of extended persistence of the given graph to this file, .csv, or .pers for GUDHI");
+  command->add_option("--diagram", options.diagram_path, "Draw the persistence diagram of the given graph, .svg");
+  add_simplification_options(*command, options.simplification);
+  command->add_option("--simplified-scalars", options.simplified_scalars_path,
+                      "With --simplify or --leaves: write a field that has the simplified graph to this file");
   command->add_flag("--json", options.is_report_json, "Print the report as one JSON object");
   command->callback(
     [&options] { run_with_threads(options.graph.number_of_threads, [&options] { run_compute(options); }); });
@@ -111,19 +131,21 @@ void add_contour_command(CLI::App& app, Contour_options& options)
   CLI::App* command = app.add_subcommand("contour", "Write contours, the components of the level sets, as polylines");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
-  add_graph_options(*command, options.graph);
+  add_graph_options(*command, options.choice.graph);
+  add_simplification_options(*command, options.choice.simplification);
   CLI::Option_group* place = command->add_option_group("Place", "Which contours, one of");
   CLI::Option* arc =
-    place->add_option("--arc", options.arc, "The one of this arc, numbered from 0 in the order of the graph file")
+    place
+      ->add_option("--arc", options.choice.arc, "The one of this arc, numbered from 0 in the order of the graph file")
       ->check(CLI::NonNegativeNumber);
-  place->add_option("--level", options.level, "All those just above this value");
+  place->add_option("--level", options.choice.level, "All those just above this value");
   place->require_option(1);
-  CLI::Option* t = command->add_option("--t", options.t, "The place on the arc, between 0 (low) and 1 (high)");
+  CLI::Option* t = command->add_option("--t", options.choice.t, "The place on the arc, between 0 (low) and 1 (high)");
   arc->needs(t);
   t->needs(arc);
   command->add_option("--output", options.output_path, "Write the contours to this file, .polylines.txt")->required();
   command->callback(
-    [&options] { run_with_threads(options.graph.number_of_threads, [&options] { run_contour(options); }); });
+    [&options] { run_with_threads(options.choice.graph.number_of_threads, [&options] { run_contour(options); }); });
 }
 
 void add_curves_command(CLI::App& app, Curves_options& options)
@@ -133,6 +155,7 @@ void add_curves_command(CLI::App& app, Curves_options& options)
               "levels of the field");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
+  add_simplification_options(*command, options.simplification);
   const auto set_type = [&options](const std::string& name) {
     options.cut.type = name == "cutting-system" ? Curves_type::CUTTING_SYSTEM
                      : name == "pants"          ? Curves_type::PANTS

@@ -56,6 +56,23 @@ struct Cut_options
   bool is_cut_open = false;
 };
 
+// A threshold of the persistence of branches and loops, in units of the field or in percent of its range.
+struct Threshold
+{
+  double number = 0;
+  bool is_percentage = false;
+};
+
+// What is removed from the graph. Nothing is if neither a threshold nor a number of leaves is given.
+struct Simplification_options
+{
+  std::optional<Threshold> threshold;
+  std::optional<std::size_t> number_of_leaves;
+  bool are_loops_cancelled = false;
+
+  bool is_anything_removed() const { return threshold || number_of_leaves; }
+};
+
 inline auto named_parameters(const Graph_options& options)
 {
   namespace parameters = CGAL::parameters;

@@ -37,12 +37,21 @@ struct Graph_counts
   std::optional<long> hidden_handles; // of a connected surface without border: those that are no loop
 };
 
+struct Simplification_counts
+{
+  double threshold = 0; // infinite if only the number of leaves counts
+  Graph_counts graph;
+  std::optional<double> largest_change; // of the field, if that has been simplified
+};
+
 // What was found, and what it took.
 struct Report
 {
   Surface_counts surface;
   CGAL::Reeb_graph::Critical_vertex_counts critical_vertices;
   Graph_counts graph;
+  std::optional<Simplification_counts> simplification;
+  std::optional<double> suggested_threshold;
   std::vector<std::pair<std::string, double>> seconds; // in the order in which they were spent
 };
 

@@ -10,10 +10,9 @@
 #define CGAL_REEB_GRAPH_SRC_COMMANDS_H
 
 #include "base/options.h"
+#include "computation/augmentation.h"
 
-#include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <string>
 
 namespace reeb_graph_program {
@@ -21,24 +20,27 @@ struct Compute_options
 {
   Input_options input;
   Graph_options graph;
-  std::string graph_path;       // empty if no graph is written
-  std::string vertex_arcs_path; // empty if they are not written
+  Simplification_options simplification;
+  // Each path is empty if that file is not written.
+  std::string graph_path;
+  std::string vertex_arcs_path;
+  std::string pairs_path;
+  std::string diagram_path;
+  std::string simplified_scalars_path;
   bool is_report_json = false;
 };
 
 struct Contour_options
 {
   Input_options input;
-  Graph_options graph;
-  std::optional<std::size_t> arc; // if not given, all contours at the level
-  double t = 0;
-  double level = 0;
+  Contour_choice choice;
   std::string output_path;
 };
 
 struct Curves_options
 {
   Input_options input;
+  Simplification_options simplification;
   Cut_options cut;
   std::string curves_path; // empty if they are not written
   std::string cut_mesh_path;

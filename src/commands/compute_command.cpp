@@ -6,40 +6,135 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "base/report.h"
 #include "base/stopwatch.h"
 #include "commands/commands.h"
 #include "computation/analysis.h"
 #include "computation/augmentation.h"
+#include "computation/simplification.h"
+#include "computation/simplified_field.h"
 #include "input/field_input.h"
+#include "output/diagram_output.h"
 #include "output/graph_output.h"
+#include "output/mesh_output.h"
 #include "output/output_file.h"
+#include "output/pairs_output.h"
 #include "output/report_output.h"
 
+#include <CGAL/Reeb_graph/fields/exceptions.h>
+
 #include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace reeb_graph_program {
-void run_compute(const Compute_options& options)
+namespace {
+void check(const Compute_options& options)
 {
   if(!options.graph_path.empty())
     check_graph_format(options.graph_path);
-  check_distinct_paths({options.graph_path, options.vertex_arcs_path});
+  if(!options.pairs_path.empty())
+    check_pairs_format(options.pairs_path);
+  if(!options.diagram_path.empty())
+    check_diagram_format(options.diagram_path);
+  check_distinct_paths({options.graph_path, options.vertex_arcs_path, options.pairs_path, options.diagram_path,
+                        options.simplified_scalars_path});
+  check_simplification_options(options.simplification);
+  if(options.simplified_scalars_path.empty())
+    return;
+  if(!options.simplification.is_anything_removed())
+    throw std::runtime_error("--simplified-scalars goes with --simplify or --leaves only");
+  check_simplification_of_field(options.simplification);
+}
 
+// The pairs are found if they are asked for: those of the given graph.
+void write_pairs_and_diagram(const Compute_options& options,
+                             const Graph& graph,
+                             const Surface& surface,
+                             double threshold,
+                             Report& report)
+{
+  if(options.pairs_path.empty() && options.diagram_path.empty() && !options.is_report_json)
+    return;
+  const Stopwatch stopwatch;
+  const std::vector<Persistence_pair> pairs = find_persistence_pairs(graph);
+  report.suggested_threshold = suggest_threshold(graph, pairs);
+  report.seconds.emplace_back("pairs", stopwatch.seconds());
+  if(!options.pairs_path.empty())
+    write_pairs(options.pairs_path, graph, pairs, surface);
+  if(!options.diagram_path.empty())
+    write_diagram(options.diagram_path, graph, pairs,
+                  options.simplification.threshold ? std::optional<double>(threshold) : std::nullopt);
+}
+
+void write_files(const Compute_options& options,
+                 const Simplified_graph& graph,
+                 const Surface& surface,
+                 Scalar_map scalar_map,
+                 Report& report)
+{
+  if(options.graph_path.empty() && options.vertex_arcs_path.empty())
+    return;
+  const Stopwatch stopwatch;
+  if(!options.vertex_arcs_path.empty())
+    write_vertex_arcs(options.vertex_arcs_path,
+                      locate_vertices(surface, graph.augmentation(surface, scalar_map, options.graph)),
+                      num_vertices(graph.result()));
+  if(!options.graph_path.empty())
+    write_graph(options.graph_path, graph.result(), surface);
+  report.seconds.emplace_back("output", stopwatch.seconds());
+}
+
+void write_simplified_field(const Compute_options& options,
+                            Surface& surface,
+                            Scalar_map scalar_map,
+                            double threshold,
+                            Report& report)
+{
+  if(options.simplified_scalars_path.empty())
+    return;
+  const Stopwatch stopwatch;
+  const Scalar_map simplified_map = surface.add_property_map<Surface::Vertex_index, double>("v:simplified").first;
+  try
+  {
+    report.simplification->largest_change = compute_simplified_field(surface, scalar_map, options.simplification,
+                                                                     threshold, options.graph.ties, simplified_map);
+  }
+  catch(const CGAL::Reeb_graph::Scalar_resolution_error& error)
+  {
+    throw std::runtime_error(std::string(error.what()) + "; with --ties contract none are needed");
+  }
+  write_scalars(options.simplified_scalars_path, surface, simplified_map);
+  report.seconds.emplace_back("simplified field", stopwatch.seconds());
+}
+
+} // namespace
+
+void run_compute(const Compute_options& options)
+{
+  check(options);
   Report report;
   const Stopwatch read_stopwatch;
   Surface surface = read_surface(options.input);
   const Scalar_map scalar_map = add_field(options.input, surface);
   report.seconds.emplace_back("read", read_stopwatch.seconds());
 
-  const Graph graph = compute_and_time(surface, scalar_map, options.graph, report);
-  count_all(surface, graph, report);
-  const Stopwatch output_stopwatch;
-  if(!options.vertex_arcs_path.empty())
-    write_vertex_arcs(options.vertex_arcs_path, locate_vertices(surface, scalar_map, graph, options.graph),
-                      num_vertices(graph));
-  if(!options.graph_path.empty())
-    write_graph(options.graph_path, graph, surface);
-  if(!options.graph_path.empty() || !options.vertex_arcs_path.empty())
-    report.seconds.emplace_back("output", output_stopwatch.seconds());
+  const double threshold = threshold_in_units(options.simplification, surface, scalar_map);
+  const Graph given = compute_and_time(surface, scalar_map, options.graph, report);
+  const Stopwatch simplify_stopwatch;
+  const Simplified_graph graph(given, options.simplification, threshold);
+  const double simplify_seconds = simplify_stopwatch.seconds();
+  count_all(surface, given, report);
+  if(options.simplification.is_anything_removed())
+  {
+    report.seconds.emplace_back("simplify", simplify_seconds);
+    count_simplified(graph.result(), threshold, report);
+  }
+  write_simplified_field(options, surface, scalar_map, threshold, report);
+  write_pairs_and_diagram(options, given, surface, threshold, report);
+  write_files(options, graph, surface, scalar_map, report);
   if(options.is_report_json)
     write_json(std::cout, report);
   else

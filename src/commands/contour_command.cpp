@@ -14,32 +14,22 @@
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
-#include <string>
+#include <vector>
 
 namespace reeb_graph_program {
-namespace {
-std::vector<Polyline> find_contours(const Contour_options& options)
-{
-  Surface surface = read_surface(options.input);
-  const Scalar_map scalar_map = add_field(options.input, surface);
-  if(options.arc)
-    return contour_of_arc(surface, scalar_map, options.graph, *options.arc, options.t);
-  const auto polylines = contours_at_level(surface, scalar_map, options.graph, options.level);
-  if(polylines.empty())
-  {
-    std::ostringstream message;
-    message << "there is no contour at the level " << options.level;
-    throw std::runtime_error(message.str());
-  }
-  return polylines;
-}
-
-} // namespace
-
 void run_contour(const Contour_options& options)
 {
   check_polylines_format(options.output_path);
-  const std::vector<Polyline> polylines = find_contours(options);
+  check_simplification_options(options.choice.simplification);
+  Surface surface = read_surface(options.input);
+  const Scalar_map scalar_map = add_field(options.input, surface);
+  const std::vector<Polyline> polylines = find_contours(surface, scalar_map, options.choice);
+  if(polylines.empty())
+  {
+    std::ostringstream message;
+    message << "there is no contour at the level " << options.choice.level;
+    throw std::runtime_error(message.str());
+  }
   write_polylines(options.output_path, polylines);
   std::cout << polylines.size() << (polylines.size() == 1 ? " contour\n" : " contours\n");
 }

@@ -8,6 +8,8 @@
 
 #include "commands/commands.h"
 #include "computation/curves.h"
+#include "computation/simplification.h"
+#include "computation/simplified_field.h"
 #include "input/field_input.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
@@ -73,9 +75,15 @@ void run_curves(const Curves_options& options)
 {
   check_thresholds(options.cut);
   check_formats(options);
+  check_simplification_options(options.simplification);
+  check_simplification_of_field(options.simplification);
   check_distinct_paths({options.curves_path, options.cut_mesh_path, options.patches_path});
   Surface surface = read_surface(options.input);
   const Scalar_map scalar_map = add_field(options.input, surface);
+  if(options.simplification.is_anything_removed())
+    compute_simplified_field(surface, scalar_map, options.simplification,
+                             threshold_in_units(options.simplification, surface, scalar_map),
+                             CGAL::Reeb_graph::Ties::PERTURB, scalar_map);
   const Cut_result result = cut_along_curves(surface, scalar_map, options.cut);
   if(!options.curves_path.empty())
     write_polylines(options.curves_path, result.polylines);

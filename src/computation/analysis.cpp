@@ -66,6 +66,15 @@ Surface_counts count_surface(const Surface& surface, std::size_t number_of_isola
   return counts;
 }
 
+Graph_counts count_graph(const Graph& graph, std::size_t number_of_components)
+{
+  Graph_counts counts;
+  counts.nodes = num_vertices(graph);
+  counts.arcs = num_edges(graph);
+  counts.loops = counts.arcs + number_of_components - counts.nodes;
+  return counts;
+}
+
 } // namespace
 
 Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report)
@@ -85,11 +94,14 @@ Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Grap
 void count_all(const Surface& surface, const Graph& graph, Report& report)
 {
   report.surface = count_surface(surface, report.critical_vertices.isolated);
-  report.graph.nodes = num_vertices(graph);
-  report.graph.arcs = num_edges(graph);
-  report.graph.loops = report.graph.arcs + report.surface.components - report.graph.nodes;
+  report.graph = count_graph(graph, report.surface.components);
   if(report.surface.genus && report.surface.border_loops == 0)
     report.graph.hidden_handles = *report.surface.genus - static_cast<long>(report.graph.loops);
+}
+
+void count_simplified(const Graph& simplified, double threshold, Report& report)
+{
+  report.simplification = Simplification_counts{threshold, count_graph(simplified, report.surface.components), {}};
 }
 
 } // namespace reeb_graph_program

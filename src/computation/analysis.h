@@ -20,6 +20,9 @@ Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Grap
 // Counts what the report tells of the surface and of the graph.
 void count_all(const Surface& surface, const Graph& graph, Report& report);
 
+// Adds what the report tells of the simplified graph, behind count_all().
+void count_simplified(const Graph& simplified, double threshold, Report& report);
+
 } // namespace reeb_graph_program
 
 #endif // CGAL_REEB_GRAPH_SRC_ANALYSIS_H

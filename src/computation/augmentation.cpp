@@ -10,7 +10,6 @@
 
 #include "base/progress_bar.h"
 
-#include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <functional>
@@ -20,8 +19,6 @@
 
 namespace reeb_graph_program {
 namespace {
-typedef CGAL::Reeb_graph::Augmentation<Surface, Scalar_map> Augmentation;
-
 Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options)
 {
   Graph graph;
@@ -41,14 +38,27 @@ Polyline make_polyline(const Augmentation& augmentation, const Augmentation::Con
   return polyline;
 }
 
+std::vector<Polyline> contour_of_arc(const Graph& graph, const Augmentation& augmentation, std::size_t arc, double t)
+{
+  if(arc >= num_edges(graph))
+    throw std::runtime_error("there is no arc " + std::to_string(arc) + ": the graph has "
+                             + std::to_string(num_edges(graph)) + ", numbered from 0");
+  const auto descriptor = *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(arc));
+  return {make_polyline(augmentation, augmentation.contour(descriptor, t))};
+}
+
+std::vector<Polyline> contours_at_level(const Augmentation& augmentation, double level)
+{
+  std::vector<Polyline> polylines;
+  for(const auto& contour : augmentation.contours_at_value<CGAL::Parallel_if_available_tag>(level))
+    polylines.push_back(make_polyline(augmentation, contour));
+  return polylines;
+}
+
 } // namespace
 
-std::vector<std::size_t> locate_vertices(const Surface& surface,
-                                         Scalar_map scalar_map,
-                                         const Graph& graph,
-                                         const Graph_options& options)
+std::vector<std::size_t> locate_vertices(const Surface& surface, const Augmentation& augmentation)
 {
-  const Augmentation augmentation(surface, scalar_map, graph, named_parameters(options));
   const auto locations = augmentation.locate_vertices<CGAL::Parallel_if_available_tag>();
   std::vector<std::size_t> places;
   places.reserve(surface.number_of_vertices());
@@ -57,32 +67,14 @@ std::vector<std::size_t> locate_vertices(const Surface& surface,
   return places;
 }
 
-std::vector<Polyline> contour_of_arc(const Surface& surface,
-                                     Scalar_map scalar_map,
-                                     const Graph_options& options,
-                                     std::size_t arc,
-                                     double t)
+std::vector<Polyline> find_contours(const Surface& surface, Scalar_map scalar_map, const Contour_choice& choice)
 {
-  const Graph graph = compute_graph(surface, scalar_map, options);
-  if(arc >= num_edges(graph))
-    throw std::runtime_error("there is no arc " + std::to_string(arc) + ": the graph has "
-                             + std::to_string(num_edges(graph)) + ", numbered from 0");
-  const Augmentation augmentation(surface, scalar_map, graph, named_parameters(options));
-  const auto descriptor = *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(arc));
-  return {make_polyline(augmentation, augmentation.contour(descriptor, t))};
-}
-
-std::vector<Polyline> contours_at_level(const Surface& surface,
-                                        Scalar_map scalar_map,
-                                        const Graph_options& options,
-                                        double level)
-{
-  const Graph graph = compute_graph(surface, scalar_map, options);
-  const Augmentation augmentation(surface, scalar_map, graph, named_parameters(options));
-  std::vector<Polyline> polylines;
-  for(const auto& contour : augmentation.contours_at_value<CGAL::Parallel_if_available_tag>(level))
-    polylines.push_back(make_polyline(augmentation, contour));
-  return polylines;
+  const Graph given = compute_graph(surface, scalar_map, choice.graph);
+  const Simplified_graph graph(given, choice.simplification,
+                               threshold_in_units(choice.simplification, surface, scalar_map));
+  const Augmentation augmentation = graph.augmentation(surface, scalar_map, choice.graph);
+  return choice.arc ? contour_of_arc(graph.result(), augmentation, *choice.arc, choice.t)
+                    : contours_at_level(augmentation, choice.level);
 }
 
 } // namespace reeb_graph_program

@@ -11,30 +11,30 @@
 
 #include "base/options.h"
 #include "base/surface.h"
+#include "computation/simplification.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace reeb_graph_program {
-// The place of each vertex in the graph that was computed with `options`: the number of a node, or, from the number of
-// nodes on, that of an arc. They are numbered as in the graph files.
-std::vector<std::size_t> locate_vertices(const Surface& surface,
-                                         Scalar_map scalar_map,
-                                         const Graph& graph,
-                                         const Graph_options& options);
+// The place of each vertex in the graph of the augmentation: the number of a node, or, from the number of nodes on, that
+// of an arc. They are numbered as in the graph files.
+std::vector<std::size_t> locate_vertices(const Surface& surface, const Augmentation& augmentation);
 
-// The contour of the arc number `arc` at the place `t` between 0 and 1. Throws an exception if there is none.
-std::vector<Polyline> contour_of_arc(const Surface& surface,
-                                     Scalar_map scalar_map,
-                                     const Graph_options& options,
-                                     std::size_t arc,
-                                     double t);
+// Which contours of which graph.
+struct Contour_choice
+{
+  Graph_options graph;
+  Simplification_options simplification;
+  std::optional<std::size_t>
+    arc; // its contour at the place `t` between 0 and 1; if not given, all contours at the level
+  double t = 0;
+  double level = 0;
+};
 
-// All contours at a level, none if no arc is alive there.
-std::vector<Polyline> contours_at_level(const Surface& surface,
-                                        Scalar_map scalar_map,
-                                        const Graph_options& options,
-                                        double level);
+// Throws std::runtime_error if there is no such arc. There is no contour at a level at which no arc is alive.
+std::vector<Polyline> find_contours(const Surface& surface, Scalar_map scalar_map, const Contour_choice& choice);
 
 } // namespace reeb_graph_program
 

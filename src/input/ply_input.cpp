@@ -7,6 +7,7 @@
 // Author(s)     : The Reeb_graph authors
 
 #include "input/mesh_formats.h"
+#include "input/ply_header.h"
 #include "input/text_input.h"
 
 #include <algorithm>
@@ -14,153 +15,15 @@
 #include <cctype>
 #include <cstdint>
 #include <cstring>
-#include <initializer_list>
 #include <iterator>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
 namespace {
-enum class Format
-{
-  ASCII,
-  BINARY_LITTLE_ENDIAN,
-  BINARY_BIG_ENDIAN
-};
-
-enum class Type
-{
-  INT8,
-  UINT8,
-  INT16,
-  UINT16,
-  INT32,
-  UINT32,
-  FLOAT32,
-  FLOAT64,
-  NONE
-};
-
-struct Property
-{
-  Type list_size_type = Type::NONE; // NONE if the property is a single number
-  Type type = Type::NONE;
-  std::string name;
-
-  bool is_list() const { return list_size_type != Type::NONE; }
-};
-
-struct Element
-{
-  std::string name;
-  std::size_t number = 0;
-  std::vector<Property> properties;
-
-  // The place of the first property that has one of the names, the number of properties if there is none.
-  std::size_t find(std::initializer_list<std::string_view> names) const
-  {
-    const auto is_named = [&](const Property& p) {
-      return std::find(names.begin(), names.end(), p.name) != names.end();
-    };
-    return static_cast<std::size_t>(std::find_if(properties.begin(), properties.end(), is_named) - properties.begin());
-  }
-};
-
-struct Header
-{
-  Format format = Format::ASCII;
-  std::vector<Element> elements;
-};
-
-bool is_integer(Type type) { return type < Type::FLOAT32; }
-
-Type read_type(Text_input& input)
-{
-  typedef std::pair<std::string_view, Type> Named_type;
-  static constexpr std::array<Named_type, 16> types = {{{"char", Type::INT8},
-                                                        {"int8", Type::INT8},
-                                                        {"uchar", Type::UINT8},
-                                                        {"uint8", Type::UINT8},
-                                                        {"short", Type::INT16},
-                                                        {"int16", Type::INT16},
-                                                        {"ushort", Type::UINT16},
-                                                        {"uint16", Type::UINT16},
-                                                        {"int", Type::INT32},
-                                                        {"int32", Type::INT32},
-                                                        {"uint", Type::UINT32},
-                                                        {"uint32", Type::UINT32},
-                                                        {"float", Type::FLOAT32},
-                                                        {"float32", Type::FLOAT32},
-                                                        {"double", Type::FLOAT64},
-                                                        {"float64", Type::FLOAT64}}};
-  const std::string_view word = input.word_of_line();
-  const auto type = std::find_if(types.begin(), types.end(), [&](const Named_type& t) { return t.first == word; });
-  if(type == types.end())
-    input.fail("'" + std::string(word) + "' is no type of a property");
-  return type->second;
-}
-
-Format read_format(Text_input& input)
-{
-  const std::string format(input.word_of_line());
-  if(format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
-    input.fail("'" + format + "' is no format of a PLY file");
-  return format == "ascii"                ? Format::ASCII
-       : format == "binary_little_endian" ? Format::BINARY_LITTLE_ENDIAN
-                                          : Format::BINARY_BIG_ENDIAN;
-}
-
-Element read_element(Text_input& input)
-{
-  Element element;
-  element.name = input.word_of_line();
-  element.number = input.number<std::size_t>(input.word_of_line());
-  return element;
-}
-
-Property read_property(Text_input& input)
-{
-  Property property;
-  if(input.next_word_of_line() == "list")
-  {
-    input.word_of_line();
-    property.list_size_type = read_type(input);
-    if(!is_integer(property.list_size_type))
-      input.fail("the size of a list is no integer");
-  }
-  property.type = read_type(input);
-  property.name = input.word_of_line();
-  if(property.name.empty())
-    input.fail("a property has no name");
-  return property;
-}
-
-Header read_header(Text_input& input)
-{
-  if(!input.next_line() || input.word_of_line() != "ply")
-    input.fail("the file does not begin as a PLY file");
-  Header header;
-  bool has_format = false;
-  while(input.next_line())
-  {
-    const std::string keyword(input.word_of_line());
-    if(keyword == "end_header" && has_format)
-      return header;
-    if(keyword == "format" && !has_format)
-    {
-      header.format = read_format(input);
-      has_format = true;
-    }
-    else if(keyword == "element")
-      header.elements.push_back(read_element(input));
-    else if(keyword == "property" && !header.elements.empty())
-      header.elements.back().properties.push_back(read_property(input));
-    else if(keyword != "comment" && keyword != "obj_info")
-      input.fail("'" + keyword + "' has no place here in the header of a PLY file");
-  }
-  input.fail("the header does not end");
-}
+using ply::Element;
+using ply::Format;
+using ply::Property;
+using ply::Type;
 
 // The numbers behind the header.
 class Data
@@ -290,7 +153,7 @@ void skip(const Element& element, Data& data)
 Polygon_soup read_ply(const std::string& path)
 {
   Text_input input(path);
-  const Header header = read_header(input);
+  const ply::Header header = ply::read_header(input);
   Data data(input, header.format);
   if(header.format == Format::ASCII)
     input.finish_line(); // that of end_header

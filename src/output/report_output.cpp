@@ -12,7 +12,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <iomanip>
+#include <optional>
+#include <string>
 
 namespace reeb_graph_program {
 namespace {
@@ -37,6 +40,28 @@ std::string count_saddles(const CGAL::Reeb_graph::Critical_vertex_counts& counts
   return count(total, "saddle") + (by_multiplicity.empty() ? "" : " (" + by_multiplicity + ")");
 }
 
+std::string count_parts(const Graph_counts& graph)
+{
+  return count(graph.nodes, "node") + ", " + count(graph.arcs, "arc") + ", " + count(graph.loops, "loop");
+}
+
+// A number, or null, which also stands for infinity.
+nlohmann::ordered_json json_number(const std::optional<double>& number)
+{
+  return number && std::isfinite(*number) ? nlohmann::ordered_json(*number) : nlohmann::ordered_json();
+}
+
+nlohmann::ordered_json json_of(const Simplification_counts& simplification)
+{
+  nlohmann::ordered_json json;
+  json["threshold"] = json_number(simplification.threshold);
+  json["nodes"] = simplification.graph.nodes;
+  json["arcs"] = simplification.graph.arcs;
+  json["loops"] = simplification.graph.loops;
+  json["largest_change"] = json_number(simplification.largest_change);
+  return json;
+}
+
 } // namespace
 
 void write_text(std::ostream& out, const Report& report)
@@ -54,10 +79,13 @@ void write_text(std::ostream& out, const Report& report)
     out << ", " << count(critical_vertices.border_saddles, "saddle") << " on the border";
   if(critical_vertices.isolated > 0)
     out << ", " << count(critical_vertices.isolated, "isolated vertex", "isolated vertices");
-  out << "\ngraph    " << count(report.graph.nodes, "node") << ", " << count(report.graph.arcs, "arc") << ", "
-      << count(report.graph.loops, "loop");
+  out << "\ngraph    " << count_parts(report.graph);
   if(report.graph.hidden_handles.value_or(0) > 0)
     out << ", " << count(static_cast<std::size_t>(*report.graph.hidden_handles), "hidden handle");
+  if(report.simplification)
+    out << "\n         simplified: " << count_parts(report.simplification->graph);
+  if(report.simplification && report.simplification->largest_change)
+    out << ", largest change of the field " << *report.simplification->largest_change;
   out << "\nseconds  " << std::fixed << std::setprecision(3);
   for(std::size_t i = 0; i < report.seconds.size(); ++i)
     out << (i == 0 ? "" : ", ") << report.seconds[i].first << " " << report.seconds[i].second;
@@ -89,6 +117,10 @@ void write_json(std::ostream& out, const Report& report)
   json["hidden_handles"] = nullptr;
   if(report.graph.hidden_handles)
     json["hidden_handles"] = *report.graph.hidden_handles;
+  json["suggested_threshold"] = json_number(report.suggested_threshold);
+  json["simplified"] = nullptr;
+  if(report.simplification)
+    json["simplified"] = json_of(*report.simplification);
   for(const auto& [step, seconds] : report.seconds)
     json["seconds"][step] = seconds;
   json["peak_memory_bytes"] = peak_memory_bytes();

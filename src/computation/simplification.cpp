@@ -1,0 +1,97 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "computation/simplification.h"
+
+#include <CGAL/Reeb_graph/simplify.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+
+namespace reeb_graph_program {
+void check_simplification_options(const Simplification_options& options)
+{
+  if(options.are_loops_cancelled && !options.threshold)
+    throw std::runtime_error("--cancel-loops goes with --simplify only");
+}
+
+void check_simplification_of_field(const Simplification_options& options)
+{
+  if(options.are_loops_cancelled)
+    throw std::runtime_error("--cancel-loops does not go with a field: on this mesh, each field has its loops");
+}
+
+double threshold_in_units(const Simplification_options& options, const Surface& surface, Scalar_map scalar_map)
+{
+  if(!options.threshold)
+    return std::numeric_limits<double>::infinity();
+  if(!options.threshold->is_percentage)
+    return options.threshold->number;
+  if(surface.number_of_vertices() == 0)
+    return 0;
+  const auto [lowest, highest] = std::minmax_element(scalar_map.begin(), scalar_map.end());
+  const double threshold = (*highest - *lowest) * (options.threshold->number / 100);
+  if(!std::isfinite(threshold))
+    throw std::runtime_error("a percentage needs a field of finite range");
+  return threshold;
+}
+
+Simplified_graph::Simplified_graph(const Graph& given, const Simplification_options& options, double threshold)
+  : given_(given)
+{
+  if(!options.is_anything_removed())
+    return;
+  namespace parameters = CGAL::parameters;
+  const auto leaves = parameters::number_of_leaves(options.number_of_leaves.value_or(0));
+  simplification_ = CGAL::Reeb_graph::simplify(given, threshold, simplified_,
+                                               parameters::cancel_loops(options.are_loops_cancelled, leaves));
+}
+
+Augmentation Simplified_graph::augmentation(const Surface& surface,
+                                            Scalar_map scalar_map,
+                                            const Graph_options& options) const
+{
+  if(!simplification_)
+    return Augmentation(surface, scalar_map, given_, named_parameters(options));
+  return Augmentation(surface, scalar_map, simplified_,
+                      CGAL::parameters::simplification(*simplification_, named_parameters(options)));
+}
+
+std::vector<Persistence_pair> find_persistence_pairs(const Graph& graph)
+{
+  std::vector<Persistence_pair> pairs;
+  CGAL::Reeb_graph::persistence_pairs(graph, std::back_inserter(pairs));
+  return pairs;
+}
+
+std::optional<double> suggest_threshold(const Graph& graph, const std::vector<Persistence_pair>& pairs)
+{
+  std::vector<double> persistences = {0};
+  for(const Persistence_pair& pair : pairs)
+  {
+    const double persistence = CGAL::Reeb_graph::persistence(graph, pair);
+    if(pair.kind != CGAL::Reeb_graph::Persistence_pair_kind::MINIMUM_MAXIMUM && std::isfinite(persistence))
+      persistences.push_back(persistence);
+  }
+  std::sort(persistences.begin(), persistences.end());
+  std::optional<double> suggestion;
+  double widest = 0;
+  for(std::size_t i = 1; i < persistences.size(); ++i)
+    if(persistences[i] - persistences[i - 1] > widest)
+    {
+      widest = persistences[i] - persistences[i - 1];
+      suggestion = persistences[i - 1] + widest / 2;
+    }
+  return suggestion;
+}
+
+} // namespace reeb_graph_program

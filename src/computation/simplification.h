@@ -1,0 +1,68 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_SIMPLIFICATION_H
+#define CGAL_REEB_GRAPH_SRC_SIMPLIFICATION_H
+
+#include "base/options.h"
+#include "base/surface.h"
+
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/Simplification.h>
+#include <CGAL/Reeb_graph/persistence_pairs.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace reeb_graph_program {
+typedef CGAL::Reeb_graph::Augmentation<Surface, Scalar_map> Augmentation;
+typedef CGAL::Reeb_graph::Persistence_pair<boost::graph_traits<Graph>::vertex_descriptor> Persistence_pair;
+
+// Throws std::runtime_error if options do not go together.
+void check_simplification_options(const Simplification_options& options);
+
+// Throws std::runtime_error if there is no field that has the simplified graph.
+void check_simplification_of_field(const Simplification_options& options);
+
+// The threshold in units of the field, infinite if only the number of leaves counts.
+double threshold_in_units(const Simplification_options& options, const Surface& surface, Scalar_map scalar_map);
+
+// A graph and, if anything is removed from it, the simplified graph.
+class Simplified_graph
+{
+public:
+  // The threshold is that of threshold_in_units(). `given` has to outlive this object.
+  Simplified_graph(const Graph& given, const Simplification_options& options, double threshold);
+  Simplified_graph(const Graph&&, const Simplification_options&, double) = delete;
+  Simplified_graph(const Simplified_graph&) = delete;
+  Simplified_graph& operator=(const Simplified_graph&) = delete;
+
+  // The simplified graph if there is one, else the given one.
+  const Graph& result() const { return simplification_ ? simplified_ : given_; }
+
+  // The way from the result to the surface. `options` are those that the given graph was computed with.
+  Augmentation augmentation(const Surface& surface, Scalar_map scalar_map, const Graph_options& options) const;
+
+private:
+  const Graph& given_;
+  Graph simplified_;
+  std::optional<CGAL::Reeb_graph::Simplification<Graph>> simplification_;
+};
+
+std::vector<Persistence_pair> find_persistence_pairs(const Graph& graph);
+
+// The middle of the widest gap of the sorted persistences, the first of them 0, of all pairs but those of a minimum and a
+// maximum, which always stay: if the field has noise, it is what is below. There is none if no persistence is finite and
+// not 0.
+std::optional<double> suggest_threshold(const Graph& graph, const std::vector<Persistence_pair>& pairs);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_SIMPLIFICATION_H

@@ -1,0 +1,85 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_PLY_HEADER_H
+#define CGAL_REEB_GRAPH_SRC_PLY_HEADER_H
+
+#include "input/text_input.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace reeb_graph_program {
+// The header of a PLY file.
+namespace ply {
+enum class Format
+{
+  ASCII,
+  BINARY_LITTLE_ENDIAN,
+  BINARY_BIG_ENDIAN
+};
+
+enum class Type
+{
+  INT8,
+  UINT8,
+  INT16,
+  UINT16,
+  INT32,
+  UINT32,
+  FLOAT32,
+  FLOAT64,
+  NONE
+};
+
+struct Property
+{
+  Type list_size_type = Type::NONE; // NONE if the property is a single number
+  Type type = Type::NONE;
+  std::string name;
+
+  bool is_list() const { return list_size_type != Type::NONE; }
+};
+
+struct Element
+{
+  std::string name;
+  std::size_t number = 0;
+  std::vector<Property> properties;
+
+  // The place of the first property that has one of the names, the number of properties if there is none.
+  std::size_t find(std::initializer_list<std::string_view> names) const
+  {
+    const auto is_named = [&](const Property& p) {
+      return std::find(names.begin(), names.end(), p.name) != names.end();
+    };
+    return static_cast<std::size_t>(std::find_if(properties.begin(), properties.end(), is_named) - properties.begin());
+  }
+};
+
+struct Header
+{
+  Format format = Format::ASCII;
+  std::vector<Element> elements;
+};
+
+inline bool is_integer(Type type) { return type < Type::FLOAT32; }
+
+// Reads the header from its first line on, up to the line that ends it. Throws Input_error if it is none, as if a property
+// belongs to no element.
+Header read_header(Text_input& input);
+
+} // namespace ply
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_PLY_HEADER_H

@@ -1,0 +1,34 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "input/threshold_input.h"
+
+#include "input/text_input.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+namespace reeb_graph_program {
+Threshold parse_threshold(const std::string& text)
+{
+  Threshold threshold;
+  std::string_view digits = text;
+  threshold.is_percentage = !digits.empty() && digits.back() == '%';
+  digits.remove_suffix(threshold.is_percentage ? 1 : 0);
+  if(parse_number(digits, threshold.number) != std::errc() || !std::isfinite(threshold.number))
+    throw std::runtime_error("the threshold '" + text + "' is neither a number nor a percentage, as 0.5 or 5%");
+  if(threshold.number < 0)
+    throw std::runtime_error("the threshold '" + text + "' is negative");
+  if(threshold.is_percentage && threshold.number > 100)
+    throw std::runtime_error("the threshold '" + text + "' is more than the whole range of the field");
+  return threshold;
+}
+
+} // namespace reeb_graph_program

@@ -1,0 +1,22 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_THRESHOLD_INPUT_H
+#define CGAL_REEB_GRAPH_SRC_THRESHOLD_INPUT_H
+
+#include "base/options.h"
+
+#include <string>
+
+namespace reeb_graph_program {
+// Reads a threshold: a number that is not negative, or a percentage, P%. Throws std::runtime_error.
+Threshold parse_threshold(const std::string& text);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_THRESHOLD_INPUT_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "output/pairs_output.h"
+
+#include "output/output_file.h"
+
+#include <limits>
+#include <ostream>
+#include <stdexcept>
+
+namespace reeb_graph_program {
+namespace {
+void write_csv(std::ostream& stream,
+               const Graph& graph,
+               const std::vector<Persistence_pair>& pairs,
+               const Surface& surface)
+{
+  const auto number = get(boost::vertex_index, surface);
+  stream << "kind,lower_vertex,upper_vertex,lower_value,upper_value,persistence\n";
+  for(const Persistence_pair& pair : pairs)
+  {
+    const auto &lower = graph[pair.lower_node], &upper = graph[pair.upper_node];
+    stream << to_string(pair.kind) << ',' << get(number, lower.vertex) << ',' << get(number, upper.vertex) << ','
+           << lower.value << ',' << upper.value << ',' << CGAL::Reeb_graph::persistence(graph, pair) << '\n';
+  }
+}
+
+// What lives in sublevel sets has dimension 0 and is born below; relative classes and loops have dimension 1 and are born
+// above.
+void write_pers(std::ostream& stream, const Graph& graph, const std::vector<Persistence_pair>& pairs)
+{
+  typedef CGAL::Reeb_graph::Persistence_pair_kind Kind;
+  stream << "# dimension birth death: 0 minimum saddle, 1 maximum saddle, 0 minimum maximum, 1 of a loop\n";
+  for(const Persistence_pair& pair : pairs)
+  {
+    const double lower = graph[pair.lower_node].value, upper = graph[pair.upper_node].value;
+    if(pair.kind == Kind::MINIMUM_SADDLE || pair.kind == Kind::MINIMUM_MAXIMUM)
+      stream << "0 " << lower << ' ' << upper << '\n';
+    else
+      stream << "1 " << upper << ' ' << lower << '\n';
+  }
+}
+
+} // namespace
+
+void check_pairs_format(const std::filesystem::path& path)
+{
+  if(path.extension() != ".csv" && path.extension() != ".pers")
+    throw std::runtime_error(path.string() + ": the file name of pairs ends in .csv or .pers");
+}
+
+void write_pairs(const std::filesystem::path& path,
+                 const Graph& graph,
+                 const std::vector<Persistence_pair>& pairs,
+                 const Surface& surface)
+{
+  check_pairs_format(path);
+  write_file(path, [&](std::ostream& stream) {
+    stream.precision(std::numeric_limits<double>::max_digits10);
+    if(path.extension() == ".csv")
+      write_csv(stream, graph, pairs, surface);
+    else
+      write_pers(stream, graph, pairs);
+  });
+}
+
+} // namespace reeb_graph_program

@@ -1,0 +1,32 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_PAIRS_OUTPUT_H
+#define CGAL_REEB_GRAPH_SRC_PAIRS_OUTPUT_H
+
+#include "base/surface.h"
+#include "computation/simplification.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace reeb_graph_program {
+// Throws an exception unless the file name ends in .csv or .pers.
+void check_pairs_format(const std::filesystem::path& path);
+
+// Writes the pairs of a graph, one per line: .csv with kind, vertices, and values; .pers for GUDHI, with dimension, birth,
+// and death as its extended persistence has them. Vertices are numbered as in the surface. Throws std::runtime_error if
+// the file cannot be written.
+void write_pairs(const std::filesystem::path& path,
+                 const Graph& graph,
+                 const std::vector<Persistence_pair>& pairs,
+                 const Surface& surface);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_PAIRS_OUTPUT_H
