@@ -257,6 +257,24 @@ BOOST_AUTO_TEST_CASE(noise_is_removed)
       }
 }
 
+// Where most of the noise stays, the saddle that is left in a piece must not pass the nodes nearby.
+BOOST_AUTO_TEST_CASE(noise_is_removed_in_part)
+{
+  for(std::size_t seed = 0; seed < 24; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      const auto soup = generated_surfaces::closed_surface(3, 20000);
+      const auto mesh = make_mesh<Surface_mesh>(soup);
+      std::vector<double> values;
+      for(const auto& p : soup.points)
+        values.push_back(p[0] + 0.2 * (static_cast<double>(random.below(2000001)) / 1000000 - 1));
+      const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+      const double threshold = 0.1 + 0.05 * static_cast<double>(seed % 5);
+      BOOST_TEST(CGAL::Reeb_graph::simplify_field(mesh, scalar_map, threshold, scalar_map) < threshold);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(bad_input)
 {
   using namespace CGAL::Reeb_graph;

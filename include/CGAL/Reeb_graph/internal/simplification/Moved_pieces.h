@@ -40,13 +40,16 @@ class Moved_pieces
   typedef scalar_fields::Weighted_graph Vertex_graph;
 
 public:
-  // `saddles` has for each vertex that is to be moved the vertex of the saddle, and no_index for each other one.
+  // `saddles` has for each vertex that is to be moved the vertex of the saddle, and no_index for each other one. `rooms`
+  // has for the vertex of a saddle how far the next values of nodes are: a saddle in a piece must not pass them.
   Moved_pieces(const Vertex_graph& graph,
                const std::vector<Index>& saddles,
+               const std::vector<Scalar>& rooms,
                const std::vector<Scalar>& values,
                double threshold)
     : graph_(graph),
       saddles_(saddles),
+      rooms_(rooms),
       values_(values),
       threshold_(threshold),
       st_numbering_(graph),
@@ -155,7 +158,8 @@ private:
     const Scalar to = piece.is_above ? piece.lowest_sink : piece.highest_source;
     const Scalar middle = std::isinf(to) ? to : from / 2 + to / 2;
     const Scalar slack = static_cast<Scalar>(threshold_) - largest_distance(piece);
-    const Scalar room = (std::min)({std::abs(middle - from), std::abs(slack), (std::max)(std::abs(from), Scalar(1))});
+    const Scalar room = (std::min)(
+      {std::abs(middle - from), std::abs(slack), rooms_[piece.saddle], (std::max)(std::abs(from), Scalar(1))});
     const std::size_t size = piece.vertices.size();
     std::vector<Scalar> values;
     Scalar last = from;
@@ -183,6 +187,7 @@ private:
 
   const Vertex_graph& graph_;
   const std::vector<Index>& saddles_;
+  const std::vector<Scalar>& rooms_;
   const std::vector<Scalar>& values_;
   const double threshold_;
   scalar_fields::St_numbering st_numbering_;

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -97,6 +98,25 @@ std::vector<Index> find_places_of_vertices(const Mesh& mesh,
   return places;
 }
 
+// By position of the vertex of a node, the distance to the next value of another node.
+template <class ReebGraph, class Scalar>
+std::vector<Scalar> rooms_of_nodes(const ReebGraph& graph,
+                                   const std::vector<Index>& positions,
+                                   const std::vector<Scalar>& values)
+{
+  std::vector<Scalar> rooms(values.size(), std::numeric_limits<Scalar>::infinity());
+  for(std::size_t node = 1; node < positions.size(); ++node)
+  {
+    const Scalar room = graph[node].value - graph[node - 1].value;
+    for(const Index position : {positions[node - 1], positions[node]})
+    {
+      if(room > 0)
+        rooms[position] = (std::min)(rooms[position], room);
+    }
+  }
+  return rooms;
+}
+
 // Whether a graph is the simplified one, if nodes are told by the place of their vertices, `place_of_node(node)`. A node at
 // which several saddles are in one vertex may have come apart into a tree of nodes in the same place.
 template <class ReebGraph, class SimplifiedGraph, class PlaceOfNode>
@@ -159,7 +179,8 @@ auto simplified_values(const Mesh& mesh, const ScalarMap& scalar_map, double thr
     for(Index& saddle : saddles)
       saddle = saddle == no_index ? no_index : positions[saddle];
     const auto vertex_graph = make_vertex_graph(mesh, values.size());
-    result = Moved_pieces<Scalar>(vertex_graph, saddles, values, threshold).move();
+    const std::vector<Scalar> rooms = rooms_of_nodes(graph, positions, values);
+    result = Moved_pieces<Scalar>(vertex_graph, saddles, rooms, values, threshold).move();
   }
   else
     throw Scalar_resolution_error(0);
