@@ -34,7 +34,7 @@ Vertex vertex(const Surface& surface, std::size_t number)
   return Vertex(static_cast<Surface::size_type>(number));
 }
 
-// Those that are given, else one in each component, far away from another one.
+// The vertices that are given, else one in each component, far away from another one.
 std::vector<Vertex> sources(const Input_options& options, const Surface& surface)
 {
   std::vector<Vertex> result;
@@ -85,7 +85,7 @@ void compute_geodesic(const Input_options& options, const Surface& surface, Scal
                                            CGAL::parameters::callback(std::ref(progress_bar)));
 }
 
-// of the field that the map holds
+// The map holds the field to start from.
 void compute_unit_gradient(const Surface& surface, Scalar_map scalar_map)
 {
   Progress_bar progress_bar("unit gradient field");

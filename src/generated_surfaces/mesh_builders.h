@@ -39,7 +39,7 @@ typedef CGAL::Surface_mesh<Point> Surface_mesh;
 typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
 typedef CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3> Polyhedron_with_id;
 
-// with points that only tell the vertices apart
+// Points are only there to tell the vertices apart.
 inline Triangle_soup make_soup(const random_meshes::Combinatorial_mesh& mesh)
 {
   Triangle_soup soup = {{}, mesh.triangles};

@@ -148,7 +148,7 @@ inline void split_random_triangle(Combinatorial_mesh& mesh, Random& random)
   mesh.triangles.push_back({t[2], t[0], v});
 }
 
-// by directed edge, the number of the triangle that has it, and the vertex opposite to it
+// The number of the triangle that has a directed edge, and the vertex opposite to it, by directed edge.
 typedef std::map<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, std::size_t>> Directed_edges;
 
 inline Directed_edges directed_edges(const Combinatorial_mesh& mesh)

@@ -7,6 +7,14 @@ file(MAKE_DIRECTORY ${FOLDER})
 # A tetrahedron of height 1, whose vertices are numbered in the order in which its faces name them.
 set(tetrahedron_off "OFF\n4 4 0\n0 0 0\n4 0 0.25\n0 4 0.5\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n")
 
+# The faces of the torus of seven vertices in OFF, two in each row.
+foreach(i RANGE 6)
+  math(EXPR a "(${i} + 1) % 7")
+  math(EXPR b "(${i} + 2) % 7")
+  math(EXPR c "(${i} + 3) % 7")
+  string(APPEND torus_faces "3 ${i} ${a} ${c}\n3 ${i} ${c} ${b}\n")
+endforeach()
+
 # Runs the program in FOLDER; sets exit_code, output, and error.
 function(run)
   execute_process(COMMAND ${PROGRAM} ${ARGN} WORKING_DIRECTORY ${FOLDER}

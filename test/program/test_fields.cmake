@@ -10,12 +10,7 @@ foreach(i RANGE 6)
   math(EXPR cube "${i} * ${square}")
   string(APPEND torus "${i} ${square} ${cube}\n")
 endforeach()
-foreach(i RANGE 6)
-  math(EXPR a "(${i} + 1) % 7")
-  math(EXPR b "(${i} + 2) % 7")
-  math(EXPR c "(${i} + 3) % 7")
-  string(APPEND torus "3 ${i} ${a} ${c}\n3 ${i} ${c} ${b}\n")
-endforeach()
+string(APPEND torus "${torus_faces}")
 file(WRITE ${FOLDER}/torus.off "${torus}")
 
 # what `field` writes, `compute` reads

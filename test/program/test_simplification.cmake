@@ -30,12 +30,7 @@ expect_match("${pairs}" "^minimum-maximum,3,2,1[.]?0*e-300,0.5,0.5$")
 
 # a loop, and a node without arcs
 set(torus "OFF\n8 14 0\n0 0 0\n1 0 1\n2 1 2\n1 2 3\n3 1 4\n2 3 5\n4 4 6\n9 9 9\n")
-foreach(i RANGE 6)
-  math(EXPR a "(${i} + 1) % 7")
-  math(EXPR b "(${i} + 2) % 7")
-  math(EXPR c "(${i} + 3) % 7")
-  string(APPEND torus "3 ${i} ${a} ${c}\n3 ${i} ${c} ${b}\n")
-endforeach()
+string(APPEND torus "${torus_faces}")
 file(WRITE ${FOLDER}/torus.off "${torus}")
 expect_success(compute torus.off --field z --pairs torus.csv --diagram torus.svg)
 file(READ ${FOLDER}/torus.csv pairs)
