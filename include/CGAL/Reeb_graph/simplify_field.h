@@ -33,14 +33,16 @@ namespace Reeb_graph {
 /// \brief computes a field whose Reeb graph is the simplified graph of a given field.
 ///
 /// What `simplify()` removes from the graph is a piece of the surface. The values in this piece are moved to that of its
-/// saddle, or next to it; all other values stay as they are. No value changes by as much as the threshold, if the measure is
+/// saddle, or next to it; all other values stay as they are, but for ties (see below). No value changes by as much as the threshold, if the measure is
 /// the persistence. So everything that takes a field can be done with the simplified one: cutting systems, pants, branches.
 ///
 /// - With `Ties::CONTRACT`, a removed piece gets the value of its saddle: it becomes part of a plateau.
 /// - With `Ties::PERTURB`, it gets different values next to that of its saddle, in an order in which each vertex has a
 ///   lower and a higher neighbor (an st-numbering: R. E. Tarjan, *Two Streamlined Depth-First Search Algorithms*, 1986).
 ///   The graph is the same with contracted ties if the field had none. Where a saddle of higher multiplicity stays, its
-///   node can be at another vertex of the pieces next to it.
+///   node can be at another vertex of the pieces next to it. Where a vertex around a piece is tied with the saddle, no
+///   number is left for the piece: there, all vertices of that value get different values in the order of the vertices,
+///   by changes of at most a 1024th of the threshold. Only then does a value outside of the pieces change.
 ///
 /// With perturbed ties not every simplified graph is that of a field on the mesh: a removed piece with a border, or with a
 /// handle that a multi-saddle hides, can need a loop. So the graph of the result is computed and compared.
@@ -67,7 +69,7 @@ namespace Reeb_graph {
 /// \returns the largest absolute difference between a value of the result and the given one.
 ///
 /// \exception Reeb_graph::Scalar_resolution_error if there are too few numbers next to the value of a saddle to give each
-///            vertex of a piece another one, as where vertices are tied with it
+///            vertex of a piece another one, as for infinite values
 /// \exception Reeb_graph::Piece_topology_error if no such values of a piece have been found
 ///
 /// and the exceptions of `compute_reeb_graph()` and `simplify()`. When one is thrown, `simplified_scalar_map` is as it was

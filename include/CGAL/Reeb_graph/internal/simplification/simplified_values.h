@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/simplification/Moved_pieces.h>
 #include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
+#include <CGAL/Reeb_graph/internal/simplification/spread_ties.h>
 #include <CGAL/Reeb_graph/internal/simplification/write_simplified_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
@@ -99,15 +100,13 @@ std::vector<Index> find_places_of_vertices(const Mesh& mesh,
 }
 
 // By position of the vertex of a node, the distance to the next value of another node.
-template <class ReebGraph, class Scalar>
-std::vector<Scalar> rooms_of_nodes(const ReebGraph& graph,
-                                   const std::vector<Index>& positions,
-                                   const std::vector<Scalar>& values)
+template <class Scalar>
+std::vector<Scalar> rooms_of_nodes(const std::vector<Index>& positions, const std::vector<Scalar>& values)
 {
   std::vector<Scalar> rooms(values.size(), std::numeric_limits<Scalar>::infinity());
   for(std::size_t node = 1; node < positions.size(); ++node)
   {
-    const Scalar room = graph[node].value - graph[node - 1].value;
+    const Scalar room = values[positions[node]] - values[positions[node - 1]];
     for(const Index position : {positions[node - 1], positions[node]})
     {
       if(room > 0)
@@ -179,8 +178,10 @@ auto simplified_values(const Mesh& mesh, const ScalarMap& scalar_map, double thr
     for(Index& saddle : saddles)
       saddle = saddle == no_index ? no_index : positions[saddle];
     const auto vertex_graph = make_vertex_graph(mesh, values.size());
-    const std::vector<Scalar> rooms = rooms_of_nodes(graph, positions, values);
-    result = Moved_pieces<Scalar>(vertex_graph, saddles, rooms, values, threshold).move();
+    const std::vector<Scalar> spread =
+      spread_ties(values, find_tied_saddles(vertex_graph, saddles, values, static_cast<Scalar>(threshold)));
+    const std::vector<Scalar> rooms = rooms_of_nodes(positions, spread);
+    result = Moved_pieces<Scalar>(vertex_graph, saddles, rooms, spread, threshold).move();
   }
   else
     throw Scalar_resolution_error(0);
