@@ -15,8 +15,8 @@
 #include "tables.h"
 #include "timed_runs.h"
 
-#include <CGAL/Reeb_graph/persistence_pairs.h>
-#include <CGAL/Reeb_graph/simplify.h>
+#include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <cstddef>
 #include <iterator>

@@ -2,7 +2,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <CGAL/Reeb_graph/persistence_pairs.h>
+#include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 #include <CGAL/Reeb_graph_traits.h>
 #include <CGAL/compute_reeb_graph.h>
 

@@ -3,8 +3,8 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/simplify.h>
-#include <CGAL/Reeb_graph/simplify_field.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
+#include <CGAL/Reeb_graph/simplification/simplify_field.h>
 #include <CGAL/Reeb_graph_traits.h>
 #include <CGAL/compute_reeb_graph.h>
 

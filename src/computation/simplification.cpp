@@ -8,7 +8,7 @@
 
 #include "computation/simplification.h"
 
-#include <CGAL/Reeb_graph/simplify.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <algorithm>
 #include <cmath>

@@ -13,8 +13,8 @@
 #include "base/surface.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/Simplification.h>
-#include <CGAL/Reeb_graph/persistence_pairs.h>
+#include <CGAL/Reeb_graph/simplification/Simplification.h>
+#include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 
 #include <boost/graph/graph_traits.hpp>
 

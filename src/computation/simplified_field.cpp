@@ -8,7 +8,7 @@
 
 #include "computation/simplified_field.h"
 
-#include <CGAL/Reeb_graph/simplify_field.h>
+#include <CGAL/Reeb_graph/simplification/simplify_field.h>
 
 namespace reeb_graph_program {
 double compute_simplified_field(const Surface& surface,

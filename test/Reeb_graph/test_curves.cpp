@@ -16,7 +16,7 @@
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/curves/unfold_multi_saddles.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
-#include <CGAL/Reeb_graph/simplify.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <boost/mpl/list.hpp>
 

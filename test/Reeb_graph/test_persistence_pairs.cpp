@@ -13,7 +13,7 @@
 #include "random_graphs.h"
 
 #include <CGAL/Reeb_graph/internal/simplification/Link_cut_forest.h>
-#include <CGAL/Reeb_graph/persistence_pairs.h>
+#include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 
 #include <algorithm>
 #include <cstddef>

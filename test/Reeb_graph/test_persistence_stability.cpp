@@ -11,7 +11,7 @@
 #include "computed_graphs.h"
 #include "persistence_oracle.h"
 
-#include <CGAL/Reeb_graph/persistence_pairs.h>
+#include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 
 #include <gudhi/Bottleneck.h>
 

@@ -14,8 +14,8 @@
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/curves/segmentation.h>
-#include <CGAL/Reeb_graph/piece_weights.h>
-#include <CGAL/Reeb_graph/simplify.h>
+#include <CGAL/Reeb_graph/simplification/piece_weights.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 

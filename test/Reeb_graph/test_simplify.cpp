@@ -13,8 +13,8 @@
 #include "random_graphs.h"
 #include "simplification_oracle.h"
 
-#include <CGAL/Reeb_graph/persistence_pairs.h>
-#include <CGAL/Reeb_graph/simplify.h>
+#include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <algorithm>
 #include <cmath>

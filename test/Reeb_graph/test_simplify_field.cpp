@@ -12,8 +12,8 @@
 #include "simplification_oracle.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/simplify.h>
-#include <CGAL/Reeb_graph/simplify_field.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
+#include <CGAL/Reeb_graph/simplification/simplify_field.h>
 
 #include <boost/mpl/list.hpp>
 

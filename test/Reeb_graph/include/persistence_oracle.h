@@ -9,7 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_TEST_PERSISTENCE_ORACLE_H
 #define CGAL_REEB_GRAPH_TEST_PERSISTENCE_ORACLE_H
 
-#include <CGAL/Reeb_graph/persistence_pairs.h>
+#include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 
 #include <boost/graph/adjacency_list.hpp>
 

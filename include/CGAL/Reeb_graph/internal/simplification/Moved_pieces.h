@@ -15,7 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/St_numbering.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
-#include <CGAL/Reeb_graph/simplification_exceptions.h>
+#include <CGAL/Reeb_graph/simplification/exceptions.h>
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/simplification_exceptions.h>
+#include <CGAL/Reeb_graph/simplification/exceptions.h>
 
 #include <CGAL/Iterator_range.h>
 

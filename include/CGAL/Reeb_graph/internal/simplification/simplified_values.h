@@ -20,7 +20,7 @@
 #include <CGAL/Reeb_graph/internal/simplification/write_simplified_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
-#include <CGAL/Reeb_graph/simplification_exceptions.h>
+#include <CGAL/Reeb_graph/simplification/exceptions.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <boost/graph/graph_traits.hpp>

@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Simplification.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/simplification/Leaf_pruning.h>
+#include <CGAL/Reeb_graph/simplification/Simplification.h>
 
 #include <boost/graph/graph_traits.hpp>
 

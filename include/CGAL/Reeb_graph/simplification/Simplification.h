@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_SIMPLIFICATION_H
-#define CGAL_REEB_GRAPH_SIMPLIFICATION_H
+#ifndef CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFICATION_H
+#define CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFICATION_H
 
 #include <CGAL/license/Reeb_graph.h>
 
@@ -126,4 +126,4 @@ private:
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_SIMPLIFICATION_H
+#endif // CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFICATION_H

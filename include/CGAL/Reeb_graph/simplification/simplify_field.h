@@ -6,16 +6,16 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_SIMPLIFY_FIELD_H
-#define CGAL_REEB_GRAPH_SIMPLIFY_FIELD_H
+#ifndef CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFY_FIELD_H
+#define CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFY_FIELD_H
 
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/simplification/simplified_values.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-#include <CGAL/Reeb_graph/simplification_exceptions.h>
-#include <CGAL/Reeb_graph/simplification_parameters.h>
-#include <CGAL/Reeb_graph/simplify.h>
+#include <CGAL/Reeb_graph/simplification/exceptions.h>
+#include <CGAL/Reeb_graph/simplification/parameters.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <CGAL/number_utils.h>
 
@@ -102,4 +102,4 @@ double simplify_field(const FaceListGraph& mesh,
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_SIMPLIFY_FIELD_H
+#endif // CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFY_FIELD_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_PERSISTENCE_PAIRS_H
-#define CGAL_REEB_GRAPH_PERSISTENCE_PAIRS_H
+#ifndef CGAL_REEB_GRAPH_SIMPLIFICATION_PERSISTENCE_PAIRS_H
+#define CGAL_REEB_GRAPH_SIMPLIFICATION_PERSISTENCE_PAIRS_H
 
 #include <CGAL/license/Reeb_graph.h>
 
@@ -15,7 +15,7 @@
 #include <CGAL/Reeb_graph/internal/simplification/loop_pairs.h>
 #include <CGAL/Reeb_graph/internal/simplification/persistence.h>
 #include <CGAL/Reeb_graph/internal/simplification/tree_pairs.h>
-#include <CGAL/Reeb_graph/simplification_exceptions.h>
+#include <CGAL/Reeb_graph/simplification/exceptions.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -154,4 +154,4 @@ OutputIterator persistence_pairs(const ReebGraph& graph, OutputIterator pairs)
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_PERSISTENCE_PAIRS_H
+#endif // CGAL_REEB_GRAPH_SIMPLIFICATION_PERSISTENCE_PAIRS_H

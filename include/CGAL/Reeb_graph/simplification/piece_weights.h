@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_PIECE_WEIGHTS_H
-#define CGAL_REEB_GRAPH_PIECE_WEIGHTS_H
+#ifndef CGAL_REEB_GRAPH_SIMPLIFICATION_PIECE_WEIGHTS_H
+#define CGAL_REEB_GRAPH_SIMPLIFICATION_PIECE_WEIGHTS_H
 
 #include <CGAL/license/Reeb_graph.h>
 
@@ -98,4 +98,4 @@ std::vector<double> areas_of_pieces(const FaceListGraph& mesh,
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_PIECE_WEIGHTS_H
+#endif // CGAL_REEB_GRAPH_SIMPLIFICATION_PIECE_WEIGHTS_H

@@ -6,16 +6,16 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_SIMPLIFY_H
-#define CGAL_REEB_GRAPH_SIMPLIFY_H
+#ifndef CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFY_H
+#define CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFY_H
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Simplification.h>
 #include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
 #include <CGAL/Reeb_graph/internal/simplification/write_simplified_graph.h>
-#include <CGAL/Reeb_graph/simplification_exceptions.h>
-#include <CGAL/Reeb_graph/simplification_parameters.h>
+#include <CGAL/Reeb_graph/simplification/Simplification.h>
+#include <CGAL/Reeb_graph/simplification/exceptions.h>
+#include <CGAL/Reeb_graph/simplification/parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -128,4 +128,4 @@ Simplification<ReebGraph> simplify(const ReebGraph& graph,
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_SIMPLIFY_H
+#endif // CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFY_H
