@@ -22,7 +22,6 @@
 #include <CGAL/Reeb_graph/internal/augmentation/locate_vertices.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-#include <CGAL/Reeb_graph/simplification/parameters.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #include <CGAL/boost/graph/iterator.h>

@@ -16,11 +16,16 @@
 
 #include <cstddef>
 
-// The named parameters of graphs and fields; their documentation is in the list `PkgReebGraphNamedParameters`.
+// The named parameters of graphs, fields and simplification; their documentation is in the list `PkgReebGraphNamedParameters`.
 CGAL_REEB_GRAPH_NAMED_PARAMETER(keep_degree_two_nodes, bool)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(ties, Reeb_graph::Ties)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(method, Reeb_graph::Method)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_slabs, std::size_t)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(laplacian_weights, Reeb_graph::Laplacian_weights)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_leaves, std::size_t)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(cancel_loops, bool)
+CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(branch_measure)
+CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(piece_weights)
+CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(simplification)
 
 #endif // CGAL_REEB_GRAPH_NAMED_PARAMETERS_H

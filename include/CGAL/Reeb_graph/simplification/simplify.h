@@ -13,9 +13,9 @@
 
 #include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
 #include <CGAL/Reeb_graph/internal/simplification/write_simplified_graph.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/Simplification.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
-#include <CGAL/Reeb_graph/simplification/parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/internal/simplification/simplified_values.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
-#include <CGAL/Reeb_graph/simplification/parameters.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <CGAL/number_utils.h>

@@ -16,8 +16,8 @@
 #include <CGAL/Reeb_graph/internal/simplification/Leaf_pruning.h>
 #include <CGAL/Reeb_graph/internal/simplification/persistence.h>
 #include <CGAL/Reeb_graph/internal/simplification/remove_small_loops.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
-#include <CGAL/Reeb_graph/simplification/parameters.h>
 
 #include <algorithm>
 #include <cmath>
