@@ -104,11 +104,15 @@ expect_success(curves ${figure})
 expect_equal("${output}" "6 curves, 7 patches\n")
 expect_success(curves ${figure} --simplify 30%)
 expect_equal("${output}" "0 curves, 1 patch\n")
-# here is a tie with a saddle, and no number between
+# vertices tied with a saddle are told apart
 file(WRITE ${FOLDER}/tied.txt "3\n4\n3\n4\n0\n3\n1\n5\n")
-expect_error("too few numbers.*with --ties contract none are needed" compute strip.off --scalars tied.txt --simplify 2
+expect_success(compute strip.off --scalars tied.txt --simplify 2 --simplified-scalars simplified.txt)
+expect_json(2 nodes ARGUMENTS strip.off --scalars simplified.txt)
+# and not if there is no number between them and the next one
+file(WRITE ${FOLDER}/close.txt "3\n3.0000000000000004\n3\n4\n0\n3\n1\n5\n")
+expect_error("too few numbers.*with --ties contract none are needed" compute strip.off --scalars close.txt --simplify 2
              --simplified-scalars none.txt)
-expect_json("1.0" simplified largest_change ARGUMENTS strip.off --scalars tied.txt --simplify 2 --ties contract
+expect_json("1.0" simplified largest_change ARGUMENTS strip.off --scalars close.txt --simplify 2 --ties contract
             --simplified-scalars simplified.txt)
 expect_error("--simplified-scalars goes with" compute ${strip} --simplified-scalars none.txt)
 expect_error("--cancel-loops does not go with a field" compute ${strip} --simplify 1 --cancel-loops
