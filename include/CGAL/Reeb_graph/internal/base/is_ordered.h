@@ -56,12 +56,15 @@ bool is_ordered(const T& value)
   }
 }
 
+// Whether `Less` is one of the types.
+template <class Less, class... Types>
+inline constexpr bool is_one_of = (std::is_same_v<Less, Types> || ...);
+
 // Whether `Less` is the order of built-in numbers, which cannot contradict itself without NaN. Any other order can, and
 // then nothing may go out of bounds or on without end.
 template <class T, class Less>
 inline constexpr bool is_order_of_numbers =
-  std::is_arithmetic_v<
-    T> && (std::is_same_v<Less, std::less<T>> || std::is_same_v<Less, std::less<>> || std::is_same_v<Less, std::greater<T>> || std::is_same_v<Less, std::greater<>>);
+  std::is_arithmetic_v<T>&& is_one_of<Less, std::less<T>, std::less<>, std::greater<T>, std::greater<>>;
 
 } // namespace internal
 } // namespace Reeb_graph
