@@ -33,6 +33,7 @@
 // Cutting systems, pants decompositions and branch curves: their numbers, and the pieces between them.
 
 using namespace cut_mesh_checks;
+using CGAL::Reeb_graph::Borders;
 using curve_samples::Sample;
 using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
@@ -101,7 +102,7 @@ struct Pants_decomposition
 };
 
 template <class Mesh, class Decomposition>
-std::string fault_of_decomposition(const Sample& sample, bool is_geometry_checked)
+std::string fault_of_decomposition(const Sample& sample, Borders borders)
 {
   Mesh mesh = curve_samples::make_mesh<Mesh>(sample.soup);
   const auto expected = Decomposition::expected(pieces_of(mesh));
@@ -109,14 +110,14 @@ std::string fault_of_decomposition(const Sample& sample, bool is_geometry_checke
   auto visitor = history.visitor();
   Curves_of<Mesh> curves;
   Decomposition::compute(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, sample.values), curves,
-                         CGAL::parameters::visitor(std::ref(visitor)));
+                         CGAL::parameters::borders(borders, CGAL::parameters::visitor(std::ref(visitor))));
   if(static_cast<long>(curves.size()) != expected.second)
     return std::to_string(curves.size()) + " curves, expected " + std::to_string(expected.second);
   for(const auto& curve : curves)
     if(!curve.is_closed)
       return "a curve is not closed";
   const std::string fault = fault_of_cut_mesh(mesh, curves, expected.first);
-  return fault.empty() && is_geometry_checked ? history.fault() : fault;
+  return fault.empty() ? history.fault() : fault;
 }
 
 bool has_pants_decomposition(const std::vector<Piece>& components)
@@ -126,13 +127,46 @@ bool has_pants_decomposition(const std::vector<Piece>& components)
 }
 
 template <class Mesh>
-void test_random_sample(const Sample& sample)
+void test_random_sample(const Sample& sample, Borders borders = Borders::LEVEL)
 {
-  BOOST_TEST((fault_of_decomposition<Mesh, Cutting_system<Mesh>>(sample, true)) == "");
+  BOOST_TEST((fault_of_decomposition<Mesh, Cutting_system<Mesh>>(sample, borders)) == "");
   if(has_pants_decomposition(pieces_of(curve_samples::make_mesh<Mesh>(sample.soup))))
-    BOOST_TEST((fault_of_decomposition<Mesh, Pants_decomposition<Mesh>>(sample, true)) == "");
+    BOOST_TEST((fault_of_decomposition<Mesh, Pants_decomposition<Mesh>>(sample, borders)) == "");
+}
+
+// Branch curves cut off as many disks. A component that is a disk is none any more if it is cut.
+template <class Mesh>
+void test_branches(const Sample& sample, Borders borders)
+{
+  Mesh mesh = curve_samples::make_mesh<Mesh>(sample.soup);
+  const auto components = pieces_of(mesh);
+  Curves_of<Mesh> curves;
+  CGAL::Reeb_graph::branch_curves(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, sample.values),
+                                  std::back_inserter(curves), CGAL::parameters::borders(borders));
+  const auto pieces = pieces_between(mesh, curves);
+  BOOST_TEST(pieces.size() == components.size() + curves.size());
+  const auto is_disk = [](const Piece& piece) { return piece.euler_characteristic == 1 && piece.border_loops == 1; };
+  const auto number_of_disks = static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), is_disk));
+  BOOST_TEST(number_of_disks >= curves.size());
+  BOOST_TEST(number_of_disks <= curves.size() + std::count_if(components.begin(), components.end(), is_disk));
+  BOOST_TEST(fault_of_cut_mesh(mesh, curves, pieces) == "");
 }
 } // namespace
+
+// Each oriented manifold mesh, with any borders and any field, in the exact numbers.
+BOOST_AUTO_TEST_CASE_TEMPLATE(any_meshes_and_fields, Mesh, Meshes)
+{
+  std::size_t number_with_pants = 0;
+  for(std::size_t seed = 0; seed < 700; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const Sample sample = curve_samples::any_sample(seed);
+      test_random_sample<Mesh>(sample, Borders::MAKE_LEVEL);
+      test_branches<Mesh>(sample, Borders::MAKE_LEVEL);
+      number_with_pants += has_pants_decomposition(pieces_of(curve_samples::make_mesh<Mesh>(sample.soup))) ? 1 : 0;
+    }
+  BOOST_TEST(number_with_pants > 300u);
+}
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(closed_surfaces_and_random_fields, Mesh, Meshes)
 {
@@ -192,22 +226,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(branches_are_disks, Mesh, Meshes)
 {
   for(std::size_t seed = 0; seed < 200; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      const Sample sample = curve_samples::random_sample(seed, false, 1 + seed % 2, 0);
-      Mesh mesh = curve_samples::make_mesh<Mesh>(sample.soup);
-      std::vector<Piece> expected;
-      const auto components = pieces_of(mesh);
-      Curves_of<Mesh> curves;
-      CGAL::Reeb_graph::branch_curves(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, sample.values),
-                                      std::back_inserter(curves));
-      auto pieces = pieces_between(mesh, curves);
-      BOOST_TEST(pieces.size() == components.size() + curves.size());
-      const auto disks = std::count_if(pieces.begin(), pieces.end(), [](const Piece& piece) {
-        return piece.euler_characteristic == 1 && piece.border_loops == 1;
-      });
-      BOOST_TEST(static_cast<std::size_t>(disks) == curves.size());
-      BOOST_TEST(fault_of_cut_mesh(mesh, curves, pieces) == "");
-    }
+  test_branches<Mesh>(curve_samples::random_sample(seed, false, 1 + seed % 2, 0), Borders::LEVEL);
 }
 
 namespace {

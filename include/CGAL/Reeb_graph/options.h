@@ -49,6 +49,26 @@ enum class Laplacian_weights
   UNIFORM ///< one for each edge; the geometry of the faces plays no role
 };
 
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief what `make_borders_level()` makes of a border component that is no extremal level yet.
+enum class Border_extremum
+{
+  AUTOMATIC, ///< what changes less
+  MINIMUM,   ///< a minimum of the field
+  MAXIMUM    ///< a maximum of the field
+};
+
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief what the functions that find curves do if a border component does not lie in one level of the field, or is
+/// neither a minimum nor a maximum.
+enum class Borders
+{
+  LEVEL,     ///< they throw `Border_level_error`
+  MAKE_LEVEL ///< they go on with the field that `make_borders_level()` makes; the scalar map stays as it is
+};
+
 } // namespace Reeb_graph
 } // namespace CGAL
 

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <cstddef>
 
@@ -39,6 +40,25 @@
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{16}
 ///     \cgalParamExtra{use the functions `parameters::number_of_candidates()`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+
+/// \defgroup PkgReebGraphBorderParameters Named Parameters for Borders
+/// \ingroup PkgReebGraphCurves
+///
+/// \brief of the functions that find curves by the Reeb graph, and need borders that are extremal levels.
+///
+/// <b>What is done with borders:</b>
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{borders}
+///     \cgalParamDescription{what happens if a border component does not lie in one level, or is neither a minimum nor a
+///                           maximum: an exception, or the field is changed as by `make_borders_level()`, whose named
+///                           parameters `border_extremum` and `collar_width` count then. `scalar_map` itself stays as it
+///                           is; to have the changed field, call that function first.}
+///     \cgalParamType{`Reeb_graph::Borders`}
+///     \cgalParamDefault{`Reeb_graph::Borders::LEVEL`}
+///     \cgalParamExtra{use the functions `parameters::borders()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 
@@ -107,6 +127,7 @@
 
 CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(curve_cost)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_candidates, std::size_t)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(borders, Reeb_graph::Borders)
 CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(arc_weight)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(persistence_threshold, double)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(area_threshold, double)

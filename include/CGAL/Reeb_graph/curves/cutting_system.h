@@ -48,7 +48,7 @@ namespace Reeb_graph {
 ///
 /// \param mesh the mesh, which is changed. To keep it, pass a copy made by `CGAL::copy_face_graph()`.
 /// \param scalar_map the scalar field. If the mesh has borders, all vertices of a border component must have the same
-///        value, and not have lower neighbors as well as higher ones.
+///        value, and not have lower neighbors as well as higher ones, unless `borders` is `Borders::MAKE_LEVEL`.
 /// \param curves the output
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those below
 ///
@@ -64,14 +64,16 @@ namespace Reeb_graph {
 ///
 /// \copydetails PkgReebGraphPlaceParameters
 ///
+/// \copydetails PkgReebGraphBorderParameters
+///
 /// \copydetails PkgReebGraphCuttingParameters
 ///
 /// \copydetails PkgReebGraphRefinementParameters
 ///
 /// \returns the output iterator behind the last curve.
 ///
-/// \exception Reeb_graph::Border_level_error if the vertices of a border component do not have one value, or have lower
-///            as well as higher neighbors
+/// \exception Reeb_graph::Border_level_error if `borders` is `Borders::LEVEL`, and the vertices of a border component do
+///            not have one value, or have lower as well as higher neighbors
 ///
 /// and the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
 template <class MutableFaceGraph,

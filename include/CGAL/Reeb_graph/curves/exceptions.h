@@ -39,7 +39,9 @@ public:
     : Vertex_error(vertex,
                    "the border component of vertex " + std::to_string(vertex)
                      + (reason == Reason::SEVERAL_VALUES ? " does not lie in one level of the scalar field"
-                                                         : " has lower neighbors as well as higher ones")),
+                                                         : " has lower neighbors as well as higher ones")
+                     + "; make_borders_level() changes a field so that it does, as the named parameter "
+                       "borders(Borders::MAKE_LEVEL) does"),
       reason_(reason)
   {}
 

@@ -46,11 +46,13 @@ namespace Reeb_graph {
 /// \param mesh the mesh, which is changed. To keep it, pass a copy made by `CGAL::copy_face_graph()`. The Euler
 ///        characteristic of each of its connected components must be negative.
 /// \param scalar_map the scalar field. If the mesh has borders, all vertices of a border component must have the same
-///        value, and not have lower neighbors as well as higher ones.
+///        value, and not have lower neighbors as well as higher ones, unless `borders` is `Borders::MAKE_LEVEL`.
 /// \param curves the output
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those below
 ///
 /// \copydetails PkgReebGraphPlaceParameters
+///
+/// \copydetails PkgReebGraphBorderParameters
 ///
 /// \copydetails PkgReebGraphCuttingParameters
 ///
@@ -60,8 +62,8 @@ namespace Reeb_graph {
 ///
 /// \exception Reeb_graph::No_pants_decomposition_error if a connected component is a sphere, a disk, an annulus, or a
 ///            torus
-/// \exception Reeb_graph::Border_level_error if the vertices of a border component do not have one value, or have lower
-///            as well as higher neighbors
+/// \exception Reeb_graph::Border_level_error if `borders` is `Borders::LEVEL`, and the vertices of a border component do
+///            not have one value, or have lower as well as higher neighbors
 ///
 /// and the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
 template <class MutableFaceGraph,

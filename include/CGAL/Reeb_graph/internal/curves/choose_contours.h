@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
+#include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/internal/curves/Contour_choice.h>
 #include <CGAL/Reeb_graph/internal/curves/Graph_retract.h>
 #include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
@@ -162,10 +163,19 @@ OutputIterator cut_along_chosen_contours(Mesh& mesh,
                                          const NamedParameters& np,
                                          const Choose& choose)
 {
-  return cut_along_found_contours(mesh, output, np, [&](const auto& ranked) {
-    const auto traits = choose_traits<Reeb_graph_traits<Mesh, ScalarMap>>(np);
-    return choose(ranked, compute_simple_reeb_graph(ranked, scalar_map, traits));
-  });
+  const auto traits = choose_traits<Reeb_graph_traits<Mesh, ScalarMap>>(np);
+  const auto cut = [&](const auto& map) {
+    return cut_along_found_contours(mesh, output, np, [&](const auto& ranked) {
+      return choose(ranked, compute_simple_reeb_graph(ranked, map, traits));
+    });
+  };
+  if(parameters::choose_parameter(parameters::get_parameter(np, borders), Borders::LEVEL) == Borders::LEVEL)
+    return cut(scalar_map);
+  const auto level_map = get(dynamic_vertex_property_t<typename decltype(traits)::Scalar>(), mesh);
+  for(const auto v : vertices(mesh))
+    put(level_map, v, get(scalar_map, v));
+  make_borders_level(mesh, level_map, np);
+  return cut(level_map);
 }
 
 } // namespace internal

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/internal/curves/Ranked_mesh.h>
+#include <CGAL/Reeb_graph/internal/mesh/border_cycles.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -88,30 +89,15 @@ Level_borders<Mesh> find_level_borders(Mesh& mesh, const ScalarMap& scalar_map, 
   Level_borders<Mesh> result(mesh);
   for(const auto v : vertices(mesh))
     put(result.number_map, v, 0);
-  std::size_t position = 0;
-  for(const auto v : vertices(mesh))
+  for(const auto& cycle : find_border_cycles(mesh))
   {
-    const std::size_t first_vertex = position++;
-    auto first = halfedge(v, mesh);
-    if(first == boost::graph_traits<Mesh>::null_halfedge() || result.is_on_border(v))
-      continue;
-    bool is_on_border = false;
-    for(const auto h : halfedges_around_target(v, mesh))
-    {
-      if(!is_border(h, mesh))
-        continue;
-      first = h;
-      is_on_border = true;
-    }
-    if(!is_on_border)
-      continue;
     result.borders.emplace_back();
-    for(const auto h : halfedges_around_face(first, mesh))
+    for(const auto v : vertices_around_face(cycle.halfedge, mesh))
     {
-      result.borders.back().vertices.push_back(target(h, mesh));
-      put(result.number_map, target(h, mesh), result.borders.size());
+      result.borders.back().vertices.push_back(v);
+      put(result.number_map, v, result.borders.size());
     }
-    check_level_border(mesh, scalar_map, less, first_vertex, result.borders.back());
+    check_level_border(mesh, scalar_map, less, cycle.first_vertex, result.borders.back());
   }
   return result;
 }

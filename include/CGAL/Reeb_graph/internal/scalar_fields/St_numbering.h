@@ -42,6 +42,8 @@ public:
       const auto neighbors = graph_.neighbors(v);
       return std::any_of(neighbors.begin(), neighbors.end(), is_sink);
     });
+    for(const Position v : part) // It may have been in another part before.
+      records_[v].preorder = no_position;
     search(root, is_in_part, is_source);
     return list(root);
   }

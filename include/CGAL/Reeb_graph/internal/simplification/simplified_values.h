@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/vertex_graph.h>
 #include <CGAL/Reeb_graph/internal/simplification/Moved_pieces.h>
 #include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
 #include <CGAL/Reeb_graph/internal/simplification/spread_ties.h>
@@ -35,34 +35,6 @@
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
-
-// By position of the vertex.
-template <class Mesh, class ScalarMap>
-auto read_values(const Mesh& mesh, const ScalarMap& scalar_map)
-{
-  typedef std::decay_t<typename boost::property_traits<ScalarMap>::value_type> Scalar;
-  std::vector<Scalar> values;
-  for(const auto v : CGAL::make_range(vertices(mesh)))
-    values.push_back(get(scalar_map, v));
-  return values;
-}
-
-template <class Mesh>
-scalar_fields::Weighted_graph make_vertex_graph(const Mesh& mesh, std::size_t number_of_vertices)
-{
-  const auto positions = get(dynamic_vertex_property_t<Index>(), mesh);
-  Index position = 0;
-  for(const auto v : CGAL::make_range(vertices(mesh)))
-    put(positions, v, position++);
-  return scalar_fields::Weighted_graph(number_of_vertices, [&](const auto& visit) {
-    for(const auto e : CGAL::make_range(edges(mesh)))
-    {
-      const Index u = get(positions, source(e, mesh)), v = get(positions, target(e, mesh));
-      visit(scalar_fields::Weighted_graph::Contribution{u, v, 1});
-      visit(scalar_fields::Weighted_graph::Contribution{v, u, 1});
-    }
-  });
-}
 
 // By node, the position of its vertex.
 template <class Mesh, class ReebGraph>
@@ -157,7 +129,7 @@ auto simplified_values(const Mesh& mesh, const ScalarMap& scalar_map, double thr
   typename Traits::Graph graph, simplified;
   compute_reeb_graph(mesh, scalar_map, graph, np);
   const Leaf_pruning pruned = prune_graph<Branch>(graph, threshold, np);
-  const std::vector<Scalar> values = read_values(mesh, scalar_map);
+  const std::vector<Scalar> values = scalar_fields::read_values_of_vertices(mesh, scalar_map);
   const std::vector<Index> places = find_places_of_vertices(mesh, scalar_map, graph, np);
   const std::vector<Index> saddles_of_places = pruned.find_saddles();
   std::vector<Index> saddles;
@@ -177,7 +149,8 @@ auto simplified_values(const Mesh& mesh, const ScalarMap& scalar_map, double thr
     const std::vector<Index> positions = positions_of_nodes(mesh, graph);
     for(Index& saddle : saddles)
       saddle = saddle == no_index ? no_index : positions[saddle];
-    const auto vertex_graph = make_vertex_graph(mesh, values.size());
+    const auto vertex_graph =
+      scalar_fields::make_vertex_graph(mesh, scalar_fields::make_position_map(mesh), values.size());
     const std::vector<Scalar> spread =
       spread_ties(values, find_tied_saddles(vertex_graph, saddles, values, static_cast<Scalar>(threshold)));
     const std::vector<Scalar> rooms = rooms_of_nodes(positions, spread);

@@ -1,0 +1,169 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_BASIN_FILLING_H
+#define CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_BASIN_FILLING_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/scalar_fields/St_numbering.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+namespace scalar_fields {
+
+// Removes minima by filling the basins around them: the vertices below the lowest pass out of the basin get values just
+// above that of the pass, in an order in which each has a lower and a higher neighbor. The order of the basin and any
+// other vertex around it stays the same, so that no other extremum arises. `sign` is -1 to remove maxima instead.
+template <class Scalar>
+class Basin_filling
+{
+public:
+  // Only values of free vertices are changed. Basins must not reach up to vertices of borders.
+  Basin_filling(const Weighted_graph& graph,
+                const std::vector<bool>& is_free,
+                const std::vector<bool>& is_on_border,
+                std::vector<Scalar>& values)
+    : graph_(graph),
+      is_free_(is_free),
+      is_on_border_(is_on_border),
+      values_(values),
+      st_numbering_(graph),
+      basins_(values.size(), 0),
+      basins_next_to_(values.size(), 0)
+  {}
+
+  // Fills the basins of those free vertices around which `is_candidate(vertex)` is true and that are minima, but not
+  // minima of `old_values`, as far as they lie among the free vertices.
+  void remove_new_minima(const std::vector<Position>& candidates, const std::vector<Scalar>& old_values, int sign)
+  {
+    sign_ = static_cast<Scalar>(sign);
+    std::vector<Position> minima;
+    for(const Position v : candidates)
+    {
+      if(is_minimum(v, values_) && !is_minimum(v, old_values))
+        minima.push_back(v);
+    }
+    std::sort(minima.begin(), minima.end(), [&](Position u, Position v) { return is_lower(v, u, values_); });
+    for(const Position v : minima)
+    {
+      if(is_minimum(v, values_))
+        fill(v);
+    }
+  }
+
+private:
+  typedef std::pair<Scalar, std::ptrdiff_t> Place; // in the total order
+  typedef std::pair<Place, Position> Placed_vertex;
+  typedef std::priority_queue<Placed_vertex, std::vector<Placed_vertex>, std::greater<Placed_vertex>> Queue;
+
+  Place place(Position v, const std::vector<Scalar>& values) const
+  {
+    return {sign_ * values[v], static_cast<std::ptrdiff_t>(v) * (sign_ > 0 ? 1 : -1)};
+  }
+  bool is_lower(Position u, Position v, const std::vector<Scalar>& values) const
+  {
+    return place(u, values) < place(v, values);
+  }
+
+  bool is_minimum(Position v, const std::vector<Scalar>& values) const
+  {
+    const auto neighbors = graph_.neighbors(v);
+    return std::none_of(neighbors.begin(), neighbors.end(),
+                        [&](const auto& n) { return is_lower(n.vertex, v, values); });
+  }
+
+  bool has_lower_neighbor_outside(Position v) const
+  {
+    const auto neighbors = graph_.neighbors(v);
+    return std::any_of(neighbors.begin(), neighbors.end(),
+                       [&](const auto& n) { return basins_[n.vertex] != basin_ && is_lower(n.vertex, v, values_); });
+  }
+
+  void add(Position v)
+  {
+    basins_[v] = basins_next_to_[v] = basin_;
+    vertices_.push_back(v);
+    for(const auto& n : graph_.neighbors(v))
+    {
+      if(basins_next_to_[n.vertex] == basin_)
+        continue;
+      basins_next_to_[n.vertex] = basin_;
+      shore_.push({place(n.vertex, values_), n.vertex});
+    }
+  }
+
+  // Grows the basin of a minimum to the lowest pass. Nothing is changed if there is none among the free vertices.
+  void fill(Position minimum)
+  {
+    ++basin_;
+    vertices_.clear();
+    shore_ = Queue();
+    for(add(minimum); !shore_.empty();)
+    {
+      const Position v = shore_.top().second;
+      shore_.pop();
+      if(is_on_border_[v])
+        return;
+      if(has_lower_neighbor_outside(v))
+        return raise_above(v);
+      if(!is_free_[v])
+        return;
+      add(v);
+    }
+  }
+
+  void raise_above(Position pass)
+  {
+    const Scalar infinity = std::numeric_limits<Scalar>::infinity();
+    const Scalar from = sign_ * values_[pass], depth = from - sign_ * values_[vertices_.front()];
+    const Scalar to = shore_.empty() ? infinity : shore_.top().first.first;
+    const Scalar room = (std::min)((to - from) / 2, depth / 16);
+    const auto size = static_cast<Scalar>(vertices_.size());
+    std::vector<Scalar> ascending;
+    Scalar last = from;
+    for(std::size_t i = 0; i != vertices_.size(); ++i)
+    {
+      last = (std::max)(from + room * (static_cast<Scalar>(i + 1) / size), std::nextafter(last, infinity));
+      ascending.push_back(last);
+    }
+    if(!(last < to))
+      return;
+    const auto order = st_numbering_(
+      vertices_, [&](Position v) { return basins_[v] == basin_; }, [&](Position v) { return v == pass; });
+    for(std::size_t i = 0; i != order.size(); ++i)
+      values_[order[i]] = sign_ * ascending[i];
+  }
+
+  const Weighted_graph& graph_;
+  const std::vector<bool>&is_free_, &is_on_border_;
+  std::vector<Scalar>& values_;
+  St_numbering st_numbering_;
+  Scalar sign_ = 1;
+  std::size_t basin_ = 0;                            // number of the basin that is being filled
+  std::vector<std::size_t> basins_, basins_next_to_; // by vertex, the last basin that it was in, or in or next to
+  std::vector<Position> vertices_;                   // of the basin
+  Queue shore_;                                      // the vertices next to the basin
+};
+
+} // namespace scalar_fields
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_BASIN_FILLING_H

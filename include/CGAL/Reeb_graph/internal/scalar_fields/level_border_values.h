@@ -1,0 +1,108 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_LEVEL_BORDER_VALUES_H
+#define CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_LEVEL_BORDER_VALUES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/mesh/border_cycles.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Basin_filling.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Border_levels.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/options.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+namespace scalar_fields {
+
+// The vertices of each border component.
+template <class Mesh, class PositionMap>
+std::vector<std::vector<Position>> vertices_of_borders(const Mesh& mesh, const PositionMap& positions)
+{
+  std::vector<std::vector<Position>> borders;
+  for(const auto& cycle : find_border_cycles(mesh))
+  {
+    borders.emplace_back();
+    for(const auto v : vertices_around_face(cycle.halfedge, mesh))
+      borders.back().push_back(get(positions, v));
+  }
+  return borders;
+}
+
+// The vertices that are on no border, and at most `width` edges away from the given ones; nearer ones come first.
+inline std::vector<Position> vertices_around(const Weighted_graph& graph,
+                                             const std::vector<Position>& border_vertices,
+                                             const std::vector<bool>& is_on_border,
+                                             std::size_t width)
+{
+  std::vector<Position> reached = border_vertices;
+  std::vector<bool> is_reached(graph.number_of_vertices(), false);
+  for(const Position v : border_vertices)
+    is_reached[v] = true;
+  std::size_t begin = 0;
+  for(; width > 0 && begin != reached.size(); --width)
+    for(const std::size_t end = reached.size(); begin != end; ++begin)
+      for(const auto& n : graph.neighbors(reached[begin]))
+      {
+        if(is_reached[n.vertex] || is_on_border[n.vertex])
+          continue;
+        is_reached[n.vertex] = true;
+        reached.push_back(n.vertex);
+      }
+  reached.erase(reached.begin(), reached.begin() + static_cast<std::ptrdiff_t>(border_vertices.size()));
+  return reached;
+}
+
+// The values of a field, changed so that each border component is an extremal level; see make_borders_level().
+template <class Scalar, class Less>
+std::vector<Scalar> level_border_values(const Weighted_graph& graph,
+                                        const std::vector<std::vector<Position>>& borders,
+                                        const std::vector<Scalar>& values,
+                                        const Less& less,
+                                        Border_extremum wish,
+                                        std::size_t collar_width)
+{
+  std::vector<Scalar> result = values;
+  std::vector<bool> is_on_border(values.size(), false), is_free(values.size(), false);
+  std::vector<Position> changed;
+  const std::vector<Scalar> levels = Border_levels<Scalar, Less>(graph, values, borders, less)(wish);
+  for(std::size_t b = 0; b != borders.size(); ++b)
+    for(const Position v : borders[b])
+    {
+      is_on_border[v] = true;
+      if(less(values[v], levels[b]) || less(levels[b], values[v]))
+        changed.push_back(v);
+      result[v] = levels[b];
+    }
+  if constexpr(Level_arithmetic<Scalar, Less>::has_numbers)
+  {
+    const std::vector<Position> collar = vertices_around(graph, changed, is_on_border, collar_width);
+    if(collar.empty())
+      return result;
+    for(const Position v : collar)
+      is_free[v] = true;
+    Basin_filling<Scalar> basins(graph, is_free, is_on_border, result);
+    for(const int sign : {1, -1})
+      basins.remove_new_minima(collar, values, sign);
+  }
+  return result;
+}
+
+} // namespace scalar_fields
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_LEVEL_BORDER_VALUES_H
