@@ -121,6 +121,14 @@ void add_compute_command(CLI::App& app, Compute_options& options)
   add_simplification_options(*command, options.simplification);
   command->add_option("--simplified-scalars", options.simplified_scalars_path,
                       "With --simplify or --leaves: write a field that has the simplified graph to this file");
+  CLI::Option* table = command->add_flag_callback(
+    "--table", [&options] { options.is_table_wanted = true; },
+    "Print a table of the arcs with their ends, lengths, areas and numbers of vertices; by default for graphs of up to "
+    "40 arcs");
+  command
+    ->add_flag_callback(
+      "--no-table", [&options] { options.is_table_wanted = false; }, "Print no such table")
+    ->excludes(table);
   command->add_flag("--json", options.is_report_json, "Print the report as one JSON object");
   command->callback(
     [&options] { run_with_threads(options.graph.number_of_threads, [&options] { run_compute(options); }); });

@@ -18,8 +18,11 @@
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+#include <boost/pending/property.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <cstddef>
 #include <functional>
 #include <type_traits>
 
@@ -94,14 +97,21 @@ public:
   typedef Reeb_graph::Arc<halfedge_descriptor> Arc;
   /// the Reeb graph. Arcs are directed from the lower to the upper node, and can be parallel. They are stored in a way
   /// that saves allocations; any other containers of Boost.Graph that allow parallel edges can be used as well.
+  /// `get(boost::edge_index, graph)` is a property map from the arcs to their numbers, from 0, in the order of
+  /// `edges(graph)`, as the functions that write a graph have set them; `graph[arc]` is the `Arc`.
 #ifdef DOXYGEN_RUNNING
-  typedef boost::adjacency_list<unspecified_type, boost::vecS, boost::bidirectionalS, Node, Arc> Graph;
+  typedef boost::adjacency_list<unspecified_type,
+                                boost::vecS,
+                                boost::bidirectionalS,
+                                Node,
+                                boost::property<boost::edge_index_t, std::size_t, Arc>>
+    Graph;
 #else
   typedef boost::adjacency_list<Reeb_graph::internal::Inline_edge_list_selector,
                                 boost::vecS,
                                 boost::bidirectionalS,
                                 Node,
-                                Arc,
+                                boost::property<boost::edge_index_t, std::size_t, Arc>,
                                 boost::no_property,
                                 Reeb_graph::internal::Block_list_selector>
     Graph;

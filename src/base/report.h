@@ -45,6 +45,17 @@ struct Simplification_counts
 };
 
 // What was found, and what it took.
+struct Arc_row
+{
+  std::size_t lower_node = 0;
+  std::size_t upper_node = 0;
+  double lower_value = 0;
+  double upper_value = 0;
+  double length = 0;
+  double area = 0;
+  std::size_t vertices = 0; // that belong to the arc
+};
+
 struct Report
 {
   Surface_counts surface;
@@ -52,6 +63,7 @@ struct Report
   Graph_counts graph;
   std::optional<Simplification_counts> simplification;
   std::optional<double> suggested_threshold;
+  std::optional<std::vector<Arc_row>> arc_table;       // of the simplified graph if there is one
   std::vector<std::pair<std::string, double>> seconds; // in the order in which they were spent
 };
 

@@ -13,6 +13,7 @@
 #include "computation/augmentation.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace reeb_graph_program {
@@ -28,6 +29,7 @@ struct Compute_options
   std::string diagram_path;
   std::string simplified_scalars_path;
   bool is_report_json = false;
+  std::optional<bool> is_table_wanted; // by default that of a graph of few arcs
 };
 
 struct Contour_options

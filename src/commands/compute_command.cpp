@@ -69,21 +69,33 @@ void write_pairs_and_diagram(const Compute_options& options,
                   options.simplification.threshold ? std::optional<double>(threshold) : std::nullopt);
 }
 
-void write_files(const Compute_options& options,
-                 const Simplified_graph& graph,
-                 const Surface& surface,
-                 Scalar_map scalar_map,
-                 Report& report)
+// The vertices are located if the file or the table needs it.
+void write_vertex_arcs_and_table(const Compute_options& options,
+                                 const Simplified_graph& graph,
+                                 const Surface& surface,
+                                 Scalar_map scalar_map,
+                                 Report& report)
 {
-  if(options.graph_path.empty() && options.vertex_arcs_path.empty())
+  constexpr std::size_t few_arcs = 40;
+  const bool has_table = options.is_table_wanted.value_or(num_edges(graph.result()) <= few_arcs);
+  if(options.vertex_arcs_path.empty() && !has_table)
     return;
   const Stopwatch stopwatch;
+  const Augmentation augmentation = graph.augmentation(surface, scalar_map, options.graph);
+  const Vertex_locations locations = locate_vertices(augmentation);
+  if(has_table)
+    report.arc_table = measure_arcs(surface, scalar_map, graph.result(), locations);
+  report.seconds.emplace_back("locate", stopwatch.seconds());
   if(!options.vertex_arcs_path.empty())
-    write_vertex_arcs(options.vertex_arcs_path,
-                      locate_vertices(surface, graph.augmentation(surface, scalar_map, options.graph)),
-                      num_vertices(graph.result()));
-  if(!options.graph_path.empty())
-    write_graph(options.graph_path, graph.result(), surface);
+    write_vertex_arcs(options.vertex_arcs_path, surface, locations, num_vertices(graph.result()));
+}
+
+void write_graph_file(const Compute_options& options, const Graph& graph, const Surface& surface, Report& report)
+{
+  if(options.graph_path.empty())
+    return;
+  const Stopwatch stopwatch;
+  write_graph(options.graph_path, graph, surface);
   report.seconds.emplace_back("output", stopwatch.seconds());
 }
 
@@ -134,7 +146,8 @@ void run_compute(const Compute_options& options)
   }
   write_simplified_field(options, surface, scalar_map, threshold, report);
   write_pairs_and_diagram(options, given, surface, threshold, report);
-  write_files(options, graph, surface, scalar_map, report);
+  write_vertex_arcs_and_table(options, graph, surface, scalar_map, report);
+  write_graph_file(options, graph.result(), surface, report);
   if(options.is_report_json)
     write_json(std::cout, report);
   else

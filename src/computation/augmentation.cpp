@@ -10,6 +10,7 @@
 
 #include "base/progress_bar.h"
 
+#include <CGAL/Reeb_graph/piece_measures.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <functional>
@@ -57,14 +58,26 @@ std::vector<Polyline> contours_at_level(const Augmentation& augmentation, double
 
 } // namespace
 
-std::vector<std::size_t> locate_vertices(const Surface& surface, const Augmentation& augmentation)
+Vertex_locations locate_vertices(const Augmentation& augmentation)
 {
-  const auto locations = augmentation.locate_vertices<CGAL::Parallel_if_available_tag>();
-  std::vector<std::size_t> places;
-  places.reserve(surface.number_of_vertices());
-  for(const Surface::Vertex_index v : surface.vertices())
-    places.push_back(locations.index(v));
-  return places;
+  return augmentation.locate_vertices<CGAL::Parallel_if_available_tag>();
+}
+
+std::vector<Arc_row> measure_arcs(const Surface& surface,
+                                  Scalar_map scalar_map,
+                                  const Graph& graph,
+                                  const Vertex_locations& locations)
+{
+  const std::vector<double> lengths = CGAL::Reeb_graph::arc_lengths(surface, scalar_map, graph);
+  const std::vector<double> areas = CGAL::Reeb_graph::arc_areas(surface, graph, locations);
+  std::vector<Arc_row> rows;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const std::size_t i = get(boost::edge_index, graph, arc), lower = source(arc, graph), upper = target(arc, graph);
+    rows.push_back({lower, upper, graph[lower].value, graph[upper].value, lengths[i], areas[i],
+                    locations.vertices_of_arc(i).size()});
+  }
+  return rows;
 }
 
 std::vector<Polyline> find_contours(const Surface& surface, Scalar_map scalar_map, const Contour_choice& choice)

@@ -10,6 +10,7 @@
 #define CGAL_REEB_GRAPH_SRC_AUGMENTATION_H
 
 #include "base/options.h"
+#include "base/report.h"
 #include "base/surface.h"
 #include "computation/simplification.h"
 
@@ -18,9 +19,16 @@
 #include <vector>
 
 namespace reeb_graph_program {
-// The place of each vertex in the graph of the augmentation: the number of a node, or, from the number of nodes on, that
-// of an arc. They are numbered as in the graph files.
-std::vector<std::size_t> locate_vertices(const Surface& surface, const Augmentation& augmentation);
+typedef Augmentation::Vertex_locations Vertex_locations;
+
+// The places are numbered as in the graph files.
+Vertex_locations locate_vertices(const Augmentation& augmentation);
+
+// The arcs of the graph, by their numbers.
+std::vector<Arc_row> measure_arcs(const Surface& surface,
+                                  Scalar_map scalar_map,
+                                  const Graph& graph,
+                                  const Vertex_locations& locations);
 
 // Which contours of which graph.
 struct Contour_choice

@@ -34,12 +34,14 @@ void write_graph(const std::filesystem::path& path, const Graph& graph, const Su
 }
 
 void write_vertex_arcs(const std::filesystem::path& path,
-                       const std::vector<std::size_t>& places,
+                       const Surface& surface,
+                       const Vertex_locations& locations,
                        std::size_t number_of_nodes)
 {
   write_file(path, [&](std::ostream& stream) {
-    for(const std::size_t place : places)
+    for(const Surface::Vertex_index v : surface.vertices())
     {
+      const std::size_t place = locations.index(v);
       if(place < number_of_nodes)
         stream << "node " << place << '\n';
       else

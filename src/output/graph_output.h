@@ -10,10 +10,10 @@
 #define CGAL_REEB_GRAPH_SRC_GRAPH_OUTPUT_H
 
 #include "base/surface.h"
+#include "computation/augmentation.h"
 
 #include <cstddef>
 #include <filesystem>
-#include <vector>
 
 namespace reeb_graph_program {
 // Throws std::runtime_error if the extension is neither .graphml nor .dot.
@@ -24,7 +24,8 @@ void write_graph(const std::filesystem::path& path, const Graph& graph, const Su
 // Writes for each vertex, on a line of its own, the node or the arc that it belongs to, by their numbers in the graph
 // files. `places` are those of locate_vertices().
 void write_vertex_arcs(const std::filesystem::path& path,
-                       const std::vector<std::size_t>& places,
+                       const Surface& surface,
+                       const Vertex_locations& locations,
                        std::size_t number_of_nodes);
 
 } // namespace reeb_graph_program

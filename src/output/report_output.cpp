@@ -16,6 +16,7 @@
 #include <iomanip>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
@@ -62,6 +63,33 @@ nlohmann::ordered_json json_of(const Simplification_counts& simplification)
   return json;
 }
 
+nlohmann::ordered_json json_of(const Arc_row& row, std::size_t arc)
+{
+  nlohmann::ordered_json json;
+  json["arc"] = arc;
+  json["from"] = row.lower_node;
+  json["to"] = row.upper_node;
+  json["lower_value"] = json_number(row.lower_value);
+  json["upper_value"] = json_number(row.upper_value);
+  json["length"] = json_number(row.length);
+  json["area"] = json_number(row.area);
+  json["vertices"] = row.vertices;
+  return json;
+}
+
+void write_table(std::ostream& out, const std::vector<Arc_row>& rows)
+{
+  out << "\n  arc   from     to        from value          to value          length            area  vertices\n"
+      << std::defaultfloat << std::setprecision(6);
+  for(std::size_t arc = 0; arc < rows.size(); ++arc)
+  {
+    const Arc_row& row = rows[arc];
+    out << std::setw(5) << arc << std::setw(7) << row.lower_node << std::setw(7) << row.upper_node << std::setw(18)
+        << row.lower_value << std::setw(18) << row.upper_value << std::setw(16) << row.length << std::setw(16)
+        << row.area << std::setw(10) << row.vertices << '\n';
+  }
+}
+
 } // namespace
 
 void write_text(std::ostream& out, const Report& report)
@@ -90,6 +118,8 @@ void write_text(std::ostream& out, const Report& report)
   for(std::size_t i = 0; i < report.seconds.size(); ++i)
     out << (i == 0 ? "" : ", ") << report.seconds[i].first << " " << report.seconds[i].second;
   out << "\nmemory   " << std::setprecision(1) << static_cast<double>(peak_memory_bytes()) / 1e6 << " MB at the peak\n";
+  if(report.arc_table && !report.arc_table->empty())
+    write_table(out, *report.arc_table);
 }
 
 void write_json(std::ostream& out, const Report& report)
@@ -121,6 +151,9 @@ void write_json(std::ostream& out, const Report& report)
   json["simplified"] = nullptr;
   if(report.simplification)
     json["simplified"] = json_of(*report.simplification);
+  json["arc_table"] = report.arc_table ? nlohmann::ordered_json::array() : nlohmann::ordered_json();
+  for(std::size_t arc = 0; report.arc_table && arc < report.arc_table->size(); ++arc)
+    json["arc_table"].push_back(json_of((*report.arc_table)[arc], arc));
   for(const auto& [step, seconds] : report.seconds)
     json["seconds"][step] = seconds;
   json["peak_memory_bytes"] = peak_memory_bytes();

@@ -48,9 +48,9 @@ class Names
 public:
   Graph::edge_property_type arc(std::size_t name) const
   {
-    Graph::edge_property_type result;
+    Graph::edge_bundled result;
     result.chain = {storage_, 0, name};
-    return result;
+    return {name, result};
   }
 
 private:
@@ -58,7 +58,11 @@ private:
     std::make_shared<const std::vector<CGAL::SM_Halfedge_index>>(1000);
 };
 
-std::size_t name(const Graph& graph, Graph::edge_descriptor arc) { return graph[arc].chain.size(); }
+std::size_t name(const Graph& graph, Graph::edge_descriptor arc)
+{
+  BOOST_TEST(get(boost::edge_index, graph, arc) == graph[arc].chain.size());
+  return graph[arc].chain.size();
+}
 std::size_t name(const Plain_graph& graph, Plain_graph::edge_descriptor arc) { return graph[arc].number; }
 double value(const Graph& graph, std::size_t node) { return graph[node].value; }
 double value(const Plain_graph& graph, std::size_t node) { return graph[node].number; }

@@ -14,7 +14,7 @@
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/curves/segmentation.h>
-#include <CGAL/Reeb_graph/simplification/piece_weights.h>
+#include <CGAL/Reeb_graph/piece_measures.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -96,6 +96,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(vertices_are_in_the_place_that_took_them_up, Mesh,
 
       const auto counts = CGAL::Reeb_graph::vertex_counts_of_pieces(sample.mesh, sample.simplified, locations);
       BOOST_TEST(std::accumulate(counts.begin(), counts.end(), 0.) == static_cast<double>(num_vertices(sample.mesh)));
+      BOOST_TEST(graph_checks::are_arcs_numbered(sample.simplified));
     }
 }
 
@@ -184,6 +185,11 @@ BOOST_AUTO_TEST_CASE(simplification_by_area_and_by_number_of_vertices)
   const auto areas = CGAL::Reeb_graph::areas_of_pieces(mesh, graph, locations);
   BOOST_TEST(std::accumulate(areas.begin(), areas.end(), 0.) == CGAL::Polygon_mesh_processing::area(mesh),
              boost::test_tools::tolerance(1e-9));
+  const auto areas_of_arcs = CGAL::Reeb_graph::arc_areas(mesh, graph, locations);
+  BOOST_TEST(areas_of_arcs.size() == num_edges(graph));
+  BOOST_TEST(std::accumulate(areas_of_arcs.begin(), areas_of_arcs.end(), 0.)
+               == CGAL::Polygon_mesh_processing::area(mesh),
+             boost::test_tools::tolerance(1e-9));
   const double area = std::accumulate(areas.begin(), areas.end(), 0.);
   std::decay_t<decltype(graph)> by_count, by_area;
   const auto map = CGAL::Reeb_graph::simplify(graph, 50, by_count, CGAL::parameters::piece_weights(counts));
@@ -207,6 +213,37 @@ BOOST_AUTO_TEST_CASE(simplification_by_area_and_by_number_of_vertices)
         BOOST_TEST(new_locations.vertices_of_arc(number).size() + new_locations.vertices_of_node(leaf).size() >= 50u);
     ++number;
   }
+}
+
+// A height grows no faster than the way on the surface, and the chain ends at most one edge above the arc.
+BOOST_AUTO_TEST_CASE(lengths_of_arcs_are_those_of_their_chains)
+{
+  const Sample sample = curve_samples::smooth_sample(2, 1000, 1);
+  const auto mesh = make_mesh<Surface_mesh>(sample.soup);
+  const auto scalar_map =
+    CGAL::Reeb_graph::make_scalar_map_from_function(mesh, [&mesh](auto v) { return mesh.point(v).x(); });
+  CGAL::Reeb_graph_traits<Surface_mesh, std::decay_t<decltype(scalar_map)>>::Graph graph;
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+  const auto lengths = CGAL::Reeb_graph::arc_lengths(mesh, scalar_map, graph);
+  BOOST_TEST_REQUIRE(lengths.size() == num_edges(graph));
+  std::size_t number_of_clipped_chains = 0;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const auto& chain = graph[arc].chain;
+    const double upper_value = graph[target(arc, graph)].value;
+    const double length = lengths[get(boost::edge_index, graph, arc)];
+    double chain_length = 0;
+    for(const auto h : chain)
+      chain_length += CGAL::Polygon_mesh_processing::edge_length(h, mesh);
+    const double last = CGAL::Polygon_mesh_processing::edge_length(chain.back(), mesh);
+    const double lower_end = get(scalar_map, source(chain.back(), mesh));
+    const double upper_end = get(scalar_map, target(chain.back(), mesh));
+    BOOST_TEST(length >= upper_value - graph[source(arc, graph)].value - 1e-12);
+    BOOST_TEST(chain_length - length == last * (upper_end - upper_value) / (upper_end - lower_end),
+               boost::test_tools::tolerance(1e-6));
+    number_of_clipped_chains += upper_end > upper_value ? 1 : 0;
+  }
+  BOOST_TEST(number_of_clipped_chains > 3u);
 }
 
 BOOST_AUTO_TEST_CASE(simplifications_of_other_graphs)

@@ -21,6 +21,8 @@ set(small_headers exceptions.h options.h Node_kind.h Critical_vertex_counts.h)
 set(room_of_fields scalar_fields)
 set(room_of_simplification simplification)
 set(room_of_curves curves)
+# the public folder that is not on top
+set(room_of_IO public)
 
 function(check_include header room included)
   if(included MATCHES "^CGAL/Reeb_graph/internal/([^/]+)/")

@@ -11,6 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <ostream>
+#include <string>
+
 namespace CGAL {
 namespace Reeb_graph {
 
@@ -25,6 +28,28 @@ enum class Node_kind
   MAXIMUM,   ///< a contour dies: no arc above
   DEGREE_TWO ///< a critical vertex that is touched by one contour below and by one above; kept on request only
 };
+
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief returns the name under which a kind of node is written:
+/// `"isolated"`, `"minimum"`, `"saddle"`, `"maximum"`, or `"degree-two"`.
+inline std::string to_string(Node_kind kind)
+{
+  switch(kind)
+  {
+  case Node_kind::ISOLATED: return "isolated";
+  case Node_kind::MINIMUM: return "minimum";
+  case Node_kind::SADDLE: return "saddle";
+  case Node_kind::MAXIMUM: return "maximum";
+  case Node_kind::DEGREE_TWO: return "degree-two";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief writes what `to_string()` returns.
+inline std::ostream& operator<<(std::ostream& out, Node_kind kind) { return out << to_string(kind); }
 
 } // namespace Reeb_graph
 } // namespace CGAL

@@ -75,6 +75,17 @@ Oracle make_oracle(const Mesh_numbers<Mesh>& numbers, const std::vector<Scalar>&
                 keeps_degree_two_nodes);
 }
 
+// Are the arcs numbered from 0 in their order?
+template <class Graph>
+bool are_arcs_numbered(const Graph& graph)
+{
+  std::size_t number = 0;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+    if(get(boost::edge_index, graph, arc) != number++)
+      return false;
+  return number == num_edges(graph);
+}
+
 // A graph without handles, to compare those of different meshes.
 struct Plain_arc
 {
@@ -255,6 +266,8 @@ std::string fault_of_reeb_graph(const Mesh& mesh, const std::vector<Scalar>& val
       fault = fault_of_arcs(numbers, graph, oracle);
     if(fault.empty())
       fault = fault_of_chains(numbers, graph, oracle);
+    if(fault.empty() && !are_arcs_numbered(graph))
+      fault = "arcs are not numbered in their order";
     if(!fault.empty())
       return (method == Method::CRITICAL_SETS ? "critical sets: " : "contour trees: ") + fault;
   }

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/mesh/flatten.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
@@ -23,7 +24,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -122,9 +122,8 @@ public:
   // The place of a value on an ascending halfedge: 0 at its source, 1 at its target, in the middle if that is unclear.
   double crossing_fraction(halfedge_descriptor h, double value) const
   {
-    const double lower = this->value(number(source(h, mesh_))), upper = this->value(number(target(h, mesh_)));
-    const double fraction = (value - lower) / (upper - lower);
-    return std::isfinite(fraction) ? (std::min)((std::max)(fraction, 0.), 1.) : 0.5;
+    return internal::crossing_fraction(this->value(number(source(h, mesh_))), this->value(number(target(h, mesh_))),
+                                       value);
   }
 
   // The faces at a node, counterclockwise.

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
+
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/properties.h>
@@ -76,8 +78,7 @@ public:
   // The place of the value on the edge from `u` to the higher `w`: 0 at `u`, 1 at `w`, in the middle if it is unclear.
   double crossing_fraction(vertex_descriptor u, vertex_descriptor w, double value) const
   {
-    const double fraction = (value - this->value(u)) / (this->value(w) - this->value(u));
-    return std::isfinite(fraction) ? (std::min)((std::max)(fraction, 0.), 1.) : 0.5;
+    return internal::crossing_fraction(this->value(u), this->value(w), value);
   }
 
   auto point_between(vertex_descriptor u, vertex_descriptor w, double t) const

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
+#include <CGAL/Reeb_graph/internal/base/arc_index.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/mesh/flatten.h>
@@ -125,6 +126,7 @@ void write_graph(const FaceListGraph& mesh,
     if(flat_graph.arcs.contains(later))
       prefetch(&chains.begins_of_pieces[flat_graph.arcs[later].first_piece]);
     const Flat_arc& flat_arc = flat_graph.arcs[i];
+    set_arc_index(graph, arc, i.number());
     ++i;
     graph[arc].chain = {halfedges, chains.begin(flat_arc), chains.end(flat_arc) - chains.begin(flat_arc)};
   }

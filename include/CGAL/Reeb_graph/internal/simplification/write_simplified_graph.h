@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/arc_index.h>
 #include <CGAL/Reeb_graph/internal/simplification/Leaf_pruning.h>
 #include <CGAL/Reeb_graph/simplification/Simplification.h>
 
@@ -94,6 +95,7 @@ Simplification<ReebGraph> write_simplified_graph(const ReebGraph& graph,
   for(std::size_t i = 0; i != arcs.size(); ++i)
   {
     simplified[new_arcs[i]].chain = std::move(chains[i]);
+    set_arc_index(simplified, new_arcs[i], i);
     new_places[pruned.place_of_arc(arcs[i])] = static_cast<Index>(number_of_new_nodes + i);
   }
   const std::vector<Index> owners = pruned.find_owners();

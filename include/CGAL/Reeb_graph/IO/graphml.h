@@ -1,0 +1,107 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_IO_GRAPHML_H
+#define CGAL_REEB_GRAPH_IO_GRAPHML_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Node_kind.h>
+#include <CGAL/Reeb_graph/internal/base/arc_index.h>
+#include <CGAL/Reeb_graph/internal/output/number_text.h>
+
+#include <boost/graph/graphml.hpp>
+#include <boost/make_shared.hpp>
+#include <boost/property_map/dynamic_property_map.hpp>
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/throw_exception.hpp>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <typeinfo>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// What Boost writes as it stands has six digits only.
+template <class PropertyMap>
+class Round_trip_property_map : public boost::dynamic_property_map
+{
+  typedef typename boost::property_traits<PropertyMap>::key_type key_type;
+  typedef std::decay_t<typename boost::property_traits<PropertyMap>::value_type> value_type;
+
+public:
+  explicit Round_trip_property_map(const PropertyMap& map) : map_(map) {}
+
+  boost::any get(const boost::any& key) override { return value_of(key); }
+  std::string get_string(const boost::any& key) override { return to_round_trip_string(value_of(key)); }
+  void put(const boost::any&, const boost::any&) override { boost::throw_exception(boost::dynamic_const_put_error()); }
+  const std::type_info& key() const override { return typeid(key_type); }
+  const std::type_info& value() const override { return typeid(value_type); }
+
+private:
+  value_type value_of(const boost::any& key) const { return map_[boost::any_cast<key_type>(key)]; }
+
+  PropertyMap map_;
+};
+
+} // namespace internal
+
+/// \ingroup PkgReebGraphIO
+///
+/// \brief writes a Reeb graph in the <A HREF="http://graphml.graphdrawing.org/">GraphML</A> format.
+///
+/// Each node has the data `vertex`, the index of its mesh vertex, `value`, the scalar value, and `kind`, see
+/// `to_string()`. Each edge runs from the lower to the upper node, and has the data `index`, the number of the arc, if
+/// the graph has the property `boost::edge_index`. Nodes and edges are written in the order that they have in the graph,
+/// so that equal graphs give equal files. A floating-point value is written with as many digits as
+/// it takes to read back the same value; an integer as a number, even if it is a character;
+/// any other value by its `operator<<`.
+///
+/// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
+/// \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an
+///         integer type as value type
+///
+/// \param out the stream; whether writing succeeded is seen by its state
+/// \param graph the Reeb graph
+/// \param vertex_index_map the index of each vertex of the mesh
+///
+/// \note Boost has a function of this name; qualify the call.
+template <class Graph, class VertexIndexMap>
+void write_graphml(std::ostream& out, const Graph& graph, VertexIndexMap vertex_index_map)
+{
+  typedef typename boost::graph_traits<Graph>::vertex_descriptor node_descriptor;
+  typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
+
+  const auto index_of_node = [&](node_descriptor node) -> std::size_t {
+    return get(vertex_index_map, graph[node].vertex);
+  };
+  const auto value_of_node = [&](node_descriptor node) { return graph[node].value; };
+  const auto kind_of_node = [&](node_descriptor node) { return to_string(graph[node].kind); };
+
+  boost::dynamic_properties properties;
+  properties.property("vertex", boost::make_function_property_map<node_descriptor>(index_of_node));
+  properties.property("kind", boost::make_function_property_map<node_descriptor>(kind_of_node));
+  const auto value_map = boost::make_function_property_map<node_descriptor>(value_of_node);
+  properties.insert("value", boost::make_shared<internal::Round_trip_property_map<decltype(value_map)>>(value_map));
+  if constexpr(internal::Has_arc_index<Graph>::value)
+  {
+    const auto index_of_arc = [&](arc_descriptor arc) -> std::size_t { return get(boost::edge_index, graph, arc); };
+    properties.property("index", boost::make_function_property_map<arc_descriptor>(index_of_arc));
+  }
+  const bool are_nodes_numbered_in_order = true;
+  boost::write_graphml(out, graph, properties, are_nodes_numbered_in_order);
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_IO_GRAPHML_H

@@ -1,0 +1,58 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_OUTPUT_NUMBER_TEXT_H
+#define CGAL_REEB_GRAPH_INTERNAL_OUTPUT_NUMBER_TEXT_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+template <class Value>
+std::string to_string_with_precision(const Value& value, int precision)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(precision);
+  if constexpr(std::is_integral_v<Value>)
+    text << +value; // those of 8 bits are no characters
+  else
+    text << value;
+  return text.str();
+}
+
+// Six digits: what a person reads.
+template <class Value>
+std::string to_short_string(const Value& value)
+{
+  return to_string_with_precision(value, 6);
+}
+
+// As many digits as it takes to read back the same floating-point number.
+template <class Value>
+std::string to_round_trip_string(const Value& value)
+{
+  if constexpr(std::is_floating_point_v<Value>)
+    return to_string_with_precision(value, std::numeric_limits<Value>::max_digits10);
+  else
+    return to_short_string(value);
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_OUTPUT_NUMBER_TEXT_H
