@@ -14,17 +14,15 @@
 #include <CGAL/Reeb_graph/Halfedge_chain.h>
 #include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/internal/base/is_ordered.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/output/graph_storage.h>
 
 #include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
 #include <boost/pending/property.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <functional>
-#include <type_traits>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -84,12 +82,12 @@ public:
   /// the type of the scalar field
   typedef ScalarMap Scalar_map;
   /// the type of a scalar value
-  typedef std::remove_cv_t<std::remove_reference_t<typename boost::property_traits<ScalarMap>::value_type>> Scalar;
+  typedef typename Reeb_graph::internal::Value_of_map<ScalarMap>::type Scalar;
 
   /// the vertex descriptor of the mesh
-  typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
+  typedef typename Reeb_graph::internal::Descriptors<FaceListGraph>::vertex_descriptor vertex_descriptor;
   /// the halfedge descriptor of the mesh
-  typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
+  typedef typename Reeb_graph::internal::Descriptors<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
 
   /// the property of a node
   typedef Reeb_graph::Node<vertex_descriptor, Scalar> Node;

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/arcs/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/arcs/reduce_arcs.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/count_critical_vertices.h>
@@ -29,6 +30,14 @@
 #include <utility>
 
 namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class ReebGraph, class NamedParameters>
+void run_pipeline(const FaceListGraph& mesh, ScalarMap scalar_map, ReebGraph& graph, const NamedParameters& np);
+
+} // namespace internal
+} // namespace Reeb_graph
 
 /// \ingroup PkgReebGraphRef
 ///
@@ -154,6 +163,18 @@ void compute_reeb_graph(const FaceListGraph& mesh,
                         ScalarMap scalar_map,
                         ReebGraph& graph,
                         const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Reeb_graph::internal;
+  typedef internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters> Traits;
+  if constexpr(internal::Field_and_graph_to_write<FaceListGraph, ScalarMap, ReebGraph, Traits>::value)
+    internal::run_pipeline<ConcurrencyTag>(mesh, scalar_map, graph, np);
+}
+
+template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class ReebGraph, class NamedParameters>
+void Reeb_graph::internal::run_pipeline(const FaceListGraph& mesh,
+                                        ScalarMap scalar_map,
+                                        ReebGraph& graph,
+                                        const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;

@@ -20,6 +20,7 @@
 #include <CGAL/Reeb_graph/internal/augmentation/New_places.h>
 #include <CGAL/Reeb_graph/internal/augmentation/check_graph.h>
 #include <CGAL/Reeb_graph/internal/augmentation/locate_vertices.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>
@@ -59,6 +60,8 @@ template <class FaceListGraph,
           class Traits = Reeb_graph_traits<FaceListGraph, ScalarMap>>
 class Augmentation
 {
+  // The instantiation says what does not fit.
+  typedef typename internal::Field_and_graph<FaceListGraph, ScalarMap, ReebGraph, Traits>::type Requirements;
   typedef internal::Graph_on_mesh<FaceListGraph, ReebGraph, Traits> Graph_on_mesh;
 
 public:

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/curves/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/curves/contours_to_cut.h>
 #include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
 #include <CGAL/Reeb_graph/internal/curves/rank_vertices.h>
@@ -71,12 +72,17 @@ OutputIterator cut_along_contours(MutableFaceGraph& mesh,
                                   OutputIterator curves,
                                   const NamedParameters& np = parameters::default_values())
 {
-  internal::check_input(mesh, scalar_map, np);
-  return internal::cut_along_found_contours(mesh, curves, np, [&](const auto& ranked) {
-    internal::rank_vertices(ranked, scalar_map,
-                            internal::choose_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>>(np));
-    return internal::make_contours_to_cut(ranked, contours);
-  });
+  typedef internal::Chosen_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>, NamedParameters> Traits;
+  if constexpr(internal::Refinable_mesh_with_field<MutableFaceGraph, ScalarMap, Traits>::value)
+  {
+    internal::check_input(mesh, scalar_map, np);
+    return internal::cut_along_found_contours(mesh, curves, np, [&](const auto& ranked) {
+      internal::rank_vertices(ranked, scalar_map, internal::choose_traits<Traits>(np));
+      return internal::make_contours_to_cut(ranked, contours);
+    });
+  }
+  else
+    return curves;
 }
 
 } // namespace Reeb_graph

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/curves/harmonic_constraints.h>
 #include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
 
@@ -50,13 +51,18 @@ OutputIterator harmonic_pants_decomposition(MutableFaceGraph& mesh,
                                             OutputIterator curves,
                                             const NamedParameters& np = parameters::default_values())
 {
-  typedef typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor vertex_descriptor;
-  internal::check_input(mesh, boost::static_property_map<double, vertex_descriptor>(0), parameters::default_values());
-  internal::check_negative_euler_characteristics(mesh);
-  const auto field_map = get(dynamic_vertex_property_t<double>(), mesh);
-  const internal::Harmonic_constraints<MutableFaceGraph> constraints(mesh, np);
-  compute_harmonic_field(mesh, field_map, constraints.range(), np);
-  return pants_decomposition(mesh, field_map, curves, np);
+  if constexpr(internal::Refinable_mesh<MutableFaceGraph>::value)
+  {
+    typedef typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor vertex_descriptor;
+    internal::check_input(mesh, boost::static_property_map<double, vertex_descriptor>(0), parameters::default_values());
+    internal::check_negative_euler_characteristics(mesh);
+    const auto field_map = get(dynamic_vertex_property_t<double>(), mesh);
+    const internal::Harmonic_constraints<MutableFaceGraph> constraints(mesh, np);
+    compute_harmonic_field(mesh, field_map, constraints.range(), np);
+    return pants_decomposition(mesh, field_map, curves, np);
+  }
+  else
+    return curves;
 }
 
 } // namespace Reeb_graph

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/curves/arc_patches.h>
 
 #include <CGAL/iterator.h>
@@ -145,15 +146,21 @@ std::size_t segment_by_arcs(MutableFaceGraph& mesh,
                             FacePatchMap face_patch_map,
                             const NamedParameters& np = parameters::default_values())
 {
-  const auto traits = internal::choose_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>>(np);
-  auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
-  const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
-  const Augmentation<MutableFaceGraph, ScalarMap, ReebGraph, std::decay_t<decltype(traits)>> augmentation(
-    mesh, scalar_map, graph, np); // It checks the values before they are sorted.
-  internal::rank_vertices(ranked, scalar_map, traits);
-  const auto borders = internal::find_arc_borders(ranked, graph, augmentation);
-  const auto curves = internal::cut_and_mark(ranked, borders.contours, np);
-  return internal::mark_arc_patches(ranked, graph, borders, curves, face_patch_map);
+  typedef internal::Chosen_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>, NamedParameters> Traits;
+  if constexpr(internal::Refinable_mesh_with_graph<MutableFaceGraph, ScalarMap, ReebGraph, Traits, FacePatchMap>::value)
+  {
+    const auto traits = internal::choose_traits<Traits>(np);
+    auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
+    const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
+    const Augmentation<MutableFaceGraph, ScalarMap, ReebGraph, Traits> augmentation(
+      mesh, scalar_map, graph, np); // It checks the values before they are sorted.
+    internal::rank_vertices(ranked, scalar_map, traits);
+    const auto borders = internal::find_arc_borders(ranked, graph, augmentation);
+    const auto curves = internal::cut_and_mark(ranked, borders.contours, np);
+    return internal::mark_arc_patches(ranked, graph, borders, curves, face_patch_map);
+  }
+  else
+    return 0;
 }
 
 } // namespace Reeb_graph

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
 #include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
 
@@ -57,14 +58,17 @@ void unfold_multi_saddles(MutableFaceGraph& mesh,
                           RankMap rank_map,
                           const NamedParameters& np = parameters::default_values())
 {
-  internal::check_input(mesh, scalar_map, np);
-  auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
-  const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
-  internal::rank_vertices(ranked, scalar_map,
-                          internal::choose_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>>(np));
-  internal::unfold_all_vertices(ranked);
-  for(const auto v : vertices(mesh))
-    put(rank_map, v, ranked.rank(v));
+  typedef internal::Chosen_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>, NamedParameters> Traits;
+  if constexpr(internal::Refinable_mesh_with_field_and_map<MutableFaceGraph, ScalarMap, Traits, RankMap>::value)
+  {
+    internal::check_input(mesh, scalar_map, np);
+    auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
+    const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
+    internal::rank_vertices(ranked, scalar_map, internal::choose_traits<Traits>(np));
+    internal::unfold_all_vertices(ranked);
+    for(const auto v : vertices(mesh))
+      put(rank_map, v, ranked.rank(v));
+  }
 }
 
 } // namespace Reeb_graph

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/differential_operators.h>
@@ -66,18 +67,21 @@ void compute_gradient(const FaceListGraph& mesh,
                       const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  typedef typename boost::property_traits<FaceVectorMap>::value_type Vector_3;
-  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
-  auto gradients = fields::scaled_gradients(surface, fields::read_field(surface, scalar_map));
-  for(std::size_t t = 0; t != gradients.size(); ++t)
+  if constexpr(internal::Writable_face_map<FaceVectorMap, FaceListGraph>::value)
   {
-    for(double& coordinate : gradients[t])
-      coordinate /= surface.scale();
-    if(!fields::is_finite(gradients[t]))
-      throw Non_finite_vector_error(t);
+    typedef typename boost::property_traits<FaceVectorMap>::value_type Vector_3;
+    const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+    auto gradients = fields::scaled_gradients(surface, fields::read_field(surface, scalar_map));
+    for(std::size_t t = 0; t != gradients.size(); ++t)
+    {
+      for(double& coordinate : gradients[t])
+        coordinate /= surface.scale();
+      if(!fields::is_finite(gradients[t]))
+        throw Non_finite_vector_error(t);
+    }
+    for(std::size_t t = 0; t != gradients.size(); ++t)
+      put(gradient_map, surface.face_handle(t), Vector_3(gradients[t][0], gradients[t][1], gradients[t][2]));
   }
-  for(std::size_t t = 0; t != gradients.size(); ++t)
-    put(gradient_map, surface.face_handle(t), Vector_3(gradients[t][0], gradients[t][1], gradients[t][2]));
 }
 
 /// \ingroup PkgReebGraphFields

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -58,28 +59,31 @@ void compute_height_field(const VertexListGraph& mesh,
                           const Vector_3& direction,
                           const NamedParameters& np = parameters::default_values())
 {
-  typedef typename boost::property_traits<FieldMap>::value_type Value;
-  if(!CGAL::is_finite(direction.x()) || !CGAL::is_finite(direction.y()) || !CGAL::is_finite(direction.z())
-     || (CGAL::is_zero(direction.x()) && CGAL::is_zero(direction.y()) && CGAL::is_zero(direction.z())))
-    throw Direction_error();
-  const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                      get_const_property_map(CGAL::vertex_point, mesh));
-  typedef std::decay_t<decltype(direction.x())> Number;
-  std::vector<Number> heights;
-  for(const auto v : make_range(vertices(mesh)))
+  if constexpr(internal::Writable_vertex_map<FieldMap, VertexListGraph>::value)
   {
-    const auto& p = get(point_map, v);
-    heights.push_back(direction.x() * p.x() + direction.y() * p.y() + direction.z() * p.z());
-    if(!CGAL::is_finite(heights.back()))
-      throw Non_finite_scalar_error(heights.size() - 1);
-  }
-  std::size_t position = 0;
-  for(const auto v : make_range(vertices(mesh)))
-  {
-    if constexpr(std::is_constructible_v<Value, Number>)
-      put(field_map, v, static_cast<Value>(heights[position++]));
-    else
-      put(field_map, v, static_cast<Value>(CGAL::to_double(heights[position++])));
+    typedef typename boost::property_traits<FieldMap>::value_type Value;
+    if(!CGAL::is_finite(direction.x()) || !CGAL::is_finite(direction.y()) || !CGAL::is_finite(direction.z())
+       || (CGAL::is_zero(direction.x()) && CGAL::is_zero(direction.y()) && CGAL::is_zero(direction.z())))
+      throw Direction_error();
+    const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                        get_const_property_map(CGAL::vertex_point, mesh));
+    typedef std::decay_t<decltype(direction.x())> Number;
+    std::vector<Number> heights;
+    for(const auto v : make_range(vertices(mesh)))
+    {
+      const auto& p = get(point_map, v);
+      heights.push_back(direction.x() * p.x() + direction.y() * p.y() + direction.z() * p.z());
+      if(!CGAL::is_finite(heights.back()))
+        throw Non_finite_scalar_error(heights.size() - 1);
+    }
+    std::size_t position = 0;
+    for(const auto v : make_range(vertices(mesh)))
+    {
+      if constexpr(std::is_constructible_v<Value, Number>)
+        put(field_map, v, static_cast<Value>(heights[position++]));
+      else
+        put(field_map, v, static_cast<Value>(CGAL::to_double(heights[position++])));
+    }
   }
 }
 

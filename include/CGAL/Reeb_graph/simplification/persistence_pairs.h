@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/simplification/Node_neighbors.h>
 #include <CGAL/Reeb_graph/internal/simplification/loop_pairs.h>
 #include <CGAL/Reeb_graph/internal/simplification/persistence.h>
@@ -135,20 +136,25 @@ double persistence(const ReebGraph& graph,
 template <class ReebGraph, class OutputIterator>
 OutputIterator persistence_pairs(const ReebGraph& graph, OutputIterator pairs)
 {
-  typedef Persistence_pair<typename boost::graph_traits<ReebGraph>::vertex_descriptor> Pair;
-  std::vector<Pair> found;
-  const auto add = [&](Persistence_pair_kind kind) {
-    return [&found, kind](internal::Index lower, internal::Index upper) { found.push_back({lower, upper, kind}); };
-  };
-  const internal::Flat_arc_ends ends = internal::read_arc_ends(graph);
-  found.reserve(ends.lower.number_of_nodes());
-  auto components = internal::sweep_upwards(ends.lower, add(Persistence_pair_kind::MINIMUM_SADDLE));
-  internal::sweep_downwards(ends.upper, add(Persistence_pair_kind::SADDLE_MAXIMUM));
-  internal::pair_ends_of_components(std::move(components), ends.lower.number_of_nodes(),
-                                    add(Persistence_pair_kind::MINIMUM_MAXIMUM));
-  internal::pair_loops(ends, add(Persistence_pair_kind::LOOP));
-  std::sort(found.begin(), found.end());
-  return std::copy(found.begin(), found.end(), pairs);
+  if constexpr(internal::Plain_reeb_graph<ReebGraph>::value)
+  {
+    typedef Persistence_pair<typename boost::graph_traits<ReebGraph>::vertex_descriptor> Pair;
+    std::vector<Pair> found;
+    const auto add = [&](Persistence_pair_kind kind) {
+      return [&found, kind](internal::Index lower, internal::Index upper) { found.push_back({lower, upper, kind}); };
+    };
+    const internal::Flat_arc_ends ends = internal::read_arc_ends(graph);
+    found.reserve(ends.lower.number_of_nodes());
+    auto components = internal::sweep_upwards(ends.lower, add(Persistence_pair_kind::MINIMUM_SADDLE));
+    internal::sweep_downwards(ends.upper, add(Persistence_pair_kind::SADDLE_MAXIMUM));
+    internal::pair_ends_of_components(std::move(components), ends.lower.number_of_nodes(),
+                                      add(Persistence_pair_kind::MINIMUM_MAXIMUM));
+    internal::pair_loops(ends, add(Persistence_pair_kind::LOOP));
+    std::sort(found.begin(), found.end());
+    return std::copy(found.begin(), found.end(), pairs);
+  }
+  else
+    return pairs;
 }
 
 } // namespace Reeb_graph

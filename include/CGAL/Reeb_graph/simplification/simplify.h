@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
 #include <CGAL/Reeb_graph/internal/simplification/write_simplified_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -115,14 +116,19 @@ Simplification<ReebGraph> simplify(const ReebGraph& graph,
                                    ReebGraph& simplified,
                                    const NamedParameters& np = parameters::default_values())
 {
-  if(std::addressof(graph) == std::addressof(simplified))
+  if constexpr(internal::Augmented_reeb_graph<ReebGraph>::value)
   {
-    const ReebGraph copy(graph);
-    return simplify(copy, threshold, simplified, np);
+    if(std::addressof(graph) == std::addressof(simplified))
+    {
+      const ReebGraph copy(graph);
+      return simplify(copy, threshold, simplified, np);
+    }
+    typedef Branch<typename boost::graph_traits<ReebGraph>::vertex_descriptor> Branch;
+    const internal::Leaf_pruning pruned = internal::prune_graph<Branch>(graph, threshold, np);
+    return internal::write_simplified_graph(graph, pruned, simplified);
   }
-  typedef Branch<typename boost::graph_traits<ReebGraph>::vertex_descriptor> Branch;
-  const internal::Leaf_pruning pruned = internal::prune_graph<Branch>(graph, threshold, np);
-  return internal::write_simplified_graph(graph, pruned, simplified);
+  else
+    return Simplification<ReebGraph>(0, 0, {}, {});
 }
 
 } // namespace Reeb_graph

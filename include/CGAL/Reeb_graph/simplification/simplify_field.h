@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/simplification/simplified_values.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
@@ -84,18 +85,23 @@ double simplify_field(const FaceListGraph& mesh,
                       const NamedParameters& np = parameters::default_values())
 {
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Traits;
-  typedef Branch<typename boost::graph_traits<typename Traits::Graph>::vertex_descriptor> Branch;
-  const auto values = internal::simplified_values<Branch, Traits>(mesh, scalar_map, threshold, np);
-  double largest_difference = 0;
-  std::size_t position = 0;
-  for(const auto v : CGAL::make_range(vertices(mesh)))
+  if constexpr(internal::Scalar_field_and_map<FaceListGraph, ScalarMap, Traits, SimplifiedScalarMap>::value)
   {
-    const auto& value = values[position++];
-    largest_difference = (std::max)(largest_difference,
-                                    internal::persistence(CGAL::to_double(get(scalar_map, v)), CGAL::to_double(value)));
-    put(simplified_scalar_map, v, value);
+    typedef Branch<typename boost::graph_traits<typename Traits::Graph>::vertex_descriptor> Branch;
+    const auto values = internal::simplified_values<Branch, Traits>(mesh, scalar_map, threshold, np);
+    double largest_difference = 0;
+    std::size_t position = 0;
+    for(const auto v : CGAL::make_range(vertices(mesh)))
+    {
+      const auto& value = values[position++];
+      largest_difference = (std::max)(
+        largest_difference, internal::persistence(CGAL::to_double(get(scalar_map, v)), CGAL::to_double(value)));
+      put(simplified_scalar_map, v, value);
+    }
+    return largest_difference;
   }
-  return largest_difference;
+  else
+    return 0;
 }
 
 } // namespace Reeb_graph

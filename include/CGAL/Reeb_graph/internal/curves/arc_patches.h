@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/curves/Contour_choice.h>
 #include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
 
@@ -121,16 +122,21 @@ std::size_t mark_arc_patches(const RankedMesh& ranked,
 template <class Mesh, class FacePatchMap, class Cut>
 std::size_t cut_and_count_patches(Mesh& mesh, FacePatchMap face_patch_map, const Cut& cut)
 {
-  const auto patch_map = get(dynamic_face_property_t<std::size_t>(), mesh);
-  cut(patch_map);
-  std::size_t number_of_patches = 0;
-  for(const auto f : faces(mesh))
+  if constexpr(Refinable_mesh_with_patches<Mesh, FacePatchMap>::value)
   {
-    const std::size_t patch = get(patch_map, f);
-    number_of_patches = (std::max)(number_of_patches, patch + 1);
-    put(face_patch_map, f, patch);
+    const auto patch_map = get(dynamic_face_property_t<std::size_t>(), mesh);
+    cut(patch_map);
+    std::size_t number_of_patches = 0;
+    for(const auto f : faces(mesh))
+    {
+      const std::size_t patch = get(patch_map, f);
+      number_of_patches = (std::max)(number_of_patches, patch + 1);
+      put(face_patch_map, f, patch);
+    }
+    return number_of_patches;
   }
-  return number_of_patches;
+  else
+    return 0;
 }
 
 } // namespace internal

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/curves/Contour_choice.h>
 #include <CGAL/Reeb_graph/internal/curves/Graph_retract.h>
 #include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
@@ -163,19 +164,25 @@ OutputIterator cut_along_chosen_contours(Mesh& mesh,
                                          const NamedParameters& np,
                                          const Choose& choose)
 {
-  const auto traits = choose_traits<Reeb_graph_traits<Mesh, ScalarMap>>(np);
-  const auto cut = [&](const auto& map) {
-    return cut_along_found_contours(mesh, output, np, [&](const auto& ranked) {
-      return choose(ranked, compute_simple_reeb_graph(ranked, map, traits));
-    });
-  };
-  if(parameters::choose_parameter(parameters::get_parameter(np, borders), Borders::LEVEL) == Borders::LEVEL)
-    return cut(scalar_map);
-  const auto level_map = get(dynamic_vertex_property_t<typename decltype(traits)::Scalar>(), mesh);
-  for(const auto v : vertices(mesh))
-    put(level_map, v, get(scalar_map, v));
-  make_borders_level(mesh, level_map, np);
-  return cut(level_map);
+  typedef Chosen_traits<Reeb_graph_traits<Mesh, ScalarMap>, NamedParameters> Traits;
+  if constexpr(Refinable_mesh_with_field<Mesh, ScalarMap, Traits>::value)
+  {
+    const auto traits = choose_traits<Traits>(np);
+    const auto cut = [&](const auto& map) {
+      return cut_along_found_contours(mesh, output, np, [&](const auto& ranked) {
+        return choose(ranked, compute_simple_reeb_graph(ranked, map, traits));
+      });
+    };
+    if(parameters::choose_parameter(parameters::get_parameter(np, borders), Borders::LEVEL) == Borders::LEVEL)
+      return cut(scalar_map);
+    const auto level_map = get(dynamic_vertex_property_t<typename Traits::Scalar>(), mesh);
+    for(const auto v : vertices(mesh))
+      put(level_map, v, get(scalar_map, v));
+    make_borders_level(mesh, level_map, np);
+    return cut(level_map);
+  }
+  else
+    return output;
 }
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/curves/Ranked_mesh.h>
 #include <CGAL/Reeb_graph/internal/curves/level_borders.h>
 #include <CGAL/Reeb_graph/internal/curves/rank_vertices.h>
@@ -35,8 +36,9 @@ namespace internal {
 template <class Mesh, class ScalarMap, class NamedParameters>
 void check_input(const Mesh& mesh, const ScalarMap& scalar_map, const NamedParameters& np)
 {
-  const auto traits = choose_traits<Reeb_graph_traits<Mesh, ScalarMap>>(np);
-  flatten<Sequential_tag>(mesh, scalar_map, traits, parameters::default_values());
+  typedef Chosen_traits<Reeb_graph_traits<Mesh, ScalarMap>, NamedParameters> Traits;
+  if constexpr(Scalar_field<Mesh, ScalarMap, Traits>::value)
+    flatten<Sequential_tag>(mesh, scalar_map, choose_traits<Traits>(np), parameters::default_values());
 }
 
 struct Component_counts

@@ -57,11 +57,6 @@ void write_nodes_and_arcs(const Flat_field<FaceListGraph, Scalar>& field,
                           const Flat_graph& flat_graph,
                           ReebGraph& graph)
 {
-  typedef boost::graph_traits<ReebGraph> Graph_traits;
-  static_assert(std::is_convertible_v<typename Graph_traits::edge_parallel_category, boost::allow_parallel_edge_tag>,
-                "A Reeb graph has parallel arcs: choose a type of graph that allows parallel edges.");
-  static_assert(std::is_convertible_v<typename Graph_traits::directed_category, boost::bidirectional_tag>,
-                "The arcs of a Reeb graph are directed upwards: choose a bidirectional type of graph.");
   typedef typename boost::vertex_bundle_type<ReebGraph>::type Node;
   graph.clear();
   reserve_nodes(graph, flat_graph.nodes.size());

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 
 #include <CGAL/number_utils.h>
@@ -33,7 +34,7 @@ namespace scalar_fields {
 template <class FieldMap>
 struct Scalar_of_field
 {
-  typedef typename boost::property_traits<FieldMap>::value_type Value;
+  typedef typename Value_of_map<FieldMap>::type Value;
   static_assert(!std::is_integral_v<Value>, "the value type of the field map must not be an integer type");
   typedef std::conditional_t<std::is_same_v<Value, float>, float, double> type;
 };
@@ -95,12 +96,15 @@ inline void check_components(const Weighted_graph& graph, const std::vector<bool
 template <class Surface, class Scalar, class FieldMap>
 void write_field(const Surface& surface, const std::vector<Scalar>& values, FieldMap field_map)
 {
-  typedef typename boost::property_traits<FieldMap>::value_type Value;
-  for(std::size_t v = 0; v != values.size(); ++v)
-    if(!std::isfinite(static_cast<typename Scalar_of_field<FieldMap>::type>(values[v])))
-      throw Non_finite_scalar_error(v);
-  for(std::size_t v = 0; v != values.size(); ++v)
-    put(field_map, surface.vertex_handle(v), static_cast<Value>(values[v]));
+  if constexpr(Writable_vertex_map<FieldMap, typename Surface::Mesh>::value)
+  {
+    typedef typename boost::property_traits<FieldMap>::value_type Value;
+    for(std::size_t v = 0; v != values.size(); ++v)
+      if(!std::isfinite(static_cast<typename Scalar_of_field<FieldMap>::type>(values[v])))
+        throw Non_finite_scalar_error(v);
+    for(std::size_t v = 0; v != values.size(); ++v)
+      put(field_map, surface.vertex_handle(v), static_cast<Value>(values[v]));
+  }
 }
 
 // Writes the field as the last step of a computation, which cannot be cancelled any more.
@@ -119,12 +123,15 @@ template <class Surface, class ScalarMap>
 std::vector<double> read_field(const Surface& surface, const ScalarMap& scalar_map)
 {
   std::vector<double> values;
-  values.reserve(surface.number_of_vertices());
-  for(const auto v : surface.vertex_handles())
+  if constexpr(Vertex_map<ScalarMap, typename Surface::Mesh>::value)
   {
-    values.push_back(CGAL::to_double(get(scalar_map, v)));
-    if(!std::isfinite(values.back()))
-      throw Non_finite_scalar_error(values.size() - 1);
+    values.reserve(surface.number_of_vertices());
+    for(const auto v : surface.vertex_handles())
+    {
+      values.push_back(CGAL::to_double(get(scalar_map, v)));
+      if(!std::isfinite(values.back()))
+        throw Non_finite_scalar_error(values.size() - 1);
+    }
   }
   return values;
 }

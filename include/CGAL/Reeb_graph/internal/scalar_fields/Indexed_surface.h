@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/mesh/Descriptor_positions.h>
 #include <CGAL/Reeb_graph/internal/mesh/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/Unchecked_complex.h>
@@ -71,9 +72,9 @@ template <class FaceListGraph>
 class Indexed_surface
 {
 public:
-  typedef boost::graph_traits<FaceListGraph> Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef FaceListGraph Mesh;
+  typedef typename Descriptors<Mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename Descriptors<Mesh>::face_descriptor face_descriptor;
   typedef Indexed_vector<Vertex_index, vertex_descriptor> Vertex_handles;
   typedef Indexed_vector<Face_index, face_descriptor> Face_handles;
 
@@ -102,7 +103,7 @@ public:
   // The position of a vertex, no_position if it is not one of the mesh.
   Position position(vertex_descriptor v) const
   {
-    if(v == Graph_traits::null_vertex())
+    if(v == boost::graph_traits<Mesh>::null_vertex())
       return no_position;
     const Vertex_index position = positions_(v);
     return vertices_.contains(position) && vertices_[position] == v ? position.number() : no_position;

@@ -1,0 +1,151 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_BASE_GRAPH_REQUIREMENTS_H
+#define CGAL_REEB_GRAPH_INTERNAL_BASE_GRAPH_REQUIREMENTS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <type_traits>
+#include <utility>
+
+// What the public functions ask of the type of a Reeb graph; see requirements.h.
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+template <class Graph>
+using Edges_of = decltype(edges(std::declval<const Graph&>()));
+template <class Graph>
+using Node_of = std::decay_t<
+  decltype(std::declval<const Graph&>()[std::declval<typename boost::graph_traits<Graph>::vertex_descriptor>()])>;
+template <class Graph>
+using Arc_of = std::decay_t<
+  decltype(std::declval<const Graph&>()[std::declval<typename boost::graph_traits<Graph>::edge_descriptor>()])>;
+template <class Graph>
+using Members_of_node = decltype(std::declval<const Node_of<Graph>&>().vertex,
+                                 std::declval<const Node_of<Graph>&>().value,
+                                 std::declval<const Node_of<Graph>&>().kind);
+template <class Graph>
+using Chain_of_arc = decltype(std::declval<const Arc_of<Graph>&>().chain);
+template <class Graph>
+using Vertex_of_node = std::decay_t<decltype(std::declval<const Node_of<Graph>&>().vertex)>;
+template <class Graph>
+using Value_of_node = std::decay_t<decltype(std::declval<const Node_of<Graph>&>().value)>;
+
+template <class Graph>
+struct Graph_is_not_const : std::negation<std::is_const<Graph>>
+{
+  static_assert(Graph_is_not_const::value,
+                "The graph is const, but the result is written to it: pass one that is not.");
+};
+
+template <class Graph>
+struct Graph_is_boost_graph : std::conjunction<Has<Vertices_of, Graph>, Has<Edges_of, Graph>>
+{
+  static_assert(Graph_is_boost_graph::value,
+                "The graph is no graph of Boost: use CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph.");
+};
+
+template <class Graph>
+struct Graph_is_bidirectional
+  : std::is_convertible<typename boost::graph_traits<Graph>::directed_category, boost::bidirectional_tag>
+{
+  static_assert(Graph_is_bidirectional::value,
+                "The arcs of a Reeb graph are directed upwards: the graph has to be boost::bidirectionalS.");
+};
+
+template <class Graph>
+struct Graph_has_parallel_arcs
+  : std::is_convertible<typename boost::graph_traits<Graph>::edge_parallel_category, boost::allow_parallel_edge_tag>
+{
+  static_assert(
+    Graph_has_parallel_arcs::value,
+    "A Reeb graph has parallel arcs, which this graph would lose: store edges in boost::vecS, not in setS.");
+};
+
+template <class Graph>
+struct Nodes_are_numbers : std::is_integral<typename boost::graph_traits<Graph>::vertex_descriptor>
+{
+  static_assert(Nodes_are_numbers::value,
+                "The nodes of a Reeb graph are numbered: the graph has to store its vertices in boost::vecS.");
+};
+
+template <class Graph>
+struct Graph_has_nodes_and_arcs : std::conjunction<Has<Members_of_node, Graph>, Has<Chain_of_arc, Graph>>
+{
+  static_assert(
+    Graph_has_nodes_and_arcs::value,
+    "The graph has no places for what a Reeb graph stores: its properties have to be the types Node and Arc "
+    "of CGAL::Reeb_graph_traits<Mesh, Scalar_map>.");
+};
+
+template <class Graph>
+struct Plain_reeb_graph : Then<Then<Then<Graph_is_boost_graph<Graph>::value, Graph_is_bidirectional<Graph>>::value,
+                                    Graph_has_parallel_arcs<Graph>>::value,
+                               Nodes_are_numbers<Graph>>
+{
+};
+
+template <class Graph>
+struct Augmented_reeb_graph : Then<Plain_reeb_graph<Graph>::value, Graph_has_nodes_and_arcs<Graph>>
+{
+};
+
+template <class Graph, class Mesh>
+struct Graph_is_of_this_mesh
+  : std::is_assignable<Vertex_of_node<Graph>&, typename boost::graph_traits<Mesh>::vertex_descriptor>
+{
+  static_assert(Graph_is_of_this_mesh::value,
+                "The graph is one for meshes of another type: use CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph.");
+};
+
+template <class Graph, class Scalar>
+struct Graph_is_of_these_scalars : std::is_assignable<Value_of_node<Graph>&, const Scalar&>
+{
+  static_assert(
+    Graph_is_of_these_scalars::value,
+    "The graph is one for scalar values of another type: use CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph.");
+};
+
+template <class Graph, class Mesh, class Scalar>
+struct Graph_of_field : Then<Then<Augmented_reeb_graph<Graph>::value, Graph_is_of_this_mesh<Graph, Mesh>>::value,
+                             Graph_is_of_these_scalars<Graph, Scalar>>
+{
+};
+
+// A field, and the graph that it has.
+template <class Mesh, class ScalarMap, class Graph, class Traits>
+struct Field_and_graph
+  : Then<Scalar_field<Mesh, ScalarMap, Traits>::value, Graph_of_field<Graph, Mesh, typename Traits::Scalar>>
+{
+};
+
+template <class Mesh, class ScalarMap, class Graph, class Traits>
+struct Field_and_graph_to_write
+  : Then<Graph_is_not_const<Graph>::value, Field_and_graph<Mesh, ScalarMap, Graph, Traits>>
+{
+};
+
+template <class Mesh, class ScalarMap, class Graph, class Traits, class FacePatchMap>
+struct Refinable_mesh_with_graph
+  : Then<Then<Refinable_mesh<Mesh>::value, Field_and_graph<Mesh, ScalarMap, Graph, Traits>>::value,
+         Writable_face_map<FacePatchMap, Mesh>>
+{
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_BASE_GRAPH_REQUIREMENTS_H

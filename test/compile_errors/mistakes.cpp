@@ -1,0 +1,124 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/IO.h>
+#include <CGAL/Reeb_graph/curves/cutting_system.h>
+#include <CGAL/Reeb_graph/fields/height_field.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/compute_reeb_graph.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <iterator>
+#include <vector>
+
+// Each function has one mistake, and the message that tells it.
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef Mesh::Property_map<Mesh::Vertex_index, double> Scalar_map;
+typedef Mesh::Property_map<Mesh::Face_index, double> Face_map;
+typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map> Traits;
+typedef Traits::Graph Graph;
+typedef CGAL::Reeb_graph::Curve<Mesh::Halfedge_index> Curve;
+
+template <class Edges, class Vertices, class Directed>
+using Graph_of = boost::adjacency_list<Edges, Vertices, Directed, Traits::Node, Traits::Arc>;
+
+struct Unordered
+{
+};
+
+struct Ordered
+{
+  friend bool operator<(const Ordered&, const Ordered&) { return false; }
+};
+
+// message: The mesh is const
+void call_with_const_mesh(const Mesh& mesh, Scalar_map scalar_map, std::vector<Curve>& curves)
+{
+  CGAL::Reeb_graph::cutting_system(mesh, scalar_map, std::back_inserter(curves));
+}
+
+// message: The mesh is no FaceListGraph of CGAL
+void call_with_no_mesh(const std::vector<Mesh::Vertex_index>& triangles, Scalar_map scalar_map, Graph& graph)
+{
+  CGAL::compute_reeb_graph(triangles, scalar_map, graph);
+}
+
+// message: A property map is needed
+void call_with_no_map(const Mesh& mesh, const std::vector<double>& scalars)
+{
+  CGAL::Reeb_graph_traits<Mesh, std::vector<double>>::Graph graph;
+  CGAL::compute_reeb_graph(mesh, scalars, graph);
+}
+
+// message: The keys of this property map are not the vertices of the mesh
+void call_with_map_of_faces(const Mesh& mesh, Face_map scalar_map, Graph& graph)
+{
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+}
+
+// message: This property map can only be read
+void call_with_read_only_map(const Mesh& mesh)
+{
+  const boost::static_property_map<double, Mesh::Vertex_index> scalar_map(0);
+  CGAL::Reeb_graph::compute_height_field(mesh, scalar_map, Kernel::Vector_3(0, 0, 1));
+}
+
+// message: The scalar values have no order
+void call_with_no_order(const Mesh& mesh, Mesh::Property_map<Mesh::Vertex_index, Unordered> scalar_map)
+{
+  CGAL::Reeb_graph_traits<Mesh, decltype(scalar_map)>::Graph graph;
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+}
+
+// message: The graph is one for scalar values of another type
+void call_with_other_scalars(const Mesh& mesh, Mesh::Property_map<Mesh::Vertex_index, Ordered> scalar_map, Graph& graph)
+{
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+}
+
+// message: The graph is const
+void call_with_const_graph(const Mesh& mesh, Scalar_map scalar_map, const Graph& graph)
+{
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+}
+
+// message: A Reeb graph has parallel arcs
+void call_with_graph_without_parallel_arcs(const Graph_of<boost::setS, boost::vecS, boost::bidirectionalS>& graph)
+{
+  auto simplified = graph;
+  CGAL::Reeb_graph::simplify(graph, 1, simplified);
+}
+
+// message: The nodes of a Reeb graph are numbered
+void call_with_graph_without_numbers(const Mesh& mesh,
+                                     Scalar_map scalar_map,
+                                     const Graph_of<boost::vecS, boost::listS, boost::bidirectionalS>& graph)
+{
+  CGAL::Reeb_graph::Augmentation augmentation(mesh, scalar_map, graph);
+}
+
+// message: The arcs of a Reeb graph are directed upwards
+void call_with_undirected_graph(const Mesh& mesh, Scalar_map scalar_map)
+{
+  Graph_of<boost::vecS, boost::vecS, boost::undirectedS> graph;
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+}
+
+// message: The graph has no places for what a Reeb graph stores
+void call_with_graph_without_chains(const Mesh& mesh, Scalar_map scalar_map)
+{
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::bidirectionalS> graph;
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+}

@@ -1,0 +1,28 @@
+# Compiles mistakes.cpp with COMPILER and OPTIONS. Each of its functions has to give one error, with the message above it,
+# and a few lines in all.
+cmake_minimum_required(VERSION 3.21)
+
+set(most_lines_of_a_mistake 30)
+
+set(program ${CMAKE_CURRENT_LIST_DIR}/mistakes.cpp)
+execute_process(COMMAND ${COMPILER} ${OPTIONS} -fsyntax-only ${program} OUTPUT_VARIABLE output ERROR_VARIABLE output)
+
+file(STRINGS ${program} messages REGEX "^// message: ")
+list(TRANSFORM messages REPLACE "^// message: " "")
+list(LENGTH messages number_of_messages)
+foreach(message IN LISTS messages)
+  string(REGEX MATCHALL "error:[^\n]*${message}" errors "${output}")
+  list(LENGTH errors number_of_errors)
+  if(NOT number_of_errors EQUAL 1)
+    message(SEND_ERROR "${number_of_errors} errors say \"${message}\".")
+  endif()
+endforeach()
+
+string(REGEX MATCHALL "error:" errors "${output}")
+list(LENGTH errors number_of_errors)
+string(REGEX MATCHALL "\n" lines "${output}")
+list(LENGTH lines number_of_lines)
+math(EXPR most_lines "${number_of_messages} * ${most_lines_of_a_mistake}")
+if(NOT number_of_errors EQUAL number_of_messages OR number_of_lines GREATER most_lines)
+  message(SEND_ERROR "${number_of_messages} mistakes give ${number_of_errors} errors in ${number_of_lines} lines:\n${output}")
+endif()
