@@ -79,7 +79,7 @@ namespace Reeb_graph {
 ///
 /// \returns the output iterator behind the last curve.
 ///
-/// \exception Reeb_graph::Border_level_error if `borders` is `Borders::LEVEL`, and the vertices of a border component do
+/// \exception Reeb_graph::Border_level_error if `borders` is `Reeb_graph::Borders::LEVEL`, and the vertices of a border component do
 ///            not have one value, or have lower as well as higher neighbors
 /// \exception Reeb_graph::Threshold_error if a threshold is negative or NaN
 ///
