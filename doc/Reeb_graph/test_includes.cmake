@@ -1,0 +1,23 @@
+# Fails if a page of the reference manual in HTML_FOLDER does not tell which header a function, an enumeration or a class
+# is in.
+cmake_minimum_required(VERSION 3.21)
+
+file(GLOB groups ${HTML_FOLDER}/group__*.html)
+file(GLOB classes ${HTML_FOLDER}/classCGAL_*.html ${HTML_FOLDER}/structCGAL_*.html)
+list(FILTER classes EXCLUDE REGEX "-members\\.html$")
+if(NOT groups OR NOT classes)
+  message(SEND_ERROR "There is no reference manual in ${HTML_FOLDER}")
+endif()
+foreach(page IN LISTS groups classes)
+  file(READ ${page} text)
+  string(REGEX MATCHALL "#include &lt;CGAL/" includes "${text}")
+  list(LENGTH includes number_of_includes)
+  set(number_of_members 1)
+  if(page IN_LIST groups)
+    string(REGEX MATCHALL "<h2 class=.memtitle.>" members "${text}")
+    list(LENGTH members number_of_members)
+  endif()
+  if(number_of_includes LESS number_of_members)
+    message(SEND_ERROR "${page} has ${number_of_members} documented members, and names ${number_of_includes} headers")
+  endif()
+endforeach()

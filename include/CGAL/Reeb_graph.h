@@ -1,0 +1,40 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_H
+#define CGAL_REEB_GRAPH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+// All that is about graphs. The headers of the folders fields/ and curves/, which are about meshes, are included one by
+// one.
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/Contour.h>
+#include <CGAL/Reeb_graph/Critical_vertex_counts.h>
+#include <CGAL/Reeb_graph/Halfedge_chain.h>
+#include <CGAL/Reeb_graph/IO.h>
+#include <CGAL/Reeb_graph/IO/graphml.h>
+#include <CGAL/Reeb_graph/IO/graphviz.h>
+#include <CGAL/Reeb_graph/Node_kind.h>
+#include <CGAL/Reeb_graph/Vertex_locations.h>
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/options.h>
+#include <CGAL/Reeb_graph/piece_measures.h>
+#include <CGAL/Reeb_graph/scalar_maps.h>
+#include <CGAL/Reeb_graph/simplification/Simplification.h>
+#include <CGAL/Reeb_graph/simplification/exceptions.h>
+#include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
+#include <CGAL/Reeb_graph/simplification/piece_weights.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
+#include <CGAL/Reeb_graph/simplification/simplify_field.h>
+#include <CGAL/Reeb_graph/visitor.h>
+#include <CGAL/Reeb_graph_traits.h>
+#include <CGAL/compute_reeb_graph.h>
+
+#endif // CGAL_REEB_GRAPH_H

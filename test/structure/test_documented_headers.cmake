@@ -1,0 +1,31 @@
+# Fails if a public header has no row in the table of the manual, or CGAL/Reeb_graph.h does not include one that is about
+# graphs, or the manual names a header that is not there. INCLUDE_FOLDER is the folder of the headers, MANUAL the text of
+# the manual.
+cmake_minimum_required(VERSION 3.21)
+
+file(READ ${MANUAL} manual)
+file(READ ${INCLUDE_FOLDER}/CGAL/Reeb_graph.h all_of_graphs)
+file(GLOB_RECURSE headers RELATIVE ${INCLUDE_FOLDER} ${INCLUDE_FOLDER}/CGAL/*.h)
+list(FILTER headers EXCLUDE REGEX "/internal/|/license/")
+if(NOT headers)
+  message(SEND_ERROR "There are no headers in ${INCLUDE_FOLDER}")
+endif()
+foreach(header IN LISTS headers)
+  string(FIND "${manual}" "\n| `${header}` |" row)
+  if(row EQUAL -1)
+    message(SEND_ERROR "${header} is not in the table of headers of ${MANUAL}")
+  endif()
+  string(FIND "${all_of_graphs}" "#include <${header}>" include)
+  if(include EQUAL -1 AND NOT header MATCHES "/(fields|curves)/|^CGAL/Reeb_graph.h$")
+    message(SEND_ERROR "CGAL/Reeb_graph.h does not include ${header}")
+  endif()
+endforeach()
+
+string(REGEX MATCHALL "`CGAL/(Reeb_graph|compute_reeb_graph|license)[A-Za-z_/]*\\.h`" named_headers "${manual}")
+list(REMOVE_DUPLICATES named_headers)
+foreach(header IN LISTS named_headers)
+  string(REPLACE "`" "" header ${header})
+  if(NOT EXISTS ${INCLUDE_FOLDER}/${header})
+    message(SEND_ERROR "${MANUAL} names ${header}, which does not exist")
+  endif()
+endforeach()
