@@ -24,6 +24,7 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 // From the graph back to the mesh, with ties broken: contours, critical sets and locations against the oracle.
@@ -176,6 +177,40 @@ std::vector<double> coordinate_field(const Triangle_soup& soup, double x, double
   return values;
 }
 } // namespace
+
+// Small meshes with many critical vertices are swept. Spreading has to find the same arcs on them.
+BOOST_AUTO_TEST_CASE(arcs_spread_to_the_vertices_that_sweeping_gives_them)
+{
+  for_each_sample(1000, [](const Sample& sample) {
+    namespace internal = CGAL::Reeb_graph::internal;
+    typedef CGAL::Sequential_tag Tag;
+    const auto mesh = make_mesh<Surface_mesh>(sample.soup);
+    const Augmented_mesh<Surface_mesh> a(mesh, sample.values, Ties::PERTURB, true);
+    const auto locations = a.augmentation.locate_vertices();
+
+    const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, sample.values);
+    const CGAL::Reeb_graph_traits<Surface_mesh, std::decay_t<decltype(scalar_map)>> traits;
+    const auto surface = internal::flatten<Tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
+    const internal::Vertex_order order(surface.values, traits.less_scalar_object());
+    const auto critical_vertices = internal::classify_vertices<Tag>(surface.complex, order);
+    const auto arcs = internal::find_arcs<Tag>(surface.complex, order, critical_vertices,
+                                               CGAL::Reeb_graph::Method::CONTOUR_TREES, 1, internal::No_progress());
+    internal::Arc_spreading spreading(surface.complex, order, critical_vertices, arcs);
+    typename decltype(spreading)::Arc_of_vertex arc_of_vertex;
+    BOOST_TEST_REQUIRE(spreading.template find_arcs_of_vertices<Tag>(arc_of_vertex, 1000.));
+
+    for(const auto v : vertices(mesh))
+    {
+      const std::size_t place = locations.index(v);
+      const internal::Slab_arc_index arc = arc_of_vertex[internal::Vertex_index(v)];
+      BOOST_TEST((arc == internal::no_index) == (place < num_vertices(a.graph)));
+      if(arc == internal::no_index || place < num_vertices(a.graph))
+        continue;
+      const auto first_halfedge = a.graph[a.arcs[place - num_vertices(a.graph)]].chain.front();
+      BOOST_TEST(internal::edge_of(arcs[arc].first_step.edge).number() == mesh.edge(first_halfedge).idx());
+    }
+  });
+}
 
 BOOST_AUTO_TEST_CASE(random_small_meshes)
 {

@@ -257,7 +257,8 @@ public:
 
   /// \brief finds the place of each vertex of the mesh in the graph: the segmentation of the mesh by the arcs.
   ///
-  /// It takes as much time as sorting all vertices and computing the graph again, near-linear for any field.
+  /// On a field with few critical vertices it takes linear time and hardly longer than computing the graph again; on
+  /// noise, that of sorting all vertices and computing the graph with all of them: near-linear for any field.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`
   ///

@@ -12,8 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Vertex_lists.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <CGAL/Iterator_range.h>
@@ -23,6 +23,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -34,7 +35,8 @@ namespace Reeb_graph {
 ///
 /// \brief the place of each vertex of the mesh in the Reeb graph, and the vertices of each arc and node.
 ///
-/// It is made by `Augmentation::locate_vertices()`. It can outlive the `Augmentation` and the mesh, but holds copies of
+/// It is made by `Augmentation::locate_vertices()`. The vertices of arcs and nodes are sorted when they are asked for the
+/// first time, in \f$ O(n \log n) \f$ for \f$ n \f$ vertices of the mesh; several threads may ask at a time. It can outlive the `Augmentation` and the mesh, but holds copies of
 /// the arc descriptors and of a `vertex_index_map`: as long as it is used, the graph must not lose arcs, and the map
 /// must stay valid. `get(vertex_locations, v)` is the same as `vertex_locations[v]`.
 ///
@@ -76,60 +78,41 @@ public:
   std::size_t index(VertexDescriptor v) const
   {
     const internal::Vertex_index position = position_(v);
-    if(!places_.contains(position) || places_[position] == internal::no_index)
+    if(!places_->contains(position) || (*places_)[position] == internal::no_index)
       throw Unknown_vertex_error();
-    return places_[position];
+    return (*places_)[position];
   }
 
   /// returns the vertices of a node in ascending order. It has more than one if ties are contracted.
-  Vertex_range vertices_of_node(node_descriptor node) const { return vertices_of_place(node); }
+  Vertex_range vertices_of_node(node_descriptor node) const { return (*lists_)(node); }
 
   /// returns the vertices of the arc number `i`, in the order of `edges(graph)`, in ascending order. That is the arc of
   /// the vertices whose `index()` is the number of nodes plus `i`.
-  Vertex_range vertices_of_arc(std::size_t i) const { return vertices_of_place(number_of_nodes_ + i); }
+  Vertex_range vertices_of_arc(std::size_t i) const { return (*lists_)(number_of_nodes_ + i); }
 
   /// returns the place of `v`.
   friend Location get(const Vertex_locations& locations, VertexDescriptor v) { return locations[v]; }
 
 #ifndef DOXYGEN_RUNNING
-  // `sorted_places` has the place of each vertex of `sorted_vertices`, which is in ascending order.
   Vertex_locations(std::function<internal::Vertex_index(VertexDescriptor)> position,
-                   std::size_t number_of_positions,
                    std::size_t number_of_nodes,
                    std::vector<arc_descriptor> arcs,
-                   const std::vector<std::pair<VertexDescriptor, internal::Index>>& sorted_places)
+                   std::shared_ptr<const internal::Place_of_vertex> places,
+                   std::shared_ptr<const internal::Vertex_lists<VertexDescriptor>> lists)
     : position_(std::move(position)),
       number_of_nodes_(number_of_nodes),
       arcs_(std::move(arcs)),
-      places_(number_of_positions, internal::no_index),
-      first_vertices_(number_of_nodes_ + arcs_.size() + 1, 0),
-      vertices_(sorted_places.size())
-  {
-    for(const auto& [v, place] : sorted_places)
-    {
-      places_[position_(v)] = place;
-      ++first_vertices_[place + 1];
-    }
-    for(std::size_t i = 1; i < first_vertices_.size(); ++i)
-      first_vertices_[i] += first_vertices_[i - 1];
-    std::vector<std::size_t> next(first_vertices_);
-    for(const auto& [v, place] : sorted_places)
-      vertices_[next[place]++] = v;
-  }
+      places_(std::move(places)),
+      lists_(std::move(lists))
+  {}
 #endif
 
 private:
-  Vertex_range vertices_of_place(std::size_t place) const
-  {
-    return Vertex_range(vertices_.data() + first_vertices_[place], vertices_.data() + first_vertices_[place + 1]);
-  }
-
   std::function<internal::Vertex_index(VertexDescriptor)> position_;
   std::size_t number_of_nodes_;
   std::vector<arc_descriptor> arcs_;
-  internal::Indexed_vector<internal::Vertex_index, internal::Index> places_; // nodes come first, then arcs
-  std::vector<std::size_t> first_vertices_;                                  // by place, and one more
-  std::vector<VertexDescriptor> vertices_;                                   // by place, ascending
+  std::shared_ptr<const internal::Place_of_vertex> places_; // nodes come first, then arcs
+  std::shared_ptr<const internal::Vertex_lists<VertexDescriptor>> lists_;
 };
 
 } // namespace Reeb_graph

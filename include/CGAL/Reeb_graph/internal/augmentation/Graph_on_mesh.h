@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Vertex_lists.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
@@ -26,6 +27,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,6 +40,8 @@ namespace internal {
 template <class FaceListGraph, class ReebGraph, class Traits>
 class Graph_on_mesh
 {
+  typedef Flat_surface<FaceListGraph, typename Traits::Scalar> Surface;
+
 public:
   typedef ReebGraph Graph;
   typedef typename Traits::Scalar Scalar;
@@ -56,9 +61,9 @@ public:
                 const NamedParameters& np)
     : mesh_(mesh),
       graph_(graph),
-      surface_(flatten<Sequential_tag>(mesh, scalar_map, traits, np)),
-      order_(surface_.values, traits.less_scalar_object()),
-      number_of_vertex_(find_vertex_numbers(mesh, surface_.vertices, np))
+      surface_(std::make_shared<const Surface>(flatten<Sequential_tag>(mesh, scalar_map, traits, np))),
+      order_(surface_->values, traits.less_scalar_object()),
+      number_of_vertex_(find_vertex_numbers(mesh, surface_->vertices, np))
   {}
 
   // The order refers to the values.
@@ -67,30 +72,38 @@ public:
 
   const FaceListGraph& mesh() const { return mesh_; }
   const ReebGraph& graph() const { return graph_; }
-  const Complex& complex() const { return surface_.complex; }
+  const Complex& complex() const { return surface_->complex; }
   const Order& order() const { return order_; }
   auto arcs() const { return CGAL::make_range(edges(graph_)); }
   const auto& chain(arc_descriptor arc) const { return graph_[arc].chain; }
 
   // The numbers of vertices are less than that, but not all such numbers are those of vertices.
-  std::size_t end_of_vertices() const { return surface_.vertices.size(); }
+  std::size_t end_of_vertices() const { return surface_->vertices.size(); }
   const std::function<Vertex_index(vertex_descriptor)>& vertex_numbers() const { return number_of_vertex_; }
   Vertex_index number(vertex_descriptor v) const { return number_of_vertex_(v); }
-  vertex_descriptor vertex(Vertex_index number) const { return surface_.vertices[number]; }
-  std::size_t position(Vertex_index number) const { return surface_.vertices.position(number); }
+  vertex_descriptor vertex(Vertex_index number) const { return surface_->vertices[number]; }
+  std::size_t position(Vertex_index number) const { return surface_->vertices.position(number); }
   bool is_vertex(Vertex_index number, vertex_descriptor v) const
   {
-    return number.number() < end_of_vertices() && surface_.vertices.contains(number) && vertex(number) == v;
+    return number.number() < end_of_vertices() && surface_->vertices.contains(number) && vertex(number) == v;
+  }
+
+  // What Vertex_lists needs. It can outlive this object and the mesh.
+  auto list_vertices(std::shared_ptr<const Place_of_vertex> places, std::size_t number_of_places) const
+  {
+    return [surface = surface_, order = order_, places, number_of_places](auto& vertices, auto& begins) {
+      sort_vertices_by_place(surface->vertices, order, *places, number_of_places, vertices, begins);
+    };
   }
 
   Vertex_index node_vertex(node_descriptor node) const { return number(graph_[node].vertex); }
   Vertex_index lower_vertex(arc_descriptor arc) const { return node_vertex(source(arc, graph_)); }
   Vertex_index upper_vertex(arc_descriptor arc) const { return node_vertex(target(arc, graph_)); }
 
-  const Scalar& scalar(Vertex_index number) const { return surface_.values[number]; }
+  const Scalar& scalar(Vertex_index number) const { return surface_->values[number]; }
   double value(Vertex_index number) const { return CGAL::to_double(scalar(number)); }
 
-  halfedge_descriptor halfedge(Halfedge_index number) const { return surface_.halfedges(mesh_, number); }
+  halfedge_descriptor halfedge(Halfedge_index number) const { return surface_->halfedges(mesh_, number); }
 
   // The number of h or of its opposite, whichever has a triangle.
   Halfedge_index number_of_edge(halfedge_descriptor h) const
@@ -158,7 +171,7 @@ public:
 private:
   const FaceListGraph& mesh_;
   const ReebGraph& graph_;
-  const Flat_surface<FaceListGraph, Scalar> surface_;
+  const std::shared_ptr<const Surface> surface_;
   const Order order_;
   const std::function<Vertex_index(vertex_descriptor)> number_of_vertex_;
 };

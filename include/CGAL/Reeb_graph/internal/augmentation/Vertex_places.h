@@ -14,8 +14,11 @@
 #include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/arcs/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/arcs/reduce_arcs.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Arc_spreading.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Vertex_lists.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
@@ -23,6 +26,7 @@
 #include <CGAL/Reeb_graph/options.h>
 
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -30,8 +34,9 @@ namespace internal {
 
 // The place of each vertex in the exact graph. Nothing but the surface and the order of its vertices is asked.
 //
-// With all vertices in the place of the critical ones, the engine finds the arc between critical vertices that each
-// regular vertex is on; reducing those arcs gives the graph once more, and says what has become of them.
+// First the arc between critical vertices is found that each regular vertex is on: by spreading the arcs, or, where they
+// are short, by the engine, with all vertices in the place of the critical ones. Reducing those arcs gives the graph
+// once more, and says what has become of them.
 template <class Complex, class Order>
 class Vertex_places
 {
@@ -40,59 +45,89 @@ public:
   static Vertex_places make(const Complex& complex, const Order& order, Ties ties, bool are_degree_two_nodes_kept)
   {
     Vertex_places places(complex, order, ties);
-    places.all_vertices_ = sort_all_vertices<ConcurrencyTag>(complex, order);
-    const auto steps =
-      find_arcs<ConcurrencyTag>(complex, order, places.all_vertices_, Method::CONTOUR_TREES, 1, No_progress());
-    places.critical_graph_ =
-      reduce_arcs<ConcurrencyTag>(complex, order, places.all_vertices_, steps, Ties::PERTURB, true, true);
     places.critical_vertices_ = classify_vertices<ConcurrencyTag>(complex, order);
-    places.make_critical_arcs();
+    if(!places.template spread_arcs<ConcurrencyTag>())
+      places.template sweep_all_vertices<ConcurrencyTag>();
     places.graph_ = reduce_arcs<ConcurrencyTag>(complex, order, places.critical_vertices_, places.critical_arcs_, ties,
                                                 are_degree_two_nodes_kept, true);
     checked_index(places.graph_.nodes.size() + places.graph_.arcs.size());
+    places.template find_places<ConcurrencyTag>();
     return places;
   }
 
   // The exact graph.
   const Flat_graph& graph() const { return graph_; }
 
-  std::size_t number_of_vertices() const { return all_vertices_.size(); }
-
-  // Calls visit(vertex, place) in ascending order. A place is the number of a node, or the number of nodes plus that of
-  // an arc.
-  template <class Visit>
-  void for_each(const Visit& visit) const
-  {
-    for(const Swept_index i : all_vertices_.ascending())
-    {
-      const Vertex_index vertex = all_vertices_.vertex(i);
-      const Node_index node = critical_graph_.node_of_critical[i];
-      visit(vertex, node != no_index ? place_of_critical(critical_vertices_.ascending()[node.number()])
-                                     : place_on_arc(vertex, critical_graph_.arc_of_critical[i]));
-    }
-  }
+  // The place of each vertex: the number of a node, or the number of nodes plus that of an arc.
+  Place_of_vertex release() && { return std::move(places_); }
 
 private:
+  typedef Arc_spreading<Complex, Order> Spreading;
+
   Vertex_places(const Complex& complex, const Order& order, Ties ties)
     : complex_(&complex),
       order_(&order),
       are_ties_contracted_(ties == Ties::CONTRACT)
   {}
 
+  template <class ConcurrencyTag>
+  bool spread_arcs()
+  {
+    if(Spreading::are_arcs_short(*complex_, critical_vertices_))
+      return false;
+    critical_arcs_ =
+      find_arcs<ConcurrencyTag>(*complex_, *order_, critical_vertices_, Method::CONTOUR_TREES, 1, No_progress());
+    Spreading spreading(*complex_, *order_, critical_vertices_, critical_arcs_);
+    return spreading.template find_arcs_of_vertices<ConcurrencyTag>(arc_of_vertex_);
+  }
+
+  template <class ConcurrencyTag>
+  void sweep_all_vertices()
+  {
+    const Swept_vertices all_vertices = sort_all_vertices<ConcurrencyTag>(*complex_, *order_);
+    const auto steps =
+      find_arcs<ConcurrencyTag>(*complex_, *order_, all_vertices, Method::CONTOUR_TREES, 1, No_progress());
+    const Flat_graph graph =
+      reduce_arcs<ConcurrencyTag>(*complex_, *order_, all_vertices, steps, Ties::PERTURB, true, true);
+    make_critical_arcs(graph);
+    arc_of_vertex_.assign(complex_->number_of_vertices(), no_index);
+    for(const Swept_index i : all_vertices.indices())
+    {
+      if(graph.node_of_critical[i] == no_index)
+        arc_of_vertex_[all_vertices.vertex(i)] = Slab_arc_index(graph.arc_of_critical[i].number());
+    }
+  }
+
   // The nodes of the graph of all critical vertices are these. With an order that contradicts itself, others can be.
-  void make_critical_arcs()
+  void make_critical_arcs(const Flat_graph& graph)
   {
     const auto& ascending = critical_vertices_.ascending();
-    for(const Node_index node : critical_graph_.nodes.keys())
+    for(const Node_index node : graph.nodes.keys())
     {
-      const Vertex_index vertex = critical_graph_.nodes[node].vertex;
+      const Vertex_index vertex = graph.nodes[node].vertex;
       if(node.number() >= ascending.size() || critical_vertices_.vertex(ascending[node.number()]) != vertex)
         complex_->throw_contradiction_near(vertex);
     }
-    critical_arcs_.reserve(critical_graph_.arcs.size());
-    for(const Flat_arc& arc : critical_graph_.arcs)
+    critical_arcs_.clear();
+    critical_arcs_.reserve(graph.arcs.size());
+    for(const Flat_arc& arc : graph.arcs)
       critical_arcs_.push_back({node_of(ascending[arc.lower.number()]), node_of(ascending[arc.upper.number()]),
-                                critical_graph_.pieces[arc.first_piece].first_step});
+                                graph.pieces[arc.first_piece].first_step});
+  }
+
+  template <class ConcurrencyTag>
+  void find_places()
+  {
+    places_.assign(complex_->number_of_vertices(), no_index);
+    for(const Swept_index critical : critical_vertices_.indices())
+      places_[critical_vertices_.vertex(critical)] = place_of_critical(critical);
+    for_each_block<ConcurrencyTag>(places_.size(), [&](std::size_t begin, std::size_t end) {
+      for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
+      {
+        if(places_[vertex] == no_index && complex_->has_vertex(vertex))
+          places_[vertex] = place_on_arc(vertex, arc_of_vertex_[vertex]);
+      }
+    });
   }
 
   Index place_of_critical(Swept_index critical) const
@@ -103,17 +138,20 @@ private:
   }
 
   // The place of a regular vertex on an arc between critical vertices. On a plateau, it is where the end of the arc is.
-  Index place_on_arc(Vertex_index vertex, Arc_index critical_arc) const
+  Index place_on_arc(Vertex_index vertex, Slab_arc_index critical_arc) const
   {
     if(critical_arc == no_index)
       complex_->throw_contradiction_near(vertex);
-    const Slab_arc& arc = critical_arcs_[Slab_arc_index(critical_arc.number())];
-    for(const Swept_index end : {arc.lower_vertex(), arc.upper_vertex()})
+    if(are_ties_contracted_)
     {
-      if(are_ties_contracted_ && order_->are_tied(vertex, critical_vertices_.vertex(end)))
-        return place_of_critical(end);
+      const Slab_arc& arc = critical_arcs_[critical_arc];
+      for(const Swept_index end : {arc.lower_vertex(), arc.upper_vertex()})
+      {
+        if(order_->are_tied(vertex, critical_vertices_.vertex(end)))
+          return place_of_critical(end);
+      }
     }
-    return place_of_arc(graph_.arc_of_critical_arc[Slab_arc_index(critical_arc.number())], vertex);
+    return place_of_arc(graph_.arc_of_critical_arc[critical_arc], vertex);
   }
 
   Index place_of_arc(Arc_index arc, Vertex_index vertex) const
@@ -126,11 +164,11 @@ private:
   const Complex* complex_;
   const Order* order_;
   bool are_ties_contracted_;
-  Swept_vertices all_vertices_;
-  Flat_graph critical_graph_; // with all critical vertices as nodes
   Swept_vertices critical_vertices_;
-  Slab_arcs critical_arcs_; // the same arcs
+  Slab_arcs critical_arcs_;
+  typename Spreading::Arc_of_vertex arc_of_vertex_;
   Flat_graph graph_;
+  Place_of_vertex places_;
 };
 
 } // namespace internal

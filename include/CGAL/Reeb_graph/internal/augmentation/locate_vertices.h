@@ -13,14 +13,16 @@
 
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/internal/augmentation/New_places.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Vertex_lists.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Vertex_places.h>
 #include <CGAL/Reeb_graph/internal/augmentation/check_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/options.h>
 
+#include <cstddef>
+#include <memory>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -35,17 +37,21 @@ auto locate_vertices(const GraphOnMesh& on_mesh,
 {
   typedef typename GraphOnMesh::vertex_descriptor vertex_descriptor;
   typedef Vertex_places<typename GraphOnMesh::Complex, typename GraphOnMesh::Order> Places;
-  const auto places =
+  auto places =
     Places::template make<ConcurrencyTag>(on_mesh.complex(), on_mesh.order(), ties, are_degree_two_nodes_kept);
   check_same_graph(on_mesh, places.graph(), new_places);
-  std::vector<std::pair<vertex_descriptor, Index>> sorted_places;
-  sorted_places.reserve(places.number_of_vertices());
-  places.for_each(
-    [&](Vertex_index vertex, Index place) { sorted_places.emplace_back(on_mesh.vertex(vertex), new_places(place)); });
-  const auto arcs = edges(on_mesh.graph());
-  typedef Reeb_graph::Vertex_locations<vertex_descriptor, typename GraphOnMesh::Graph> Locations;
-  return Locations(on_mesh.vertex_numbers(), on_mesh.end_of_vertices(), num_vertices(on_mesh.graph()),
-                   {arcs.first, arcs.second}, sorted_places);
+  const auto place_of_vertex = std::make_shared<Place_of_vertex>(std::move(places).release());
+  if(new_places.is_simplified())
+  {
+    for(Index& place : *place_of_vertex)
+      place = place == no_index ? place : new_places(place);
+  }
+  const auto& graph = on_mesh.graph();
+  const auto arcs = edges(graph);
+  const std::size_t number_of_places = num_vertices(graph) + num_edges(graph);
+  return Reeb_graph::Vertex_locations<vertex_descriptor, typename GraphOnMesh::Graph>(
+    on_mesh.vertex_numbers(), num_vertices(graph), {arcs.first, arcs.second}, place_of_vertex,
+    std::make_shared<Vertex_lists<vertex_descriptor>>(on_mesh.list_vertices(place_of_vertex, number_of_places)));
 }
 
 } // namespace internal
