@@ -37,9 +37,7 @@ void add_input_options(CLI::App& command, Input_options& options)
                      "The field: file of one number per line, in the vertex order of the mesh file");
   command.add_option("--min", options.lowest_vertex, "For harmonic: the vertex of value 0, from 0 as in the mesh file");
   command.add_option("--max", options.highest_vertex, "For harmonic: the vertex of value 1");
-  command
-    .add_option("--weights", options.weights,
-                "For harmonic: mean-value (the default), cotangent, or uniform, for faces without area")
+  command.add_option("--weights", options.weights, "For harmonic: mean-value (the default), cotangent, or uniform")
     ->check(CLI::IsMember({"mean-value", "cotangent", "uniform"}));
   command
     .add_option("--source", options.source_vertices, "For poisson and geodesic: the vertices of value 0, as V,W,...")

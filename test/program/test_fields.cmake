@@ -73,10 +73,11 @@ expect_error("no vertex 7: the mesh has 7" field torus.off --type harmonic --min
 expect_error("no vertex 9: the mesh has 7" compute torus.off --field geodesic --source 9)
 expect_error("fixed to two different values" compute torus.off --field harmonic --min 3 --max 3)
 
-# a mesh that has no such field
+# faces without area
 file(WRITE ${FOLDER}/flat.off "OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n1 1 0\n3 0 1 2\n3 2 3 0\n")
-expect_error("face 0 has no area" field flat.off --type harmonic --output out.txt)
-expect_error("face 0 has no area" field flat.off --type harmonic --weights cotangent --output out.txt)
+foreach(options "harmonic" "harmonic;--weights;cotangent" "poisson" "geodesic" "unit-gradient")
+  expect_success(field flat.off --type ${options} --output out.txt)
+endforeach()
 expect_success(field flat.off --type harmonic --weights uniform --min 0 --max 2 --output out.txt)
 file(STRINGS ${FOLDER}/out.txt values)
 expect_match("${values}" "^0;0[.][0-9]+;1;0[.][0-9]+$")

@@ -33,18 +33,6 @@ public:
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown by scalar fields that depend on angles for a face without area.
-class Zero_area_error : public Face_error
-{
-public:
-  /// constructs the exception for the face at position `face`.
-  explicit Zero_area_error(std::size_t face)
-    : Face_error(face, "face " + std::to_string(face) + " has no area, or too little to have angles")
-  {}
-};
-
-/// \ingroup PkgReebGraphExceptions
-///
 /// \brief thrown for a vector of a face that is infinite or NaN, one that is given or a gradient.
 class Non_finite_vector_error : public Face_error
 {

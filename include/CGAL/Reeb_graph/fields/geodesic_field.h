@@ -11,13 +11,14 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Geodesic_distances.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Marching.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/triangle_geometry.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/proper_triangles.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -36,6 +37,14 @@ namespace Reeb_graph {
 /// better as the mesh gets finer. The field has its extrema where it has them; other than a harmonic one it makes no
 /// promise.
 ///
+/// On a component where the heat method fails, the distances are those of a front that marches from vertex to vertex,
+/// along the edges and straight through the triangles: M. Novotni and R. Klein, *Computing Geodesic Distances on
+/// Triangular Meshes*, 2002. They need nothing but the lengths of the edges, which are longer if there are bad faces, see
+/// `Field_report`. The heat method fails if its equations have no solution; if a distance is not finite, as some thousand
+/// edges away from the sources, or off by more than half of the largest one; and if a side of a triangle is as long as
+/// the two others to 14 digits, or edges differ in length by a factor of 10<sup>10</sup>, where the intrinsic Delaunay
+/// triangulation may not end.
+///
 /// It needs Eigen: the macro `CGAL_EIGEN3_ENABLED` has to be defined. Time and memory are those of
 /// `compute_harmonic_field()`, plus the time of the intrinsic Delaunay triangulation, plus the number of vertices times
 /// that of the sources.
@@ -51,12 +60,11 @@ namespace Reeb_graph {
 /// \param sources the vertices at distance zero, at least one in each connected component
 /// \param np `callback` and `vertex_point_map` as for `compute_harmonic_field()`
 ///
+/// \returns what was changed because of bad faces, and on how many components the heat method fails
+///
 /// \exception Unknown_vertex_error if a source is not a vertex of the mesh
 /// \exception Unconstrained_component_error if a component has no source
-/// \exception Zero_area_error if a face has no area
-/// \exception Non_finite_scalar_error if the heat method does not give a number at a vertex, which happens some
-///            thousand edges away from the sources
-/// \exception Linear_solver_error if it fails otherwise
+/// \exception Non_finite_scalar_error if a distance is beyond the range of numbers
 /// \exception Cancelled_error if `callback` returns `false`
 ///
 /// and those for meshes that are not triangulated surfaces, see `compute_harmonic_field()`. When one of these is
@@ -65,30 +73,32 @@ template <class FaceListGraph,
           class FieldMap,
           class VertexRange,
           class NamedParameters = parameters::Default_named_parameters>
-void compute_geodesic_field(const FaceListGraph& mesh,
-                            FieldMap field_map,
-                            const VertexRange& sources,
-                            const NamedParameters& np = parameters::default_values())
+Field_report compute_geodesic_field(const FaceListGraph& mesh,
+                                    FieldMap field_map,
+                                    const VertexRange& sources,
+                                    const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
   const internal::Progress progress(np);
   progress.report(0);
-  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+  fields::Indexed_surface<FaceListGraph> surface(mesh, np);
   fields::Constraints<double> fixed(surface.number_of_vertices());
   for(const auto v : sources)
     fixed.fix(surface.position(v), 0);
   const fields::Weighted_graph graph = fields::uniform_graph(surface);
   fields::check_components(graph, fixed.is_fixed);
-  for(std::size_t t = 0; t != surface.triangles().size(); ++t)
-    fields::triangle_geometry(surface, t);
+  Field_report report = fields::make_triangles_proper(surface);
+  fields::Geodesic_distances geodesic_distances(
+    fixed.is_fixed, fields::Marching<fields::Indexed_surface<FaceListGraph>>(surface, fixed.is_fixed).distances());
   progress.report(0.1);
 
-  fields::Geodesic_distances geodesic_distances(surface, fixed.is_fixed);
   geodesic_distances.run(mesh, surface, fields::label_components(graph), progress);
+  report.number_of_marched_components = geodesic_distances.number_of_marched_components();
   std::vector<double> distances = geodesic_distances.distances();
   for(double& distance : distances)
     distance *= surface.scale();
   fields::write_field(surface, distances, field_map, progress);
+  return report;
 }
 
 } // namespace Reeb_graph

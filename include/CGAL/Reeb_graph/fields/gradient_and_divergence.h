@@ -11,11 +11,13 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/differential_operators.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/proper_triangles.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
@@ -36,7 +38,9 @@ namespace Reeb_graph {
 /// \f$ \sum_i f(v_i) \frac{|E_i|}{2 A} u_i \f$, where \f$ A \f$ is the area, \f$ E_i \f$ the edge that faces
 /// \f$ v_i \f$, and \f$ u_i \f$ the unit vector in the face that is perpendicular to \f$ E_i \f$ and points to
 /// \f$ v_i \f$. See M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, Section
-/// 6.3. It is exact for the restriction of a linear function of space, up to rounding, and takes linear time.
+/// 6.3. It is exact for the restriction of a linear function of space, up to rounding, and takes linear time. If there
+/// are bad faces, it is the gradient on faces with longer edges, see `Field_report`, each laid out in the plane of the
+/// given one as far as that has a plane.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
@@ -50,7 +54,8 @@ namespace Reeb_graph {
 /// \param gradient_map the result
 /// \param np the named parameters
 ///
-/// \exception Zero_area_error if a face has no area
+/// \returns what was changed because of bad faces, see `Field_report`
+///
 /// \exception Non_finite_scalar_error if a value of the field is infinite or NaN
 /// \exception Non_finite_vector_error if the gradient of a face is
 /// \exception Non_finite_point_error if a coordinate is
@@ -61,16 +66,18 @@ template <class FaceListGraph,
           class ScalarMap,
           class FaceVectorMap,
           class NamedParameters = parameters::Default_named_parameters>
-void compute_gradient(const FaceListGraph& mesh,
-                      ScalarMap scalar_map,
-                      FaceVectorMap gradient_map,
-                      const NamedParameters& np = parameters::default_values())
+Field_report compute_gradient(const FaceListGraph& mesh,
+                              ScalarMap scalar_map,
+                              FaceVectorMap gradient_map,
+                              const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
+  Field_report report;
   if constexpr(internal::Writable_face_map<FaceVectorMap, FaceListGraph>::value)
   {
     typedef typename boost::property_traits<FaceVectorMap>::value_type Vector_3;
-    const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+    fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+    report = fields::make_triangles_proper(surface);
     auto gradients = fields::scaled_gradients(surface, fields::read_field(surface, scalar_map));
     for(std::size_t t = 0; t != gradients.size(); ++t)
     {
@@ -82,6 +89,7 @@ void compute_gradient(const FaceListGraph& mesh,
     for(std::size_t t = 0; t != gradients.size(); ++t)
       put(gradient_map, surface.face_handle(t), Vector_3(gradients[t][0], gradients[t][1], gradients[t][2]));
   }
+  return report;
 }
 
 /// \ingroup PkgReebGraphFields
@@ -108,7 +116,8 @@ void compute_gradient(const FaceListGraph& mesh,
 /// \param divergence_map the result, zero for isolated vertices
 /// \param np the named parameters
 ///
-/// \exception Zero_area_error if a face has no area
+/// \returns what was changed because of bad faces, see `Field_report`
+///
 /// \exception Non_finite_vector_error if a vector is infinite or NaN
 /// \exception Non_finite_scalar_error if the divergence at a vertex is
 /// \exception Non_finite_point_error if a coordinate is
@@ -119,13 +128,14 @@ template <class FaceListGraph,
           class FaceVectorMap,
           class FieldMap,
           class NamedParameters = parameters::Default_named_parameters>
-void compute_divergence(const FaceListGraph& mesh,
-                        FaceVectorMap vector_map,
-                        FieldMap divergence_map,
-                        const NamedParameters& np = parameters::default_values())
+Field_report compute_divergence(const FaceListGraph& mesh,
+                                FaceVectorMap vector_map,
+                                FieldMap divergence_map,
+                                const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+  fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+  const Field_report report = fields::make_triangles_proper(surface);
   std::vector<fields::Vector> vectors;
   vectors.reserve(surface.face_handles().size());
   for(const auto f : surface.face_handles())
@@ -139,6 +149,7 @@ void compute_divergence(const FaceListGraph& mesh,
   for(double& divergence : divergences)
     divergence *= surface.scale();
   fields::write_field(surface, divergences, divergence_map);
+  return report;
 }
 
 } // namespace Reeb_graph

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/field_constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
@@ -38,7 +39,7 @@ namespace Reeb_graph {
 ///
 /// <b>There is no local extremum but at the vertices whose values are given</b>: after rounding each other vertex has a
 /// neighbor of strictly lower and one of strictly higher value, on any mesh and with any weights, even where the
-/// solution is flat to all digits. So with two given values a closed surface of genus \f$ g \f$ has exactly one
+/// solution is flat to all digits, and even if faces have no area. So with two given values a closed surface of genus \f$ g \f$ has exactly one
 /// minimum, one maximum, and saddles of total multiplicity \f$ 2g \f$. The only exception are parts of the surface
 /// around which all given values are the same, so that the solution is constant there. Where the plain solution keeps
 /// the promise, it is the result; elsewhere values are moved as little as it takes.
@@ -86,13 +87,14 @@ namespace Reeb_graph {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \returns what was changed because of bad faces, see `Field_report`; uniform weights need no geometry
+///
 /// \exception Non_triangular_face_error if a face is not a triangle
 /// \exception Degenerate_face_error if a face has one vertex at two corners
 /// \exception Edge_without_face_error if an edge is on no face
 /// \exception Non_manifold_vertex_error if the faces of a vertex form more than one fan
 /// \exception Mesh_size_error if there are too many vertices or face corners for 32-bit indices
 /// \exception Non_finite_point_error if a coordinate is infinite or NaN
-/// \exception Zero_area_error if a face has no area, and the weights are not uniform
 /// \exception Unknown_vertex_error if a vertex of `constraints` is not one of the mesh
 /// \exception Contradictory_constraints_error if a vertex gets two different values
 /// \exception Unconstrained_component_error if a component has no vertex with a given value
@@ -106,13 +108,13 @@ template <class FaceListGraph,
           class FieldMap,
           class ConstraintRange,
           class NamedParameters = parameters::Default_named_parameters>
-void compute_harmonic_field(const FaceListGraph& mesh,
-                            FieldMap field_map,
-                            const ConstraintRange& constraints,
-                            const NamedParameters& np = parameters::default_values())
+Field_report compute_harmonic_field(const FaceListGraph& mesh,
+                                    FieldMap field_map,
+                                    const ConstraintRange& constraints,
+                                    const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  fields::write_harmonic_field(mesh, field_map, np, [&](const auto& surface, const auto&, auto& fixed) {
+  return fields::write_harmonic_field(mesh, field_map, np, [&](const auto& surface, const auto&, auto& fixed) {
     fields::fix_vertices(surface, constraints, fixed);
   });
 }
@@ -122,32 +124,32 @@ void compute_harmonic_field(const FaceListGraph& mesh,
 /// \brief computes the harmonic field that is 0 at the vertex `lowest` and 1 at the vertex `highest` of a connected
 /// mesh.
 ///
-/// It is `compute_harmonic_field()` with these two constraints, and has its named parameters and exceptions.
+/// It is `compute_harmonic_field()` with these two constraints, and has its named parameters, result, and exceptions.
 template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
-void compute_harmonic_field_between(const FaceListGraph& mesh,
-                                    FieldMap field_map,
-                                    typename boost::graph_traits<FaceListGraph>::vertex_descriptor lowest,
-                                    typename boost::graph_traits<FaceListGraph>::vertex_descriptor highest,
-                                    const NamedParameters& np = parameters::default_values())
+Field_report compute_harmonic_field_between(const FaceListGraph& mesh,
+                                            FieldMap field_map,
+                                            typename boost::graph_traits<FaceListGraph>::vertex_descriptor lowest,
+                                            typename boost::graph_traits<FaceListGraph>::vertex_descriptor highest,
+                                            const NamedParameters& np = parameters::default_values())
 {
   typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
   const std::array<std::pair<vertex_descriptor, double>, 2> constraints = {{{lowest, 0.}, {highest, 1.}}};
-  compute_harmonic_field(mesh, field_map, constraints, np);
+  return compute_harmonic_field(mesh, field_map, constraints, np);
 }
 
 /// \ingroup PkgReebGraphFields
 ///
 /// \brief computes the harmonic field that is 0 and 1 at two vertices of each component that are far apart.
 ///
-/// The two are those of `find_far_apart_vertices()`. An isolated vertex gets the value 0. The named parameters and the
-/// exceptions are those of `compute_harmonic_field()`.
+/// The two are those of `find_far_apart_vertices()`. An isolated vertex gets the value 0. The named parameters, the
+/// result, and the exceptions are those of `compute_harmonic_field()`.
 template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
-void compute_harmonic_field_between_far_apart_vertices(const FaceListGraph& mesh,
-                                                       FieldMap field_map,
-                                                       const NamedParameters& np = parameters::default_values())
+Field_report compute_harmonic_field_between_far_apart_vertices(const FaceListGraph& mesh,
+                                                               FieldMap field_map,
+                                                               const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  fields::write_harmonic_field(mesh, field_map, np, [](const auto& surface, const auto& graph, auto& fixed) {
+  return fields::write_harmonic_field(mesh, field_map, np, [](const auto& surface, const auto& graph, auto& fixed) {
     for(const auto& [lowest, highest] : fields::far_apart_vertices(surface, graph))
     {
       fixed.fix(lowest, 0);

@@ -11,12 +11,14 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/differential_operators.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/poisson_values.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/proper_triangles.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -40,23 +42,33 @@ namespace Reeb_graph {
 ///         type that can be constructed from `double`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"; `vertex_point_map` counts
 ///
-/// \exception Zero_area_error if a face has no area
+/// \returns what was changed because of bad faces, see `Field_report`
+///
 /// \exception Non_finite_scalar_error if the result is infinite or NaN
 ///
 /// and those for meshes that are not triangulated surfaces, see `compute_harmonic_field()`. When one of these is
 /// thrown, `field_map` is as it was before.
 template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
-void compute_mean_curvature(const FaceListGraph& mesh,
-                            FieldMap field_map,
-                            const NamedParameters& np = parameters::default_values())
+Field_report compute_mean_curvature(const FaceListGraph& mesh,
+                                    FieldMap field_map,
+                                    const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
-  auto curvatures = fields::scaled_integrated_mean_curvatures(surface, fields::cotangent_graph(surface));
-  const auto areas = fields::scaled_mixed_areas(surface);
-  for(std::size_t v = 0; v != areas.size(); ++v)
-    curvatures[v] /= (areas[v] > 0 ? areas[v] : 1) * surface.scale();
-  fields::write_field(surface, curvatures, field_map);
+  fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+  Field_report report = fields::make_triangles_proper(surface);
+  const auto curvatures_of = [&](const fields::Weighted_graph& cotangents, double) {
+    auto curvatures = fields::scaled_integrated_mean_curvatures(surface, cotangents);
+    const auto areas = fields::scaled_mixed_areas(surface);
+    for(std::size_t v = 0; v != areas.size(); ++v)
+      curvatures[v] /= (areas[v] > 0 ? areas[v] : 1) * surface.scale();
+    fields::check_finite(curvatures);
+    return curvatures;
+  };
+  fields::write_field(surface,
+                      fields::solve_or_lengthen_edges(surface, report, fields::cotangent_graph(surface), curvatures_of,
+                                                      [&] { return fields::cotangent_graph(surface); }),
+                      field_map);
+  return report;
 }
 
 /// \ingroup PkgReebGraphFields
@@ -82,6 +94,8 @@ void compute_mean_curvature(const FaceListGraph& mesh,
 /// \param constraints vertices with their values, at least one in each connected component
 /// \param np `sparse_linear_solver`, `callback` and `vertex_point_map` as for `compute_harmonic_field()`
 ///
+/// \returns what was changed because of bad faces, see `Field_report`
+///
 /// The exceptions are those of `compute_harmonic_field()`, but for `Scalar_resolution_error`; there is one if a value
 /// of \f$ h \f$ is infinite or NaN. When one is thrown, `field_map` is as it was before.
 template <class FaceListGraph,
@@ -89,20 +103,23 @@ template <class FaceListGraph,
           class RightSideMap,
           class ConstraintRange,
           class NamedParameters = parameters::Default_named_parameters>
-void compute_poisson_field(const FaceListGraph& mesh,
-                           FieldMap field_map,
-                           RightSideMap right_side_map,
-                           const ConstraintRange& constraints,
-                           const NamedParameters& np = parameters::default_values())
+Field_report compute_poisson_field(const FaceListGraph& mesh,
+                                   FieldMap field_map,
+                                   RightSideMap right_side_map,
+                                   const ConstraintRange& constraints,
+                                   const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  fields::solve_poisson_equation(mesh, field_map, constraints, np, [&](const auto& surface, const auto&) {
-    auto right_side = fields::read_field(surface, right_side_map);
-    const auto areas = fields::scaled_mixed_areas(surface);
-    for(std::size_t v = 0; v != areas.size(); ++v)
-      right_side[v] *= areas[v] * surface.scale() * surface.scale();
-    return right_side;
-  });
+  return fields::solve_poisson_equation(
+    mesh, field_map, np,
+    [&](const auto& surface, const auto&, auto& fixed) { fields::fix_vertices(surface, constraints, fixed); },
+    [&](const auto& surface, const auto&) {
+      auto right_side = fields::read_field(surface, right_side_map);
+      const auto areas = fields::scaled_mixed_areas(surface);
+      for(std::size_t v = 0; v != areas.size(); ++v)
+        right_side[v] *= areas[v] * surface.scale() * surface.scale();
+      return right_side;
+    });
 }
 
 /// \ingroup PkgReebGraphFields
@@ -111,23 +128,26 @@ void compute_poisson_field(const FaceListGraph& mesh,
 /// and given values at some vertices.
 ///
 /// With a single given value, at a vertex such as the tip of the head of a character, the level sets of the solution
-/// follow the shape. The parameters and the exceptions are those of `compute_poisson_field()`.
+/// follow the shape. The parameters, the result, and the exceptions are those of `compute_poisson_field()`.
 template <class FaceListGraph,
           class FieldMap,
           class ConstraintRange,
           class NamedParameters = parameters::Default_named_parameters>
-void compute_curvature_poisson_field(const FaceListGraph& mesh,
-                                     FieldMap field_map,
-                                     const ConstraintRange& constraints,
-                                     const NamedParameters& np = parameters::default_values())
+Field_report compute_curvature_poisson_field(const FaceListGraph& mesh,
+                                             FieldMap field_map,
+                                             const ConstraintRange& constraints,
+                                             const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  fields::solve_poisson_equation(mesh, field_map, constraints, np, [](const auto& surface, const auto& graph) {
-    auto right_side = fields::scaled_integrated_mean_curvatures(surface, graph);
-    for(double& value : right_side)
-      value *= surface.scale();
-    return right_side;
-  });
+  return fields::solve_poisson_equation(
+    mesh, field_map, np,
+    [&](const auto& surface, const auto&, auto& fixed) { fields::fix_vertices(surface, constraints, fixed); },
+    [](const auto& surface, const auto& graph) {
+      auto right_side = fields::scaled_integrated_mean_curvatures(surface, graph);
+      for(double& value : right_side)
+        value *= surface.scale();
+      return right_side;
+    });
 }
 
 } // namespace Reeb_graph

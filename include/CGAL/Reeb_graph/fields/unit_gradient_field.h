@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
@@ -20,8 +20,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <cmath>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -55,35 +53,37 @@ namespace Reeb_graph {
 /// \param field_map the result
 /// \param np `sparse_linear_solver`, `callback` and `vertex_point_map` as for `compute_harmonic_field()`
 ///
+/// \returns what was changed because of bad faces, see `Field_report`
+///
 /// The exceptions are those of `compute_gradient()`, `Linear_solver_error`, and `Cancelled_error`. When one is thrown,
 /// `field_map` is as it was before.
 template <class FaceListGraph,
           class ScalarMap,
           class FieldMap,
           class NamedParameters = parameters::Default_named_parameters>
-void compute_unit_gradient_field(const FaceListGraph& mesh,
-                                 ScalarMap scalar_map,
-                                 FieldMap field_map,
-                                 const NamedParameters& np = parameters::default_values())
+Field_report compute_unit_gradient_field(const FaceListGraph& mesh,
+                                         ScalarMap scalar_map,
+                                         FieldMap field_map,
+                                         const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  const internal::Progress progress(np);
-  progress.report(0);
-  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
-  const std::vector<double> values = fields::read_field(surface, scalar_map);
-  auto vectors = fields::scaled_gradients(surface, values);
-  for(fields::Vector& vector : vectors)
-    vector = fields::normalized(vector);
-
-  const fields::Weighted_graph graph = fields::cotangent_graph(surface);
-  fields::Constraints<double> lowest_vertices(surface.number_of_vertices());
-  for(const fields::Position v : fields::lowest_vertices_of_components(graph, values))
-    lowest_vertices.fix(v, 0);
-  auto unit_values =
-    fields::poisson_values(surface, graph, lowest_vertices, fields::scaled_divergences(surface, vectors), progress, np);
-  for(double& value : unit_values)
-    value *= surface.scale();
-  fields::write_field(surface, unit_values, field_map, progress);
+  std::vector<double> values;
+  return fields::solve_poisson_equation(
+    mesh, field_map, np,
+    [&](const auto& surface, const auto& graph, auto& fixed) {
+      values = fields::read_field(surface, scalar_map);
+      for(const fields::Position v : fields::lowest_vertices_of_components(graph, values))
+        fixed.fix(v, 0);
+    },
+    [&](const auto& surface, const auto&) {
+      auto vectors = fields::scaled_gradients(surface, values);
+      for(fields::Vector& vector : vectors)
+        vector = fields::normalized(vector);
+      auto divergences = fields::scaled_divergences(surface, vectors);
+      for(double& divergence : divergences)
+        divergence *= surface.scale();
+      return divergences;
+    });
 }
 
 } // namespace Reeb_graph

@@ -92,6 +92,14 @@ inline void check_components(const Weighted_graph& graph, const std::vector<bool
       throw Unconstrained_component_error(component, first_vertices[component]);
 }
 
+template <class Scalar>
+void check_finite(const std::vector<Scalar>& values)
+{
+  for(std::size_t v = 0; v != values.size(); ++v)
+    if(!std::isfinite(values[v]))
+      throw Non_finite_scalar_error(v);
+}
+
 // Writes a field only when all of its values are known to be finite.
 template <class Surface, class Scalar, class FieldMap>
 void write_field(const Surface& surface, const std::vector<Scalar>& values, FieldMap field_map)

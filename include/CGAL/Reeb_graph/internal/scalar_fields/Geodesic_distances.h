@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
@@ -26,6 +25,7 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -36,15 +36,15 @@ namespace Reeb_graph {
 namespace internal {
 namespace scalar_fields {
 
-// The distances of the heat method. It knows distances up to a constant for each component, and depends on there being
-// no isolated vertex. So each component is copied to a mesh of its own, which knows the positions of its vertices.
+// The distances of the heat method, and those of marching on the components where it fails. It knows distances up to a
+// constant for each component, and depends on there being no isolated vertex. So each component is copied to a mesh of
+// its own, which knows the positions of its vertices.
 class Geodesic_distances
 {
 public:
-  template <class Surface>
-  Geodesic_distances(const Surface& surface, const std::vector<bool>& is_source)
+  Geodesic_distances(const std::vector<bool>& is_source, std::vector<double> marched_distances)
     : is_source_(is_source),
-      distances_(surface.number_of_vertices(), 0)
+      distances_(std::move(marched_distances))
   {}
 
   template <class FaceListGraph, class Surface>
@@ -74,8 +74,11 @@ public:
   // The distances for the points divided by Indexed_surface::scale().
   const std::vector<double>& distances() const { return distances_; }
 
+  std::size_t number_of_marched_components() const { return number_of_marched_components_; }
+
 private:
   typedef CGAL::Surface_mesh<Simple_cartesian<double>::Point_3> Mesh;
+  typedef Mesh::Property_map<Mesh::Vertex_index, double> Distance_map;
 
   // A copy of the faces of a mesh.
   struct Copy
@@ -129,8 +132,39 @@ private:
 
   void run_on_component(Copy& component)
   {
-    typedef Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Heat_method_3::Intrinsic_Delaunay> Heat_method;
     auto distance_map = component.mesh.add_property_map<Mesh::Vertex_index, double>("v:distance", 0).first;
+    if(is_fit_for_heat_method(component.mesh) && run_heat_method(component, distance_map)
+       && is_plausible(component, distance_map))
+      for(const auto v : component.mesh.vertices())
+        distances_[component.positions[v]] = distance_map[v];
+    else
+      ++number_of_marched_components_;
+  }
+
+  // Whether all triangles are wide enough for the edge flips of CGAL's intrinsic Delaunay triangulation, which computes
+  // lengths from lengths. It does not end, or crashes, for some that are narrower, or of very different sizes.
+  static bool is_fit_for_heat_method(const Mesh& mesh)
+  {
+    constexpr double least_slack = 1e-14, largest_ratio = 1e10;
+    double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+    for(const auto f : mesh.faces())
+    {
+      std::vector<double> sides;
+      for(const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+        sides.push_back(std::sqrt(squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)))));
+      std::sort(sides.begin(), sides.end());
+      if(!(sides[0] - (sides[2] - sides[1]) > least_slack * sides[2]))
+        return false;
+      shortest = (std::min)(shortest, sides[0]);
+      longest = (std::max)(longest, sides[2]);
+    }
+    return longest < largest_ratio * shortest;
+  }
+
+  // Returns whether the heat method finds a solution of its equations.
+  bool run_heat_method(const Copy& component, const Distance_map& distance_map) const
+  {
+    typedef Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Heat_method_3::Intrinsic_Delaunay> Heat_method;
     try
     {
       Heat_method heat_method(component.mesh);
@@ -138,21 +172,29 @@ private:
         if(is_source_[component.positions[v]])
           heat_method.add_source(v);
       heat_method.estimate_geodesic_distances(distance_map);
+      return true;
     }
     catch(const Failure_exception&)
     {
-      throw Linear_solver_error();
+      return false;
     }
-    // Where it divides zero by zero, as on some tetrahedra, the heat method gives NaN or the largest number.
+  }
+
+  // Whether no distance of the heat method is off by more than half of the largest marched one. Where it divides zero by
+  // zero, as on some tetrahedra and some thousand edges away from the sources, it gives NaN or the largest number.
+  bool is_plausible(const Copy& component, const Distance_map& distance_map) const
+  {
+    double largest = 0;
     for(const auto v : component.mesh.vertices())
-      distances_[component.positions[v]] = distance_map[v] < (std::numeric_limits<double>::max)()
-                                           ? distance_map[v]
-                                           : std::numeric_limits<double>::quiet_NaN();
+      largest = (std::max)(largest, distances_[component.positions[v]]);
+    return std::all_of(component.mesh.vertices().begin(), component.mesh.vertices().end(), [&](const auto v) {
+      return std::abs(distance_map[v] - distances_[component.positions[v]]) <= largest / 2;
+    });
   }
 
   const std::vector<bool>& is_source_;
   std::vector<double> distances_;
-  std::size_t number_of_components_ = 0, number_of_finished_components_ = 0;
+  std::size_t number_of_components_ = 0, number_of_finished_components_ = 0, number_of_marched_components_ = 0;
 };
 
 } // namespace scalar_fields

@@ -58,6 +58,16 @@ inline Vector cross(const Vector& a, const Vector& b)
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+// The vector of unit length, or zero. Not even gradients whose squares are beyond the range of numbers are lost.
+inline Vector normalized(const Vector& vector)
+{
+  const double largest = (std::max)({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
+  if(!(largest > 0))
+    return {0, 0, 0};
+  const Vector scaled = {vector[0] / largest, vector[1] / largest, vector[2] / largest};
+  return (1 / length(scaled)) * scaled;
+}
+
 // The vertices of a triangle, and for each i whether the edge from corner i to corner i + 1 is on the border.
 struct Indexed_triangle
 {
@@ -99,6 +109,12 @@ public:
 
   const Vector& point(Position v) const { return points_[v]; }
   double scale() const { return scale_; }
+
+  // The length of an edge between two vertices, for the points divided by scale(). All edges can be made longer, by the
+  // same length; the points stay.
+  double edge_length(Position u, Position v) const { return length(point(v) - point(u)) + added_length_; }
+  double added_length() const { return added_length_; }
+  void set_added_length(double added_length) { added_length_ = added_length; }
 
   // The position of a vertex, no_position if it is not one of the mesh.
   Position position(vertex_descriptor v) const
@@ -152,7 +168,7 @@ private:
                                  parameters::default_values())) positions_;
   std::vector<Vector> points_;
   std::vector<Indexed_triangle> triangles_;
-  double scale_ = 1;
+  double scale_ = 1, added_length_ = 0;
 };
 
 } // namespace scalar_fields

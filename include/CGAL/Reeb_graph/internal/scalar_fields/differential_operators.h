@@ -18,7 +18,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Weights/mixed_voronoi_region_weights.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -31,16 +31,6 @@ namespace scalar_fields {
 inline bool is_finite(const Vector& vector)
 {
   return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
-}
-
-// The vector of unit length, or zero. Not even gradients whose squares are beyond the range of numbers are lost.
-inline Vector normalized(const Vector& vector)
-{
-  const double largest = (std::max)({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
-  if(!(largest > 0))
-    return {0, 0, 0};
-  const Vector scaled = {vector[0] / largest, vector[1] / largest, vector[2] / largest};
-  return (1 / length(scaled)) * scaled;
 }
 
 // The gradients on the faces, for the points divided by surface.scale().
@@ -80,20 +70,30 @@ std::vector<double> scaled_divergences(const Surface& surface, const std::vector
   return divergences;
 }
 
+// The corners of a triangle, or those of its lengthened geometry.
+template <class Surface>
+std::array<Simple_cartesian<double>::Point_3, 3> corner_points(const Surface& surface, std::size_t triangle)
+{
+  const auto point = [](const Vector& p) { return Simple_cartesian<double>::Point_3(p[0], p[1], p[2]); };
+  const auto& v = surface.triangles()[triangle].vertices;
+  if(surface.added_length() == 0)
+    return {point(surface.point(v[0])), point(surface.point(v[1])), point(surface.point(v[2]))};
+  const Triangle_geometry geometry = triangle_geometry(surface, triangle);
+  return {point({0, 0, 0}), point(geometry.edges[0]), point(geometry.edges[0] + geometry.edges[1])};
+}
+
 // The mixed Voronoi areas of the vertices, zero for isolated ones, for the points divided by surface.scale().
 template <class Surface>
 std::vector<double> scaled_mixed_areas(const Surface& surface)
 {
-  typedef Simple_cartesian<double>::Point_3 Point;
-  const auto point = [&](Position v) {
-    const Vector& p = surface.point(v);
-    return Point(p[0], p[1], p[2]);
-  };
   std::vector<double> areas(surface.number_of_vertices(), 0);
-  for(const Indexed_triangle& t : surface.triangles())
+  for(std::size_t t = 0; t != surface.triangles().size(); ++t)
+  {
+    const auto points = corner_points(surface, t);
     for(int i = 0; i != 3; ++i)
-      areas[t.vertices[i]] += Weights::mixed_voronoi_area(point(t.vertices[(i + 2) % 3]), point(t.vertices[i]),
-                                                          point(t.vertices[(i + 1) % 3]));
+      areas[surface.triangles()[t].vertices[i]] +=
+        Weights::mixed_voronoi_area(points[(i + 2) % 3], points[i], points[(i + 1) % 3]);
+  }
   return areas;
 }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
@@ -19,6 +20,7 @@
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Nested_dissection.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/proper_triangles.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/remove_extrema.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/solve.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -68,12 +70,14 @@ struct Unit_range
   Scalar from_unit(double t) const { return static_cast<Scalar>(lowest + t * length); }
 };
 
-// The harmonic field with these fixed values, and without extrema at free vertices.
+// The harmonic field with these fixed values, and without extrema at free vertices. The fraction is that of the work
+// which is done when the equations are set up.
 template <class Surface, class Scalar, class NamedParameters>
 std::vector<Scalar> harmonic_values(const Surface& surface,
                                     const Weighted_graph& graph,
                                     const Constraints<Scalar>& constraints,
                                     const Progress& progress,
+                                    double fraction,
                                     const NamedParameters& np)
 {
   const Unit_range<Scalar> range(constraints);
@@ -83,13 +87,11 @@ std::vector<Scalar> harmonic_values(const Surface& surface,
       fixed_values[v] = range.to_unit(constraints.values[v]);
   const Dirichlet_problem problem(graph, Nested_dissection<Surface>(surface, graph).vertices(), constraints.is_fixed,
                                   fixed_values);
-  progress.report(0.2);
+  progress.report(fraction);
   auto solver = choose_solver(np);
   const std::vector<double> solution = choose_weights(np) == Laplacian_weights::MEAN_VALUE
                                        ? solve_mean_value(surface, graph, problem, solver)
                                        : solve_symmetric(problem, solver);
-  progress.report(0.8);
-
   std::vector<Scalar> values = constraints.values;
   for(std::size_t row = 0; row != solution.size(); ++row)
   {
@@ -97,6 +99,7 @@ std::vector<Scalar> harmonic_values(const Surface& surface,
     if(!std::isfinite(values[problem.vertex(row)]))
       throw Non_finite_scalar_error(problem.vertex(row));
   }
+  progress.report(0.8);
   remove_extrema(graph, constraints.is_fixed, values);
   progress.report(0.9);
   return values;
@@ -104,19 +107,29 @@ std::vector<Scalar> harmonic_values(const Surface& surface,
 
 // The harmonic field with the values that fix_vertices(surface, graph, constraints) gives.
 template <class FaceListGraph, class FieldMap, class NamedParameters, class FixVertices>
-void write_harmonic_field(const FaceListGraph& mesh,
-                          FieldMap field_map,
-                          const NamedParameters& np,
-                          const FixVertices& fix_vertices)
+Field_report write_harmonic_field(const FaceListGraph& mesh,
+                                  FieldMap field_map,
+                                  const NamedParameters& np,
+                                  const FixVertices& fix_vertices)
 {
   const Progress progress(np);
   progress.report(0);
-  const Indexed_surface<FaceListGraph> surface(mesh, np);
-  const Weighted_graph graph = laplacian_graph(surface, choose_weights(np));
+  Indexed_surface<FaceListGraph> surface(mesh, np);
+  const Laplacian_weights weights = choose_weights(np);
+  const bool has_geometry = weights != Laplacian_weights::UNIFORM;
+  Field_report report = has_geometry ? make_triangles_proper(surface) : Field_report();
+  const Weighted_graph graph = laplacian_graph(surface, weights);
   Constraints<typename Scalar_of_field<FieldMap>::type> constraints(surface.number_of_vertices());
   fix_vertices(surface, graph, constraints);
   check_components(graph, constraints.is_fixed);
-  write_field(surface, harmonic_values(surface, graph, constraints, progress, np), field_map, progress);
+  const auto solve = [&](const Weighted_graph& weighted_graph, double fraction) {
+    return harmonic_values(surface, weighted_graph, constraints, progress, fraction, np);
+  };
+  const auto values = has_geometry ? solve_or_lengthen_edges(surface, report, graph, solve,
+                                                             [&] { return laplacian_graph(surface, weights); })
+                                   : solve(graph, 0.2);
+  write_field(surface, values, field_map, progress);
+  return report;
 }
 
 } // namespace scalar_fields

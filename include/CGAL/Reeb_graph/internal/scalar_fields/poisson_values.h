@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/fields/Field_report.h>
+#include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Default_solver.h>
@@ -18,10 +20,10 @@
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Nested_dissection.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/proper_triangles.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/solve.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,47 +31,59 @@ namespace Reeb_graph {
 namespace internal {
 namespace scalar_fields {
 
-// Solves sum_j w_ij (f_j - f_i) = h_i at the free vertices, where `right_side` is h.
+// Solves sum_j w_ij (f_j - f_i) = h_i at the free vertices, where `right_side` is h. The fraction is that of the work
+// which is done when the equations are set up.
 template <class Surface, class NamedParameters>
 std::vector<double> poisson_values(const Surface& surface,
                                    const Weighted_graph& graph,
                                    const Constraints<double>& constraints,
                                    std::vector<double> right_side,
                                    const Progress& progress,
+                                   double fraction,
                                    const NamedParameters& np)
 {
-  check_components(graph, constraints.is_fixed);
   for(Position v = 0; v != graph.number_of_vertices(); ++v)
     if(constraints.is_fixed[v])
       right_side[v] = constraints.values[v];
   const Dirichlet_problem problem(graph, Nested_dissection<Surface>(surface, graph).vertices(), constraints.is_fixed,
                                   right_side);
-  progress.report(0.2);
+  progress.report(fraction);
   auto solver = choose_solver(np);
   const std::vector<double> solution = solve_symmetric(problem, solver);
-  progress.report(0.9);
   std::vector<double> values = constraints.values;
   for(std::size_t row = 0; row != solution.size(); ++row)
     values[problem.vertex(row)] = solution[row];
+  check_finite(values);
+  progress.report(0.9);
   return values;
 }
 
-// Solves with the right side that integrated_right_side(surface, graph) gives, in the scale of the indexed surface.
-template <class FaceListGraph, class FieldMap, class ConstraintRange, class NamedParameters, class RightSide>
-void solve_poisson_equation(const FaceListGraph& mesh,
-                            FieldMap field_map,
-                            const ConstraintRange& constraints,
-                            const NamedParameters& np,
-                            const RightSide& integrated_right_side)
+// Solves with the constraints that fix_vertices(surface, graph, constraints) gives, and the right side that
+// integrated_right_side(surface, graph) gives, in the scale of the indexed surface.
+template <class FaceListGraph, class FieldMap, class NamedParameters, class FixVertices, class RightSide>
+Field_report solve_poisson_equation(const FaceListGraph& mesh,
+                                    FieldMap field_map,
+                                    const NamedParameters& np,
+                                    const FixVertices& fix_vertices,
+                                    const RightSide& integrated_right_side)
 {
   const Progress progress(np);
   progress.report(0);
-  const Indexed_surface<FaceListGraph> surface(mesh, np);
-  Constraints<double> fixed(surface.number_of_vertices());
-  fix_vertices(surface, constraints, fixed);
+  Indexed_surface<FaceListGraph> surface(mesh, np);
+  Field_report report = make_triangles_proper(surface);
   const Weighted_graph graph = cotangent_graph(surface);
-  auto right_side = integrated_right_side(surface, graph);
-  write_field(surface, poisson_values(surface, graph, fixed, std::move(right_side), progress, np), field_map, progress);
+  Constraints<double> fixed(surface.number_of_vertices());
+  fix_vertices(surface, graph, fixed);
+  check_components(graph, fixed.is_fixed);
+  const auto values = solve_or_lengthen_edges(
+    surface, report, graph,
+    [&](const Weighted_graph& cotangents, double fraction) {
+      return poisson_values(surface, cotangents, fixed, integrated_right_side(surface, cotangents), progress, fraction,
+                            np);
+    },
+    [&] { return cotangent_graph(surface); });
+  write_field(surface, values, field_map, progress);
+  return report;
 }
 
 } // namespace scalar_fields

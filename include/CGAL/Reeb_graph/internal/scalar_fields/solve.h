@@ -126,8 +126,7 @@ Values solve_mean_value(const Surface& surface,
   if(problem.number_of_rows() == 0)
     return Values();
   const auto symmetric_weight = [&](Position v, const Weighted_graph::Neighbor& n) {
-    return std::sqrt(n.weight) * std::sqrt(graph.weight(n.vertex, v))
-         * length(surface.point(v) - surface.point(n.vertex));
+    return std::sqrt(n.weight) * std::sqrt(graph.weight(n.vertex, v)) * surface.edge_length(v, n.vertex);
   };
   Values scales, b, x;
   for(std::size_t row = 0; row != problem.number_of_rows(); ++row)

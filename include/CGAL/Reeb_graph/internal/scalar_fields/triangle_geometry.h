@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -43,28 +43,85 @@ struct Triangle_geometry
 
   // The gradient of the function that is 1 at corner i and 0 at the other ones.
   Vector hat_gradient(int i) const { return (1 / double_area) * cross((1 / double_area) * normal, edges[(i + 1) % 3]); }
+
+  int longest_edge() const
+  {
+    int longest = 0;
+    for(int i = 1; i != 3; ++i)
+      if(dot(edges[i], edges[i]) > dot(edges[longest], edges[longest]))
+        longest = i;
+    return longest;
+  }
+
+  // Whether the triangle has an area, and one that is not so small that cotangents are beyond the range of numbers.
+  bool is_proper() const
+  {
+    for(int i = 0; i != 3; ++i)
+      if(!(double_area > 0) || !std::isfinite(cotangent(i)) || !std::isfinite(half_tangent(i))
+         || !(half_tangent(i) > 0))
+        return false;
+    return true;
+  }
 };
 
-// Throws an exception if the triangle has no area, or one so small that cotangents are beyond the range of numbers.
+// The geometry of the points of a triangle.
 template <class Surface>
-Triangle_geometry triangle_geometry(const Surface& surface, std::size_t triangle)
+Triangle_geometry geometry_of_points(const Surface& surface, std::size_t triangle)
 {
   const auto& v = surface.triangles()[triangle].vertices;
   Triangle_geometry geometry;
   for(int i = 0; i != 3; ++i)
     geometry.edges[i] = surface.point(v[(i + 1) % 3]) - surface.point(v[i]);
   // The product of the two short edges is the one with the least cancellation.
-  int longest = 0;
-  for(int i = 1; i != 3; ++i)
-    if(dot(geometry.edges[i], geometry.edges[i]) > dot(geometry.edges[longest], geometry.edges[longest]))
-      longest = i;
+  const int longest = geometry.longest_edge();
   geometry.normal = cross(geometry.edges[(longest + 1) % 3], geometry.edges[(longest + 2) % 3]);
   geometry.double_area = length(geometry.normal);
-  for(int i = 0; i != 3; ++i)
-    if(!(geometry.double_area > 0) || !std::isfinite(geometry.cotangent(i)) || !std::isfinite(geometry.half_tangent(i))
-       || !(geometry.half_tangent(i) > 0))
-      throw Zero_area_error(triangle);
   return geometry;
+}
+
+// A vector of unit length that is perpendicular to one of unit length.
+inline Vector perpendicular(const Vector& x)
+{
+  int smallest = 0;
+  for(int i = 1; i != 3; ++i)
+    if(std::abs(x[i]) < std::abs(x[smallest]))
+      smallest = i;
+  Vector axis = {0, 0, 0};
+  axis[smallest] = 1;
+  return normalized(cross(x, axis));
+}
+
+// The triangle each of whose sides is longer by `added_length`, in the plane of the given one as far as that has a
+// plane. Its sides have to fulfil the triangle inequality.
+inline Triangle_geometry lengthened(const Triangle_geometry& given, double added_length)
+{
+  const int longest = given.longest_edge(), next = (longest + 1) % 3, previous = (longest + 2) % 3;
+  const auto side = [&](int i) { return length(given.edges[i]) + added_length; };
+  const double a = side(longest), b = (std::max)(side(next), side(previous)),
+               c = (std::min)(side(next), side(previous));
+  // Heron's formula as W. Kahan has it, without cancellation
+  const double area = std::sqrt((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))) / 4;
+  // the longest side is on the x-axis
+  const double height = 2 * area / a;
+  const double foot = (a + (side(previous) - side(next)) * ((side(previous) + side(next)) / a)) / 2;
+
+  const bool has_direction = length(given.edges[longest]) > 0;
+  const Vector x = has_direction ? normalized(given.edges[longest]) : Vector{1, 0, 0};
+  const Vector y = given.double_area > 0 ? normalized(cross(given.normal, x)) : perpendicular(x);
+  Triangle_geometry geometry;
+  geometry.edges[longest] = a * x;
+  geometry.edges[next] = (foot - a) * x + height * y;
+  geometry.edges[previous] = -foot * x + -height * y;
+  geometry.double_area = 2 * area;
+  geometry.normal = geometry.double_area * cross(x, y);
+  return geometry;
+}
+
+template <class Surface>
+Triangle_geometry triangle_geometry(const Surface& surface, std::size_t triangle)
+{
+  const Triangle_geometry geometry = geometry_of_points(surface, triangle);
+  return surface.added_length() > 0 ? lengthened(geometry, surface.added_length()) : geometry;
 }
 
 } // namespace scalar_fields

@@ -1,0 +1,44 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_FIELDS_FIELD_REPORT_H
+#define CGAL_REEB_GRAPH_FIELDS_FIELD_REPORT_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphFields
+///
+/// \brief what a scalar field took on bad triangles: the functions that depend on the geometry of the faces return it.
+///
+/// A face is bad if it has no area, or so little that its angles are beyond the range of numbers. If there is one, the
+/// geometry is that of edges which are all longer by the same length, the least one that makes every triangle proper:
+/// any two of its sides are together longer than the third one by at least a millionth of the mean length of the edges,
+/// and 10<sup>-12</sup> of the longest edge. See N. Sharp and K. Crane, *A Laplacian for Nonmanifold Triangle Meshes*,
+/// 2020, Section 4.5: intrinsic mollification. If there is none, nothing is added, and nothing changes.
+struct Field_report
+{
+  /// the number of bad faces
+  std::size_t number_of_bad_faces = 0;
+  /// the length that each edge is longer by, in the unit of the points; zero if nothing is added. It is also added if
+  /// there are no bad faces, but the equations have no finite solution in floating-point numbers without it.
+  double added_length = 0;
+  /// the mean length of the edges before, in the unit of the points; zero if nothing is added
+  double mean_length = 0;
+  /// for `compute_geodesic_field()`: the number of components on which the heat method fails
+  std::size_t number_of_marched_components = 0;
+};
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_FIELDS_FIELD_REPORT_H
