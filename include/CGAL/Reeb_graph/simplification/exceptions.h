@@ -63,13 +63,28 @@ public:
 
 /// \ingroup PkgReebGraphExceptions
 ///
+/// \brief thrown if `simplify_field()` is asked to cancel loops: a field has those that the surface asks for.
+class Loop_cancellation_error : public Error
+{
+public:
+  /// constructs the exception.
+  Loop_cancellation_error() : Error("loops of a field cannot be cancelled, but only those of a graph") {}
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
 /// \brief thrown if no field with the simplified graph has been found, because of a border or of a hidden handle in a
-/// removed piece, or of the order that is not that of numbers.
+/// removed piece; see `simplify_field()`.
 class Piece_topology_error : public Error
 {
 public:
   /// constructs the exception.
-  Piece_topology_error() : Error("a piece of the surface could not be given values without a node or a loop of its own")
+  Piece_topology_error() : Error("the graph of the simplified field would not be the simplified graph") {}
+
+  /// constructs the exception for the pieces at the saddle whose vertex has the position `saddle`.
+  explicit Piece_topology_error(std::size_t saddle)
+    : Error("no order of the vertices that are moved next to vertex " + std::to_string(saddle)
+            + " is without a node or a loop of its own")
   {}
 };
 

@@ -81,8 +81,8 @@ struct Branch
 ///   \cgalParamNBegin{cancel_loops}
 ///     \cgalParamDescription{whether loops of a persistence below the threshold are removed, too: of the two sides of a loop
 ///                           one takes up the other. A loop stays while arcs that stay leave both of its sides. The
-///                           measure of a loop is always its persistence. A field on the mesh has its loops whatever its
-///                           values, so that `simplify_field()` has no such parameter.}
+///                           measure of a loop is always its persistence. A field on the mesh has those that the
+///                           surface asks for, so that `simplify_field()` throws an exception if it is asked to.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///     \cgalParamExtra{use the functions `parameters::cancel_loops()`}

@@ -15,12 +15,12 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/St_numbering.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
-#include <CGAL/Reeb_graph/simplification/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -32,7 +32,8 @@ namespace internal {
 // are moved next to it in the order of the vertices: just above it if one of them is below it, else just below it. The
 // vertices around the piece do not change sides. Within it, the vertices are numbered so that each has a lower and a
 // higher neighbor. So no extremum is left, and as the indices of the piece and of its saddle add up to the same as
-// before, no other saddle than that of the arcs that stay if the piece has no handle and no border.
+// before, no other saddle than that of the arcs that stay if the piece has no handle and no border. Where this does not do,
+// an order of all pieces at the saddle is given.
 template <class Scalar>
 class Moved_pieces
 {
@@ -40,45 +41,46 @@ class Moved_pieces
   typedef scalar_fields::Weighted_graph Vertex_graph;
 
 public:
+  // The vertices of all pieces at a saddle and this, from below to above, by saddle.
+  typedef std::map<Index, std::vector<Position>> Orders;
+
   // `saddles` has for each vertex that is to be moved the vertex of the saddle, and no_index for each other one. `rooms`
   // has for the vertex of a saddle how far the next values of nodes are: a saddle in a piece must not pass them.
   Moved_pieces(const Vertex_graph& graph,
                const std::vector<Index>& saddles,
                const std::vector<Scalar>& rooms,
                const std::vector<Scalar>& values,
+               const Orders& orders,
                double threshold)
     : graph_(graph),
       saddles_(saddles),
       rooms_(rooms),
       values_(values),
+      orders_(orders),
       threshold_(threshold),
       st_numbering_(graph),
       numbers_(values.size(), no_index)
   {}
 
-  // The values with those of the pieces changed.
+  // The values with those of the pieces changed, but not those of a piece with all its surroundings on one side that no
+  // order is given for.
   std::vector<Scalar> move()
   {
     std::vector<Scalar> moved = values_;
     Index number = 0;
     for(Position v = 0; v != graph_.number_of_vertices(); ++v)
     {
-      if(saddles_[v] == no_index || numbers_[v] != no_index)
+      if(saddles_[v] == no_index || numbers_[v] != no_index || orders_.count(saddles_[v]) != 0)
         continue;
       const Piece piece = collect_piece(v, number++);
       if(!piece.has_source || !piece.has_sink)
-        throw Piece_topology_error();
-      const std::vector<Scalar> new_values = choose_values(piece);
+        continue;
       const auto order = st_numbering_(
         piece.vertices, [&](Position u) { return numbers_[u] == number - 1; },
         [&](Position u) { return is_source(u, piece); });
-      for(std::size_t i = 0; i != order.size(); ++i)
-      {
-        moved[order[i]] = new_values[i];
-        if(!(std::abs(static_cast<double>(new_values[i]) - static_cast<double>(values_[order[i]])) < threshold_))
-          throw Scalar_resolution_error(order[i]);
-      }
+      put_values(order, choose_values(piece), moved);
     }
+    move_ordered_pieces(moved);
     return moved;
   }
 
@@ -150,38 +152,83 @@ private:
   }
 
   // As many values as the piece has vertices, ascending, between the saddle and the middle of the way to the next of the
-  // vertices around the piece: the other half is for a piece that comes the other way. They take a small part of the room,
-  // so that the largest change stays below the threshold.
+  // vertices around the piece: the other half is for a piece that comes the other way.
   std::vector<Scalar> choose_values(const Piece& piece) const
   {
-    const Scalar from = values_[piece.saddle], infinity = std::numeric_limits<Scalar>::infinity();
-    const Scalar to = piece.is_above ? piece.lowest_sink : piece.highest_source;
+    return choose_values(piece.vertices, piece.saddle, piece.is_above,
+                         piece.is_above ? piece.lowest_sink : piece.highest_source);
+  }
+
+  // The same for any vertices between the saddle and a value. They take a small part of the room, so that the largest change
+  // stays below the threshold.
+  std::vector<Scalar> choose_values(const std::vector<Position>& vertices,
+                                    Position saddle,
+                                    bool is_above,
+                                    Scalar to) const
+  {
+    const Scalar from = values_[saddle], infinity = std::numeric_limits<Scalar>::infinity();
     const Scalar middle = std::isinf(to) ? to : from / 2 + to / 2;
-    const Scalar slack = static_cast<Scalar>(threshold_) - largest_distance(piece);
-    const Scalar room = (std::min)(
-      {std::abs(middle - from), std::abs(slack), rooms_[piece.saddle], (std::max)(std::abs(from), Scalar(1))});
-    const std::size_t size = piece.vertices.size();
+    const Scalar slack = static_cast<Scalar>(threshold_) - largest_distance(vertices, from);
+    const Scalar room =
+      (std::min)({std::abs(middle - from), std::abs(slack), rooms_[saddle], (std::max)(std::abs(from), Scalar(1))});
+    const std::size_t size = vertices.size();
     std::vector<Scalar> values;
     Scalar last = from;
     for(std::size_t i = 0; i != size; ++i)
     {
       const Scalar step = room / 4 * (static_cast<Scalar>(i + 1) / static_cast<Scalar>(size));
-      last = piece.is_above ? (std::max)(from + step, std::nextafter(last, infinity))
-                            : (std::min)(from - step, std::nextafter(last, -infinity));
-      if(!(piece.is_above ? from < last && last < middle : last < from && middle < last))
-        throw Scalar_resolution_error(piece.vertices.front());
+      last = is_above ? (std::max)(from + step, std::nextafter(last, infinity))
+                      : (std::min)(from - step, std::nextafter(last, -infinity));
+      if(!(is_above ? from < last && last < middle : last < from && middle < last))
+        throw Scalar_resolution_error(vertices.front());
       values.push_back(last);
     }
-    if(!piece.is_above)
+    if(!is_above)
       std::reverse(values.begin(), values.end());
     return values;
   }
 
-  Scalar largest_distance(const Piece& piece) const
+  void put_values(const std::vector<Position>& order,
+                  const std::vector<Scalar>& values,
+                  std::vector<Scalar>& moved) const
+  {
+    for(std::size_t i = 0; i != order.size(); ++i)
+    {
+      moved[order[i]] = values[i];
+      if(!(std::abs(static_cast<double>(values[i]) - static_cast<double>(values_[order[i]])) < threshold_))
+        throw Scalar_resolution_error(order[i]);
+    }
+  }
+
+  // Moves the pieces that an order is given for to between the saddle and the next values on both sides.
+  void move_ordered_pieces(std::vector<Scalar>& moved) const
+  {
+    if(orders_.empty())
+      return;
+    constexpr Scalar infinity = std::numeric_limits<Scalar>::infinity();
+    std::vector<Scalar> other_values = {-infinity, infinity};
+    for(Position v = 0; v != values_.size(); ++v)
+    {
+      if(saddles_[v] == no_index)
+        other_values.push_back(values_[v]);
+    }
+    std::sort(other_values.begin(), other_values.end());
+    for(const auto& [saddle, order] : orders_)
+    {
+      const auto middle = std::find(order.begin(), order.end(), saddle);
+      const auto [begin, end] = std::equal_range(other_values.begin(), other_values.end(), values_[saddle]);
+      const std::vector<Position> below(order.begin(), middle), above(middle + 1, order.end());
+      put_values(below, choose_values(below, saddle, false, begin == other_values.begin() ? -infinity : begin[-1]),
+                 moved);
+      put_values(above, choose_values(above, saddle, true, end == other_values.end() ? infinity : *end), moved);
+    }
+  }
+
+  Scalar largest_distance(const std::vector<Position>& vertices, Scalar value) const
   {
     Scalar distance = 0;
-    for(const Position v : piece.vertices)
-      distance = (std::max)(distance, std::abs(values_[v] - values_[piece.saddle]));
+    for(const Position v : vertices)
+      distance = (std::max)(distance, std::abs(values_[v] - value));
     return distance;
   }
 
@@ -189,6 +236,7 @@ private:
   const std::vector<Index>& saddles_;
   const std::vector<Scalar>& rooms_;
   const std::vector<Scalar>& values_;
+  const Orders& orders_;
   const double threshold_;
   scalar_fields::St_numbering st_numbering_;
   std::vector<Index> numbers_; // by vertex, of its piece

@@ -12,9 +12,12 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/vertex_graph.h>
 #include <CGAL/Reeb_graph/internal/simplification/Moved_pieces.h>
+#include <CGAL/Reeb_graph/internal/simplification/Triangle_neighbors.h>
+#include <CGAL/Reeb_graph/internal/simplification/find_loop_free_orders.h>
 #include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
 #include <CGAL/Reeb_graph/internal/simplification/spread_ties.h>
 #include <CGAL/Reeb_graph/internal/simplification/write_simplified_graph.h>
@@ -28,6 +31,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -94,30 +98,90 @@ template <class ReebGraph, class SimplifiedGraph, class PlaceOfNode>
 bool is_simplified_graph(const ReebGraph& graph, const SimplifiedGraph& simplified, const PlaceOfNode& place_of_node)
 {
   std::vector<std::pair<std::size_t, std::size_t>> arcs, expected_arcs;
-  std::size_t number_of_surplus_nodes = num_vertices(graph);
   std::vector<bool> is_found(num_vertices(simplified), false);
   for(std::size_t node = 0; node != num_vertices(graph); ++node)
   {
     const std::size_t place = place_of_node(node);
     if(place >= num_vertices(simplified))
       return false;
-    number_of_surplus_nodes -= is_found[place] ? 0 : 1;
+    const bool is_minimum = in_degree(node, graph) == 0, is_maximum = out_degree(node, graph) == 0;
+    if((is_minimum && in_degree(place, simplified) != 0) || (is_maximum && out_degree(place, simplified) != 0))
+      return false;
     is_found[place] = true;
   }
+  std::size_t number_of_trees = num_vertices(graph);
+  std::vector<Index> trees(num_vertices(graph)); // by node, another one of its tree or, at the root, itself
+  std::iota(trees.begin(), trees.end(), Index(0));
+  const auto tree_of = [&](std::size_t node) {
+    return find_root(static_cast<Index>(node), [&](Index i) -> Index& { return trees[i]; });
+  };
   for(const auto arc : CGAL::make_range(edges(graph)))
   {
     const std::size_t lower = place_of_node(source(arc, graph)), upper = place_of_node(target(arc, graph));
     if(lower != upper)
+    {
       arcs.emplace_back(lower, upper);
-    else
-      --number_of_surplus_nodes;
+      continue;
+    }
+    const Index a = tree_of(source(arc, graph)), b = tree_of(target(arc, graph));
+    if(a == b)
+      return false; // a loop
+    trees[a] = b;
+    --number_of_trees;
   }
   for(const auto arc : CGAL::make_range(edges(simplified)))
     expected_arcs.emplace_back(source(arc, simplified), target(arc, simplified));
   std::sort(arcs.begin(), arcs.end());
   std::sort(expected_arcs.begin(), expected_arcs.end());
-  return number_of_surplus_nodes == 0 && arcs == expected_arcs
+  return number_of_trees == num_vertices(simplified) && arcs == expected_arcs
       && std::find(is_found.begin(), is_found.end(), false) == is_found.end();
+}
+
+// With contracted ties, a removed piece is part of the plateau of its saddle.
+template <class ReebGraph, class Scalar, class IsSimplified>
+std::vector<Scalar> contracted_values(const ReebGraph& graph,
+                                      const std::vector<Index>& nodes_of_saddles,
+                                      std::vector<Scalar> values,
+                                      const IsSimplified& is_simplified)
+{
+  for(std::size_t v = 0; v != values.size(); ++v)
+  {
+    if(nodes_of_saddles[v] != no_index)
+      values[v] = graph[nodes_of_saddles[v]].value;
+  }
+  if(!is_simplified(values))
+    throw Piece_topology_error();
+  return values;
+}
+
+// With perturbed ties, it is moved next to its saddle. `is_simplified(values)` tells whether the graph is right: only if it
+// is not, and that is rare, are contours followed to find a better order.
+template <class Mesh, class ReebGraph, class Scalar, class IsSimplified>
+std::vector<Scalar> perturbed_values(const Mesh& mesh,
+                                     const ReebGraph& graph,
+                                     std::vector<Index> saddles, // at first, nodes
+                                     const std::vector<Scalar>& values,
+                                     double threshold,
+                                     const IsSimplified& is_simplified)
+{
+  const std::vector<Index> positions = positions_of_nodes(mesh, graph);
+  for(Index& saddle : saddles)
+    saddle = saddle == no_index ? no_index : positions[saddle];
+  const auto vertex_graph =
+    scalar_fields::make_vertex_graph(mesh, scalar_fields::make_position_map(mesh), values.size());
+  const auto move = [&](const typename Moved_pieces<Scalar>::Orders& orders) {
+    const std::vector<Scalar> spread =
+      spread_ties(values, find_tied_saddles(vertex_graph, saddles, values, orders, static_cast<Scalar>(threshold)));
+    const std::vector<Scalar> rooms = rooms_of_nodes(positions, spread);
+    return Moved_pieces<Scalar>(vertex_graph, saddles, rooms, spread, orders, threshold).move();
+  };
+  std::vector<Scalar> moved = move({});
+  if(is_simplified(moved))
+    return moved;
+  moved = move(find_loop_free_orders(vertex_graph, Triangle_neighbors(mesh), saddles, values, moved));
+  if(!is_simplified(moved))
+    throw Piece_topology_error();
+  return moved;
 }
 
 // The values of the simplified field, by position of the vertex; see simplify_field().
@@ -129,48 +193,31 @@ auto simplified_values(const Mesh& mesh, const ScalarMap& scalar_map, double thr
   typename Traits::Graph graph, simplified;
   compute_reeb_graph(mesh, scalar_map, graph, np);
   const Leaf_pruning pruned = prune_graph<Branch>(graph, threshold, np);
-  const std::vector<Scalar> values = scalar_fields::read_values_of_vertices(mesh, scalar_map);
+  const auto simplification = write_simplified_graph(graph, pruned, simplified);
   const std::vector<Index> places = find_places_of_vertices(mesh, scalar_map, graph, np);
+  const auto is_simplified = [&](const std::vector<Scalar>& values) {
+    const auto map = make_scalar_map(mesh, values);
+    typename Reeb_graph_traits<Mesh, std::decay_t<decltype(map)>>::Graph graph_of_values;
+    compute_reeb_graph(mesh, map, graph_of_values, parameters::ties(ties_of_graph));
+    const std::vector<Index> positions = positions_of_nodes(mesh, graph_of_values);
+    return is_simplified_graph(graph_of_values, simplified, [&](std::size_t node) {
+      const Index place = places[positions[node]];
+      return place < num_vertices(graph) ? simplification.index_of_node(place)
+                                         : simplification.index_of_arc(place - num_vertices(graph));
+    });
+  };
+
   const std::vector<Index> saddles_of_places = pruned.find_saddles();
   std::vector<Index> saddles;
   for(const Index place : places)
     saddles.push_back(saddles_of_places[place]);
-  std::vector<Scalar> result = values;
+  const std::vector<Scalar> values = scalar_fields::read_values_of_vertices(mesh, scalar_map);
   if(ties_of_graph == Ties::CONTRACT)
-  {
-    for(std::size_t v = 0; v != values.size(); ++v)
-    {
-      if(saddles[v] != no_index)
-        result[v] = graph[saddles[v]].value;
-    }
-  }
-  else if constexpr(std::is_floating_point_v<Scalar>)
-  {
-    const std::vector<Index> positions = positions_of_nodes(mesh, graph);
-    for(Index& saddle : saddles)
-      saddle = saddle == no_index ? no_index : positions[saddle];
-    const auto vertex_graph =
-      scalar_fields::make_vertex_graph(mesh, scalar_fields::make_position_map(mesh), values.size());
-    const std::vector<Scalar> spread =
-      spread_ties(values, find_tied_saddles(vertex_graph, saddles, values, static_cast<Scalar>(threshold)));
-    const std::vector<Scalar> rooms = rooms_of_nodes(positions, spread);
-    result = Moved_pieces<Scalar>(vertex_graph, saddles, rooms, spread, threshold).move();
-  }
+    return contracted_values(graph, saddles, values, is_simplified);
+  if constexpr(std::is_floating_point_v<Scalar>)
+    return perturbed_values(mesh, graph, std::move(saddles), values, threshold, is_simplified);
   else
     throw Scalar_resolution_error(0);
-  const auto simplification = write_simplified_graph(graph, pruned, simplified);
-  const auto result_map = make_scalar_map(mesh, result);
-  typename Reeb_graph_traits<Mesh, std::decay_t<decltype(result_map)>>::Graph graph_of_result;
-  compute_reeb_graph(mesh, result_map, graph_of_result, parameters::ties(ties_of_graph));
-  const std::vector<Index> positions = positions_of_nodes(mesh, graph_of_result);
-  const auto place_of_node = [&](std::size_t node) {
-    const Index place = places[positions[node]];
-    return place < num_vertices(graph) ? simplification.index_of_node(place)
-                                       : simplification.index_of_arc(place - num_vertices(graph));
-  };
-  if(!is_simplified_graph(graph_of_result, simplified, place_of_node))
-    throw Piece_topology_error();
-  return result;
 }
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/simplification/Moved_pieces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,11 +33,13 @@ namespace internal {
 inline constexpr int largest_spread_divisor = 1024;
 
 // The values of saddles with which vertices around their pieces are tied, so that no number is left for the piece; each
-// with the largest change that keeps the changes in the pieces below the threshold. `saddles` is that of Moved_pieces.
+// with the largest change that keeps the changes in the pieces below the threshold. `saddles` and `orders` are those of
+// Moved_pieces: pieces in an order of their own need all vertices of the value to differ.
 template <class Scalar>
 std::map<Scalar, Scalar> find_tied_saddles(const scalar_fields::Weighted_graph& graph,
                                            const std::vector<Index>& saddles,
                                            const std::vector<Scalar>& values,
+                                           const typename Moved_pieces<Scalar>::Orders& orders,
                                            Scalar threshold)
 {
   std::map<Scalar, Scalar> rooms;
@@ -51,6 +54,8 @@ std::map<Scalar, Scalar> find_tied_saddles(const scalar_fields::Weighted_graph& 
         rooms.emplace(values[saddles[v]], threshold / largest_spread_divisor);
     }
   }
+  for(const auto& [saddle, order] : orders)
+    rooms.emplace(values[saddle], threshold / largest_spread_divisor);
   for(Index v = 0; v != values.size() && !rooms.empty(); ++v)
   {
     const auto room = saddles[v] == no_index ? rooms.end() : rooms.find(values[saddles[v]]);
