@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/far_apart_vertices.h>
@@ -47,9 +48,12 @@ OutputIterator find_far_apart_vertices(const FaceListGraph& mesh,
                                        const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
-  for(const auto& pair : fields::far_apart_vertices(surface, fields::uniform_graph(surface)))
-    *out++ = std::make_pair(surface.vertex_handle(pair.first), surface.vertex_handle(pair.second));
+  if constexpr(internal::Mesh_is_face_list_graph<FaceListGraph>::value)
+  {
+    const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+    for(const auto& pair : fields::far_apart_vertices(surface, fields::uniform_graph(surface)))
+      *out++ = std::make_pair(surface.vertex_handle(pair.first), surface.vertex_handle(pair.second));
+  }
   return out;
 }
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Geodesic_distances.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
@@ -79,26 +80,31 @@ Field_report compute_geodesic_field(const FaceListGraph& mesh,
                                     const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  const internal::Progress progress(np);
-  progress.report(0);
-  fields::Indexed_surface<FaceListGraph> surface(mesh, np);
-  fields::Constraints<double> fixed(surface.number_of_vertices());
-  for(const auto v : sources)
-    fixed.fix(surface.position(v), 0);
-  const fields::Weighted_graph graph = fields::uniform_graph(surface);
-  fields::check_components(graph, fixed.is_fixed);
-  Field_report report = fields::make_triangles_proper(surface);
-  fields::Geodesic_distances geodesic_distances(
-    fixed.is_fixed, fields::Marching<fields::Indexed_surface<FaceListGraph>>(surface, fixed.is_fixed).distances());
-  progress.report(0.1);
+  if constexpr(internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
+  {
+    const internal::Progress progress(np);
+    progress.report(0);
+    fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+    fields::Constraints<double> fixed(surface.number_of_vertices());
+    for(const auto v : sources)
+      fixed.fix(surface.position(v), 0);
+    const fields::Weighted_graph graph = fields::uniform_graph(surface);
+    fields::check_components(graph, fixed.is_fixed);
+    Field_report report = fields::make_triangles_proper(surface);
+    fields::Geodesic_distances geodesic_distances(
+      fixed.is_fixed, fields::Marching<fields::Indexed_surface<FaceListGraph>>(surface, fixed.is_fixed).distances());
+    progress.report(0.1);
 
-  geodesic_distances.run(mesh, surface, fields::label_components(graph), progress);
-  report.number_of_marched_components = geodesic_distances.number_of_marched_components();
-  std::vector<double> distances = geodesic_distances.distances();
-  for(double& distance : distances)
-    distance *= surface.scale();
-  fields::write_field(surface, distances, field_map, progress);
-  return report;
+    geodesic_distances.run(mesh, surface, fields::label_components(graph), progress);
+    report.number_of_marched_components = geodesic_distances.number_of_marched_components();
+    std::vector<double> distances = geodesic_distances.distances();
+    for(double& distance : distances)
+      distance *= surface.scale();
+    fields::write_field(surface, distances, field_map, progress);
+    return report;
+  }
+  else
+    return Field_report();
 }
 
 } // namespace Reeb_graph

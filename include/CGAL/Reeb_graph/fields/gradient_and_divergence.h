@@ -73,7 +73,7 @@ Field_report compute_gradient(const FaceListGraph& mesh,
 {
   namespace fields = internal::scalar_fields;
   Field_report report;
-  if constexpr(internal::Writable_face_map<FaceVectorMap, FaceListGraph>::value)
+  if constexpr(internal::Mesh_with_face_map<FaceListGraph, FaceVectorMap>::value)
   {
     typedef typename boost::property_traits<FaceVectorMap>::value_type Vector_3;
     fields::Indexed_surface<FaceListGraph> surface(mesh, np);
@@ -134,21 +134,25 @@ Field_report compute_divergence(const FaceListGraph& mesh,
                                 const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  fields::Indexed_surface<FaceListGraph> surface(mesh, np);
-  const Field_report report = fields::make_triangles_proper(surface);
-  std::vector<fields::Vector> vectors;
-  vectors.reserve(surface.face_handles().size());
-  for(const auto f : surface.face_handles())
+  Field_report report;
+  if constexpr(internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
   {
-    const auto& x = get(vector_map, f);
-    vectors.push_back({CGAL::to_double(x.x()), CGAL::to_double(x.y()), CGAL::to_double(x.z())});
-    if(!fields::is_finite(vectors.back()))
-      throw Non_finite_vector_error(vectors.size() - 1);
+    fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+    report = fields::make_triangles_proper(surface);
+    std::vector<fields::Vector> vectors;
+    vectors.reserve(surface.face_handles().size());
+    for(const auto f : surface.face_handles())
+    {
+      const auto& x = get(vector_map, f);
+      vectors.push_back({CGAL::to_double(x.x()), CGAL::to_double(x.y()), CGAL::to_double(x.z())});
+      if(!fields::is_finite(vectors.back()))
+        throw Non_finite_vector_error(vectors.size() - 1);
+    }
+    auto divergences = fields::scaled_divergences(surface, vectors);
+    for(double& divergence : divergences)
+      divergence *= surface.scale();
+    fields::write_field(surface, divergences, divergence_map);
   }
-  auto divergences = fields::scaled_divergences(surface, vectors);
-  for(double& divergence : divergences)
-    divergence *= surface.scale();
-  fields::write_field(surface, divergences, divergence_map);
   return report;
 }
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
@@ -54,21 +55,27 @@ Field_report compute_mean_curvature(const FaceListGraph& mesh,
                                     const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  fields::Indexed_surface<FaceListGraph> surface(mesh, np);
-  Field_report report = fields::make_triangles_proper(surface);
-  const auto curvatures_of = [&](const fields::Weighted_graph& cotangents, double) {
-    auto curvatures = fields::scaled_integrated_mean_curvatures(surface, cotangents);
-    const auto areas = fields::scaled_mixed_areas(surface);
-    for(std::size_t v = 0; v != areas.size(); ++v)
-      curvatures[v] /= (areas[v] > 0 ? areas[v] : 1) * surface.scale();
-    fields::check_finite(curvatures);
-    return curvatures;
-  };
-  fields::write_field(surface,
-                      fields::solve_or_lengthen_edges(surface, report, fields::cotangent_graph(surface), curvatures_of,
-                                                      [&] { return fields::cotangent_graph(surface); }),
-                      field_map);
-  return report;
+  if constexpr(internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
+  {
+    fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+    Field_report report = fields::make_triangles_proper(surface);
+    const auto curvatures_of = [&](const fields::Weighted_graph& cotangents, double) {
+      auto curvatures = fields::scaled_integrated_mean_curvatures(surface, cotangents);
+      const auto areas = fields::scaled_mixed_areas(surface);
+      for(std::size_t v = 0; v != areas.size(); ++v)
+        curvatures[v] /= (areas[v] > 0 ? areas[v] : 1) * surface.scale();
+      fields::check_finite(curvatures);
+      return curvatures;
+    };
+    fields::write_field(surface,
+                        fields::solve_or_lengthen_edges(surface, report, fields::cotangent_graph(surface),
+                                                        curvatures_of,
+                                                        [&] { return fields::cotangent_graph(surface); }),
+                        field_map);
+    return report;
+  }
+  else
+    return Field_report();
 }
 
 /// \ingroup PkgReebGraphFields

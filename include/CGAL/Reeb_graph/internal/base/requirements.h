@@ -177,9 +177,19 @@ struct Writable_vertex_map : Then<Vertex_map<Map, Mesh>::value, Map_is_writable<
 {
 };
 
+template <class Mesh, class Map>
+struct Mesh_with_vertex_map : Then<Mesh_is_face_list_graph<Mesh>::value, Writable_vertex_map<Map, Mesh>>
+{
+};
+
 template <class Map, class Mesh>
 struct Writable_face_map
   : Then<Then<Map_is_property_map<Map>::value, Keys_are_faces<Map, Mesh>>::value, Map_is_writable<Map>>
+{
+};
+
+template <class Mesh, class Map>
+struct Mesh_with_face_map : Then<Mesh_is_face_list_graph<Mesh>::value, Writable_face_map<Map, Mesh>>
 {
 };
 

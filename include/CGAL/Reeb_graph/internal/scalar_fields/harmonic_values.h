@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Default_solver.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_problem.h>
@@ -112,24 +113,29 @@ Field_report write_harmonic_field(const FaceListGraph& mesh,
                                   const NamedParameters& np,
                                   const FixVertices& fix_vertices)
 {
-  const Progress progress(np);
-  progress.report(0);
-  Indexed_surface<FaceListGraph> surface(mesh, np);
-  const Laplacian_weights weights = choose_weights(np);
-  const bool has_geometry = weights != Laplacian_weights::UNIFORM;
-  Field_report report = has_geometry ? make_triangles_proper(surface) : Field_report();
-  const Weighted_graph graph = laplacian_graph(surface, weights);
-  Constraints<typename Scalar_of_field<FieldMap>::type> constraints(surface.number_of_vertices());
-  fix_vertices(surface, graph, constraints);
-  check_components(graph, constraints.is_fixed);
-  const auto solve = [&](const Weighted_graph& weighted_graph, double fraction) {
-    return harmonic_values(surface, weighted_graph, constraints, progress, fraction, np);
-  };
-  const auto values = has_geometry ? solve_or_lengthen_edges(surface, report, graph, solve,
-                                                             [&] { return laplacian_graph(surface, weights); })
-                                   : solve(graph, 0.2);
-  write_field(surface, values, field_map, progress);
-  return report;
+  if constexpr(Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
+  {
+    const Progress progress(np);
+    progress.report(0);
+    Indexed_surface<FaceListGraph> surface(mesh, np);
+    const Laplacian_weights weights = choose_weights(np);
+    const bool has_geometry = weights != Laplacian_weights::UNIFORM;
+    Field_report report = has_geometry ? make_triangles_proper(surface) : Field_report();
+    const Weighted_graph graph = laplacian_graph(surface, weights);
+    Constraints<typename Scalar_of_field<FieldMap>::type> constraints(surface.number_of_vertices());
+    fix_vertices(surface, graph, constraints);
+    check_components(graph, constraints.is_fixed);
+    const auto solve = [&](const Weighted_graph& weighted_graph, double fraction) {
+      return harmonic_values(surface, weighted_graph, constraints, progress, fraction, np);
+    };
+    const auto values = has_geometry ? solve_or_lengthen_edges(surface, report, graph, solve,
+                                                               [&] { return laplacian_graph(surface, weights); })
+                                     : solve(graph, 0.2);
+    write_field(surface, values, field_map, progress);
+    return report;
+  }
+  else
+    return Field_report();
 }
 
 } // namespace scalar_fields

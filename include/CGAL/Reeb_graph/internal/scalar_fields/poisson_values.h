@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Default_solver.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_problem.h>
@@ -67,23 +68,28 @@ Field_report solve_poisson_equation(const FaceListGraph& mesh,
                                     const FixVertices& fix_vertices,
                                     const RightSide& integrated_right_side)
 {
-  const Progress progress(np);
-  progress.report(0);
-  Indexed_surface<FaceListGraph> surface(mesh, np);
-  Field_report report = make_triangles_proper(surface);
-  const Weighted_graph graph = cotangent_graph(surface);
-  Constraints<double> fixed(surface.number_of_vertices());
-  fix_vertices(surface, graph, fixed);
-  check_components(graph, fixed.is_fixed);
-  const auto values = solve_or_lengthen_edges(
-    surface, report, graph,
-    [&](const Weighted_graph& cotangents, double fraction) {
-      return poisson_values(surface, cotangents, fixed, integrated_right_side(surface, cotangents), progress, fraction,
-                            np);
-    },
-    [&] { return cotangent_graph(surface); });
-  write_field(surface, values, field_map, progress);
-  return report;
+  if constexpr(Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
+  {
+    const Progress progress(np);
+    progress.report(0);
+    Indexed_surface<FaceListGraph> surface(mesh, np);
+    Field_report report = make_triangles_proper(surface);
+    const Weighted_graph graph = cotangent_graph(surface);
+    Constraints<double> fixed(surface.number_of_vertices());
+    fix_vertices(surface, graph, fixed);
+    check_components(graph, fixed.is_fixed);
+    const auto values = solve_or_lengthen_edges(
+      surface, report, graph,
+      [&](const Weighted_graph& cotangents, double fraction) {
+        return poisson_values(surface, cotangents, fixed, integrated_right_side(surface, cotangents), progress,
+                              fraction, np);
+      },
+      [&] { return cotangent_graph(surface); });
+    write_field(surface, values, field_map, progress);
+    return report;
+  }
+  else
+    return Field_report();
 }
 
 } // namespace scalar_fields
