@@ -78,8 +78,8 @@ namespace Reeb_graph {
 ///
 /// \exception Reeb_graph::Scalar_resolution_error if there are too few numbers next to the value of a saddle to give each
 ///            vertex of a piece another one, as for infinite values
-/// \exception Reeb_graph::Piece_topology_error with `Ties::PERTURB`, if an order of the vertices that are moved next to a
-///            saddle has not been found
+/// \exception Reeb_graph::Piece_topology_error with `Reeb_graph::Ties::PERTURB`, if an order of the vertices that are
+///            moved next to a saddle has not been found
 /// \exception Reeb_graph::Loop_cancellation_error if `cancel_loops` is `true`
 ///
 /// and the exceptions of `compute_reeb_graph()` and `simplify()`. When one is thrown, `simplified_scalar_map` is as it was
