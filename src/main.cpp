@@ -156,9 +156,8 @@ void add_contour_command(CLI::App& app, Contour_options& options)
 
 void add_curves_command(CLI::App& app, Curves_options& options)
 {
-  CLI::App* command = app.add_subcommand(
-    "curves", "Cut the mesh along a cutting system, into pairs of pants, or into branches; borders must be extremal "
-              "levels of the field");
+  CLI::App* command =
+    app.add_subcommand("curves", "Cut the mesh along a cutting system, into pairs of pants, or into branches");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
   add_simplification_options(*command, options.simplification);
@@ -173,6 +172,14 @@ void add_curves_command(CLI::App& app, Curves_options& options)
   command->add_option("--persistence", options.cut.persistence,
                       "For branch: leave out branches whose values differ by less than this");
   command->add_option("--area", options.cut.area, "For branch: leave out branches of less area than this");
+  const auto set_borders = [&options](const std::string& name) {
+    options.cut.borders = name == "level" ? CGAL::Reeb_graph::Borders::LEVEL : CGAL::Reeb_graph::Borders::MAKE_LEVEL;
+  };
+  command
+    ->add_option_function<std::string>("--borders", set_borders,
+                                       "Change the field next to borders so that each is a level and an extremum "
+                                       "(make-level, the default), or refuse a field for which they are not (level)")
+    ->check(CLI::IsMember({"make-level", "level"}));
   command->add_flag("--cut-open", options.cut.is_cut_open, "Cut the mesh open along the curves");
   command->add_option("--curves", options.curves_path, "Write the curves to this file, .polylines.txt");
   command->add_option("--cut-mesh", options.cut_mesh_path,
@@ -180,6 +187,7 @@ void add_curves_command(CLI::App& app, Curves_options& options)
                       "a property and as colours of the faces");
   command->add_option("--patches", options.patches_path,
                       "Write to this file, for each face of the cut mesh on a line, the number of its patch");
+  command->add_flag("--json", options.is_report_json, "Print the report as one JSON object");
   command->callback([&options] { run_curves(options); });
 }
 

@@ -28,6 +28,7 @@ struct Input_options
   std::vector<std::size_t> source_vertices;
   std::vector<double> direction; // empty or three coordinates
   bool are_faces_triangulated = false;
+  bool are_borders_fixed = false; // whether the harmonic field is that between the borders
 };
 
 // What decides the graph. The same options give the same numbers of nodes and arcs.
@@ -54,6 +55,7 @@ struct Cut_options
   Curves_type type = Curves_type::PANTS;
   std::optional<double> persistence, area; // thresholds of branches
   bool is_cut_open = false;
+  CGAL::Reeb_graph::Borders borders = CGAL::Reeb_graph::Borders::MAKE_LEVEL;
 };
 
 // A threshold of the persistence of branches and loops, in units of the field or in percent of its range.

@@ -9,6 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_REPORT_H
 #define CGAL_REEB_GRAPH_SRC_REPORT_H
 
+#include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/visitor.h>
 
 #include <cstddef>
@@ -65,6 +66,14 @@ struct Report
   std::optional<double> suggested_threshold;
   std::optional<std::vector<Arc_row>> arc_table;       // of the simplified graph if there is one
   std::vector<std::pair<std::string, double>> seconds; // in the order in which they were spent
+};
+
+// What the mesh was cut into.
+struct Curves_report
+{
+  std::size_t curves = 0;
+  std::size_t patches = 0;
+  CGAL::Reeb_graph::Border_level_changes border_changes; // of the field
 };
 
 } // namespace reeb_graph_program

@@ -47,6 +47,7 @@ struct Curves_options
   std::string curves_path; // empty if they are not written
   std::string cut_mesh_path;
   std::string patches_path;
+  bool is_report_json = false;
 };
 
 struct Field_options

@@ -14,6 +14,7 @@
 #include "output/mesh_output.h"
 #include "output/output_file.h"
 #include "output/polylines_output.h"
+#include "output/report_output.h"
 
 #include <iostream>
 #include <stdexcept>
@@ -64,11 +65,6 @@ void write_patches(const std::filesystem::path& path, const Surface& surface, Pa
   });
 }
 
-std::string count(std::size_t number, const std::string& singular, const std::string& plural)
-{
-  return std::to_string(number) + ' ' + (number == 1 ? singular : plural);
-}
-
 } // namespace
 
 void run_curves(const Curves_options& options)
@@ -79,7 +75,9 @@ void run_curves(const Curves_options& options)
   check_simplification_of_field(options.simplification);
   check_distinct_paths({options.curves_path, options.cut_mesh_path, options.patches_path});
   Surface surface = read_surface(options.input);
-  const Scalar_map scalar_map = add_field(options.input, surface);
+  Input_options input = options.input;
+  input.are_borders_fixed = true;
+  const Scalar_map scalar_map = add_field(input, surface);
   if(options.simplification.is_anything_removed())
     compute_simplified_field(surface, scalar_map, options.simplification,
                              threshold_in_units(options.simplification, surface, scalar_map),
@@ -91,8 +89,12 @@ void run_curves(const Curves_options& options)
     write_cut_mesh(options.cut_mesh_path, surface, result.patch_map);
   if(!options.patches_path.empty())
     write_patches(options.patches_path, surface, result.patch_map);
-  std::cout << count(result.polylines.size(), "curve", "curves") << ", "
-            << count(result.number_of_patches, "patch", "patches") << '\n';
+  const Curves_report report = {result.polylines.size(), result.number_of_patches, result.border_changes};
+  write_border_changes(std::cerr, report.border_changes);
+  if(options.is_report_json)
+    write_json(std::cout, report);
+  else
+    write_text(std::cout, report);
 }
 
 } // namespace reeb_graph_program

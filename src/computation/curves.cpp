@@ -70,6 +70,8 @@ std::vector<Curve> find_curves(Surface& surface, Scalar_map scalar_map, const Cu
 Cut_result cut_along_curves(Surface& surface, Scalar_map scalar_map, const Cut_options& options)
 {
   Cut_result result;
+  if(options.borders == CGAL::Reeb_graph::Borders::MAKE_LEVEL)
+    result.border_changes = CGAL::Reeb_graph::make_borders_level(surface, scalar_map);
   result.patch_map = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
   for(const Curve& curve : find_curves(surface, scalar_map, options, result.patch_map))
     result.polylines.push_back(make_polyline(surface, curve));

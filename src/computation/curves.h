@@ -12,6 +12,8 @@
 #include "base/options.h"
 #include "base/surface.h"
 
+#include <CGAL/Reeb_graph/fields/make_borders_level.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -21,9 +23,11 @@ struct Cut_result
   std::vector<Polyline> polylines; // of the curves
   Patch_map patch_map;
   std::size_t number_of_patches = 0;
+  CGAL::Reeb_graph::Border_level_changes border_changes; // of the field
 };
 
-// Refines the surface, and finds the curves and the patches between them.
+// Makes the borders levels of the field if that is asked for, refines the surface, and finds the curves and the patches
+// between them.
 Cut_result cut_along_curves(Surface& surface, Scalar_map scalar_map, const Cut_options& options);
 
 } // namespace reeb_graph_program

@@ -12,6 +12,7 @@
 
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
+#include <CGAL/Reeb_graph/fields/harmonic_field_between_borders.h>
 #include <CGAL/Reeb_graph/fields/height_field.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
 #include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
@@ -64,6 +65,8 @@ void compute_harmonic(const Input_options& options, const Surface& surface, Scal
   if(options.lowest_vertex)
     CGAL::Reeb_graph::compute_harmonic_field_between(surface, scalar_map, vertex(surface, *options.lowest_vertex),
                                                      vertex(surface, *options.highest_vertex), np);
+  else if(options.are_borders_fixed)
+    CGAL::Reeb_graph::compute_harmonic_field_between_borders(surface, scalar_map, np);
   else
     CGAL::Reeb_graph::compute_harmonic_field_between_far_apart_vertices(surface, scalar_map, np);
 }

@@ -160,4 +160,31 @@ void write_json(std::ostream& out, const Report& report)
   out << json.dump(2) << '\n';
 }
 
+void write_text(std::ostream& out, const Curves_report& report)
+{
+  out << report.curves << (report.curves == 1 ? " curve, " : " curves, ") << report.patches
+      << (report.patches == 1 ? " patch\n" : " patches\n");
+}
+
+void write_json(std::ostream& out, const Curves_report& report)
+{
+  nlohmann::ordered_json json;
+  json["curves"] = report.curves;
+  json["patches"] = report.patches;
+  json["borders"] = report.border_changes.number_of_borders;
+  json["borders_made_level"] = report.border_changes.number_of_changed_borders;
+  json["vertices_changed"] = report.border_changes.number_of_changed_vertices;
+  json["largest_change"] = json_number(report.border_changes.largest_change);
+  out << json.dump(2) << '\n';
+}
+
+void write_border_changes(std::ostream& out, const CGAL::Reeb_graph::Border_level_changes& changes)
+{
+  if(changes.number_of_changed_borders == 0)
+    return;
+  out << "made " << changes.number_of_changed_borders << " of " << count(changes.number_of_borders, "border")
+      << " levels of the field: values of " << changes.number_of_changed_vertices << " vertices changed, by at most "
+      << changes.largest_change << '\n';
+}
+
 } // namespace reeb_graph_program

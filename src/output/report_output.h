@@ -17,6 +17,12 @@ namespace reeb_graph_program {
 void write_text(std::ostream& out, const Report& report);
 void write_json(std::ostream& out, const Report& report);
 
+void write_text(std::ostream& out, const Curves_report& report);
+void write_json(std::ostream& out, const Curves_report& report);
+
+// Tells how the field has been changed, if it has.
+void write_border_changes(std::ostream& out, const CGAL::Reeb_graph::Border_level_changes& changes);
+
 } // namespace reeb_graph_program
 
 #endif // CGAL_REEB_GRAPH_SRC_REPORT_OUTPUT_H

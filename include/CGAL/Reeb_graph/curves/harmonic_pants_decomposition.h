@@ -12,9 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
-#include <CGAL/Reeb_graph/fields/harmonic_field.h>
+#include <CGAL/Reeb_graph/fields/harmonic_field_between_borders.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/curves/harmonic_constraints.h>
 #include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -29,9 +28,8 @@ namespace Reeb_graph {
 ///
 /// \brief refines a mesh and finds a pants decomposition by a harmonic field, which it computes.
 ///
-/// In each connected component, the field is 0 on the first border component and 1 on the other ones. If there is one
-/// border, the field is 1 at a vertex far from it; if there is none, it is 0 and 1 at the two vertices of
-/// `find_far_apart_vertices()`. So it has no extrema but these.
+/// The field is that of `compute_harmonic_field_between_borders()`: it has no extrema but the borders, or two vertices that
+/// are far apart.
 ///
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
@@ -57,8 +55,7 @@ OutputIterator harmonic_pants_decomposition(MutableFaceGraph& mesh,
     internal::check_input(mesh, boost::static_property_map<double, vertex_descriptor>(0), parameters::default_values());
     internal::check_negative_euler_characteristics(mesh);
     const auto field_map = get(dynamic_vertex_property_t<double>(), mesh);
-    const internal::Harmonic_constraints<MutableFaceGraph> constraints(mesh, np);
-    compute_harmonic_field(mesh, field_map, constraints.range(), np);
+    compute_harmonic_field_between_borders(mesh, field_map, np);
     return pants_decomposition(mesh, field_map, curves, np);
   }
   else

@@ -6,12 +6,13 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_CURVES_HARMONIC_CONSTRAINTS_H
-#define CGAL_REEB_GRAPH_INTERNAL_CURVES_HARMONIC_CONSTRAINTS_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_HARMONIC_CONSTRAINTS_H
+#define CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_HARMONIC_CONSTRAINTS_H
 
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/field_constraints.h>
+#include <CGAL/Reeb_graph/internal/mesh/border_cycles.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -24,6 +25,7 @@
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+namespace scalar_fields {
 
 // The vertices with given values of a harmonic field whose extrema are all borders: 0 on the first border of each
 // component, 1 on the other ones. A component with one border has a vertex far from it as other end; a component
@@ -62,17 +64,8 @@ public:
 private:
   void fix_borders()
   {
-    const auto is_listed = get(dynamic_halfedge_property_t<bool>(), mesh_);
-    for(const halfedge_descriptor h : halfedges(mesh_))
-      put(is_listed, h, false);
-    for(const halfedge_descriptor h : halfedges(mesh_))
-    {
-      if(!is_border(h, mesh_) || get(is_listed, h))
-        continue;
-      for(const halfedge_descriptor g : halfedges_around_face(h, mesh_))
-        put(is_listed, g, true);
-      fix_border(h);
-    }
+    for(const auto& cycle : find_border_cycles(mesh_))
+      fix_border(cycle.halfedge);
   }
 
   // Fixes a border; the first one of a component reaches all of its vertices.
@@ -108,8 +101,9 @@ private:
   Range range_;
 };
 
+} // namespace scalar_fields
 } // namespace internal
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_CURVES_HARMONIC_CONSTRAINTS_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_SCALAR_FIELDS_HARMONIC_CONSTRAINTS_H
