@@ -37,6 +37,11 @@ file(READ ${FOLDER}/torus.csv pairs)
 expect_match("${pairs}" "\nminimum-maximum,0,6,0,6,6\n")
 expect_match("${pairs}" "\nloop,[0-9],[0-9],[0-9],[0-9],[0-9]\n")
 expect_match("${pairs}" "\nminimum-maximum,7,7,9,9,0\n")
+string(REGEX MATCH "\nloop,[0-9]+,[0-9]+,([0-9]+),([0-9]+)," loop "${pairs}")
+set(interval_of_loop "1 ${CMAKE_MATCH_2} ${CMAKE_MATCH_1}")
+expect_success(compute torus.off --field z --pairs torus.pers)
+file(STRINGS ${FOLDER}/torus.pers pairs REGEX "^[^#]")
+expect_equal("${pairs}" "0 0 6;${interval_of_loop};0 9 9")
 
 # the diagram: as many points as pairs and kinds in the legend, and a band below a threshold
 file(READ ${FOLDER}/torus.svg svg)
