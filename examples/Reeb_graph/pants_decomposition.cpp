@@ -3,7 +3,9 @@
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <CGAL/Reeb_graph/curves/Interpolating_visitor.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
+#include <CGAL/compute_reeb_graph.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -18,12 +20,20 @@ typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
 typedef boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
 typedef boost::graph_traits<Mesh>::face_descriptor face_descriptor;
 typedef CGAL::Reeb_graph::Curve<halfedge_descriptor> Curve;
+typedef Mesh::Property_map<vertex_descriptor, double> Scalar_map;
 
 // Consecutive patches get colors that lie far from each other.
 CGAL::IO::Color color_of_patch(std::size_t i)
 {
   const auto channel = [&](std::size_t step) { return static_cast<unsigned char>(40 + step * (i + 1) % 200); };
   return CGAL::IO::Color(channel(97), channel(151), channel(211));
+}
+
+std::size_t count_nodes(const Mesh& mesh, Scalar_map scalar_map)
+{
+  CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph graph;
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+  return num_vertices(graph);
 }
 
 int main(int argc, char* argv[])
@@ -38,16 +48,25 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  const auto scalar_map = mesh.add_property_map<vertex_descriptor, double>("v:scalar").first;
+  const Scalar_map scalar_map = mesh.add_property_map<vertex_descriptor, double>("v:scalar").first;
   for(vertex_descriptor v : vertices(mesh))
     scalar_map[v] = mesh.point(v).x();
+
+  // An attribute of the vertices, which is interpolated at those that are added. The field itself needs no visitor.
+  const auto vertex_color_map = mesh.add_property_map<vertex_descriptor, CGAL::IO::Color>("v:color").first;
+  for(vertex_descriptor v : vertices(mesh))
+    vertex_color_map[v] = CGAL::IO::Color(static_cast<unsigned char>(mesh.point(v).y() > 0 ? 200 : 50), 120, 120);
+  CGAL::Reeb_graph::Interpolating_visitor<Mesh> visitor;
+  visitor.add_vertex_map(vertex_color_map);
 
   const auto patch_map = mesh.add_property_map<face_descriptor, int>("f:patch", 0).first;
   std::vector<Curve> curves;
   try
   {
+    std::cout << count_nodes(mesh, scalar_map) << " nodes of the Reeb graph before";
     CGAL::Reeb_graph::pants_decomposition(mesh, scalar_map, std::back_inserter(curves),
-                                          CGAL::parameters::face_patch_map(patch_map));
+                                          CGAL::parameters::face_patch_map(patch_map).visitor(visitor));
+    std::cout << " and " << count_nodes(mesh, scalar_map) << " after cutting" << std::endl;
   }
   catch(const CGAL::Reeb_graph::Error& error)
   {

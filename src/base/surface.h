@@ -14,6 +14,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cstdint>
+#include <variant>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -23,6 +25,19 @@ typedef CGAL::Surface_mesh<Point> Surface;
 typedef Surface::Property_map<Surface::Vertex_index, double> Scalar_map;
 typedef Surface::Property_map<Surface::Face_index, int> Patch_map;
 typedef CGAL::Reeb_graph_traits<Surface, Scalar_map>::Graph Graph;
+
+// A property of the vertices that a file has besides their points.
+template <class Number>
+using Vertex_property = Surface::Property_map<Surface::Vertex_index, Number>;
+typedef std::variant<Vertex_property<std::int8_t>,
+                     Vertex_property<std::uint8_t>,
+                     Vertex_property<std::int16_t>,
+                     Vertex_property<std::uint16_t>,
+                     Vertex_property<std::int32_t>,
+                     Vertex_property<std::uint32_t>,
+                     Vertex_property<float>,
+                     Vertex_property<double>>
+  Any_vertex_property;
 
 } // namespace reeb_graph_program
 

@@ -11,6 +11,8 @@
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/field_input.h"
+#include "input/mesh_formats.h"
+#include "input/mesh_input.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
 #include "output/polylines_output.h"
@@ -20,6 +22,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
@@ -47,6 +50,14 @@ void check_formats(const Curves_options& options)
     check_polylines_format(options.curves_path);
   if(!options.cut_mesh_path.empty())
     check_mesh_format(options.cut_mesh_path);
+}
+
+std::vector<Any_vertex_property> properties_to_keep(const Curves_options& options, Surface& surface)
+{
+  const bool is_any_kept =
+    std::filesystem::path(options.cut_mesh_path).extension() == ".ply" && is_ply_file(options.input.mesh_path);
+  return is_any_kept ? read_ply_vertex_properties(options.input.mesh_path, surface)
+                     : std::vector<Any_vertex_property>();
 }
 
 void write_cut_mesh(const std::filesystem::path& path, const Surface& surface, Patch_map patch_map)
@@ -82,7 +93,7 @@ void run_curves(const Curves_options& options)
     compute_simplified_field(surface, scalar_map, options.simplification,
                              threshold_in_units(options.simplification, surface, scalar_map),
                              CGAL::Reeb_graph::Ties::PERTURB, scalar_map);
-  const Cut_result result = cut_along_curves(surface, scalar_map, options.cut);
+  const Cut_result result = cut_along_curves(surface, scalar_map, properties_to_keep(options, surface), options.cut);
   if(!options.curves_path.empty())
     write_polylines(options.curves_path, result.polylines);
   if(!options.cut_mesh_path.empty())

@@ -8,28 +8,18 @@
 
 #include "computation/curves.h"
 
+#include <CGAL/Reeb_graph/curves/Interpolating_visitor.h>
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/cutting_system.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 
 #include <algorithm>
 #include <iterator>
+#include <variant>
 
 namespace reeb_graph_program {
 namespace {
 typedef CGAL::Reeb_graph::Curve<Surface::Halfedge_index> Curve;
-
-// Gives new vertices values that are interpolated.
-struct Value_visitor : CGAL::Reeb_graph::Default_refinement_visitor<Surface>
-{
-  Scalar_map scalar_map;
-
-  void vertex_added(vertex_descriptor v, vertex_descriptor source, vertex_descriptor target, double t)
-  {
-    scalar_map[v] = (1 - t) * scalar_map[source] + t * scalar_map[target];
-  }
-  void vertex_duplicated(vertex_descriptor old, vertex_descriptor created) { scalar_map[created] = scalar_map[old]; }
-};
 
 Polyline make_polyline(const Surface& surface, const Curve& curve)
 {
@@ -40,12 +30,17 @@ Polyline make_polyline(const Surface& surface, const Curve& curve)
   return polyline;
 }
 
-std::vector<Curve> find_curves(Surface& surface, Scalar_map scalar_map, const Cut_options& options, Patch_map patch_map)
+std::vector<Curve> find_curves(Surface& surface,
+                               Scalar_map scalar_map,
+                               const std::vector<Any_vertex_property>& properties,
+                               const Cut_options& options,
+                               Patch_map patch_map)
 {
   namespace parameters = CGAL::parameters;
   std::vector<Curve> curves;
-  Value_visitor visitor;
-  visitor.scalar_map = scalar_map;
+  CGAL::Reeb_graph::Interpolating_visitor<Surface> visitor;
+  for(const Any_vertex_property& property : properties)
+    std::visit([&](const auto& map) { visitor.add_vertex_map(map); }, property);
   const auto cut = parameters::cut_open(options.is_cut_open, parameters::face_patch_map(patch_map).visitor(visitor));
   switch(options.type)
   {
@@ -67,13 +62,16 @@ std::vector<Curve> find_curves(Surface& surface, Scalar_map scalar_map, const Cu
 
 } // namespace
 
-Cut_result cut_along_curves(Surface& surface, Scalar_map scalar_map, const Cut_options& options)
+Cut_result cut_along_curves(Surface& surface,
+                            Scalar_map scalar_map,
+                            const std::vector<Any_vertex_property>& properties,
+                            const Cut_options& options)
 {
   Cut_result result;
   if(options.borders == CGAL::Reeb_graph::Borders::MAKE_LEVEL)
     result.border_changes = CGAL::Reeb_graph::make_borders_level(surface, scalar_map);
   result.patch_map = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
-  for(const Curve& curve : find_curves(surface, scalar_map, options, result.patch_map))
+  for(const Curve& curve : find_curves(surface, scalar_map, properties, options, result.patch_map))
     result.polylines.push_back(make_polyline(surface, curve));
   for(const Surface::Face_index f : surface.faces())
     result.number_of_patches = (std::max)(result.number_of_patches, std::size_t(result.patch_map[f]) + 1);

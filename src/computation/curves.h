@@ -27,8 +27,11 @@ struct Cut_result
 };
 
 // Makes the borders levels of the field if that is asked for, refines the surface, and finds the curves and the patches
-// between them.
-Cut_result cut_along_curves(Surface& surface, Scalar_map scalar_map, const Cut_options& options);
+// between them. The properties are interpolated at vertices that are added.
+Cut_result cut_along_curves(Surface& surface,
+                            Scalar_map scalar_map,
+                            const std::vector<Any_vertex_property>& properties,
+                            const Cut_options& options);
 
 } // namespace reeb_graph_program
 

@@ -12,6 +12,7 @@
 #include "input/Polygon_soup.h"
 
 #include <string>
+#include <vector>
 
 namespace reeb_graph_program {
 // Readers of our own: those of CGAL differ from version to version, and some files that are damaged end the program in
@@ -24,6 +25,9 @@ Polygon_soup read_off(const std::string& path);
 Polygon_soup read_obj(const std::string& path);
 // PLY, ASCII or binary of any byte order.
 Polygon_soup read_ply(const std::string& path);
+// The numbers that a PLY file has for each vertex besides its point, as properties of the surface that has been read
+// from it. The field, which is named scalar, is none of them.
+std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& path, Surface& surface);
 // STL, ASCII or binary. Corners at the same point are one vertex.
 Polygon_soup read_stl(const std::string& path);
 // TS of GOCAD: the triangles of its surfaces.

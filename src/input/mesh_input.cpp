@@ -27,13 +27,19 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace reeb_graph_program {
 namespace {
+std::string lower_case_extension(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
 Polygon_soup read_soup(const std::string& path)
 {
   if(!std::ifstream(path) || !std::filesystem::is_regular_file(path))
     throw Input_error(path, "the file cannot be read");
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
+  const std::string extension = lower_case_extension(path);
   if(extension == ".off")
     return read_off(path);
   if(extension == ".obj")
@@ -114,6 +120,8 @@ void triangulate(const std::string& path, Surface& surface)
 }
 
 } // namespace
+
+bool is_ply_file(const std::string& path) { return lower_case_extension(path) == ".ply"; }
 
 bool assemble(const Polygon_soup& soup, Surface& surface)
 {

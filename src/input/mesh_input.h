@@ -19,6 +19,8 @@ namespace reeb_graph_program {
 // are oriented consistently if need be. Throws Input_error.
 Surface read_surface(const std::string& path, bool are_faces_triangulated);
 
+bool is_ply_file(const std::string& path);
+
 // Returns false if some face finds its place taken: the faces are not consistently oriented, or not manifold.
 bool assemble(const Polygon_soup& soup, Surface& surface);
 

@@ -16,6 +16,11 @@
 #include <cstdint>
 #include <cstring>
 #include <iterator>
+#include <optional>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -148,7 +153,80 @@ void skip(const Element& element, Data& data)
       data.read(property, ignored);
 }
 
+bool is_vertex_element(const Element& element) { return element.name == "vertex" || element.name == "vertices"; }
+
+template <class Number>
+Vertex_property<Number> add_property(Surface& surface, const std::string& name)
+{
+  return surface.add_property_map<Surface::Vertex_index, Number>("v:" + name).first;
+}
+
+Any_vertex_property add_property(Surface& surface, const Property& property)
+{
+  switch(property.type)
+  {
+  case Type::INT8: return add_property<std::int8_t>(surface, property.name);
+  case Type::UINT8: return add_property<std::uint8_t>(surface, property.name);
+  case Type::INT16: return add_property<std::int16_t>(surface, property.name);
+  case Type::UINT16: return add_property<std::uint16_t>(surface, property.name);
+  case Type::INT32: return add_property<std::int32_t>(surface, property.name);
+  case Type::UINT32: return add_property<std::uint32_t>(surface, property.name);
+  case Type::FLOAT32: return add_property<float>(surface, property.name);
+  default: return add_property<double>(surface, property.name);
+  }
+}
+
+void read_vertex_properties(const Element& element,
+                            Data& data,
+                            Surface& surface,
+                            std::vector<Any_vertex_property>& result)
+{
+  // those that are read otherwise, and names that the surface has for other types
+  std::set<std::string> names = {"x", "y", "z", "scalar", "point", "connectivity", "removed", "normal", "color"};
+  std::vector<std::optional<Any_vertex_property>> maps;
+  for(const Property& property : element.properties)
+  {
+    const bool is_kept = !property.is_list() && names.insert(property.name).second;
+    maps.push_back(is_kept ? std::make_optional(add_property(surface, property)) : std::nullopt);
+  }
+  std::vector<double> numbers;
+  for(const Surface::Vertex_index v : surface.vertices())
+    for(std::size_t j = 0; j < maps.size(); ++j)
+    {
+      data.read(element.properties[j], numbers);
+      const auto store = [&](const auto& map) {
+        map[v] = static_cast<typename std::decay_t<decltype(map)>::value_type>(numbers.front());
+      };
+      if(maps[j])
+        std::visit(store, *maps[j]);
+    }
+  for(const auto& map : maps)
+    if(map)
+      result.push_back(*map);
+}
+
 } // namespace
+
+std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& path, Surface& surface)
+{
+  Text_input input(path);
+  const ply::Header header = ply::read_header(input);
+  Data data(input, header.format);
+  if(header.format == Format::ASCII)
+    input.finish_line(); // that of end_header
+  std::vector<Any_vertex_property> properties;
+  for(const Element& element : header.elements)
+  {
+    if(!is_vertex_element(element))
+    {
+      skip(element, data);
+      continue;
+    }
+    read_vertex_properties(element, data, surface, properties);
+    break;
+  }
+  return properties;
+}
 
 Polygon_soup read_ply(const std::string& path)
 {
@@ -160,7 +238,7 @@ Polygon_soup read_ply(const std::string& path)
   Polygon_soup soup;
   for(const Element& element : header.elements)
   {
-    if(element.name == "vertex" || element.name == "vertices")
+    if(is_vertex_element(element))
       read_points(input, element, data, soup.points);
     else if(element.name == "face" || element.name == "faces")
       read_polygons(input, element, data, soup.polygons);

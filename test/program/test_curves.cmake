@@ -43,6 +43,12 @@ expect_json(0 genus ARGUMENTS open.off --field z)
 expect_json(6 border_loops ARGUMENTS open.off --field z)
 
 # PLY has the patches
+expect_success(demo --out demo)
+expect_success(curves demo/surface_coloured.ply --field y --type pants --cut-mesh cut.ply)
+file(STRINGS ${FOLDER}/cut.ply header LIMIT_COUNT 30)
+foreach(property "double scalar" "uchar red" "uchar green" "uchar blue")
+  expect_match("${header}" "element vertex .*property ${property};.*element face")
+endforeach()
 expect_success(curves ${surface} --type pants --cut-mesh cut.ply)
 file(STRINGS ${FOLDER}/cut.ply header LIMIT_COUNT 20)
 expect_match("${header}" "element face ${number_of_faces};.*property int patch;.*property uchar red")

@@ -11,6 +11,7 @@ the mesh partly refined.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Reeb_graph::Default_refinement_visitor}
+\cgalHasModels{CGAL::Reeb_graph::Interpolating_visitor}
 \cgalHasModelsEnd
 */
 class ReebGraphRefinementVisitor

@@ -41,7 +41,7 @@ namespace Reeb_graph {
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes. It is not read at new vertices.
+///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can be.
 /// \tparam ContourRange a range of `Reeb_graph::Contour`, as `Reeb_graph::Augmentation` makes them
 /// \tparam OutputIterator a model of `OutputIterator` for `Reeb_graph::Curve`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -76,8 +76,9 @@ OutputIterator cut_along_contours(MutableFaceGraph& mesh,
   if constexpr(internal::Refinable_mesh_with_field<MutableFaceGraph, ScalarMap, Traits>::value)
   {
     internal::check_input(mesh, scalar_map, np);
-    return internal::cut_along_found_contours(mesh, curves, np, [&](const auto& ranked) {
-      internal::rank_vertices(ranked, scalar_map, internal::choose_traits<Traits>(np));
+    const auto traits = internal::choose_traits<Traits>(np);
+    return internal::cut_along_found_contours(mesh, scalar_map, traits, curves, np, [&](const auto& ranked) {
+      internal::rank_vertices(ranked, scalar_map, traits);
       return internal::make_contours_to_cut(ranked, contours);
     });
   }

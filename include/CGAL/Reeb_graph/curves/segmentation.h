@@ -33,7 +33,7 @@ namespace Reeb_graph {
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes. It is not read at new vertices.
+///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can be.
 /// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
 ///         integer type as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -70,7 +70,7 @@ std::size_t segment_by_pants(MutableFaceGraph& mesh,
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes. It is not read at new vertices.
+///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can be.
 /// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
 ///         integer type as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -112,7 +112,7 @@ std::size_t segment_by_branches(MutableFaceGraph& mesh,
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes. It is not read at new vertices.
+///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can be.
 /// \tparam ReebGraph the type `Graph` of the traits class
 /// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
 ///         integer type as value type
@@ -156,7 +156,7 @@ std::size_t segment_by_arcs(MutableFaceGraph& mesh,
       mesh, scalar_map, graph, np); // It checks the values before they are sorted.
     internal::rank_vertices(ranked, scalar_map, traits);
     const auto borders = internal::find_arc_borders(ranked, graph, augmentation);
-    const auto curves = internal::cut_and_mark(ranked, borders.contours, np);
+    const auto curves = internal::cut_and_mark(ranked, borders.contours, scalar_map, traits, np);
     return internal::mark_arc_patches(ranked, graph, borders, curves, face_patch_map);
   }
   else

@@ -36,7 +36,7 @@ namespace Reeb_graph {
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes. It is not read at new vertices.
+///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can be.
 /// \tparam RankMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
 ///         type that 64-bit unsigned integers can be converted to
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -64,8 +64,10 @@ void unfold_multi_saddles(MutableFaceGraph& mesh,
     internal::check_input(mesh, scalar_map, np);
     auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
     const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
-    internal::rank_vertices(ranked, scalar_map, internal::choose_traits<Traits>(np));
+    const auto traits = internal::choose_traits<Traits>(np);
+    internal::rank_vertices(ranked, scalar_map, traits);
     internal::unfold_all_vertices(ranked);
+    internal::Refined_field(ranked, scalar_map, traits).write_ranked_vertices();
     for(const auto v : vertices(mesh))
       put(rank_map, v, ranked.rank(v));
   }

@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -155,6 +156,24 @@ std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_bra
   return contours;
 }
 
+// Copies the values at vertices that have been added to the field of the user, if that has room for them.
+template <class Mesh, class VertexDescriptor, class LevelMap, class ScalarMap>
+void copy_added_values(const Mesh& mesh,
+                       const std::set<VertexDescriptor>& old,
+                       const LevelMap& level_map,
+                       ScalarMap scalar_map)
+{
+  typedef typename boost::property_traits<LevelMap>::value_type Scalar;
+  if constexpr(Is_field_written<ScalarMap, Scalar>::value)
+  {
+    for(const auto v : vertices(mesh))
+    {
+      if(old.count(v) == 0)
+        put(scalar_map, v, get(level_map, v));
+    }
+  }
+}
+
 // Refines a mesh so that the contours of choose(ranked mesh, its Reeb graph with simple saddles) become paths of edges,
 // and outputs these. The input has been checked by check_input().
 template <class Mesh, class ScalarMap, class OutputIterator, class NamedParameters, class Choose>
@@ -169,17 +188,21 @@ OutputIterator cut_along_chosen_contours(Mesh& mesh,
   {
     const auto traits = choose_traits<Traits>(np);
     const auto cut = [&](const auto& map) {
-      return cut_along_found_contours(mesh, output, np, [&](const auto& ranked) {
+      return cut_along_found_contours(mesh, map, traits, output, np, [&](const auto& ranked) {
         return choose(ranked, compute_simple_reeb_graph(ranked, map, traits));
       });
     };
     if(parameters::choose_parameter(parameters::get_parameter(np, borders), Borders::LEVEL) == Borders::LEVEL)
       return cut(scalar_map);
+    const auto old_vertices = CGAL::make_range(vertices(mesh));
+    const std::set<typename boost::graph_traits<Mesh>::vertex_descriptor> old(old_vertices.begin(), old_vertices.end());
     const auto level_map = get(dynamic_vertex_property_t<typename Traits::Scalar>(), mesh);
-    for(const auto v : vertices(mesh))
+    for(const auto v : old)
       put(level_map, v, get(scalar_map, v));
     make_borders_level(mesh, level_map, np);
-    return cut(level_map);
+    output = cut(level_map);
+    copy_added_values(mesh, old, level_map, scalar_map);
+    return output;
   }
   else
     return output;

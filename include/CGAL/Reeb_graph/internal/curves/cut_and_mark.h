@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/internal/curves/Contour_cutting.h>
 #include <CGAL/Reeb_graph/internal/curves/Curve_opening.h>
+#include <CGAL/Reeb_graph/internal/curves/Refined_field.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -90,16 +91,21 @@ std::size_t number_patches(const Mesh& mesh,
                                                        parameters::edge_is_constrained_map(is_curve_edge));
 }
 
-// Cuts a mesh along contours, and writes the property maps that have been asked for.
-template <class RankedMesh, class NamedParameters>
+// Cuts a mesh along contours, and writes the field and the property maps that have been asked for.
+template <class RankedMesh, class ScalarMap, class Traits, class NamedParameters>
 std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
   const RankedMesh& ranked,
   const std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>>& contours,
+  const ScalarMap& scalar_map,
+  const Traits& traits,
   const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   auto& mesh = ranked.mesh();
+  Refined_field<RankedMesh, ScalarMap, Traits> field(ranked, scalar_map, traits);
+  field.write_ranked_vertices();
+  field.place_contours(contours);
   auto curves = Contour_cutting<RankedMesh>(ranked, contours)();
   if(choose_parameter(get_parameter(np, cut_open), false))
   {
@@ -107,6 +113,7 @@ std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
     for(auto& curve : curves)
       open(curve);
   }
+  field.write_curves(curves);
   mark_edges(mesh, curves, np);
   if constexpr(is_given<decltype(get_parameter(np, internal_np::face_patch))>)
   {
@@ -120,15 +127,17 @@ std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
 }
 
 // Refines a mesh so that the contours of find_contours(ranked mesh) become paths of edges, and outputs these.
-template <class Mesh, class OutputIterator, class NamedParameters, class FindContours>
+template <class Mesh, class ScalarMap, class Traits, class OutputIterator, class NamedParameters, class FindContours>
 OutputIterator cut_along_found_contours(Mesh& mesh,
+                                        const ScalarMap& scalar_map,
+                                        const Traits& traits,
                                         OutputIterator output,
                                         const NamedParameters& np,
                                         const FindContours& find_contours)
 {
   auto visitor_parameter = choose_refinement_visitor(mesh, np);
   const auto ranked = make_ranked_mesh(mesh, unwrap_reference(visitor_parameter), np);
-  const auto curves = cut_and_mark(ranked, find_contours(ranked), np);
+  const auto curves = cut_and_mark(ranked, find_contours(ranked), scalar_map, traits, np);
   return std::copy(curves.begin(), curves.end(), output);
 }
 
