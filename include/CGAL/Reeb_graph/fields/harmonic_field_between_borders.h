@@ -26,8 +26,8 @@ namespace Reeb_graph {
 ///
 /// In each connected component, the field is 0 on the first border component and 1 on the other ones, in the order of their
 /// first vertices. If there is one border, the field is 1 at a vertex far from it; if there is none, it is 0 and 1 at the
-/// two vertices of `find_far_apart_vertices()`. An isolated vertex gets the value 0. Several borders that share edges are
-/// one plateau.
+/// two vertices of `find_far_apart_vertices()`. An isolated vertex gets the value 0. Borders at 1 that share edges are one
+/// plateau.
 ///
 /// The template parameters, the named parameters and the exceptions are those of `compute_harmonic_field()`.
 template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>

@@ -12,20 +12,13 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/mesh/flatten.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/level_border_values.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/vertex_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/tags.h>
 
-#include <boost/graph/graph_traits.hpp>
-
-#include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -109,43 +102,14 @@ Border_level_changes make_borders_level(const FaceListGraph& mesh,
                                         ScalarMap scalar_map,
                                         const NamedParameters& np = parameters::default_values())
 {
-  namespace fields = internal::scalar_fields;
   using parameters::choose_parameter;
   using parameters::get_parameter;
   typedef internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters> Traits;
   if constexpr(internal::Scalar_field_and_map<FaceListGraph, ScalarMap, Traits, ScalarMap>::value)
-  {
-    const Traits traits = internal::choose_traits<Traits>(np);
-    internal::flatten<Sequential_tag>(mesh, scalar_map, traits, parameters::default_values()); // It checks the input.
-
-    const auto less = traits.less_scalar_object();
-    const auto values = fields::read_values_of_vertices(mesh, scalar_map);
-    const auto positions = fields::make_position_map(mesh);
-    const auto borders = fields::vertices_of_borders(mesh, positions);
-    const auto new_values = fields::level_border_values(
-      fields::make_vertex_graph(mesh, positions, values.size()), borders, values, less,
+    return internal::scalar_fields::write_level_borders<Border_level_changes>(
+      mesh, scalar_map, internal::choose_traits<Traits>(np),
       choose_parameter(get_parameter(np, internal::border_extremum), Border_extremum::AUTOMATIC),
       choose_parameter(get_parameter(np, internal::collar_width), std::size_t(3)));
-
-    Border_level_changes changes;
-    const auto is_changed = [&](fields::Position v) {
-      return less(values[v], new_values[v]) || less(new_values[v], values[v]);
-    };
-    changes.number_of_borders = borders.size();
-    for(const auto& border : borders)
-      changes.number_of_changed_borders += std::any_of(border.begin(), border.end(), is_changed) ? 1 : 0;
-    fields::Position position = 0;
-    for(const auto v : CGAL::make_range(vertices(mesh)))
-    {
-      const fields::Position i = position++;
-      if(!is_changed(i))
-        continue;
-      ++changes.number_of_changed_vertices;
-      changes.largest_change = (std::max)(changes.largest_change, fields::distance_of_values(values[i], new_values[i]));
-      put(scalar_map, v, new_values[i]);
-    }
-    return changes;
-  }
   else
     return Border_level_changes();
 }

@@ -12,13 +12,17 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/mesh/border_cycles.h>
+#include <CGAL/Reeb_graph/internal/mesh/flatten.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Basin_filling.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Border_levels.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/vertex_graph.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -98,6 +102,38 @@ std::vector<Scalar> level_border_values(const Weighted_graph& graph,
       basins.remove_new_minima(collar, values, sign);
   }
   return result;
+}
+
+// Checks mesh and field, changes the field, and counts the changes.
+template <class Changes, class Mesh, class ScalarMap, class Traits>
+Changes write_level_borders(const Mesh& mesh,
+                            const ScalarMap& scalar_map,
+                            const Traits& traits,
+                            Border_extremum wish,
+                            std::size_t collar_width)
+{
+  flatten<Sequential_tag>(mesh, scalar_map, traits, parameters::default_values()); // It checks the input.
+  const auto less = traits.less_scalar_object();
+  const auto values = read_values_of_vertices(mesh, scalar_map);
+  const auto positions = make_position_map(mesh);
+  const auto borders = vertices_of_borders(mesh, positions);
+  const auto new_values =
+    level_border_values(make_vertex_graph(mesh, positions, values.size()), borders, values, less, wish, collar_width);
+  Changes changes;
+  const auto is_changed = [&](Position v) { return less(values[v], new_values[v]) || less(new_values[v], values[v]); };
+  changes.number_of_borders = borders.size();
+  for(const auto& border : borders)
+    changes.number_of_changed_borders += std::any_of(border.begin(), border.end(), is_changed) ? 1 : 0;
+  for(const auto v : CGAL::make_range(vertices(mesh)))
+  {
+    const Position i = get(positions, v);
+    if(!is_changed(i))
+      continue;
+    ++changes.number_of_changed_vertices;
+    changes.largest_change = (std::max)(changes.largest_change, distance_of_values(values[i], new_values[i]));
+    put(scalar_map, v, new_values[i]);
+  }
+  return changes;
 }
 
 } // namespace scalar_fields
