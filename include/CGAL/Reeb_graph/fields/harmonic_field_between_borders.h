@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Harmonic_constraints.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -29,14 +30,19 @@ namespace Reeb_graph {
 /// two vertices of `find_far_apart_vertices()`. An isolated vertex gets the value 0. Borders at 1 that share edges are one
 /// plateau.
 ///
-/// The template parameters, the named parameters and the exceptions are those of `compute_harmonic_field()`.
+/// The template parameters, the named parameters, the result, and the exceptions are those of `compute_harmonic_field()`.
 template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
-void compute_harmonic_field_between_borders(const FaceListGraph& mesh,
-                                            FieldMap field_map,
-                                            const NamedParameters& np = parameters::default_values())
+Field_report compute_harmonic_field_between_borders(const FaceListGraph& mesh,
+                                                    FieldMap field_map,
+                                                    const NamedParameters& np = parameters::default_values())
 {
-  const internal::scalar_fields::Harmonic_constraints<FaceListGraph> constraints(mesh, np);
-  compute_harmonic_field(mesh, field_map, constraints.range(), np);
+  if constexpr(internal::Mesh_is_face_list_graph<FaceListGraph>::value)
+  {
+    const internal::scalar_fields::Harmonic_constraints<FaceListGraph> constraints(mesh, np);
+    return compute_harmonic_field(mesh, field_map, constraints.range(), np);
+  }
+  else
+    return Field_report();
 }
 
 } // namespace Reeb_graph
