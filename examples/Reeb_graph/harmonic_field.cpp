@@ -17,11 +17,11 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
 typedef Mesh::Property_map<vertex_descriptor, double> Scalar_map;
-typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Reeb_graph;
+typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Graph;
 
 void print_graph(const Mesh& mesh, Scalar_map scalar_map)
 {
-  Reeb_graph graph;
+  Graph graph;
   CGAL::compute_reeb_graph(mesh, scalar_map, graph);
   std::cout << num_vertices(graph) << " nodes, " << num_edges(graph) << " arcs" << std::endl;
   for(auto arc : CGAL::make_range(edges(graph)))

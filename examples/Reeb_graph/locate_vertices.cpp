@@ -16,7 +16,7 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
 typedef Mesh::Property_map<vertex_descriptor, double> Scalar_map;
-typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Reeb_graph;
+typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Graph;
 typedef CGAL::Reeb_graph::Augmentation<Mesh, Scalar_map> Augmentation;
 
 // Consecutive arcs get colors that lie far from each other.
@@ -49,7 +49,7 @@ int main(int argc, char* argv[])
     mesh.add_property_map<vertex_descriptor, CGAL::IO::Color>("v:color", CGAL::IO::Color(0, 0, 0)).first;
   try
   {
-    Reeb_graph graph;
+    Graph graph;
     CGAL::compute_reeb_graph(mesh, scalar_map, graph);
 
     const Augmentation augmentation(mesh, scalar_map, graph);

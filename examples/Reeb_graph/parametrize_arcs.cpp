@@ -21,7 +21,7 @@ typedef Kernel::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Mesh;
 typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
 typedef Mesh::Property_map<vertex_descriptor, double> Scalar_map;
-typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Reeb_graph;
+typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Graph;
 typedef CGAL::Reeb_graph::Augmentation<Mesh, Scalar_map> Augmentation;
 typedef Augmentation::Contour Contour;
 
@@ -60,7 +60,7 @@ int main(int argc, char* argv[])
   {
     CGAL::Reeb_graph::compute_harmonic_field_between_far_apart_vertices(mesh, scalar_map);
     CGAL::Reeb_graph::compute_unit_gradient_field(mesh, scalar_map, unit_map);
-    Reeb_graph graph;
+    Graph graph;
     CGAL::compute_reeb_graph(mesh, scalar_map, graph);
 
     const Augmentation augmentation(mesh, scalar_map, graph);

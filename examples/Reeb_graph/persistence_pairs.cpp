@@ -17,8 +17,8 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
 typedef Mesh::Property_map<vertex_descriptor, double> Scalar_map;
-typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Reeb_graph;
-typedef boost::graph_traits<Reeb_graph>::vertex_descriptor node_descriptor;
+typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Graph;
+typedef boost::graph_traits<Graph>::vertex_descriptor node_descriptor;
 typedef CGAL::Reeb_graph::Persistence_pair<node_descriptor> Pair;
 
 int main(int argc, char* argv[])
@@ -38,7 +38,7 @@ int main(int argc, char* argv[])
 
   try
   {
-    Reeb_graph graph;
+    Graph graph;
     CGAL::compute_reeb_graph(mesh, scalar_map, graph);
 
     std::vector<Pair> pairs;

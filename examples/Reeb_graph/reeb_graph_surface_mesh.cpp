@@ -14,7 +14,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
 typedef Mesh::Property_map<vertex_descriptor, double> Scalar_map;
 typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map> Traits;
-typedef Traits::Graph Reeb_graph;
+typedef Traits::Graph Graph;
 typedef Traits::Arc Arc;
 
 int main(int argc, char* argv[])
@@ -32,7 +32,7 @@ int main(int argc, char* argv[])
   for(vertex_descriptor v : vertices(mesh))
     scalar_map[v] = mesh.point(v).x();
 
-  Reeb_graph graph;
+  Graph graph;
   try
   {
     CGAL::compute_reeb_graph(mesh, scalar_map, graph);

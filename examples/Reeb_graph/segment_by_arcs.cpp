@@ -17,7 +17,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
 typedef boost::graph_traits<Mesh>::face_descriptor face_descriptor;
 typedef Mesh::Property_map<vertex_descriptor, double> Scalar_map;
-typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Reeb_graph;
+typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Graph;
 
 // Consecutive patches get colors that lie far from each other.
 CGAL::IO::Color color_of_patch(std::size_t i)
@@ -45,7 +45,7 @@ int main(int argc, char* argv[])
   const auto patch_map = mesh.add_property_map<face_descriptor, int>("f:patch", 0).first;
   try
   {
-    Reeb_graph graph;
+    Graph graph;
     CGAL::compute_reeb_graph(mesh, scalar_map, graph);
 
     // refines the mesh, so that each face belongs to one arc

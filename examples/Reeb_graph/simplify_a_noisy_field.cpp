@@ -18,8 +18,8 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
 typedef Mesh::Property_map<vertex_descriptor, double> Scalar_map;
-typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Reeb_graph;
-typedef CGAL::Reeb_graph::Simplification<Reeb_graph> Simplification;
+typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Graph;
+typedef CGAL::Reeb_graph::Simplification<Graph> Simplification;
 typedef CGAL::Reeb_graph::Augmentation<Mesh, Scalar_map> Augmentation;
 
 int main(int argc, char* argv[])
@@ -45,7 +45,7 @@ int main(int argc, char* argv[])
 
   try
   {
-    Reeb_graph graph, simplified;
+    Graph graph, simplified;
     CGAL::compute_reeb_graph(mesh, scalar_map, graph);
     const Simplification simplification = CGAL::Reeb_graph::simplify(graph, 0.11 * width, simplified);
     std::cout << num_vertices(graph) << " nodes, " << num_vertices(simplified) << " of them without noise" << std::endl;
