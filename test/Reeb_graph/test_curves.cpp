@@ -309,6 +309,87 @@ Sample noisy_sample(unsigned genus)
 }
 } // namespace
 
+namespace {
+// How many curves there are on a mesh whose saddles are simple.
+template <class NamedParameters>
+std::size_t number_of_curves(Surface_mesh mesh, const NamedParameters& np)
+{
+  const auto values = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:value").first; // that is there
+  Curves_of<Surface_mesh> curves;
+  CGAL::Reeb_graph::branch_curves(mesh, values, std::back_inserter(curves), np);
+  return curves.size();
+}
+
+// The leaf arcs of the graph simplified by numbers of vertices that reach the threshold.
+template <class Mesh, class ScalarMap, class Graph>
+std::size_t number_of_leaf_arcs_of_many_vertices(const Mesh& mesh,
+                                                 const ScalarMap& values,
+                                                 const Graph& graph,
+                                                 std::size_t threshold)
+{
+  Graph simplified;
+  const auto counts = CGAL::Reeb_graph::vertex_counts_of_pieces(
+    mesh, graph, CGAL::Reeb_graph::Augmentation<Mesh, ScalarMap>(mesh, values, graph).locate_vertices());
+  const auto simplification = CGAL::Reeb_graph::simplify(graph, static_cast<double>(threshold), simplified,
+                                                         CGAL::parameters::piece_weights(counts));
+  std::vector<double> new_counts(num_vertices(simplified) + num_edges(simplified), 0);
+  for(std::size_t place = 0; place < counts.size(); ++place)
+    new_counts[place < num_vertices(graph) ? simplification.index_of_node(place)
+                                           : simplification.index_of_arc(place - num_vertices(graph))] += counts[place];
+  std::size_t number = 0, arc_index = num_vertices(simplified);
+  for(const auto arc : CGAL::make_range(edges(simplified)))
+  {
+    const auto lower = source(arc, simplified), upper = target(arc, simplified);
+    if((degree(lower, simplified) == 1) != (degree(upper, simplified) == 1))
+    {
+      const auto leaf = degree(lower, simplified) == 1 ? lower : upper;
+      number += new_counts[leaf] + new_counts[arc_index] >= static_cast<double>(threshold) ? 1 : 0;
+    }
+    ++arc_index;
+  }
+  return number;
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(measures_of_branches)
+{
+  namespace parameters = CGAL::parameters;
+  std::size_t number_of_branches = 0;
+  for(std::size_t seed = 0; seed < 60; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const Sample sample = curve_samples::random_sample(seed, false, 1 + seed % 2, seed % 3);
+      auto mesh = curve_samples::make_mesh<Surface_mesh>(sample.soup);
+      const auto values = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:value").first;
+      CGAL::Reeb_graph::unfold_multi_saddles(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, sample.values), values);
+      CGAL::Reeb_graph_traits<Surface_mesh, decltype(values)>::Graph graph;
+      CGAL::compute_reeb_graph(mesh, values, graph);
+      for(const std::size_t count : {1, 2, 3, 5, 8, 20})
+      {
+        const std::size_t number = number_of_curves(mesh, parameters::vertex_count_threshold(count));
+        BOOST_TEST(number == number_of_leaf_arcs_of_many_vertices(mesh, values, graph, count));
+        number_of_branches += count > 1 ? number : 0;
+      }
+      const double range = *std::max_element(values.begin(), values.end());
+      const auto persistence = [](const auto& branch) { return branch.persistence; };
+      const auto area = [](const auto& branch) { return branch.weight; };
+      const auto difference = [&](const auto& branch) { return std::abs(values[branch.leaf] - values[branch.saddle]); };
+      for(const double share : {0.05, 0.2, 0.5})
+      {
+        const auto threshold = parameters::measure_threshold(share * range);
+        const std::size_t number = number_of_curves(mesh, parameters::persistence_threshold(share * range));
+        BOOST_TEST(number_of_curves(mesh, parameters::branch_measure(persistence, threshold)) == number);
+        BOOST_TEST(number_of_curves(mesh, parameters::branch_measure(difference, threshold)) <= number);
+        BOOST_TEST(number_of_curves(mesh, parameters::branch_measure(area, parameters::measure_threshold(share)))
+                   == number_of_curves(mesh, parameters::area_threshold(share)));
+      }
+      BOOST_CHECK_THROW(number_of_curves(mesh, parameters::branch_measure([](const auto&) { return std::nan(""); },
+                                                                          parameters::measure_threshold(1))),
+                        CGAL::Reeb_graph::Measure_error);
+    }
+  BOOST_TEST(number_of_branches > 100u);
+}
+
 BOOST_AUTO_TEST_CASE(thresholds_of_branches_remove_noise)
 {
   const Sample smooth = curve_samples::smooth_sample(2, 4000, 0), noisy = noisy_sample(2);

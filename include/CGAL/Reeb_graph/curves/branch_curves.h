@@ -67,6 +67,26 @@ namespace Reeb_graph {
 ///     \cgalParamDefault{0}
 ///     \cgalParamExtra{use the functions `parameters::area_threshold()`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_count_threshold}
+///     \cgalParamDescription{the least number of vertices of the given mesh in a branch}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{0}
+///     \cgalParamExtra{use the functions `parameters::vertex_count_threshold()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{branch_measure}
+///     \cgalParamDescription{how large a branch is, for `measure_threshold`}
+///     \cgalParamType{a function object that is called with a `Reeb_graph::Branch` whose nodes are vertices of the mesh, and
+///                    whose weight is its area, and returns a `double`. Where a saddle has been unfolded, its vertex can
+///                    be a new one.}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{use the functions `parameters::branch_measure()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{measure_threshold}
+///     \cgalParamDescription{the least `branch_measure` of a branch}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0}
+///     \cgalParamExtra{use the functions `parameters::measure_threshold()`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \copydetails PkgReebGraphPlaceParameters
@@ -82,6 +102,7 @@ namespace Reeb_graph {
 /// \exception Reeb_graph::Border_level_error if `borders` is `Reeb_graph::Borders::LEVEL`, and the vertices of a border component do
 ///            not have one value, or have lower as well as higher neighbors
 /// \exception Reeb_graph::Threshold_error if a threshold is negative or NaN
+/// \exception Reeb_graph::Measure_error if a measure is NaN; the mesh may have been refined then
 ///
 /// and the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
 template <class MutableFaceGraph,
@@ -93,7 +114,7 @@ OutputIterator branch_curves(MutableFaceGraph& mesh,
                              OutputIterator curves,
                              const NamedParameters& np = parameters::default_values())
 {
-  const internal::Branch_thresholds thresholds(np); // It checks them before the mesh is changed.
+  const internal::Branch_thresholds<NamedParameters> thresholds(np); // It checks them before the mesh is changed.
   internal::check_input(mesh, scalar_map, np);
   return internal::cut_along_chosen_contours(mesh, scalar_map, curves, np, [&](const auto& ranked, const auto& simple) {
     return internal::choose_branch_curves(ranked, simple, thresholds, np);

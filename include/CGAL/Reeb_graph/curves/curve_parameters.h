@@ -139,6 +139,8 @@ CGAL_REEB_GRAPH_NAMED_PARAMETER(borders, Reeb_graph::Borders)
 CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(arc_weight)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(persistence_threshold, double)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(area_threshold, double)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(vertex_count_threshold, std::size_t)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(measure_threshold, double)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(cut_open, bool)
 CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(edge_curve_map)
 

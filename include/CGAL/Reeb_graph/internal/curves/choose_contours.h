@@ -145,7 +145,7 @@ template <class RankedMesh, class NamedParameters>
 std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_branch_curves(
   const RankedMesh& ranked,
   const Simple_reeb_graph<RankedMesh>& simple,
-  const Branch_thresholds& thresholds,
+  const Branch_thresholds<NamedParameters>& thresholds,
   const NamedParameters& np)
 {
   const auto cost = choose_curve_cost<Cost_of_branch_curve>(np);

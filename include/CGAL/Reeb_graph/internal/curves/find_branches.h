@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/curves/Graph_retract.h>
 #include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
 #include <CGAL/Reeb_graph/internal/simplification/Leaf_pruning.h>
@@ -22,6 +23,7 @@
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 #include <CGAL/Reeb_graph/simplification/piece_weights.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -30,57 +32,106 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The least sizes of branches.
+// What a branch has to reach, each 0 if it does not count, and what the caller measures.
+template <class NamedParameters>
 struct Branch_thresholds
 {
-  double persistence, area;
+  static constexpr bool has_measure =
+    is_given<decltype(parameters::get_parameter(std::declval<const NamedParameters&>(), branch_measure))>;
 
-  template <class NamedParameters>
+  double persistence, area, vertex_count, measure;
+  const NamedParameters& named_parameters;
+
   explicit Branch_thresholds(const NamedParameters& np)
     : persistence(parameters::choose_parameter(parameters::get_parameter(np, persistence_threshold), 0.)),
-      area(parameters::choose_parameter(parameters::get_parameter(np, area_threshold), 0.))
+      area(parameters::choose_parameter(parameters::get_parameter(np, area_threshold), 0.)),
+      vertex_count(static_cast<double>(
+        parameters::choose_parameter(parameters::get_parameter(np, vertex_count_threshold), std::size_t(0)))),
+      measure(parameters::choose_parameter(parameters::get_parameter(np, measure_threshold), 0.)),
+      named_parameters(np)
   {
+    static_assert(has_measure == is_given<decltype(parameters::get_parameter(np, measure_threshold))>,
+                  "The named parameters branch_measure and measure_threshold of branch_curves() go together.");
     if(!(persistence >= 0))
       throw Threshold_error("persistence threshold");
     if(!(area >= 0))
       throw Threshold_error("area threshold");
+    if(!(measure >= 0))
+      throw Threshold_error("measure threshold");
   }
 
+  bool needs_areas() const { return area > 0 || (has_measure && measure > 0); }
+  bool needs_vertex_counts() const { return vertex_count > 0; }
+
   // The size relative to the thresholds, less than 1 if one of them is not reached.
-  double relative_size(double persistence_of_branch, double area_of_branch) const
+  template <class Branch>
+  double relative_size(const Branch& branch, double vertex_count_of_branch) const
   {
     double size = std::numeric_limits<double>::infinity();
     if(persistence > 0)
-      size = (std::min)(size, persistence_of_branch / persistence);
+      size = (std::min)(size, branch.persistence / persistence);
     if(area > 0)
-      size = (std::min)(size, area_of_branch / area);
+      size = (std::min)(size, branch.weight / area);
+    if(vertex_count > 0)
+      size = (std::min)(size, vertex_count_of_branch / vertex_count);
+    if constexpr(has_measure)
+    {
+      if(measure > 0)
+        size = (std::min)(size, measure_of_branch(branch, named_parameters) / measure);
+    }
     return size;
   }
 };
 
-// The area of each node and arc, and zeros if no area is asked for.
-template <class RankedMesh>
-std::vector<double> branch_weights(const RankedMesh& ranked,
-                                   const Simple_reeb_graph<RankedMesh>& simple,
-                                   const Branch_thresholds& thresholds)
+// What the branches weigh.
+struct Branch_weight
 {
-  if(!(thresholds.area > 0))
-    return std::vector<double>(num_vertices(simple.graph) + num_edges(simple.graph), 0);
+  double area = 0, vertex_count = 0;
+
+  Branch_weight& operator+=(const Branch_weight& other)
+  {
+    area += other.area;
+    vertex_count += other.vertex_count;
+    return *this;
+  }
+};
+
+// By place in the graph. The vertices that count are those of the given mesh.
+template <class RankedMesh, class Thresholds>
+std::vector<Branch_weight> branch_weights(const RankedMesh& ranked,
+                                          const Simple_reeb_graph<RankedMesh>& simple,
+                                          const Thresholds& thresholds)
+{
+  std::vector<Branch_weight> weights(num_vertices(simple.graph) + num_edges(simple.graph));
+  if(!thresholds.needs_areas() && !thresholds.needs_vertex_counts())
+    return weights;
   const Augmentation<typename RankedMesh::Mesh, typename RankedMesh::Rank_map> augmentation(
     ranked.mesh(), ranked.rank_map(), simple.graph, parameters::ties(Ties::CONTRACT));
-  return areas_of_pieces(ranked.mesh(), simple.graph, augmentation.locate_vertices(),
-                         parameters::vertex_point_map(ranked.vertex_point_map()));
+  const auto locations = augmentation.locate_vertices();
+  for(const auto v : simple.given_vertices)
+    ++weights[locations.index(v)].vertex_count;
+  if(thresholds.needs_areas())
+  {
+    const auto areas =
+      areas_of_pieces(ranked.mesh(), simple.graph, locations, parameters::vertex_point_map(ranked.vertex_point_map()));
+    for(std::size_t place = 0; place != weights.size(); ++place)
+      weights[place].area = areas[place];
+  }
+  return weights;
 }
 
 // The way from the saddle to the leaf along the arcs that have become one leaf arc.
 template <class GraphArcs>
-auto path_of_branch(const Leaf_pruning& pruned, const Leaf_arc& leaf_arc, const GraphArcs& graph_arcs)
+auto path_of_branch(const Weighted_leaf_pruning<Branch_weight>& pruned,
+                    const Weighted_leaf_arc<Branch_weight>& leaf_arc,
+                    const GraphArcs& graph_arcs)
 {
   Arc_path<typename GraphArcs::value_type> path;
   path.first_node = leaf_arc.saddle;
@@ -95,21 +146,23 @@ auto path_of_branch(const Leaf_pruning& pruned, const Leaf_arc& leaf_arc, const 
 
 // The branches of a surface: leaf arcs that reach the thresholds, once those that do not have been removed from the
 // graph as by simplify(). A leaf at a border is no branch, and an arc between two leaves has none.
-template <class RankedMesh>
-auto find_branches(const RankedMesh& ranked,
-                   const Simple_reeb_graph<RankedMesh>& simple,
-                   const Branch_thresholds& thresholds)
+template <class RankedMesh, class Thresholds>
+auto find_branches(const RankedMesh& ranked, const Simple_reeb_graph<RankedMesh>& simple, const Thresholds& thresholds)
 {
+  typedef typename RankedMesh::vertex_descriptor vertex_descriptor;
   typedef typename boost::graph_traits<typename Simple_reeb_graph<RankedMesh>::Graph>::edge_descriptor arc_descriptor;
   const auto& graph = simple.graph;
   const auto difference = [&](Index a, Index b) {
     return persistence(ranked.value(graph[a].vertex), ranked.value(graph[b].vertex));
   };
+  typedef Weighted_leaf_arc<Branch_weight> Leaf_arc;
   const auto size = [&](const Leaf_arc& arc) {
-    return thresholds.relative_size(persistence_of_leaf_arc(arc, difference), arc.weight);
+    const Branch<vertex_descriptor> branch = {graph[arc.leaf].vertex, graph[arc.saddle].vertex, arc.is_minimum,
+                                              persistence_of_leaf_arc(arc, difference), arc.weight.area};
+    return thresholds.relative_size(branch, arc.weight.vertex_count);
   };
-  Leaf_pruning pruned(static_cast<Index>(num_vertices(graph)), read_arcs(graph),
-                      branch_weights(ranked, simple, thresholds));
+  Weighted_leaf_pruning<Branch_weight> pruned(static_cast<Index>(num_vertices(graph)), read_arcs(graph),
+                                              branch_weights(ranked, simple, thresholds));
   pruned(
     size, [&](const Leaf_arc& arc) { return !simple.is_border[arc.leaf]; },
     [](double relative_size) { return relative_size < 1; }, [](Index) { return true; });

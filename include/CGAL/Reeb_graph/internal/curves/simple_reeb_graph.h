@@ -99,7 +99,8 @@ struct Simple_reeb_graph
   typedef typename Reeb_graph_traits<typename RankedMesh::Mesh, typename RankedMesh::Rank_map>::Graph Graph;
 
   Graph graph;
-  std::vector<bool> is_border; // whether a node is a border, by node
+  std::vector<bool> is_border;                                        // whether a node is a border, by node
+  std::vector<typename RankedMesh::vertex_descriptor> given_vertices; // those that refining the mesh has not added
 };
 
 // Refines the mesh so that its Reeb graph is simple. The input has been checked by check_input().
@@ -109,12 +110,13 @@ Simple_reeb_graph<RankedMesh> compute_simple_reeb_graph(const RankedMesh& ranked
                                                         const Traits& traits)
 {
   auto& mesh = ranked.mesh();
+  Simple_reeb_graph<RankedMesh> result;
+  result.given_vertices.assign(vertices(mesh).first, vertices(mesh).second);
   auto borders = find_level_borders(mesh, scalar_map, traits.less_scalar_object());
   rank_vertices(ranked, scalar_map, traits, borders);
   split_chords(ranked, borders);
   unfold_all_vertices(ranked);
 
-  Simple_reeb_graph<RankedMesh> result;
   compute_reeb_graph(mesh, ranked.rank_map(), result.graph, parameters::ties(Ties::CONTRACT));
   for(const auto node : CGAL::make_range(vertices(result.graph)))
     result.is_border.push_back(borders.is_on_border(result.graph[node].vertex));

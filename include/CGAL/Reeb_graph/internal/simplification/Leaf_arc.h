@@ -20,18 +20,21 @@ namespace Reeb_graph {
 namespace internal {
 
 // A leaf arc that could be removed.
-struct Leaf_arc
+template <class Weight>
+struct Weighted_leaf_arc
 {
   Index leaf, saddle;    // its nodes
   bool is_minimum;       // whether the leaf is the lower one of them
-  double weight;         // of the leaf, of the arc, and of all that they have taken up
+  Weight weight;         // of the leaf, of the arc, and of all that they have taken up
   Index lowest, highest; // of the leaf and the nodes that have been taken up
 };
 
+typedef Weighted_leaf_arc<double> Leaf_arc;
+
 // The largest difference between the value at the saddle of a leaf arc and one in the branch that it stands for.
 // `difference` gives the absolute difference between two nodes.
-template <class Difference>
-double persistence_of_leaf_arc(const Leaf_arc& arc, const Difference& difference)
+template <class Weight, class Difference>
+double persistence_of_leaf_arc(const Weighted_leaf_arc<Weight>& arc, const Difference& difference)
 {
   return (std::max)(difference(arc.lowest, arc.saddle), difference(arc.saddle, arc.highest));
 }

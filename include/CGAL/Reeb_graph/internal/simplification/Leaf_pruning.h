@@ -23,6 +23,12 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+// The nodes of an arc.
+struct Pruned_arc
+{
+  Index lower, upper;
+};
+
 // Removes leaf arcs from a graph, the one of least measure first; of equal ones the one whose leaf has the lower number.
 // What is removed is taken up by the saddle at which it was. A node that is left with one arc below and one above is
 // taken up by these two, which become one arc. An arc is not removed if it is the only one on its side of the saddle, as
@@ -30,16 +36,16 @@ namespace internal {
 // Geometric Measures, 2004.) The time is O(n log n).
 //
 // Nodes are numbered in ascending order. Places are the nodes, by their numbers, and behind them the arcs.
-class Leaf_pruning
+// A weight is a number, or several, which `+=` adds up.
+template <class Weight>
+class Weighted_leaf_pruning
 {
 public:
-  struct Arc
-  {
-    Index lower, upper;
-  };
+  typedef Pruned_arc Arc;
+  typedef Weighted_leaf_arc<Weight> Leaf_arc;
 
   // By place, how much each weighs.
-  Leaf_pruning(Index number_of_nodes, const std::vector<Arc>& arcs, const std::vector<double>& weights)
+  Weighted_leaf_pruning(Index number_of_nodes, const std::vector<Arc>& arcs, const std::vector<Weight>& weights)
     : number_of_nodes_(number_of_nodes),
       nodes_(number_of_nodes),
       places_(number_of_nodes + arcs.size())
@@ -194,7 +200,7 @@ private:
   // What a place is made of: itself and all that it has taken up.
   struct Content
   {
-    double weight;
+    Weight weight;
     Index lowest, highest; // of the nodes
 
     void add(const Content& other)
@@ -285,6 +291,8 @@ private:
   std::vector<Node> nodes_;
   std::vector<Place> places_;
 };
+
+typedef Weighted_leaf_pruning<double> Leaf_pruning;
 
 } // namespace internal
 } // namespace Reeb_graph
