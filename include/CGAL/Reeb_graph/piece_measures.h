@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -44,10 +45,15 @@ std::vector<double> vertex_counts_of_pieces(const FaceListGraph& mesh,
                                             const ReebGraph& graph,
                                             const VertexLocations& locations)
 {
-  std::vector<double> counts(num_vertices(graph) + num_edges(graph), 0);
-  for(const auto v : CGAL::make_range(vertices(mesh)))
-    counts.at(locations.index(v)) += 1;
-  return counts;
+  if constexpr(internal::Mesh_is_face_list_graph<FaceListGraph>::value)
+  {
+    std::vector<double> counts(num_vertices(graph) + num_edges(graph), 0);
+    for(const auto v : CGAL::make_range(vertices(mesh)))
+      counts.at(locations.index(v)) += 1;
+    return counts;
+  }
+  else
+    return {};
 }
 
 /// \ingroup PkgReebGraphAugmentation
@@ -83,19 +89,24 @@ std::vector<double> areas_of_pieces(const FaceListGraph& mesh,
                                     const VertexLocations& locations,
                                     const NamedParameters& np = parameters::default_values())
 {
-  const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                      get_const_property_map(CGAL::vertex_point, mesh));
-  std::vector<double> areas(num_vertices(graph) + num_edges(graph), 0);
-  for(const auto f : CGAL::make_range(faces(mesh)))
+  if constexpr(internal::Mesh_is_face_list_graph<FaceListGraph>::value)
   {
-    const auto h = halfedge(f, mesh);
-    const auto a = source(h, mesh), b = target(h, mesh), c = target(next(h, mesh), mesh);
-    const double area =
-      std::sqrt(CGAL::to_double(squared_area(get(point_map, a), get(point_map, b), get(point_map, c))));
-    for(const auto v : {a, b, c})
-      areas.at(locations.index(v)) += area / 3;
+    const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                        get_const_property_map(CGAL::vertex_point, mesh));
+    std::vector<double> areas(num_vertices(graph) + num_edges(graph), 0);
+    for(const auto f : CGAL::make_range(faces(mesh)))
+    {
+      const auto h = halfedge(f, mesh);
+      const auto a = source(h, mesh), b = target(h, mesh), c = target(next(h, mesh), mesh);
+      const double area =
+        std::sqrt(CGAL::to_double(squared_area(get(point_map, a), get(point_map, b), get(point_map, c))));
+      for(const auto v : {a, b, c})
+        areas.at(locations.index(v)) += area / 3;
+    }
+    return areas;
   }
-  return areas;
+  else
+    return {};
 }
 
 /// \ingroup PkgReebGraphAugmentation
@@ -167,25 +178,30 @@ std::vector<double> arc_lengths(const FaceListGraph& mesh,
                                 const ReebGraph& graph,
                                 const NamedParameters& np = parameters::default_values())
 {
-  const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                      get_const_property_map(CGAL::vertex_point, mesh));
-  const auto value = [&](const auto v) { return CGAL::to_double(get(scalar_map, v)); };
-  const auto used_length = [&](const auto h, const auto end) {
-    const auto u = source(h, mesh), w = target(h, mesh);
-    const double length = std::sqrt(CGAL::to_double((get(point_map, w) - get(point_map, u)).squared_length()));
-    return end == w ? length : length * internal::crossing_fraction(value(u), value(w), value(end));
-  };
-  std::vector<double> lengths;
-  for(const auto arc : CGAL::make_range(edges(graph)))
+  if constexpr(internal::Mesh_with_scalars<FaceListGraph, ScalarMap>::value)
   {
-    const auto& chain = graph[arc].chain;
-    double length = 0;
-    for(std::size_t i = 0; i != chain.size(); ++i)
-      length +=
-        used_length(chain[i], i + 1 == chain.size() ? graph[target(arc, graph)].vertex : source(chain[i + 1], mesh));
-    lengths.push_back(length);
+    const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                        get_const_property_map(CGAL::vertex_point, mesh));
+    const auto value = [&](const auto v) { return CGAL::to_double(get(scalar_map, v)); };
+    const auto used_length = [&](const auto h, const auto end) {
+      const auto u = source(h, mesh), w = target(h, mesh);
+      const double length = std::sqrt(CGAL::to_double((get(point_map, w) - get(point_map, u)).squared_length()));
+      return end == w ? length : length * internal::crossing_fraction(value(u), value(w), value(end));
+    };
+    std::vector<double> lengths;
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      const auto& chain = graph[arc].chain;
+      double length = 0;
+      for(std::size_t i = 0; i != chain.size(); ++i)
+        length +=
+          used_length(chain[i], i + 1 == chain.size() ? graph[target(arc, graph)].vertex : source(chain[i + 1], mesh));
+      lengths.push_back(length);
+    }
+    return lengths;
   }
-  return lengths;
+  else
+    return {};
 }
 
 } // namespace Reeb_graph

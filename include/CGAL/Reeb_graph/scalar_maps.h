@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -43,17 +44,20 @@ namespace Reeb_graph {
 template <class FaceListGraph, class ScalarRange>
 auto make_scalar_map(const FaceListGraph& mesh, const ScalarRange& values)
 {
-  typedef typename boost::range_value<const ScalarRange>::type Scalar;
-  auto scalar_map = get(dynamic_vertex_property_t<Scalar>(), mesh);
-  const auto vertex_range = vertices(mesh);
-  const std::size_t number_of_vertices = std::distance(vertex_range.first, vertex_range.second);
-  const std::size_t number_of_values = std::distance(std::begin(values), std::end(values));
-  if(number_of_values != number_of_vertices)
-    throw Scalar_count_error(number_of_values, number_of_vertices);
-  auto value = std::begin(values);
-  for(auto v = vertex_range.first; v != vertex_range.second; ++v, ++value)
-    put(scalar_map, *v, *value);
-  return scalar_map;
+  if constexpr(internal::Mesh_is_face_list_graph<FaceListGraph>::value)
+  {
+    typedef typename boost::range_value<const ScalarRange>::type Scalar;
+    auto scalar_map = get(dynamic_vertex_property_t<Scalar>(), mesh);
+    const auto vertex_range = vertices(mesh);
+    const std::size_t number_of_vertices = std::distance(vertex_range.first, vertex_range.second);
+    const std::size_t number_of_values = std::distance(std::begin(values), std::end(values));
+    if(number_of_values != number_of_vertices)
+      throw Scalar_count_error(number_of_values, number_of_vertices);
+    auto value = std::begin(values);
+    for(auto v = vertex_range.first; v != vertex_range.second; ++v, ++value)
+      put(scalar_map, *v, *value);
+    return scalar_map;
+  }
 }
 
 /// \ingroup PkgReebGraphScalarMaps
@@ -67,7 +71,7 @@ auto make_scalar_map(const FaceListGraph& mesh, const ScalarRange& values)
 template <class FaceListGraph, class VertexFunction>
 auto make_scalar_map_from_function(const FaceListGraph&, const VertexFunction& function)
 {
-  typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
+  typedef typename internal::Descriptors<FaceListGraph>::vertex_descriptor vertex_descriptor;
   return boost::make_function_property_map<vertex_descriptor>(function);
 }
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/internal/base/arc_index.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/output/number_text.h>
 
 #include <boost/graph/graphml.hpp>
@@ -78,27 +79,30 @@ private:
 template <class Graph, class VertexIndexMap>
 void write_graphml(std::ostream& out, const Graph& graph, VertexIndexMap vertex_index_map)
 {
-  typedef typename boost::graph_traits<Graph>::vertex_descriptor node_descriptor;
-  typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
-
-  const auto index_of_node = [&](node_descriptor node) -> std::size_t {
-    return get(vertex_index_map, graph[node].vertex);
-  };
-  const auto value_of_node = [&](node_descriptor node) { return graph[node].value; };
-  const auto kind_of_node = [&](node_descriptor node) { return to_string(graph[node].kind); };
-
-  boost::dynamic_properties properties;
-  properties.property("vertex", boost::make_function_property_map<node_descriptor>(index_of_node));
-  properties.property("kind", boost::make_function_property_map<node_descriptor>(kind_of_node));
-  const auto value_map = boost::make_function_property_map<node_descriptor>(value_of_node);
-  properties.insert("value", boost::make_shared<internal::Round_trip_property_map<decltype(value_map)>>(value_map));
-  if constexpr(internal::Has_arc_index<Graph>::value)
+  if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
   {
-    const auto index_of_arc = [&](arc_descriptor arc) -> std::size_t { return get(boost::edge_index, graph, arc); };
-    properties.property("index", boost::make_function_property_map<arc_descriptor>(index_of_arc));
+    typedef typename boost::graph_traits<Graph>::vertex_descriptor node_descriptor;
+    typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
+
+    const auto index_of_node = [&](node_descriptor node) -> std::size_t {
+      return get(vertex_index_map, graph[node].vertex);
+    };
+    const auto value_of_node = [&](node_descriptor node) { return graph[node].value; };
+    const auto kind_of_node = [&](node_descriptor node) { return to_string(graph[node].kind); };
+
+    boost::dynamic_properties properties;
+    properties.property("vertex", boost::make_function_property_map<node_descriptor>(index_of_node));
+    properties.property("kind", boost::make_function_property_map<node_descriptor>(kind_of_node));
+    const auto value_map = boost::make_function_property_map<node_descriptor>(value_of_node);
+    properties.insert("value", boost::make_shared<internal::Round_trip_property_map<decltype(value_map)>>(value_map));
+    if constexpr(internal::Has_arc_index<Graph>::value)
+    {
+      const auto index_of_arc = [&](arc_descriptor arc) -> std::size_t { return get(boost::edge_index, graph, arc); };
+      properties.property("index", boost::make_function_property_map<arc_descriptor>(index_of_arc));
+    }
+    const bool are_nodes_numbered_in_order = true;
+    boost::write_graphml(out, graph, properties, are_nodes_numbered_in_order);
   }
-  const bool are_nodes_numbered_in_order = true;
-  boost::write_graphml(out, graph, properties, are_nodes_numbered_in_order);
 }
 
 } // namespace Reeb_graph

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/internal/base/arc_index.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/output/number_text.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -61,32 +62,36 @@ inline const char* fill_color(Node_kind kind)
 template <class Graph, class VertexIndexMap>
 void write_graphviz(std::ostream& out, const Graph& graph, VertexIndexMap vertex_index_map)
 {
-  typedef typename boost::graph_traits<Graph>::vertex_descriptor node_descriptor;
-  typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
+  if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
+  {
+    typedef typename boost::graph_traits<Graph>::vertex_descriptor node_descriptor;
+    typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
 
-  const auto write_graph_attributes = [](std::ostream& stream) {
-    stream << "rankdir=BT;\nnodesep=0.8;\n"
-              "node [shape=box, style=\"rounded,filled\", fontname=\"Helvetica\", fontsize=11, margin=\"0.08,0.04\"];\n"
-              "edge [arrowhead=none, fontname=\"Helvetica\", fontsize=11];\n";
-  };
-  const auto write_node_attributes = [&](std::ostream& stream, node_descriptor node) {
-    const auto& properties = graph[node];
-    const std::string index = std::to_string(get(vertex_index_map, properties.vertex));
-    const std::string label =
-      "n" + std::to_string(node) + ", v" + index + "\n" + internal::to_short_string(properties.value);
-    stream << " [label=" << boost::escape_dot_string(label) << ", fillcolor=\"" << internal::fill_color(properties.kind)
-           << "\", vertex=" << index
-           << ", value=" << boost::escape_dot_string(internal::to_round_trip_string(properties.value)) << ", kind=\""
-           << to_string(properties.kind) << "\"]";
-  };
-  const auto write_arc_attributes = [&](std::ostream& stream, const arc_descriptor& arc) {
-    if constexpr(internal::Has_arc_index<Graph>::value)
-    {
-      const std::string index = std::to_string(get(boost::edge_index, graph, arc));
-      stream << " [label=" << index << ", index=" << index << "]";
-    }
-  };
-  boost::write_graphviz(out, graph, write_node_attributes, write_arc_attributes, write_graph_attributes);
+    const auto write_graph_attributes = [](std::ostream& stream) {
+      stream
+        << "rankdir=BT;\nnodesep=0.8;\n"
+           "node [shape=box, style=\"rounded,filled\", fontname=\"Helvetica\", fontsize=11, margin=\"0.08,0.04\"];\n"
+           "edge [arrowhead=none, fontname=\"Helvetica\", fontsize=11];\n";
+    };
+    const auto write_node_attributes = [&](std::ostream& stream, node_descriptor node) {
+      const auto& properties = graph[node];
+      const std::string index = std::to_string(get(vertex_index_map, properties.vertex));
+      const std::string label =
+        "n" + std::to_string(node) + ", v" + index + "\n" + internal::to_short_string(properties.value);
+      stream << " [label=" << boost::escape_dot_string(label) << ", fillcolor=\""
+             << internal::fill_color(properties.kind) << "\", vertex=" << index
+             << ", value=" << boost::escape_dot_string(internal::to_round_trip_string(properties.value)) << ", kind=\""
+             << to_string(properties.kind) << "\"]";
+    };
+    const auto write_arc_attributes = [&](std::ostream& stream, const arc_descriptor& arc) {
+      if constexpr(internal::Has_arc_index<Graph>::value)
+      {
+        const std::string index = std::to_string(get(boost::edge_index, graph, arc));
+        stream << " [label=" << index << ", index=" << index << "]";
+      }
+    };
+    boost::write_graphviz(out, graph, write_node_attributes, write_arc_attributes, write_graph_attributes);
+  }
 }
 
 } // namespace Reeb_graph

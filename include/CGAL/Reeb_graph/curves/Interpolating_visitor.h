@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 
 #include <CGAL/IO/Color.h>
 
@@ -96,12 +97,13 @@ public:
   template <class VertexMap, class Interpolation = Linear_interpolation>
   Interpolating_visitor& add_vertex_map(VertexMap map, Interpolation interpolate = Interpolation())
   {
-    typedef typename boost::property_traits<VertexMap>::value_type Value;
-    vertex_actions_.push_back(
-      [map, interpolate](vertex_descriptor v, vertex_descriptor source, vertex_descriptor target, double t) mutable {
-        const Value a = get(map, source), b = get(map, target); // no references: writing can move them
-        put(map, v, t == 0 ? a : interpolate(a, b, t));
-      });
+    if constexpr(internal::Writable_vertex_map<VertexMap, FaceGraph>::value)
+      vertex_actions_.push_back(
+        [map, interpolate](vertex_descriptor v, vertex_descriptor source, vertex_descriptor target, double t) mutable {
+          typedef typename boost::property_traits<VertexMap>::value_type Value;
+          const Value a = get(map, source), b = get(map, target); // no references: writing can move them
+          put(map, v, t == 0 ? a : interpolate(a, b, t));
+        });
     return *this;
   }
 
@@ -113,10 +115,11 @@ public:
   template <class FaceMap>
   Interpolating_visitor& add_face_map(FaceMap map)
   {
-    face_actions_.push_back([map](face_descriptor old, face_descriptor created) mutable {
-      const typename boost::property_traits<FaceMap>::value_type value = get(map, old);
-      put(map, created, value);
-    });
+    if constexpr(internal::Writable_face_map<FaceMap, FaceGraph>::value)
+      face_actions_.push_back([map](face_descriptor old, face_descriptor created) mutable {
+        const typename boost::property_traits<FaceMap>::value_type value = get(map, old);
+        put(map, created, value);
+      });
     return *this;
   }
 

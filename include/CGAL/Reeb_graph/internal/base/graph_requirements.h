@@ -144,6 +144,21 @@ struct Refinable_mesh_with_graph
 {
 };
 
+// A graph and a map of the vertices of its mesh, for functions that see no mesh.
+template <class Graph, class Map>
+struct Keys_are_vertices_of_nodes : Has_key<Map, Vertex_of_node<Graph>>
+{
+  static_assert(Keys_are_vertices_of_nodes::value,
+                "The keys of this property map are not the vertices of the mesh that the graph is of: its key_type has "
+                "to be their descriptor.");
+};
+
+template <class Graph, class Map>
+struct Graph_and_vertex_map : Then<Then<Augmented_reeb_graph<Graph>::value, Map_is_property_map<Map>>::value,
+                                   Keys_are_vertices_of_nodes<Graph, Map>>
+{
+};
+
 } // namespace internal
 } // namespace Reeb_graph
 } // namespace CGAL

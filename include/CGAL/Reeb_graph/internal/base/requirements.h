@@ -213,9 +213,13 @@ struct Scalars_are_ordered
                 "a traits class with a Less_scalar that compares them.");
 };
 
+template <class Mesh, class ScalarMap>
+struct Mesh_with_scalars : Then<Mesh_is_face_list_graph<Mesh>::value, Vertex_map<ScalarMap, Mesh>>
+{
+};
+
 template <class Mesh, class ScalarMap, class Traits>
-struct Scalar_field
-  : Then<Then<Mesh_is_face_list_graph<Mesh>::value, Vertex_map<ScalarMap, Mesh>>::value, Scalars_are_ordered<Traits>>
+struct Scalar_field : Then<Mesh_with_scalars<Mesh, ScalarMap>::value, Scalars_are_ordered<Traits>>
 {
 };
 
