@@ -19,6 +19,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <iterator>
+#include <ostream>
 #include <vector>
 
 // Each function has one mistake, and the message that tells it.
@@ -121,4 +122,10 @@ void call_with_graph_without_chains(const Mesh& mesh, Scalar_map scalar_map)
 {
   boost::adjacency_list<boost::vecS, boost::vecS, boost::bidirectionalS> graph;
   CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+}
+
+// message: The keys of this index map are not the vertices of the mesh that the graph is of
+void call_with_map_of_faces_for_nodes(const Graph& graph, Face_map index_map, std::ostream& out)
+{
+  CGAL::Reeb_graph::write_graphml(out, graph, index_map);
 }

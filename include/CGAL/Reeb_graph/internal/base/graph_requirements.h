@@ -149,7 +149,7 @@ template <class Graph, class Map>
 struct Keys_are_vertices_of_nodes : Has_key<Map, Vertex_of_node<Graph>>
 {
   static_assert(Keys_are_vertices_of_nodes::value,
-                "The keys of this property map are not the vertices of the mesh that the graph is of: its key_type has "
+                "The keys of this index map are not the vertices of the mesh that the graph is of: its key_type has "
                 "to be their descriptor.");
 };
 
