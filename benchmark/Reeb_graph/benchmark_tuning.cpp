@@ -12,6 +12,7 @@
 
 #include "Table.h"
 #include "inputs.h"
+#include "measurements.h"
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/compute_reeb_graph.h>
@@ -24,6 +25,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +36,8 @@ using benchmark::cell;
 typedef CGAL::Reeb_graph_traits<benchmark::Mesh, benchmark::Scalar_map> Traits;
 typedef Traits::Node Node;
 typedef Traits::Arc Arc;
-typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::bidirectionalS, Node, Arc> Usual_graph;
+typedef boost::edge_property_type<Traits::Graph>::type Arc_property;
+typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::bidirectionalS, Node, Arc_property> Usual_graph;
 typedef boost::compressed_sparse_row_graph<boost::bidirectionalS, Node, Arc> Compressed_graph;
 
 constexpr int number_of_repetitions = 5;
@@ -82,7 +85,7 @@ void write(const Graph_arrays& arrays, Graph& graph)
   for(const Node& node : arrays.nodes)
     add_vertex(node, graph);
   for(std::size_t i = 0; i != arrays.arcs.size(); ++i)
-    add_edge(arrays.ends[i].first, arrays.ends[i].second, arrays.arcs[i], graph);
+    graph[add_edge(arrays.ends[i].first, arrays.ends[i].second, graph).first] = arrays.arcs[i];
 }
 
 void write(const Graph_arrays& arrays, Compressed_graph& graph)
@@ -109,6 +112,15 @@ double computing_time(const benchmark::Input& input)
     return processor_milliseconds([&] { CGAL::compute_reeb_graph(input.mesh(), input.scalar_map(), graph); });
   });
 }
+
+std::string memory_per_vertex(const benchmark::Input& input)
+{
+  const benchmark::Memory_gauge gauge;
+  Traits::Graph graph;
+  CGAL::compute_reeb_graph(input.mesh(), input.scalar_map(), graph);
+  const std::optional<double> bytes = gauge.extra_peak_bytes();
+  return bytes ? cell(*bytes / static_cast<double>(input.mesh().number_of_vertices()), 0) : "-";
+}
 } // namespace
 
 // The name of what is left out, and the number of vertices.
@@ -122,10 +134,12 @@ int main(int argc, char* argv[])
   for(const std::string& field : benchmark::field_names())
     columns.push_back({field, "ms", 8});
   std::vector<std::string> computing = {is_complete ? "with all parts" : "without " + name}, ours = {"our containers"},
-                           usual = {"usual containers"}, compressed = {"compressed rows"};
+                           usual = {"usual containers"}, compressed = {"compressed rows"},
+                           memory = {"bytes per vertex, peak"};
   for(const std::string& field : benchmark::field_names())
   {
     input.set_field(field);
+    memory.push_back(memory_per_vertex(input));
     computing.push_back(cell(computing_time(input), 1));
     if(!is_complete)
       continue;
@@ -137,12 +151,14 @@ int main(int argc, char* argv[])
     compressed.push_back(cell(writing_time<Compressed_graph>(arrays), 1));
   }
   const std::string size = cell(std::size_t(input.mesh().number_of_vertices()));
-  benchmark::Table("From the mesh to the graph, one thread, " + size + " vertices", columns).print_row(computing);
+  const benchmark::Table table("From the mesh to the graph, one thread, " + size + " vertices", columns);
+  table.print_row(computing);
+  table.print_row(memory);
   if(is_complete)
   {
-    const benchmark::Table table("Nodes and arcs alone, from arrays", columns);
+    const benchmark::Table writing_table("Nodes and arcs alone, from arrays", columns);
     for(const auto& row : {ours, usual, compressed})
-      table.print_row(row);
+      writing_table.print_row(row);
   }
   return EXIT_SUCCESS;
 }
