@@ -192,9 +192,10 @@ void Reeb_graph::internal::run_pipeline(const FaceListGraph& mesh,
   auto& visitor = stages::unwrap_reference(visitor_parameter);
   const stages::Progress progress(np);
   const auto ties = choose_parameter(get_parameter(np, stages::ties), Reeb_graph::Ties::PERTURB);
-  const auto method = choose_parameter(get_parameter(np, stages::method), Reeb_graph::Method::AUTOMATIC);
+  const auto method = choose_parameter(get_parameter(np, stages::method), stages::Default_method());
   const bool are_degree_two_nodes_kept = choose_parameter(get_parameter(np, stages::keep_degree_two_nodes), false);
-  const std::size_t number_of_slabs = choose_parameter(get_parameter(np, stages::number_of_slabs), std::size_t(0));
+  const auto number_of_slabs =
+    choose_parameter(get_parameter(np, stages::number_of_slabs), stages::Default_number_of_slabs());
 
   progress.report(0);
   visitor.begin_stage(Stage::FLATTEN);

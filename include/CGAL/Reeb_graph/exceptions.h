@@ -30,6 +30,15 @@ class Error : public std::runtime_error
 public:
   /// constructs the exception from a message.
   explicit Error(const std::string& message) : std::runtime_error(message) {}
+
+protected:
+  /// \cond
+  // Composed in one place, as each constructor that does it takes as long to compile as a stage of the computation.
+  static std::string message(const char* before, std::size_t number, const char* behind)
+  {
+    return before + std::to_string(number) + behind;
+  }
+  /// \endcond
 };
 
 /// \brief base of the exceptions that name a vertex.
@@ -67,8 +76,7 @@ class Non_triangular_face_error : public Face_error
 {
 public:
   /// constructs the exception for the face at position `face`.
-  explicit Non_triangular_face_error(std::size_t face)
-    : Face_error(face, "face " + std::to_string(face) + " is not a triangle")
+  explicit Non_triangular_face_error(std::size_t face) : Face_error(face, message("face ", face, " is not a triangle"))
   {}
 };
 
@@ -78,7 +86,7 @@ class Degenerate_face_error : public Face_error
 public:
   /// constructs the exception for the face at position `face`.
   explicit Degenerate_face_error(std::size_t face)
-    : Face_error(face, "face " + std::to_string(face) + " has one vertex at two of its corners")
+    : Face_error(face, message("face ", face, " has one vertex at two of its corners"))
   {}
 };
 
@@ -87,10 +95,7 @@ class Edge_without_face_error : public Error
 {
 public:
   /// constructs the exception for the edge at position `edge`.
-  explicit Edge_without_face_error(std::size_t edge)
-    : Error("edge " + std::to_string(edge) + " is on no face"),
-      edge_(edge)
-  {}
+  explicit Edge_without_face_error(std::size_t edge) : Error(message("edge ", edge, " is on no face")), edge_(edge) {}
 
   /// the position of the edge in `edges(mesh)`.
   std::size_t edge() const { return edge_; }
@@ -105,7 +110,7 @@ class Non_manifold_vertex_error : public Vertex_error
 public:
   /// constructs the exception for the vertex at position `vertex`.
   explicit Non_manifold_vertex_error(std::size_t vertex)
-    : Vertex_error(vertex, "vertex " + std::to_string(vertex) + " is not manifold: its faces form more than one fan")
+    : Vertex_error(vertex, message("vertex ", vertex, " is not manifold: its faces form more than one fan"))
   {}
 };
 
@@ -123,14 +128,14 @@ class Unordered_scalar_error : public Vertex_error
 public:
   /// constructs the exception for the vertex at position `vertex`, whose value is not placed.
   explicit Unordered_scalar_error(std::size_t vertex)
-    : Vertex_error(vertex, "the scalar value of vertex " + std::to_string(vertex) + " is not a number (NaN)")
+    : Vertex_error(vertex, message("the scalar value of vertex ", vertex, " is not a number (NaN)"))
   {}
 
   /// returns the exception for an order that is none, which has shown near the vertex at position `vertex`.
   static Unordered_scalar_error contradiction_near(std::size_t vertex)
   {
-    return Unordered_scalar_error(vertex, "the order of the scalar values contradicts itself near vertex "
-                                            + std::to_string(vertex) + ": it is no strict weak order of them");
+    return Unordered_scalar_error(vertex, message("the order of the scalar values contradicts itself near vertex ",
+                                                  vertex, ": it is no strict weak order of them"));
   }
 
 private:
@@ -144,7 +149,7 @@ class Non_finite_scalar_error : public Vertex_error
 public:
   /// constructs the exception for the vertex at position `vertex`.
   explicit Non_finite_scalar_error(std::size_t vertex)
-    : Vertex_error(vertex, "the scalar value of vertex " + std::to_string(vertex) + " is not finite")
+    : Vertex_error(vertex, message("the scalar value of vertex ", vertex, " is not finite"))
   {}
 };
 

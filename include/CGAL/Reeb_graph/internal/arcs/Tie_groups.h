@@ -35,7 +35,7 @@ public:
   {
     if(!are_ties_contracted_)
       return;
-    is_on_plateau_.assign(critical_vertices.size(), false);
+    is_on_plateau_.renew(critical_vertices.size(), false);
     Disjoint_sets<Swept_index> groups(critical_vertices.size());
     for(const Slab_arc& arc : arcs)
     {

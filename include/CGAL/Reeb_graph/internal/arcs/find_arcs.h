@@ -26,10 +26,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+// What a program does not choose is a type: what it never asks for is not compiled.
+typedef std::integral_constant<Method, Method::CONTOUR_TREES> Default_method;
+typedef std::integral_constant<std::size_t, 1> Default_number_of_slabs;
 
 // Throws if an arc lacks a node of the slab at an end, or has no step to begin with at a vertex: the order of the vertices
 // has contradicted itself.
@@ -45,34 +50,37 @@ void check_arcs(const Slab<Complex>& slab, const Slab_arcs& arcs)
   }
 }
 
-// Finds the arcs between the nodes of a slab by one of the two engines. They return the same arcs, in any order. First
+// Finds the arcs between the nodes of a slab by the engine for the method. All return the same arcs, in any order. First
 // steps are those of arcs that begin at a critical vertex.
 template <class ConcurrencyTag, class Complex, class Order, class Report>
-Slab_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Order& order, Method method, const Report& report)
+Slab_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Order& order, Default_method, const Report& report)
 {
-  Slab_arcs arcs = method == Method::CRITICAL_SETS
-                   ? Critical_sets_engine<Complex, Order>(slab, order).find_arcs(report)
-                   : Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report);
+  Slab_arcs arcs = Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report);
   check_arcs(slab, arcs);
   return arcs;
 }
 
-// The slab stage between partition and gluing: finds the arcs between critical vertices, slab by slab. With one slab,
-// which needs neither, the engine itself runs in parallel where it can.
 template <class ConcurrencyTag, class Complex, class Order, class Report>
-Slab_arcs find_arcs(const Complex& complex,
-                    const Order& order,
-                    const Swept_vertices& critical_vertices,
-                    Method method,
-                    std::size_t number_of_slabs,
-                    const Report& report)
+Slab_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Order& order, Method method, const Report& report)
 {
-  number_of_slabs = (std::min)(number_of_slabs, static_cast<std::size_t>(critical_vertices.size()));
-  if(number_of_slabs <= 1)
-    return find_arcs_of_slab<ConcurrencyTag>(Slab(complex, critical_vertices), order, method, report);
+  if(method != Method::CRITICAL_SETS)
+    return find_arcs_of_slab<ConcurrencyTag>(slab, order, Default_method(), report);
+  Slab_arcs arcs = Critical_sets_engine<Complex, Order>(slab, order).find_arcs(report);
+  check_arcs(slab, arcs);
+  return arcs;
+}
 
-  const auto slicing = Slicing<Complex>::template make<ConcurrencyTag>(complex, order, critical_vertices,
-                                                                       static_cast<Number>(number_of_slabs));
+// Cuts the surface into several slabs, finds the arcs slab by slab, and glues them.
+template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class Report>
+Slab_arcs find_and_glue_arcs(const Complex& complex,
+                             const Order& order,
+                             const Swept_vertices& critical_vertices,
+                             ChosenMethod method,
+                             Number number_of_slabs,
+                             const Report& report)
+{
+  const auto slicing =
+    Slicing<Complex>::template make<ConcurrencyTag>(complex, order, critical_vertices, number_of_slabs);
   report(0.2);
   Indexed_vector<Slab_index, Slab_arcs> arcs_of_slabs(slicing.number_of_slabs());
   for_each_index<ConcurrencyTag>(arcs_of_slabs.size(), [&](std::size_t i) {
@@ -80,6 +88,25 @@ Slab_arcs find_arcs(const Complex& complex,
       find_arcs_of_slab<ConcurrencyTag>(slicing.slab(Slab_index(i)), order, method, No_progress());
   });
   return Gluing(slicing, critical_vertices.size())(arcs_of_slabs);
+}
+
+// The slab stage between partition and gluing: finds the arcs between critical vertices, slab by slab. With one slab,
+// which needs neither, the engine itself runs in parallel where it can.
+template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class ChosenNumberOfSlabs, class Report>
+Slab_arcs find_arcs(const Complex& complex,
+                    const Order& order,
+                    const Swept_vertices& critical_vertices,
+                    ChosenMethod method,
+                    ChosenNumberOfSlabs chosen_number_of_slabs,
+                    const Report& report)
+{
+  if constexpr(!std::is_same_v<ChosenNumberOfSlabs, Default_number_of_slabs>)
+  {
+    const Number number_of_slabs(std::min<std::size_t>(chosen_number_of_slabs, critical_vertices.size()));
+    if(number_of_slabs > 1)
+      return find_and_glue_arcs<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs, report);
+  }
+  return find_arcs_of_slab<ConcurrencyTag>(Slab(complex, critical_vertices), order, method, report);
 }
 
 } // namespace internal

@@ -59,8 +59,8 @@ public:
     make_nodes();
     if(are_passing_arcs_named)
     {
-      first_piece_of_group_.assign(critical_vertices_.size(), no_index);
-      first_piece_of_arc_.assign(arcs_.size(), no_index);
+      first_piece_of_group_.renew(critical_vertices_.size(), no_index);
+      first_piece_of_arc_.renew(arcs_.size(), no_index);
     }
     make_arcs();
     sort_arcs_of_nodes();
@@ -72,8 +72,8 @@ public:
 private:
   void count_degrees()
   {
-    degrees_.assign(critical_vertices_.size(), Degrees{0, 0, no_index});
-    ranks_.resize(arcs_.size());
+    degrees_.renew(critical_vertices_.size(), Degrees{0, 0, no_index});
+    ranks_.renew(arcs_.size());
     for(const Slab_arc_index i : arcs_.keys())
     {
       if(groups_.is_contracted(arcs_[i]))
@@ -90,7 +90,7 @@ private:
   void make_nodes()
   {
     const Number size = critical_vertices_.size();
-    graph_.node_of_critical.assign(size, no_index);
+    graph_.node_of_critical.renew(size, no_index);
     Indexed_vector<Swept_index, Node_index>& node_of_group = graph_.node_of_critical;
     graph_.nodes.reserve(size);
     begins_of_arcs_.reserve(size + 1);
@@ -117,7 +117,7 @@ private:
       number_of_arcs += degrees_[group].out;
     }
     begins_of_arcs_.push_back(Arc_index(number_of_arcs));
-    graph_.arcs.resize(number_of_arcs);
+    graph_.arcs.renew(number_of_arcs);
     if(!groups_.are_ties_contracted())
       return;
     for(const Swept_index i : critical_vertices_.indices())
@@ -129,7 +129,7 @@ private:
   {
     const std::size_t number_of_parts = internal::number_of_parts<ConcurrencyTag>(arcs_.size());
     const std::vector<std::size_t> begins_of_pieces = find_begins_of_pieces(number_of_parts);
-    graph_.pieces.resize(begins_of_pieces.back());
+    graph_.pieces.renew(begins_of_pieces.back());
     const auto make_arcs_of_part = [&](std::size_t part, std::size_t begin, std::size_t end) {
       Piece_index piece(begins_of_pieces[part]);
       for_each_first_arc(begin, end, [&](Slab_arc_index i, Node_index lower) {

@@ -75,8 +75,8 @@ private:
   {
     if(Spreading::are_arcs_short(*complex_, critical_vertices_))
       return false;
-    critical_arcs_ =
-      find_arcs<ConcurrencyTag>(*complex_, *order_, critical_vertices_, Method::CONTOUR_TREES, 1, No_progress());
+    critical_arcs_ = find_arcs<ConcurrencyTag>(*complex_, *order_, critical_vertices_, Default_method(),
+                                               Default_number_of_slabs(), No_progress());
     Spreading spreading(*complex_, *order_, critical_vertices_, critical_arcs_);
     return spreading.template find_arcs_of_vertices<ConcurrencyTag>(arc_of_vertex_);
   }
@@ -85,8 +85,8 @@ private:
   void sweep_all_vertices()
   {
     const Swept_vertices all_vertices = sort_all_vertices<ConcurrencyTag>(*complex_, *order_);
-    const auto steps =
-      find_arcs<ConcurrencyTag>(*complex_, *order_, all_vertices, Method::CONTOUR_TREES, 1, No_progress());
+    const Slab_arcs steps = find_arcs<ConcurrencyTag>(*complex_, *order_, all_vertices, Default_method(),
+                                                      Default_number_of_slabs(), No_progress());
     const Flat_graph graph =
       reduce_arcs<ConcurrencyTag>(*complex_, *order_, all_vertices, steps, Ties::PERTURB, true, true);
     make_critical_arcs(graph);

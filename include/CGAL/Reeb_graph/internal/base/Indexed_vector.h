@@ -54,6 +54,10 @@ public:
   reference operator[](Key key) { return Base::operator[](key.number()); }
   const_reference operator[](Key key) const { return Base::operator[](key.number()); }
 
+  // Replaces the content, which takes less time to compile than to resize, which keeps it.
+  void renew(std::size_t size) { *this = Indexed_vector(size); }
+  void renew(std::size_t size, const T& value) { *this = Indexed_vector(size, value); }
+
   bool contains(Key key) const { return key.number() < size(); }
 
   // The key of the element that push_back() adds next, and of the last one.

@@ -151,32 +151,40 @@ void invoke_both(const First& first, const Second& second)
   second();
 }
 
-// Sorts by a Vertex_order, which has no ties, so that the result is the same in any case. Faster on one thread than
-// tbb::parallel_sort on two, if comparisons are cheap.
+// Sorts by a Vertex_order, which has no ties, so that the result is the same in any case.
+template <class Iterator, class Less>
+void sort_sequentially(Iterator first, Iterator last, const Less& less)
+{
+  if constexpr(Less::is_sure)
+    boost::sort::pdqsort_branchless(first, last, less);
+  else
+    std::stable_sort(first, last, less); // It stays inside of the range even if the order contradicts itself.
+}
+
+// Faster on one thread than tbb::parallel_sort on two, if comparisons are cheap.
 template <class ConcurrencyTag, class Iterator, class Less>
-void sort(Iterator first, Iterator last, const Less& less, std::size_t number_of_runs)
+void sort_in_parallel(Iterator first, Iterator last, const Less& less, std::size_t number_of_runs)
 {
   if(number_of_runs <= 1)
-  {
-    if constexpr(Less::is_sure)
-      boost::sort::pdqsort_branchless(first, last, less);
-    else
-      std::stable_sort(first, last, less); // It stays inside of the range even if the order contradicts itself.
-    return;
-  }
+    return sort_sequentially(first, last, less);
   const Iterator middle = first + (last - first) / 2;
-  invoke_both<ConcurrencyTag>([&] { sort<ConcurrencyTag>(first, middle, less, number_of_runs / 2); },
-                              [&] { sort<ConcurrencyTag>(middle, last, less, number_of_runs / 2); });
+  invoke_both<ConcurrencyTag>([&] { sort_in_parallel<ConcurrencyTag>(first, middle, less, number_of_runs / 2); },
+                              [&] { sort_in_parallel<ConcurrencyTag>(middle, last, less, number_of_runs / 2); });
   std::inplace_merge(first, middle, last, less);
 }
 
 template <class ConcurrencyTag, class Iterator, class Less>
 void sort(Iterator first, Iterator last, const Less& less)
 {
-  constexpr std::size_t smallest_run = 16384;
-  const std::size_t number_of_runs =
-    (std::min)(static_cast<std::size_t>(last - first) / smallest_run, number_of_threads<ConcurrencyTag>());
-  sort<ConcurrencyTag>(first, last, less, number_of_runs);
+  if constexpr(is_parallel<ConcurrencyTag>())
+  {
+    constexpr std::size_t smallest_run = 16384;
+    const std::size_t size = static_cast<std::size_t>(last - first);
+    sort_in_parallel<ConcurrencyTag>(first, last, less,
+                                     (std::min)(size / smallest_run, number_of_threads<ConcurrencyTag>()));
+  }
+  else
+    sort_sequentially(first, last, less);
 }
 
 } // namespace internal

@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <array>
-#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -114,7 +113,8 @@ private:
       return std::lower_bound(sector_edges.begin(), sector_edges.end(), edge) - sector_edges.begin();
     };
     std::vector<bool> is_traced(sector_edges.size(), false);
-    std::unordered_set<Number> kept_classes;
+    sort_classes(critical, Side::LOWER);
+    std::vector<bool> is_class_kept(classes_.size(), false); // by the first place of the class
     for(const Sector_index i : critical_vertices_.sectors(critical, Side::LOWER))
     {
       const Halfedge_index start = critical_vertices_.sector(Side::LOWER, i).edge;
@@ -130,8 +130,10 @@ private:
           is_traced[place(edge_of(halfedge))] = true;
       });
       const Slab_node sublevel_class = join_tree_.classes[i];
-      if(!kept_classes.insert(sublevel_class.number()).second)
+      const auto place_of_class = std::lower_bound(classes_.begin(), classes_.end(), sublevel_class) - classes_.begin();
+      if(is_class_kept[place_of_class])
         visit(sublevel_class, crossed_edges, has_border);
+      is_class_kept[place_of_class] = true;
     }
   }
 

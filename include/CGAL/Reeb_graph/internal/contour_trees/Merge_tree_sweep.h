@@ -48,10 +48,10 @@ public:
   {
     tree_.parents.reserve(slab.number_of_nodes() + slab.number_of_nodes() / 16); // There may be a few cuts.
     tree_.parents.assign(slab.number_of_nodes(), no_index);
-    tree_.is_border_reached.assign(slab.number_of_nodes(), false);
-    tree_.is_class_shared.assign(critical_vertices_.size(), false);
-    sector_components_.resize(critical_vertices_.total_number_of_sectors(side));
-    tree_.classes.resize(sector_components_.size());
+    tree_.is_border_reached.renew(slab.number_of_nodes(), false);
+    tree_.is_class_shared.renew(critical_vertices_.size(), false);
+    sector_components_.renew(critical_vertices_.total_number_of_sectors(side));
+    tree_.classes.renew(sector_components_.size());
     for(const Swept_index i : critical_vertices_.indices())
     {
       if(is_extremum(i))

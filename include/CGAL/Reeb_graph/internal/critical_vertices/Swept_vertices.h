@@ -84,11 +84,11 @@ public:
 
   void resize(std::size_t number_of_vertices, const Sector_counts& numbers_of_sectors)
   {
-    entries_.resize(number_of_vertices + 1);
+    entries_.renew(number_of_vertices + 1);
     entries_.back() = Entry();
     for(const Side side : both_sides)
     {
-      sectors_[side].resize(checked_index(numbers_of_sectors[side]));
+      sectors_[side].renew(checked_index(numbers_of_sectors[side]));
       entries_.back().first_sectors[side] = sectors_[side].end_key();
     }
   }
@@ -115,14 +115,13 @@ public:
   template <class ConcurrencyTag, class Order>
   void sort(const Order& order)
   {
-    std::vector<typename Order::template Key<Swept_index>> keys;
-    keys.resize(size());
+    std::vector<typename Order::template Key<Swept_index>> keys(size());
     for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
         keys[i] = order.key(vertex(Swept_index(i)), Swept_index(i));
     });
     internal::sort<ConcurrencyTag>(keys.begin(), keys.end(), order);
-    ascending_.resize(keys.size());
+    ascending_ = std::vector<Swept_index>(keys.size());
     for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
         ascending_[i] = keys[i].name;

@@ -80,7 +80,7 @@ Flat_chains find_arc_chains(const Complex& complex, const Order& order, const Fl
   Flat_chains chains;
   constexpr std::size_t smallest_part = 4; // On a smooth field there are few chains, but long ones.
   chains.parts.resize(number_of_parts<ConcurrencyTag>(size, smallest_part));
-  chains.begins_of_pieces.resize(size + 1);
+  chains.begins_of_pieces.renew(size + 1);
   for_each_part<ConcurrencyTag>(chains.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
     chains.parts[part] = walk_pieces(complex, order, graph.pieces.data() + begin, graph.pieces.data() + end,
                                      chains.begins_of_pieces.data() + begin);

@@ -17,8 +17,8 @@
 #include <boost/pool/pool.hpp>
 
 #include <cstddef>
+#include <forward_list>
 #include <list>
-#include <map>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -60,11 +60,16 @@ public:
 
   Pool& pool_of(std::size_t size_of_object)
   {
-    return pools_.try_emplace(size_of_object, size_of_object, +smallest_block, +largest_block).first->second;
+    for(Pool& pool : pools_)
+    {
+      if(pool.get_requested_size() == size_of_object)
+        return pool;
+    }
+    return pools_.emplace_front(size_of_object, +smallest_block, +largest_block);
   }
 
 private:
-  std::map<std::size_t, Pool> pools_; // which stay where they are
+  std::forward_list<Pool> pools_; // a few, which stay where they are
 };
 
 // Takes single objects from blocks. Copied allocators share them, those for other types, too; copied containers do not.

@@ -38,7 +38,7 @@ public:
   void find_contours(const Complex& complex, const IsBelow& is_below)
   {
     crossed_edges_.count_ranks();
-    contours_.assign(crossed_edges_.size(), no_index);
+    contours_.renew(crossed_edges_.size(), no_index);
     crossed_edges_.for_each([&](Edge_index edge) {
       if(contours_[crossed_edges_.rank(edge)] != no_index)
         return;

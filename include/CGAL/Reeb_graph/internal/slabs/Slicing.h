@@ -102,7 +102,7 @@ private:
   template <class ConcurrencyTag, class Order>
   void find_slabs_of_vertices(const Order& order)
   {
-    slabs_of_vertices_.resize(complex_->number_of_vertices(), Slab_index(0));
+    slabs_of_vertices_.renew(complex_->number_of_vertices(), Slab_index(0));
     for_each_block<ConcurrencyTag>(slabs_of_vertices_.size(), [&](std::size_t begin, std::size_t end) {
       for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
       {
@@ -165,7 +165,7 @@ private:
 
   void distribute_critical_vertices()
   {
-    names_in_slabs_.resize(critical_vertices_->size());
+    names_in_slabs_.renew(critical_vertices_->size());
     for(const Swept_index i : critical_vertices_->indices())
     {
       Indexed_vector<Swept_index, Swept_index>& names = parts_[slabs_of_vertices_[critical_vertices_->vertex(i)]].names;
