@@ -46,7 +46,8 @@ struct Border_level_changes
 /// - <b>Borders that touch each other</b>, that is, share an edge, become extrema of opposite kinds, the maximum above
 ///   the minimum, where that can be. Where it cannot, as for three borders each of which touches the other two, those of
 ///   one kind that touch share one level. So there is a result for each mesh, also for an annulus or a disk without inner
-///   vertices, which becomes constant. Only borders that leave a level no choice in this way change it.
+///   vertices, which becomes constant. A border that is an extremal level already changes only if those that touch it leave
+///   it no choice.
 /// - <b>In a collar</b> around the borders that have been changed, all vertices on no border that are at most
 ///   `collar_width()` edges away, extrema that the change would make are removed again: the basin of a new minimum is
 ///   filled to just above its lowest pass, so that each of its vertices has a lower and a higher neighbor, and that of a
@@ -59,14 +60,14 @@ struct Border_level_changes
 /// border and the vertices next to it, no value of the border changes by more than \f$ (1 + 1/1024)\, r \f$ if it touches
 /// no other border. A vertex beside it moves by at most 17/16 of the depth of its basin, once for each basin that it is in.
 ///
-/// It takes \f$ O(n + c \log c) \f$ time for \f$ n \f$ vertices, where \f$ c \f$ is the number of vertices in the
-/// basins.
+/// It takes \f$ O(n \log n + c \log c) \f$ time for \f$ n \f$ vertices, where \f$ c \f$ is the sum of the numbers of
+/// vertices in the basins and next to them.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph` with dynamic property maps
 /// \tparam ScalarMap a model of `ReadWritePropertyMap` with the vertex descriptors of the mesh as key type, and with a
 ///         value type that `CGAL::to_double()` takes. If it is no built-in floating point type, or is ordered by another
-///         function object, there is no arithmetic: the value of a border is one of those around it, so that it
-///         has no higher neighbor, or no lower one, but can have equal ones, and nothing else changes.
+///         function object, there is no arithmetic: a border gets a value of one of its vertices or of those next to
+///         them, so that it has no higher neighbor, or no lower one, but can have equal ones, and nothing else changes.
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the triangulated surface; it is only read
