@@ -338,6 +338,25 @@ BOOST_AUTO_TEST_CASE(tied_saddles)
     }
 }
 
+// All neighbors of the vertex 4 have the value 3. So it is an extremum, whatever its value is, unless one of theirs changes.
+BOOST_AUTO_TEST_CASE(ties_that_have_to_be_spread)
+{
+  const Combinatorial_mesh combinatorial_mesh = {
+    6, {{0, 5, 3}, {1, 4, 2}, {4, 1, 3}, {3, 2, 4}, {2, 3, 5}, {1, 2, 5}, {3, 1, 0}, {5, 0, 1}}};
+  const auto mesh = make_mesh<Surface_mesh>(combinatorial_mesh);
+  const std::vector<double> values = {0, 3, 3, 3, 1, 4};
+  for(const double value : {-1., 0., 0.5, 1., 2., 3., 3.5, 4., 5.})
+    BOOST_TEST((shape(mesh, {0, 3, 3, 3, value, 4}) != Arcs{{0, 1}}));
+  const auto result_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+  CGAL::Reeb_graph::simplify_field(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values), 2.5, result_map);
+  const std::vector<double> result = values_of(mesh, result_map);
+  BOOST_TEST((shape(mesh, result) == Arcs{{0, 1}}));
+  BOOST_TEST(result[0] == 0);
+  BOOST_TEST(result[1] == 3); // the saddle: only those behind it change
+  BOOST_TEST((3 < result[2] && result[2] == result[3] && result[3] < 3 + 2.5 / 1024));
+  BOOST_TEST(result[5] == 4);
+}
+
 // Heights that are rounded, as those of scans are.
 BOOST_AUTO_TEST_CASE(rounded_heights)
 {
@@ -419,6 +438,41 @@ BOOST_AUTO_TEST_CASE(noise_is_removed)
         BOOST_TEST(change < threshold);
         BOOST_TEST((shape(mesh, values_of(mesh, result_map)) == shape(mesh, smooth)));
       }
+}
+
+// On a coarser mesh, noise exchanges saddles of neighboring loops. Removing leaves changes no loop: so the graph without
+// noise is found exactly if both graphs are the same when all leaves have been removed that can be.
+BOOST_AUTO_TEST_CASE(noise_that_exchanges_loops)
+{
+  std::size_t number_of_other_graphs = 0;
+  const auto soup = generated_surfaces::closed_surface(8, 8000);
+  const auto mesh = make_mesh<Surface_mesh>(soup);
+  std::vector<double> smooth;
+  for(const auto& p : soup.points)
+    smooth.push_back(0.9 * p[0] + 0.4 * p[1] + 0.15 * p[2]);
+  const auto range = std::minmax_element(smooth.begin(), smooth.end());
+  const double noise = 0.05 * (*range.second - *range.first);
+  const auto arcs_of_simplified = [](const auto& graph, double threshold) {
+    graph_checks::Graph_of<Surface_mesh> simplified;
+    CGAL::Reeb_graph::simplify(graph, threshold, simplified);
+    return persistence_oracle::arcs_of(simplified);
+  };
+  const auto smooth_graph = graph_checks::compute(mesh, smooth);
+  for(std::size_t seed = 1; seed <= 10; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      std::vector<double> noisy;
+      for(const double value : smooth)
+        noisy.push_back(value + noise * (static_cast<double>(random.below(2000001)) / 1000000 - 1));
+      const auto graph = graph_checks::compute(mesh, noisy);
+      const double infinity = std::numeric_limits<double>::infinity();
+      const bool is_found = arcs_of_simplified(graph, 2.2 * noise) == persistence_oracle::arcs_of(smooth_graph);
+      BOOST_TEST(is_found == (arcs_of_simplified(graph, infinity) == arcs_of_simplified(smooth_graph, infinity)));
+      number_of_other_graphs += is_found ? 0 : 1;
+    }
+  BOOST_TEST(number_of_other_graphs > 0u);
+  BOOST_TEST(number_of_other_graphs < 6u);
 }
 
 // Where most of the noise stays, the saddle that is left in a piece must not pass the nodes nearby.

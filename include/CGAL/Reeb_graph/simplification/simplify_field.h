@@ -44,9 +44,9 @@ namespace Reeb_graph {
 ///   lower and a higher neighbor (an st-numbering: R. E. Tarjan, *Two Streamlined Depth-First Search Algorithms*, 1986).
 ///   The graph is the same with contracted ties if the field had none. Where a saddle of higher multiplicity stays, its
 ///   node can be at another vertex of the pieces next to it, or come apart into several ones there, which are a tree. Where
-///   a vertex around a piece is tied with the saddle, no number is left for the piece: there, all vertices of that value
-///   get different values in the order of the vertices, by changes of at most a 1024th of the threshold. Only then does a
-///   value outside of the pieces change.
+///   a vertex around a piece is tied with the saddle, no number is left for the piece: there, the vertices of that value
+///   that come after the first such saddle in the order of the vertices are moved up, in this order, by at most a 1024th of
+///   the threshold. Only then does a value outside of the pieces change.
 ///
 /// With perturbed ties not every simplified graph is that of a field on the mesh. A removed piece with a border, or with a
 /// handle that a multi-saddle hides, can need a loop. So the graph of the result is computed and compared. If it has a loop

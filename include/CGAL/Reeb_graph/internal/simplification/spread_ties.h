@@ -22,7 +22,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <utility>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -32,17 +32,29 @@ namespace internal {
 // The part of the threshold, and of the range of the values, that vertices of one value are spread over at the most.
 inline constexpr int largest_spread_divisor = 1024;
 
-// The values of saddles with which vertices around their pieces are tied, so that no number is left for the piece; each
-// with the largest change that keeps the changes in the pieces below the threshold. `saddles` and `orders` are those of
-// Moved_pieces: pieces in an order of their own need all vertices of the value to differ.
+// The saddles of one value with which other vertices are tied where there has to be room for a piece.
 template <class Scalar>
-std::map<Scalar, Scalar> find_tied_saddles(const scalar_fields::Weighted_graph& graph,
-                                           const std::vector<Index>& saddles,
-                                           const std::vector<Scalar>& values,
-                                           const typename Moved_pieces<Scalar>::Orders& orders,
-                                           Scalar threshold)
+struct Tied_saddles
 {
-  std::map<Scalar, Scalar> rooms;
+  std::set<Index> saddles;
+  Scalar largest_change; // keeps the changes in the pieces below the threshold
+};
+
+// These saddles, by value: those of pieces with a neighbor of the value of the saddle, as no number is between the two.
+// `saddles` and `orders` are those of Moved_pieces: pieces in an order of their own need room on both sides.
+template <class Scalar>
+std::map<Scalar, Tied_saddles<Scalar>> find_tied_saddles(const scalar_fields::Weighted_graph& graph,
+                                                         const std::vector<Index>& saddles,
+                                                         const std::vector<Scalar>& values,
+                                                         const typename Moved_pieces<Scalar>::Orders& orders,
+                                                         Scalar threshold)
+{
+  std::map<Scalar, Tied_saddles<Scalar>> tied_saddles;
+  const auto add = [&](Index saddle) {
+    auto& tied = tied_saddles[values[saddle]];
+    tied.saddles.insert(saddle);
+    tied.largest_change = threshold / largest_spread_divisor;
+  };
   const auto place = [&](Index v) { return saddles[v] == no_index ? v : saddles[v]; };
   for(Index v = 0; v != values.size(); ++v)
   {
@@ -51,27 +63,30 @@ std::map<Scalar, Scalar> find_tied_saddles(const scalar_fields::Weighted_graph& 
     for(const auto& neighbor : graph.neighbors(v))
     {
       if(place(neighbor.vertex) != saddles[v] && values[place(neighbor.vertex)] == values[saddles[v]])
-        rooms.emplace(values[saddles[v]], threshold / largest_spread_divisor);
+        add(saddles[v]);
     }
   }
   for(const auto& [saddle, order] : orders)
-    rooms.emplace(values[saddle], threshold / largest_spread_divisor);
-  for(Index v = 0; v != values.size() && !rooms.empty(); ++v)
+    add(saddle);
+  for(Index v = 0; v != values.size() && !tied_saddles.empty(); ++v)
   {
-    const auto room = saddles[v] == no_index ? rooms.end() : rooms.find(values[saddles[v]]);
-    if(room != rooms.end())
-      room->second = (std::min)(room->second, (threshold - std::abs(values[v] - room->first)) / 2);
+    const auto tied = saddles[v] == no_index ? tied_saddles.end() : tied_saddles.find(values[saddles[v]]);
+    if(tied != tied_saddles.end())
+      tied->second.largest_change =
+        (std::min)(tied->second.largest_change, (threshold - std::abs(values[v] - tied->first)) / 2);
   }
-  return rooms;
+  return tied_saddles;
 }
 
-// Gives the vertices of each such value values of their own, in the order of the vertices, between it and the next larger
-// value. The order of all vertices, and so the graph, stays the same.
+// Tells these saddles apart from the vertices tied with them, by values between this one and the next larger one: those of
+// the value that come before the first saddle keep it, and those between two saddles have one value. The order of all
+// vertices, and so the graph, stays the same.
 template <class Scalar>
-std::vector<Scalar> spread_ties(const std::vector<Scalar>& values, const std::map<Scalar, Scalar>& rooms)
+std::vector<Scalar> spread_ties(const std::vector<Scalar>& values,
+                                const std::map<Scalar, Tied_saddles<Scalar>>& tied_saddles)
 {
   std::vector<Scalar> spread = values;
-  if(rooms.empty())
+  if(tied_saddles.empty())
     return spread;
   std::vector<Index> ascending(values.size());
   std::iota(ascending.begin(), ascending.end(), Index(0));
@@ -79,19 +94,23 @@ std::vector<Scalar> spread_ties(const std::vector<Scalar>& values, const std::ma
   const Scalar infinity = std::numeric_limits<Scalar>::infinity();
   const Scalar range = values[ascending.back()] - values[ascending.front()]; // 0 if there are no other values
   const Scalar largest_spread = range > 0 ? range / largest_spread_divisor : infinity;
-  for(const auto& [value, largest_room] : rooms)
+  for(const auto& [value, tied] : tied_saddles)
   {
     const auto begin = std::partition_point(ascending.begin(), ascending.end(),
                                             [&, value = value](Index v) { return values[v] < value; });
     const auto end =
       std::partition_point(begin, ascending.end(), [&, value = value](Index v) { return !(value < values[v]); });
     const Scalar next = end == ascending.end() ? infinity : values[*end];
-    const Scalar room = (std::min)({largest_room, largest_spread, (next - value) / 2});
-    const Scalar size = static_cast<Scalar>(end - begin);
-    for(auto it = begin + 1; it != end; ++it)
+    const Scalar room = (std::min)({tied.largest_change, largest_spread, (next - value) / 2});
+    const auto size = static_cast<Scalar>(2 * tied.saddles.size() + 1);
+    std::size_t number_of_steps = 0;
+    for(auto it = begin; it != end; ++it)
     {
-      spread[*it] = value + room * (static_cast<Scalar>(it - begin) / size);
-      if(!(spread[it[-1]] < spread[*it] && spread[*it] < next))
+      const bool is_step = it != begin && (tied.saddles.count(*it) != 0 || tied.saddles.count(it[-1]) != 0);
+      number_of_steps += is_step ? 1 : 0;
+      if(number_of_steps != 0)
+        spread[*it] = value + room * (static_cast<Scalar>(number_of_steps) / size);
+      if((is_step && !(spread[it[-1]] < spread[*it])) || !(spread[*it] < next || number_of_steps == 0))
         throw Scalar_resolution_error(*it);
     }
   }
