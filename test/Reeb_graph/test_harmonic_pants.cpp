@@ -12,10 +12,14 @@
 #include "cut_mesh_checks.h"
 
 #include <CGAL/Reeb_graph/curves/harmonic_pants_decomposition.h>
+#include <CGAL/Reeb_graph/fields/harmonic_field_between_borders.h>
+#include <CGAL/Reeb_graph/fields/make_borders_level.h>
+#include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/iterator.h>
 
 #include <boost/mpl/list.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -67,6 +71,29 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(random_surfaces, Mesh, Meshes)
     }
   BOOST_TEST(number_of_closed > 20u);
   BOOST_TEST(number_of_bordered > 20u);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(borders_are_the_extrema_of_the_field, Mesh, Meshes)
+{
+  std::size_t number_of_bordered = 0;
+  for(std::size_t seed = 0; seed < 300; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const auto sample = curve_samples::any_sample(seed);
+      const Mesh mesh = curve_samples::make_mesh<Mesh>(sample.soup);
+      auto values = CGAL::Reeb_graph::make_scalar_map(mesh, sample.values);
+      CGAL::Reeb_graph::compute_harmonic_field_between_borders(
+        mesh, values, CGAL::parameters::laplacian_weights(CGAL::Reeb_graph::Laplacian_weights::UNIFORM));
+      curve_samples::Sample result = {sample.soup, {}};
+      for(const auto v : vertices(mesh))
+        result.values.push_back(get(values, v));
+      BOOST_TEST(curve_samples::are_borders_extremal(result));
+      const auto changes = CGAL::Reeb_graph::make_borders_level(mesh, values);
+      BOOST_TEST(changes.number_of_changed_vertices == 0u);
+      number_of_bordered += changes.number_of_borders > 0 ? 1 : 0;
+      BOOST_TEST(std::all_of(result.values.begin(), result.values.end(), [](double v) { return v >= 0 && v <= 1; }));
+    }
+  BOOST_TEST(number_of_bordered > 150u);
 }
 
 BOOST_AUTO_TEST_CASE(smooth_surfaces_with_and_without_holes)

@@ -36,7 +36,7 @@ Field_report compute_harmonic_field_between_borders(const FaceListGraph& mesh,
                                                     FieldMap field_map,
                                                     const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Mesh_is_face_list_graph<FaceListGraph>::value)
+  if constexpr(internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
   {
     const internal::scalar_fields::Harmonic_constraints<FaceListGraph> constraints(mesh, np);
     return compute_harmonic_field(mesh, field_map, constraints.range(), np);
