@@ -20,9 +20,13 @@
 #include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/Reeb_graph/IO/graphml.h>
 #include <CGAL/Reeb_graph/IO/graphviz.h>
+#include <CGAL/Reeb_graph/IO/polylines.h>
+#include <CGAL/Reeb_graph/IO/read_graphml.h>
 #include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/graph_topology.h>
+#include <CGAL/Reeb_graph/index_maps.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 #include <CGAL/Reeb_graph/piece_measures.h>

@@ -10,6 +10,7 @@
 
 #include "base/progress_bar.h"
 
+#include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/piece_measures.h>
 #include <CGAL/compute_reeb_graph.h>
 
@@ -29,30 +30,24 @@ Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_o
   return graph;
 }
 
-Polyline make_polyline(const Augmentation& augmentation, const Augmentation::Contour& contour)
-{
-  Polyline polyline;
-  polyline.reserve(contour.halfedges.size() + 1);
-  augmentation.points_of_contour(contour, std::back_inserter(polyline));
-  if(contour.is_closed)
-    polyline.push_back(Point(polyline.front()));
-  return polyline;
-}
-
-std::vector<Polyline> contour_of_arc(const Graph& graph, const Augmentation& augmentation, std::size_t arc, double t)
+std::vector<Polyline> contour_of_arc(const Surface& surface,
+                                     const Graph& graph,
+                                     const Augmentation& augmentation,
+                                     std::size_t arc,
+                                     double t)
 {
   if(arc >= num_edges(graph))
     throw std::runtime_error("there is no arc " + std::to_string(arc) + ": the graph has "
                              + std::to_string(num_edges(graph)) + ", numbered from 0");
   const auto descriptor = *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(arc));
-  return {make_polyline(augmentation, augmentation.contour(descriptor, t))};
+  return {CGAL::Reeb_graph::polyline_of_contour(surface, augmentation, augmentation.contour(descriptor, t))};
 }
 
-std::vector<Polyline> contours_at_level(const Augmentation& augmentation, double level)
+std::vector<Polyline> contours_at_level(const Surface& surface, const Augmentation& augmentation, double level)
 {
   std::vector<Polyline> polylines;
   for(const auto& contour : augmentation.contours_at_value<CGAL::Parallel_if_available_tag>(level))
-    polylines.push_back(make_polyline(augmentation, contour));
+    polylines.push_back(CGAL::Reeb_graph::polyline_of_contour(surface, augmentation, contour));
   return polylines;
 }
 
@@ -86,8 +81,8 @@ std::vector<Polyline> find_contours(const Surface& surface, Scalar_map scalar_ma
   const Simplified_graph graph(given, choice.simplification,
                                threshold_in_units(choice.simplification, surface, scalar_map));
   const Augmentation augmentation = graph.augmentation(surface, scalar_map, choice.graph);
-  return choice.arc ? contour_of_arc(graph.result(), augmentation, *choice.arc, choice.t)
-                    : contours_at_level(augmentation, choice.level);
+  return choice.arc ? contour_of_arc(surface, graph.result(), augmentation, *choice.arc, choice.t)
+                    : contours_at_level(surface, augmentation, choice.level);
 }
 
 } // namespace reeb_graph_program

@@ -8,6 +8,7 @@
 
 #include "computation/curves.h"
 
+#include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/curves/Interpolating_visitor.h>
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/cutting_system.h>
@@ -20,15 +21,6 @@
 namespace reeb_graph_program {
 namespace {
 typedef CGAL::Reeb_graph::Curve<Surface::Halfedge_index> Curve;
-
-Polyline make_polyline(const Surface& surface, const Curve& curve)
-{
-  Polyline polyline;
-  for(const Surface::Halfedge_index h : curve.halfedges)
-    polyline.push_back(surface.point(source(h, surface)));
-  polyline.push_back(surface.point(target(curve.halfedges.back(), surface)));
-  return polyline;
-}
 
 std::vector<Curve> find_curves(Surface& surface,
                                Scalar_map scalar_map,
@@ -72,7 +64,7 @@ Cut_result cut_along_curves(Surface& surface,
     result.border_changes = CGAL::Reeb_graph::make_borders_level(surface, scalar_map);
   result.patch_map = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
   for(const Curve& curve : find_curves(surface, scalar_map, properties, options, result.patch_map))
-    result.polylines.push_back(make_polyline(surface, curve));
+    result.polylines.push_back(CGAL::Reeb_graph::polyline_of_curve(surface, curve));
   for(const Surface::Face_index f : surface.faces())
     result.number_of_patches = (std::max)(result.number_of_patches, std::size_t(result.patch_map[f]) + 1);
   return result;

@@ -10,7 +10,8 @@
 
 #include "output/output_file.h"
 
-#include <limits>
+#include <CGAL/Reeb_graph/IO/polylines.h>
+
 #include <stdexcept>
 
 namespace reeb_graph_program {
@@ -23,16 +24,7 @@ void check_polylines_format(const std::string& path)
 
 void write_polylines(const std::string& path, const std::vector<Polyline>& polylines)
 {
-  write_file(path, [&](std::ostream& stream) {
-    stream.precision(std::numeric_limits<double>::max_digits10);
-    for(const Polyline& polyline : polylines)
-    {
-      stream << polyline.size();
-      for(const Point& point : polyline)
-        stream << ' ' << point;
-      stream << '\n';
-    }
-  });
+  write_file(path, [&](std::ostream& stream) { CGAL::Reeb_graph::write_polylines(stream, polylines); });
 }
 
 } // namespace reeb_graph_program

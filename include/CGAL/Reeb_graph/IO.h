@@ -14,6 +14,9 @@
 // Reading and writing, by formats.
 #include <CGAL/Reeb_graph/IO/graphml.h>
 #include <CGAL/Reeb_graph/IO/graphviz.h>
+#include <CGAL/Reeb_graph/IO/polylines.h>
+#include <CGAL/Reeb_graph/IO/read_graphml.h>
+#include <CGAL/Reeb_graph/index_maps.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #endif // CGAL_REEB_GRAPH_IO_H

@@ -229,6 +229,16 @@ public:
 
 /// @}
 
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a file that cannot be read or written, or that has no graph of the mesh.
+class File_error : public Error
+{
+public:
+  /// constructs the error with a message.
+  explicit File_error(const std::string& message) : Error(message) {}
+};
+
 } // namespace Reeb_graph
 } // namespace CGAL
 

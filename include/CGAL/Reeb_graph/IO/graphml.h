@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/internal/base/arc_index.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/internal/output/files.h>
 #include <CGAL/Reeb_graph/internal/output/number_text.h>
 
 #include <boost/graph/graphml.hpp>
@@ -54,6 +55,37 @@ private:
   PropertyMap map_;
 };
 
+// Writes the graph, with the chains if add_chains(properties) adds them.
+template <class Graph, class VertexIndexMap, class AddChains>
+void write_graphml_with(std::ostream& out,
+                        const Graph& graph,
+                        VertexIndexMap vertex_index_map,
+                        const AddChains& add_chains)
+{
+  typedef typename boost::graph_traits<Graph>::vertex_descriptor node_descriptor;
+  typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
+
+  const auto index_of_node = [&](node_descriptor node) -> std::size_t {
+    return get(vertex_index_map, graph[node].vertex);
+  };
+  const auto value_of_node = [&](node_descriptor node) { return graph[node].value; };
+  const auto kind_of_node = [&](node_descriptor node) { return to_string(graph[node].kind); };
+
+  boost::dynamic_properties properties;
+  properties.property("vertex", boost::make_function_property_map<node_descriptor>(index_of_node));
+  properties.property("kind", boost::make_function_property_map<node_descriptor>(kind_of_node));
+  const auto value_map = boost::make_function_property_map<node_descriptor>(value_of_node);
+  properties.insert("value", boost::make_shared<Round_trip_property_map<decltype(value_map)>>(value_map));
+  if constexpr(Has_arc_index<Graph>::value)
+  {
+    const auto index_of_arc = [&](arc_descriptor arc) -> std::size_t { return get(boost::edge_index, graph, arc); };
+    properties.property("index", boost::make_function_property_map<arc_descriptor>(index_of_arc));
+  }
+  add_chains(properties);
+  const bool are_nodes_numbered_in_order = true;
+  boost::write_graphml(out, graph, properties, are_nodes_numbered_in_order);
+}
+
 } // namespace internal
 
 /// \ingroup PkgReebGraphIO
@@ -80,29 +112,54 @@ template <class Graph, class VertexIndexMap>
 void write_graphml(std::ostream& out, const Graph& graph, VertexIndexMap vertex_index_map)
 {
   if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
-  {
-    typedef typename boost::graph_traits<Graph>::vertex_descriptor node_descriptor;
-    typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
+    internal::write_graphml_with(out, graph, vertex_index_map, [](boost::dynamic_properties&) {});
+}
 
-    const auto index_of_node = [&](node_descriptor node) -> std::size_t {
-      return get(vertex_index_map, graph[node].vertex);
-    };
-    const auto value_of_node = [&](node_descriptor node) { return graph[node].value; };
-    const auto kind_of_node = [&](node_descriptor node) { return to_string(graph[node].kind); };
+/// \ingroup PkgReebGraphIO
+///
+/// \brief writes a Reeb graph with the chains of its arcs in the GraphML format, so that `read_graphml()` can read it back.
+///
+/// It is as without chains, but each edge has the data `chain`, the indices of the halfedges.
+///
+/// \tparam HalfedgeIndexMap a model of `ReadablePropertyMap` with the halfedge descriptors of the mesh as key type and an
+///         integer type as value type
+///
+/// \param out the stream; whether writing succeeded is seen by its state
+/// \param graph the Reeb graph
+/// \param vertex_index_map the index of each vertex of the mesh; for `read_graphml()` its position, as
+///        `make_vertex_index_map()` gives it
+/// \param halfedge_index_map the index of each halfedge of the mesh, likewise
+template <class Graph, class VertexIndexMap, class HalfedgeIndexMap>
+void write_graphml(std::ostream& out,
+                   const Graph& graph,
+                   VertexIndexMap vertex_index_map,
+                   HalfedgeIndexMap halfedge_index_map)
+{
+  typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
+  const auto chain_of_arc = [&](arc_descriptor arc) {
+    std::string text;
+    for(const auto h : graph[arc].chain)
+      text += (text.empty() ? "" : " ") + std::to_string(get(halfedge_index_map, h));
+    return text;
+  };
+  internal::write_graphml_with(out, graph, vertex_index_map, [&](boost::dynamic_properties& properties) {
+    properties.property("chain", boost::make_function_property_map<arc_descriptor>(chain_of_arc));
+  });
+}
 
-    boost::dynamic_properties properties;
-    properties.property("vertex", boost::make_function_property_map<node_descriptor>(index_of_node));
-    properties.property("kind", boost::make_function_property_map<node_descriptor>(kind_of_node));
-    const auto value_map = boost::make_function_property_map<node_descriptor>(value_of_node);
-    properties.insert("value", boost::make_shared<internal::Round_trip_property_map<decltype(value_map)>>(value_map));
-    if constexpr(internal::Has_arc_index<Graph>::value)
-    {
-      const auto index_of_arc = [&](arc_descriptor arc) -> std::size_t { return get(boost::edge_index, graph, arc); };
-      properties.property("index", boost::make_function_property_map<arc_descriptor>(index_of_arc));
-    }
-    const bool are_nodes_numbered_in_order = true;
-    boost::write_graphml(out, graph, properties, are_nodes_numbered_in_order);
-  }
+/// \ingroup PkgReebGraphIO
+///
+/// \brief writes a Reeb graph to a file, as to a stream: with the chains of its arcs if there is a map for halfedges.
+///
+/// \param filename the name of the file
+/// \param graph the Reeb graph
+/// \param index_maps the index maps that are passed on
+///
+/// \exception Reeb_graph::File_error if the file cannot be written
+template <class Graph, class... IndexMaps>
+void write_graphml(const std::string& filename, const Graph& graph, IndexMaps... index_maps)
+{
+  internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_graphml(out, graph, index_maps...); });
 }
 
 } // namespace Reeb_graph

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/internal/base/arc_index.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/internal/output/files.h>
 #include <CGAL/Reeb_graph/internal/output/number_text.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -92,6 +93,17 @@ void write_graphviz(std::ostream& out, const Graph& graph, VertexIndexMap vertex
     };
     boost::write_graphviz(out, graph, write_node_attributes, write_arc_attributes, write_graph_attributes);
   }
+}
+
+/// \ingroup PkgReebGraphIO
+///
+/// \brief writes a Reeb graph to a file in the Graphviz format, as to a stream.
+///
+/// \exception Reeb_graph::File_error if the file cannot be written
+template <class Graph, class VertexIndexMap>
+void write_graphviz(const std::string& filename, const Graph& graph, VertexIndexMap vertex_index_map)
+{
+  internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_graphviz(out, graph, vertex_index_map); });
 }
 
 } // namespace Reeb_graph

@@ -1,0 +1,127 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_IO_POLYLINES_H
+#define CGAL_REEB_GRAPH_IO_POLYLINES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/output/files.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <iterator>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+template <class FaceGraph, class NamedParameters>
+auto choose_point_map(const FaceGraph& mesh, const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                      get_const_property_map(CGAL::vertex_point, mesh));
+}
+
+template <class FaceGraph, class NamedParameters>
+using Point_of_mesh = typename boost::property_traits<std::decay_t<
+  decltype(choose_point_map(std::declval<const FaceGraph&>(), std::declval<const NamedParameters&>()))>>::value_type;
+
+} // namespace internal
+
+/// \ingroup PkgReebGraphIO
+///
+/// \brief writes polylines in the format `.polylines.txt` of \cgal: one per line, the number of its points and their
+/// coordinates, with as many digits as it takes to read the same numbers back.
+///
+/// \tparam PolylineRange a range of ranges of points
+///
+/// \param out the stream; whether writing succeeded is seen by its state
+/// \param polylines the polylines; the last point of a closed one is the first one again
+template <class PolylineRange>
+void write_polylines(std::ostream& out, const PolylineRange& polylines)
+{
+  const auto precision = out.precision(std::numeric_limits<double>::max_digits10);
+  for(const auto& polyline : polylines)
+  {
+    out << std::distance(std::begin(polyline), std::end(polyline));
+    for(const auto& point : polyline)
+      out << ' ' << point;
+    out << '\n';
+  }
+  out.precision(precision);
+}
+
+/// \ingroup PkgReebGraphIO
+///
+/// \brief writes polylines to a file. The stream is as above.
+///
+/// \exception Reeb_graph::File_error if the file cannot be written
+template <class PolylineRange>
+void write_polylines(const std::string& filename, const PolylineRange& polylines)
+{
+  internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_polylines(out, polylines); });
+}
+
+/// \ingroup PkgReebGraphIO
+///
+/// \brief returns the points of a contour, of which the first one is repeated at the end if the contour is closed.
+///
+/// The first argument is the mesh.
+///
+/// \param augmentation the `Augmentation` that has returned the contour
+/// \param contour the contour
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", of which `vertex_point_map` counts
+template <class FaceListGraph, class Augmentation, class NamedParameters = parameters::Default_named_parameters>
+auto polyline_of_contour(const FaceListGraph&,
+                         const Augmentation& augmentation,
+                         const typename Augmentation::Contour& contour,
+                         const NamedParameters& np = parameters::default_values())
+{
+  std::vector<internal::Point_of_mesh<FaceListGraph, NamedParameters>> polyline;
+  polyline.reserve(contour.halfedges.size() + 1);
+  augmentation.points_of_contour(contour, std::back_inserter(polyline), np);
+  if(contour.is_closed)
+    polyline.push_back(polyline[0]);
+  return polyline;
+}
+
+/// \ingroup PkgReebGraphIO
+///
+/// \brief returns the points of a curve of a refined mesh, of which the first one is repeated at the end if the curve is
+/// closed.
+///
+/// \param mesh the refined mesh
+/// \param curve a `Reeb_graph::Curve` with at least one halfedge
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", of which `vertex_point_map` counts
+template <class FaceGraph, class Curve, class NamedParameters = parameters::Default_named_parameters>
+auto polyline_of_curve(const FaceGraph& mesh,
+                       const Curve& curve,
+                       const NamedParameters& np = parameters::default_values())
+{
+  const auto point_map = internal::choose_point_map(mesh, np);
+  std::vector<internal::Point_of_mesh<FaceGraph, NamedParameters>> polyline;
+  polyline.reserve(curve.halfedges.size() + 1);
+  for(const auto h : curve.halfedges)
+    polyline.push_back(get(point_map, source(h, mesh)));
+  polyline.push_back(get(point_map, target(curve.halfedges.back(), mesh)));
+  return polyline;
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_IO_POLYLINES_H

@@ -1,0 +1,227 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_GRAPH_TOPOLOGY_H
+#define CGAL_REEB_GRAPH_GRAPH_TOPOLOGY_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/breadth_first_search.hpp>
+#include <boost/graph/connected_components.hpp>
+#include <boost/graph/visitors.hpp>
+#include <boost/pending/queue.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The arcs without their directions, numbered in the order of edges(graph): many algorithms of Boost.Graph need that.
+typedef boost::adjacency_list<boost::vecS,
+                              boost::vecS,
+                              boost::undirectedS,
+                              boost::no_property,
+                              boost::property<boost::edge_index_t, std::size_t>>
+  Undirected_graph;
+
+template <class ReebGraph>
+Undirected_graph make_undirected(const ReebGraph& graph)
+{
+  Undirected_graph result(num_vertices(graph));
+  std::size_t number = 0;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+    add_edge(source(arc, graph), target(arc, graph), number++, result);
+  return result;
+}
+
+// A spanning forest of shortest paths: for each node the edge that leads to it and the number of edges from the root.
+class Spanning_forest
+{
+  typedef boost::graph_traits<Undirected_graph>::edge_descriptor edge_descriptor;
+  typedef boost::graph_traits<Undirected_graph>::vertex_descriptor vertex_descriptor;
+
+public:
+  explicit Spanning_forest(const Undirected_graph& graph)
+    : graph_(graph),
+      to_node_(num_vertices(graph)),
+      depths_(num_vertices(graph), 0),
+      is_in_forest_(num_edges(graph), false)
+  {
+    std::vector<boost::default_color_type> colors(num_vertices(graph), boost::white_color);
+    const auto map_of = [&](auto& values) {
+      return boost::make_iterator_property_map(values.begin(), get(boost::vertex_index, graph));
+    };
+    boost::queue<vertex_descriptor> queue;
+    const auto visitor = boost::make_bfs_visitor(
+      std::make_pair(boost::record_edge_predecessors(map_of(to_node_), boost::on_tree_edge()),
+                     boost::record_distances(map_of(depths_), boost::on_tree_edge())));
+    for(const vertex_descriptor root : CGAL::make_range(vertices(graph)))
+    {
+      if(colors[root] == boost::white_color)
+        boost::breadth_first_visit(graph, root, queue, visitor, map_of(colors));
+    }
+    for(const vertex_descriptor v : CGAL::make_range(vertices(graph)))
+    {
+      if(depths_[v] != 0)
+        is_in_forest_[get(boost::edge_index, graph, to_node_[v])] = true;
+    }
+  }
+
+  bool contains(std::size_t arc) const { return is_in_forest_[arc]; }
+
+  // The numbers of the arcs on the path between two nodes of one tree.
+  std::vector<std::size_t> path(vertex_descriptor from, vertex_descriptor to) const
+  {
+    std::vector<std::size_t> begin, end;
+    while(from != to)
+    {
+      const bool is_from_lower = depths_[from] >= depths_[to];
+      vertex_descriptor& v = is_from_lower ? from : to;
+      (is_from_lower ? begin : end).push_back(get(boost::edge_index, graph_, to_node_[v]));
+      v = source(to_node_[v], graph_) == v ? target(to_node_[v], graph_) : source(to_node_[v], graph_);
+    }
+    begin.insert(begin.end(), end.rbegin(), end.rend());
+    return begin;
+  }
+
+private:
+  const Undirected_graph& graph_;
+  std::vector<edge_descriptor> to_node_;
+  std::vector<std::size_t> depths_;
+  std::vector<bool> is_in_forest_;
+};
+
+} // namespace internal
+
+/// \ingroup PkgReebGraphTopology
+///
+/// \brief numbers the connected components of a Reeb graph: those of the surface.
+///
+/// \tparam ReebGraph the type `Graph` of a model of `ReebGraphTraits`
+/// \tparam ComponentMap a model of `WritablePropertyMap` with the nodes as key type and an integer type as value type
+///
+/// \param graph the Reeb graph
+/// \param component_map is set to the number of the component of each node, from 0 in the order of their lowest nodes
+///
+/// \returns the number of components. It takes linear time.
+template <class ReebGraph, class ComponentMap>
+std::size_t number_components(const ReebGraph& graph, ComponentMap component_map)
+{
+  return boost::connected_components(internal::make_undirected(graph), component_map);
+}
+
+/// \ingroup PkgReebGraphTopology
+///
+/// \brief counts the connected components of a Reeb graph: those of the surface. It takes linear time.
+template <class ReebGraph>
+std::size_t number_of_components(const ReebGraph& graph)
+{
+  std::vector<std::size_t> components(num_vertices(graph));
+  return number_components(graph, boost::make_iterator_property_map(components.begin(),
+                                                                    boost::typed_identity_property_map<std::size_t>()));
+}
+
+/// \ingroup PkgReebGraphTopology
+///
+/// \brief counts the independent loops of a Reeb graph, its first Betti number: arcs less nodes plus components. It takes
+/// linear time.
+template <class ReebGraph>
+std::size_t number_of_loops(const ReebGraph& graph)
+{
+  return num_edges(graph) + number_of_components(graph) - num_vertices(graph);
+}
+
+/// \ingroup PkgReebGraphTopology
+///
+/// \brief writes the leaves of a Reeb graph, the nodes with one arc, in ascending order. It takes linear time.
+///
+/// \param graph the Reeb graph
+/// \param nodes the output, an output iterator for nodes
+///
+/// \returns the output iterator behind the last node.
+template <class ReebGraph, class OutputIterator>
+OutputIterator leaves(const ReebGraph& graph, OutputIterator nodes)
+{
+  for(const auto node : CGAL::make_range(vertices(graph)))
+  {
+    if(degree(node, graph) == 1)
+      *nodes++ = node;
+  }
+  return nodes;
+}
+
+/// \ingroup PkgReebGraphTopology
+///
+/// \brief writes a basis of the cycles of a Reeb graph: as many loops as `number_of_loops()`, from which all others are
+/// combined.
+///
+/// Each loop is closed by its first arc, which is in no other loop of the basis: the rest is the path between the ends of
+/// that arc in a spanning forest of shortest paths. It takes time linear in the graph and in the lengths of the loops.
+///
+/// \param graph the Reeb graph
+/// \param loops the output, an output iterator for `std::vector` of arcs: the first arc, passed upwards, and then those
+///        that lead from its upper node back to its lower one. The loops are in the order of their first arcs.
+///
+/// \returns the output iterator behind the last loop.
+template <class ReebGraph, class OutputIterator>
+OutputIterator cycle_basis(const ReebGraph& graph, OutputIterator loops)
+{
+  typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor;
+  const std::vector<arc_descriptor> arcs(edges(graph).first, edges(graph).second);
+  const internal::Undirected_graph undirected = internal::make_undirected(graph);
+  const internal::Spanning_forest forest(undirected);
+  for(std::size_t i = 0; i != arcs.size(); ++i)
+  {
+    if(forest.contains(i))
+      continue;
+    std::vector<arc_descriptor> loop = {arcs[i]};
+    for(const std::size_t j : forest.path(target(arcs[i], graph), source(arcs[i], graph)))
+      loop.push_back(arcs[j]);
+    *loops++ = loop;
+  }
+  return loops;
+}
+
+/// \ingroup PkgReebGraphTopology
+///
+/// \brief writes one contour for each loop of `cycle_basis()`: curves around handles.
+///
+/// The contour is the one in the middle of the first arc of the loop. It meets that loop once and no other one of the
+/// basis, so cutting the surface along all of them leaves each component connected. On a surface with border, a contour
+/// can lead from border to border. `cutting_system()` chooses short ones, and refines the mesh.
+///
+/// \param graph the Reeb graph
+/// \param augmentation an `Augmentation` of the graph
+/// \param contours the output, an output iterator for `Augmentation::Contour`
+///
+/// \returns the output iterator behind the last contour.
+template <class ReebGraph, class Augmentation, class OutputIterator>
+OutputIterator loop_contours(const ReebGraph& graph, const Augmentation& augmentation, OutputIterator contours)
+{
+  const internal::Undirected_graph undirected = internal::make_undirected(graph);
+  const internal::Spanning_forest forest(undirected);
+  std::size_t number = 0;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    if(!forest.contains(number++))
+      *contours++ = augmentation.contour(arc, 0.5);
+  }
+  return contours;
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_GRAPH_TOPOLOGY_H
