@@ -202,6 +202,30 @@ BOOST_AUTO_TEST_CASE(simplification_of_meshes_is_idempotent)
     }
 }
 
+// The measure of a leaf arc by its ends alone forgets nothing when the graph is simplified.
+BOOST_AUTO_TEST_CASE(simplification_by_ends_of_arcs_is_idempotent)
+{
+  std::size_t number_of_exceptions = 0;
+  for(std::size_t seed = 0; seed < 3000; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      const Graph graph = random_graph_with_values(seed, random);
+      const double threshold = static_cast<double>(1 + random.below(20));
+      const auto simplified_by_ends = [&](const Graph& given) {
+        Graph result;
+        CGAL::Reeb_graph::simplify(given, threshold, result, parameters::branch_measure([&](const auto& branch) {
+                                     return std::abs(given[branch.leaf].value - given[branch.saddle].value);
+                                   }));
+        return result;
+      };
+      const Graph by_ends = simplified_by_ends(graph), once = simplified(graph, threshold);
+      BOOST_TEST(graph_checks::are_identical(simplified_by_ends(by_ends), by_ends));
+      number_of_exceptions += graph_checks::are_identical(simplified(once, threshold), once) ? 0 : 1;
+    }
+  BOOST_TEST(number_of_exceptions < 100u); // values farther away than the leaf are forgotten
+}
+
 // How far what has been taken up by a node is from it.
 BOOST_AUTO_TEST_CASE(no_value_is_farther_away_than_the_threshold)
 {

@@ -53,7 +53,10 @@ struct Branch
 ///
 /// The measure of a leaf arc is its persistence by default: the largest difference between the value of the saddle and one
 /// in what would be removed, which is how far `simplify_field()` has to move a value. It is the difference between the
-/// ends of the arc, unless an extremum beyond the leaf has been removed from it before.
+/// ends of the arc, unless an extremum beyond the leaf has been removed from it before. What has been removed is not in the
+/// simplified graph: where such an extremum has kept a leaf arc, simplifying that graph again removes the arc. With the
+/// difference between the ends as `branch_measure`, simplifying again changes nothing, but values of the simplified field
+/// can change by more than the threshold.
 ///
 /// The simplified graph is one of the same type. Its nodes are nodes of `graph` in the same order, but those of degree two
 /// are never among them. Its arcs are sorted by lower node, upper node, and the first arc of `graph` that they are made
