@@ -10,8 +10,11 @@
 #include "commands/commands.h"
 #include "input/threshold_input.h"
 
+#include <CGAL/version.h>
+
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -34,7 +37,9 @@ void add_input_options(CLI::App& command, Input_options& options)
 {
   command.add_option("MESH", options.mesh_path, "Mesh: OFF, OBJ, PLY, STL, or TS file")->required();
   command.add_option("--scalars", options.scalars_path,
-                     "The field: file of one number per line, in the vertex order of the mesh file");
+                     "The field: file of one number per line, in the vertex order of the mesh file, or CSV file");
+  command.add_option("--column", options.column,
+                     "The column of the CSV file, by its name, or its number from 0, if there is more than one");
   command.add_option("--min", options.lowest_vertex, "For harmonic: the vertex of value 0, from 0 as in the mesh file");
   command.add_option("--max", options.highest_vertex, "For harmonic: the vertex of value 1");
   command.add_option("--weights", options.weights, "For harmonic: mean-value (the default), cotangent, or uniform")
@@ -52,12 +57,22 @@ void add_input_options(CLI::App& command, Input_options& options)
 void add_field_option(CLI::App& command, Input_options& options)
 {
   command
-    .add_option(
-      "--field", options.field,
-      "The field: a coordinate x, y, or z; height; harmonic, between two vertices that are far apart if no "
-      "others are given; poisson, by mean curvature; geodesic, the distance from vertices; or unit-gradient, of "
-      "the file --scalars, else of harmonic")
-    ->check(CLI::IsMember({"x", "y", "z", "height", "harmonic", "poisson", "geodesic", "unit-gradient"}));
+    .add_option("--field", options.field,
+                "The field: a coordinate x, y, or z; height; harmonic, between two vertices that are far apart if no "
+                "others are given; poisson, by mean curvature; geodesic, the distance from vertices; unit-gradient, of "
+                "the file --scalars, else of harmonic; or the name of a property of the vertices of a PLY file")
+    ->check(CLI::Validator([](const std::string& name) { return name.empty() ? "it is empty" : ""; }, ""));
+}
+
+void add_threads_option(CLI::App& command, std::size_t& number_of_threads)
+{
+  command.add_option("--threads", number_of_threads, "Work with this many threads, by default one per core")
+    ->check(CLI::Range(std::size_t(1), reeb_graph_program::largest_number_of_threads));
+}
+
+void add_json_option(CLI::App& command, bool& is_report_json)
+{
+  command.add_flag("--json", is_report_json, "Print the report as one JSON object");
 }
 
 void add_graph_options(CLI::App& command, Graph_options& options)
@@ -84,8 +99,7 @@ void add_graph_options(CLI::App& command, Graph_options& options)
                                       "How the arcs are found: auto (the default), critical-sets, or "
                                       "contour-trees; the graph is the same")
     ->check(CLI::IsMember({"auto", "critical-sets", "contour-trees"}));
-  command.add_option("--threads", options.number_of_threads, "Work with this many threads, by default one per core")
-    ->check(CLI::Range(std::size_t(1), reeb_graph_program::largest_number_of_threads));
+  add_threads_option(command, options.number_of_threads);
   command
     .add_option("--slabs", options.number_of_slabs,
                 "Cut the surface at level sets into this many slabs, which threads share; the graph is the same")
@@ -127,7 +141,7 @@ void add_compute_command(CLI::App& app, Compute_options& options)
     ->add_flag_callback(
       "--no-table", [&options] { options.is_table_wanted = false; }, "Print no such table")
     ->excludes(table);
-  command->add_flag("--json", options.is_report_json, "Print the report as one JSON object");
+  add_json_option(*command, options.is_report_json);
   command->callback(
     [&options] { run_with_threads(options.graph.number_of_threads, [&options] { run_compute(options); }); });
 }
@@ -187,8 +201,9 @@ void add_curves_command(CLI::App& app, Curves_options& options)
                       "a property and as colours of the faces");
   command->add_option("--patches", options.patches_path,
                       "Write to this file, for each face of the cut mesh on a line, the number of its patch");
-  command->add_flag("--json", options.is_report_json, "Print the report as one JSON object");
-  command->callback([&options] { run_curves(options); });
+  add_threads_option(*command, options.number_of_threads);
+  add_json_option(*command, options.is_report_json);
+  command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_curves(options); }); });
 }
 
 void add_field_command(CLI::App& app, Field_options& options)
@@ -203,7 +218,9 @@ void add_field_command(CLI::App& app, Field_options& options)
     ->check(CLI::IsMember({"harmonic", "poisson", "unit-gradient", "geodesic", "height"}))
     ->required();
   command->add_option("--output", options.output_path, "Write the field to this file")->required();
-  command->callback([&options] { run_field(options); });
+  add_threads_option(*command, options.number_of_threads);
+  add_json_option(*command, options.is_report_json);
+  command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_field(options); }); });
 }
 
 void add_demo_command(CLI::App& app, Demo_options& options)
@@ -225,6 +242,7 @@ int main(int argc, char** argv)
 {
   CLI::App app("Exact Reeb graphs of scalar fields on triangle meshes", "reeb_graph");
   app.require_subcommand(1);
+  app.set_version_flag("--version", "reeb_graph " REEB_GRAPH_VERSION " (CGAL " CGAL_VERSION_STR ")");
   Compute_options compute_options;
   Contour_options contour_options;
   Curves_options curves_options;

@@ -9,6 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_REPORT_H
 #define CGAL_REEB_GRAPH_SRC_REPORT_H
 
+#include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/visitor.h>
 
@@ -57,19 +58,37 @@ struct Arc_row
   std::size_t vertices = 0; // that belong to the arc
 };
 
-struct Report
+// What the field took, and each step of the work.
+struct Work_report
+{
+  std::optional<CGAL::Reeb_graph::Field_report> field; // of a field that depends on the geometry of faces
+  std::vector<std::pair<std::string, double>> seconds; // in the order in which they were spent
+
+  // Adds to the seconds of a step, which is a new one if there is none of this name.
+  void add_seconds(const std::string& step, double spent)
+  {
+    for(auto& [name, sum] : seconds)
+      if(name == step)
+      {
+        sum += spent;
+        return;
+      }
+    seconds.emplace_back(step, spent);
+  }
+};
+
+struct Report : Work_report
 {
   Surface_counts surface;
   CGAL::Reeb_graph::Critical_vertex_counts critical_vertices;
   Graph_counts graph;
   std::optional<Simplification_counts> simplification;
   std::optional<double> suggested_threshold;
-  std::optional<std::vector<Arc_row>> arc_table;       // of the simplified graph if there is one
-  std::vector<std::pair<std::string, double>> seconds; // in the order in which they were spent
+  std::optional<std::vector<Arc_row>> arc_table; // of the simplified graph if there is one
 };
 
 // What the mesh was cut into.
-struct Curves_report
+struct Curves_report : Work_report
 {
   std::size_t curves = 0;
   std::size_t patches = 0;

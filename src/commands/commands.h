@@ -12,6 +12,7 @@
 #include "base/options.h"
 #include "computation/augmentation.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -48,12 +49,15 @@ struct Curves_options
   std::string cut_mesh_path;
   std::string patches_path;
   bool is_report_json = false;
+  std::size_t number_of_threads = 0; // 0: one per core
 };
 
 struct Field_options
 {
   Input_options input;
   std::string output_path;
+  bool is_report_json = false;
+  std::size_t number_of_threads = 0; // 0: one per core
 };
 
 struct Demo_options

@@ -128,10 +128,8 @@ void run_compute(const Compute_options& options)
 {
   check(options);
   Report report;
-  const Stopwatch read_stopwatch;
-  Surface surface = read_surface(options.input);
-  const Scalar_map scalar_map = add_field(options.input, surface);
-  report.seconds.emplace_back("read", read_stopwatch.seconds());
+  Surface surface = read_surface(options.input, report);
+  const Scalar_map scalar_map = add_field(options.input, surface, report);
 
   const double threshold = threshold_in_units(options.simplification, surface, scalar_map);
   const Graph given = compute_and_time(surface, scalar_map, options.graph, report);

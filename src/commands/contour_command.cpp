@@ -10,6 +10,7 @@
 #include "computation/augmentation.h"
 #include "input/field_input.h"
 #include "output/polylines_output.h"
+#include "output/report_output.h"
 
 #include <iostream>
 #include <sstream>
@@ -21,8 +22,9 @@ void run_contour(const Contour_options& options)
 {
   check_polylines_format(options.output_path);
   check_simplification_options(options.choice.simplification);
-  Surface surface = read_surface(options.input);
-  const Scalar_map scalar_map = add_field(options.input, surface);
+  Work_report report;
+  Surface surface = read_surface(options.input, report);
+  const Scalar_map scalar_map = add_field(options.input, surface, report);
   const std::vector<Polyline> polylines = find_contours(surface, scalar_map, options.choice);
   if(polylines.empty())
   {
@@ -32,6 +34,7 @@ void run_contour(const Contour_options& options)
   }
   write_polylines(options.output_path, polylines);
   std::cout << polylines.size() << (polylines.size() == 1 ? " contour\n" : " contours\n");
+  write_field_text(std::cout, report);
 }
 
 } // namespace reeb_graph_program

@@ -6,6 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "base/stopwatch.h"
 #include "commands/commands.h"
 #include "computation/curves.h"
 #include "computation/simplification.h"
@@ -76,6 +77,16 @@ void write_patches(const std::filesystem::path& path, const Surface& surface, Pa
   });
 }
 
+void write_files(const Curves_options& options, const Surface& surface, const Cut_result& result)
+{
+  if(!options.curves_path.empty())
+    write_polylines(options.curves_path, result.polylines);
+  if(!options.cut_mesh_path.empty())
+    write_cut_mesh(options.cut_mesh_path, surface, result.patch_map);
+  if(!options.patches_path.empty())
+    write_patches(options.patches_path, surface, result.patch_map);
+}
+
 } // namespace
 
 void run_curves(const Curves_options& options)
@@ -85,22 +96,28 @@ void run_curves(const Curves_options& options)
   check_simplification_options(options.simplification);
   check_simplification_of_field(options.simplification);
   check_distinct_paths({options.curves_path, options.cut_mesh_path, options.patches_path});
-  Surface surface = read_surface(options.input);
+  Curves_report report;
+  Surface surface = read_surface(options.input, report);
   Input_options input = options.input;
   input.are_borders_fixed = true;
-  const Scalar_map scalar_map = add_field(input, surface);
+  const Scalar_map scalar_map = add_field(input, surface, report);
   if(options.simplification.is_anything_removed())
+  {
+    const Stopwatch stopwatch;
     compute_simplified_field(surface, scalar_map, options.simplification,
                              threshold_in_units(options.simplification, surface, scalar_map),
                              CGAL::Reeb_graph::Ties::PERTURB, scalar_map);
+    report.add_seconds("simplified field", stopwatch.seconds());
+  }
+  const Stopwatch cut_stopwatch;
   const Cut_result result = cut_along_curves(surface, scalar_map, properties_to_keep(options, surface), options.cut);
-  if(!options.curves_path.empty())
-    write_polylines(options.curves_path, result.polylines);
-  if(!options.cut_mesh_path.empty())
-    write_cut_mesh(options.cut_mesh_path, surface, result.patch_map);
-  if(!options.patches_path.empty())
-    write_patches(options.patches_path, surface, result.patch_map);
-  const Curves_report report = {result.polylines.size(), result.number_of_patches, result.border_changes};
+  report.add_seconds("cut", cut_stopwatch.seconds());
+  const Stopwatch output_stopwatch;
+  write_files(options, surface, result);
+  report.add_seconds("output", output_stopwatch.seconds());
+  report.curves = result.polylines.size();
+  report.patches = result.number_of_patches;
+  report.border_changes = result.border_changes;
   write_border_changes(std::cerr, report.border_changes);
   if(options.is_report_json)
     write_json(std::cout, report);

@@ -6,26 +6,28 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "base/stopwatch.h"
 #include "commands/commands.h"
 #include "input/field_input.h"
 #include "output/mesh_output.h"
+#include "output/report_output.h"
 
-#include <algorithm>
 #include <iostream>
 
 namespace reeb_graph_program {
 void run_field(const Field_options& options)
 {
-  Surface surface = read_surface(options.input);
-  const Scalar_map scalar_map = add_field(options.input, surface);
+  Work_report report;
+  Surface surface = read_surface(options.input, report);
+  const Scalar_map scalar_map = add_field(options.input, surface, report);
+  const Stopwatch stopwatch;
   write_scalars(options.output_path, surface, scalar_map);
-  std::cout << surface.number_of_vertices() << (surface.number_of_vertices() == 1 ? " value" : " values");
-  if(surface.number_of_vertices() > 0)
-  {
-    const auto [lowest, highest] = std::minmax_element(scalar_map.begin(), scalar_map.end());
-    std::cout << " from " << *lowest << " to " << *highest;
-  }
-  std::cout << '\n';
+  report.add_seconds("output", stopwatch.seconds());
+  const Field_range range(scalar_map.begin(), scalar_map.end());
+  if(options.is_report_json)
+    write_json(std::cout, range, report);
+  else
+    write_text(std::cout, range, report);
 }
 
 } // namespace reeb_graph_program

@@ -22,6 +22,7 @@ struct Polygon_soup
 {
   std::vector<Point> points;
   std::vector<Polygon> polygons;
+  std::vector<double> scalars; // the property of the points that was asked for; empty if none was
 };
 
 } // namespace reeb_graph_program

@@ -8,33 +8,61 @@
 
 #include "input/field_input.h"
 
+#include "base/stopwatch.h"
 #include "computation/scalar_fields.h"
 #include "input/mesh_input.h"
 #include "input/scalar_input.h"
 
+#include <string>
 #include <vector>
 
 namespace reeb_graph_program {
-Surface read_surface(const Input_options& options)
+namespace {
+bool is_coordinate(const std::string& field) { return field == "x" || field == "y" || field == "z"; }
+
+// The property of the vertices that is the field, empty if it is none.
+std::string vertex_property(const Input_options& options)
 {
-  check_field_options(options);
-  return read_surface(options.mesh_path, options.are_faces_triangulated);
+  return is_coordinate(options.field) || is_computed(options.field) ? std::string() : options.field;
 }
 
-Scalar_map add_field(const Input_options& options, Surface& surface)
+void read_field(const Input_options& options, const Surface& surface, Scalar_map scalar_map)
 {
-  const Scalar_map scalar_map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
   if(!options.scalars_path.empty())
   {
-    const std::vector<double> scalars = read_scalars(options.scalars_path, surface.number_of_vertices());
+    const std::vector<double> scalars =
+      read_scalars(options.scalars_path, options.column, surface.number_of_vertices());
     for(const Surface::Vertex_index v : surface.vertices())
       scalar_map[v] = scalars[v];
   }
-  if(options.field == "x" || options.field == "y" || options.field == "z")
+  if(is_coordinate(options.field))
     for(const Surface::Vertex_index v : surface.vertices())
       scalar_map[v] = surface.point(v)[options.field[0] - 'x'];
-  else if(!options.field.empty())
-    compute_scalar_field(options, surface, scalar_map);
+}
+
+} // namespace
+
+Surface read_surface(const Input_options& options, Work_report& report)
+{
+  const Stopwatch stopwatch;
+  check_field_options(options);
+  Surface surface = read_surface(options.mesh_path, options.are_faces_triangulated, vertex_property(options));
+  report.add_seconds("read", stopwatch.seconds());
+  return surface;
+}
+
+Scalar_map add_field(const Input_options& options, Surface& surface, Work_report& report)
+{
+  const Stopwatch read_stopwatch;
+  const Scalar_map scalar_map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
+  read_field(options, surface, scalar_map);
+  report.add_seconds("read", read_stopwatch.seconds());
+  if(is_computed(options.field))
+  {
+    const Stopwatch field_stopwatch;
+    report.field = compute_scalar_field(options, surface, scalar_map);
+    report.add_seconds("field", field_stopwatch.seconds());
+  }
   return scalar_map;
 }
 

@@ -10,15 +10,17 @@
 #define CGAL_REEB_GRAPH_SRC_FIELD_INPUT_H
 
 #include "base/options.h"
+#include "base/report.h"
 #include "base/surface.h"
 
 namespace reeb_graph_program {
-// Reads the mesh. Throws Input_error, and std::runtime_error if the options do not fit together.
-Surface read_surface(const Input_options& options);
+// Reads the mesh, and the field if it is a property of its vertices. Throws Input_error, and std::runtime_error if the
+// options do not fit together. The time goes into the report.
+Surface read_surface(const Input_options& options, Work_report& report);
 
-// Adds the field to the surface that has been read. Throws Input_error, std::runtime_error, and the exceptions of the
-// library.
-Scalar_map add_field(const Input_options& options, Surface& surface);
+// Adds the field to the surface that has been read, and tells the report what it took. Throws Input_error,
+// std::runtime_error, and the exceptions of the library.
+Scalar_map add_field(const Input_options& options, Surface& surface, Work_report& report);
 
 } // namespace reeb_graph_program
 

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace reeb_graph_program {
 // What is wrong with an input file, and where.
@@ -23,6 +24,22 @@ public:
     : std::runtime_error(path + ":" + std::to_string(line) + ": " + message)
   {}
 };
+
+// A part of a file as messages show it: in quotation marks, at most 60 characters of it, and none that control a terminal.
+inline std::string quote(std::string_view text)
+{
+  constexpr std::size_t longest = 60;
+  const bool is_cut = text.size() > longest;
+  std::size_t end = is_cut ? longest - 3 : text.size();
+  // not within a character of UTF-8
+  while(is_cut && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+    --end;
+  std::string shown(text.substr(0, end));
+  for(char& c : shown)
+    if(static_cast<unsigned char>(c) < ' ' || c == '\x7f')
+      c = '?';
+  return "'" + shown + (is_cut ? "...'" : "'");
+}
 
 } // namespace reeb_graph_program
 

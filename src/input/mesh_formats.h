@@ -23,8 +23,9 @@ namespace reeb_graph_program {
 Polygon_soup read_off(const std::string& path);
 // OBJ: vertices, and faces whose vertices are counted from the first one or from the last one before the face.
 Polygon_soup read_obj(const std::string& path);
-// PLY, ASCII or binary of any byte order.
-Polygon_soup read_ply(const std::string& path);
+// PLY, ASCII or binary of any byte order. `vertex_property` is the name of a property of the vertices that becomes
+// Polygon_soup::scalars, or empty.
+Polygon_soup read_ply(const std::string& path, const std::string& vertex_property);
 // The numbers that a PLY file has for each vertex besides its point, as properties of the surface that has been read
 // from it. The field, which is named scalar, is none of them.
 std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& path, Surface& surface);

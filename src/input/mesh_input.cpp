@@ -10,13 +10,13 @@
 
 #include "input/input_error.h"
 #include "input/mesh_formats.h"
+#include "input/text_input.h"
 #include "input/triangulate_faces.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -27,25 +27,21 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace reeb_graph_program {
 namespace {
-std::string lower_case_extension(const std::string& path)
-{
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
-
-Polygon_soup read_soup(const std::string& path)
+Polygon_soup read_soup(const std::string& path, const std::string& vertex_property)
 {
   if(!std::ifstream(path) || !std::filesystem::is_regular_file(path))
     throw Input_error(path, "the file cannot be read");
   const std::string extension = lower_case_extension(path);
+  if(extension == ".ply")
+    return read_ply(path, vertex_property);
+  if(!vertex_property.empty())
+    throw Input_error(path, "there is no field " + quote(vertex_property)
+                              + ": it is x, y, z, height, harmonic, poisson, geodesic, unit-gradient, or the name of a "
+                                "property of the vertices of a PLY file");
   if(extension == ".off")
     return read_off(path);
   if(extension == ".obj")
     return read_obj(path);
-  if(extension == ".ply")
-    return read_ply(path);
   if(extension == ".stl")
     return read_stl(path);
   if(extension == ".ts")
@@ -143,9 +139,9 @@ bool assemble(const Polygon_soup& soup, Surface& surface)
   return true;
 }
 
-Surface read_surface(const std::string& path, bool are_faces_triangulated)
+Surface read_surface(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property)
 {
-  Polygon_soup soup = read_soup(path);
+  Polygon_soup soup = read_soup(path, vertex_property);
   check_points(path, soup.points);
   check_polygons(path, soup, are_faces_triangulated);
   Surface surface;
@@ -154,6 +150,12 @@ Surface read_surface(const std::string& path, bool are_faces_triangulated)
     orient(path, soup);
     if(!assemble(soup, surface))
       throw Input_error(path, "the faces do not form a manifold surface");
+  }
+  if(!vertex_property.empty())
+  {
+    const Scalar_map scalar_map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
+    for(const Surface::Vertex_index v : surface.vertices())
+      scalar_map[v] = soup.scalars[v];
   }
   if(are_faces_triangulated)
     triangulate(path, surface);

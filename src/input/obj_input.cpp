@@ -33,7 +33,7 @@ std::size_t read_corner(const Text_input& input, std::string_view word, std::siz
   long long vertex = 0;
   const auto earlier = static_cast<long long>(number_of_earlier);
   if(parse_number(digits, vertex) != std::errc() || vertex == 0 || vertex < -earlier)
-    input.fail("'" + std::string(word) + "' is no vertex of a face");
+    input.fail(quote(word) + " is no vertex of a face");
   return static_cast<std::size_t>(vertex > 0 ? vertex - 1 : earlier + vertex);
 }
 
@@ -78,7 +78,7 @@ Polygon_soup read_obj(const std::string& path)
       }
     }
     else if(!keyword.empty() && !is_skipped_keyword(keyword))
-      input.fail("'" + std::string(keyword) + "' does not begin a line of an OBJ file");
+      input.fail(quote(keyword) + " does not begin a line of an OBJ file");
   }
   if(soup.points.empty() || soup.polygons.empty())
     input.fail("the file ends, and has no face");

@@ -36,7 +36,7 @@ Type read_type(Text_input& input)
   const std::string_view word = input.word_of_line();
   const auto type = std::find_if(types.begin(), types.end(), [&](const Named_type& t) { return t.first == word; });
   if(type == types.end())
-    input.fail("'" + std::string(word) + "' is no type of a property");
+    input.fail(quote(word) + " is no type of a property");
   return type->second;
 }
 
@@ -44,7 +44,7 @@ Format read_format(Text_input& input)
 {
   const std::string format(input.word_of_line());
   if(format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
-    input.fail("'" + format + "' is no format of a PLY file");
+    input.fail(quote(format) + " is no format of a PLY file");
   return format == "ascii"                ? Format::ASCII
        : format == "binary_little_endian" ? Format::BINARY_LITTLE_ENDIAN
                                           : Format::BINARY_BIG_ENDIAN;
@@ -98,7 +98,7 @@ Header read_header(Text_input& input)
     else if(keyword == "property" && !header.elements.empty())
       header.elements.back().properties.push_back(read_property(input));
     else if(keyword != "comment" && keyword != "obj_info")
-      input.fail("'" + keyword + "' has no place here in the header of a PLY file");
+      input.fail(quote(keyword) + " has no place here in the header of a PLY file");
   }
   input.fail("the header does not end");
 }

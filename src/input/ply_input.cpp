@@ -109,18 +109,45 @@ private:
   Format format_;
 };
 
-void read_points(Text_input& input, const Element& element, Data& data, std::vector<Point>& points)
+std::string names_of_numbers(const Element& element)
+{
+  std::string names;
+  for(const Property& property : element.properties)
+    if(!property.is_list())
+      names += (names.empty() ? "" : ", ") + property.name;
+  return names;
+}
+
+// The place of the property of the vertices that was asked for.
+std::size_t find_scalars(Text_input& input, const Element& element, const std::string& name)
+{
+  const std::size_t place = element.find({name});
+  if(place == element.properties.size())
+    input.fail("the vertices have no property " + quote(name) + ", but " + names_of_numbers(element));
+  if(element.properties[place].is_list())
+    input.fail("the property " + quote(name) + " of the vertices is a list, and no field");
+  return place;
+}
+
+void read_points(Text_input& input,
+                 const Element& element,
+                 const std::string& scalar_name,
+                 Data& data,
+                 Polygon_soup& soup)
 {
   const std::array<std::size_t, 3> places = {element.find({"x"}), element.find({"y"}), element.find({"z"})};
   for(const std::size_t place : places)
     if(place == element.properties.size() || element.properties[place].is_list())
       input.fail("the vertices have no x, y and z");
+  const std::size_t scalar_place = scalar_name.empty() ? 0 : find_scalars(input, element, scalar_name);
   std::vector<std::vector<double>> numbers(element.properties.size());
   for(std::size_t i = 0; i < element.number; ++i)
   {
     for(std::size_t j = 0; j < numbers.size(); ++j)
       data.read(element.properties[j], numbers[j]);
-    points.emplace_back(numbers[places[0]][0], numbers[places[1]][0], numbers[places[2]][0]);
+    soup.points.emplace_back(numbers[places[0]][0], numbers[places[1]][0], numbers[places[2]][0]);
+    if(!scalar_name.empty())
+      soup.scalars.push_back(numbers[scalar_place][0]);
   }
 }
 
@@ -228,7 +255,7 @@ std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& p
   return properties;
 }
 
-Polygon_soup read_ply(const std::string& path)
+Polygon_soup read_ply(const std::string& path, const std::string& vertex_property)
 {
   Text_input input(path);
   const ply::Header header = ply::read_header(input);
@@ -239,7 +266,7 @@ Polygon_soup read_ply(const std::string& path)
   for(const Element& element : header.elements)
   {
     if(is_vertex_element(element))
-      read_points(input, element, data, soup.points);
+      read_points(input, element, vertex_property, data, soup);
     else if(element.name == "face" || element.name == "faces")
       read_polygons(input, element, data, soup.polygons);
     else

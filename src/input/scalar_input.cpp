@@ -11,9 +11,11 @@
 #include "input/input_error.h"
 #include "input/text_input.h"
 
+#include <algorithm>
 #include <fstream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace reeb_graph_program {
 namespace {
@@ -30,41 +32,166 @@ double parse_scalar(const std::string& path, std::size_t line, std::string_view 
   double value = 0;
   const std::errc error = parse_number(text, value);
   if(error == std::errc::result_out_of_range)
-    throw Input_error(path, line, "'" + std::string(text) + "' is too large or too small for a double");
+    throw Input_error(path, line, quote(text) + " is too large or too small for a double");
   if(error != std::errc())
-    throw Input_error(path, line, "'" + std::string(text) + "' is not a number");
+    throw Input_error(path, line, quote(text) + " is not a number");
   return value;
+}
+
+// Reads the lines of a file that are no comments.
+class Lines
+{
+public:
+  explicit Lines(const std::string& path) : path_(path), file_(path)
+  {
+    if(!file_)
+      throw Input_error(path_, "the file cannot be read");
+  }
+
+  bool next()
+  {
+    while(std::getline(file_, text_))
+    {
+      if(++number_ == 1 && text_.compare(0, 3, "\xEF\xBB\xBF") == 0) // the byte order mark
+        text_.erase(0, 3);
+      if(trim(text_).substr(0, 1) != "#")
+        return true;
+    }
+    if(file_.bad())
+      throw Input_error(path_, "the file cannot be read");
+    return false;
+  }
+
+  std::string_view text() const { return text_; }
+  [[noreturn]] void fail(const std::string& message) const { throw Input_error(path_, number_, message); }
+
+  double number(std::string_view text) const { return parse_scalar(path_, number_, text); }
+
+private:
+  std::string path_, text_;
+  std::ifstream file_;
+  std::size_t number_ = 0;
+};
+
+// Says which part of a line is the number: all of it.
+struct Whole_line
+{
+  bool is_header(const Lines&) { return false; }
+  std::string_view operator()(const Lines& lines) const { return trim(lines.text()); }
+};
+
+// Says which part of a line is the number: a column.
+class Csv_column
+{
+public:
+  explicit Csv_column(const std::string& column) : column_(column) {}
+
+  // Finds the column in the first line, and returns whether that is one of names.
+  bool is_header(const Lines& lines)
+  {
+    separator_ = find_separator(lines.text());
+    const std::vector<std::string> cells = split(lines.text());
+    if(column_.empty() && cells.size() > 1)
+      lines.fail("there are " + std::to_string(cells.size()) + " columns; --column is to say which: " + list(cells));
+    const bool is_number = parse_number(column_, place_) == std::errc();
+    if(!column_.empty() && !is_number)
+    {
+      const auto number = std::count(cells.begin(), cells.end(), column_);
+      if(number != 1)
+        lines.fail((number == 0 ? "there is no column " : "there is more than one column ") + quote(column_) + " among "
+                   + list(cells));
+      place_ = static_cast<std::size_t>(std::find(cells.begin(), cells.end(), column_) - cells.begin());
+      return true;
+    }
+    check_place(lines, cells);
+    double ignored = 0;
+    return parse_number(cells[place_], ignored) == std::errc::invalid_argument && !cells[place_].empty();
+  }
+
+  const std::string& operator()(const Lines& lines)
+  {
+    cells_ = trim(lines.text()).empty() ? std::vector<std::string>(place_ + 1) : split(lines.text());
+    check_place(lines, cells_);
+    return cells_[place_];
+  }
+
+private:
+  static char find_separator(std::string_view text)
+  {
+    for(const char separator : {',', ';', '\t'})
+      if(text.find(separator) != std::string_view::npos)
+        return separator;
+    return ',';
+  }
+
+  // The cells of a line, without the quotation marks around them; two within them stand for one.
+  std::vector<std::string> split(std::string_view text) const
+  {
+    std::vector<std::string> cells(1);
+    bool is_quoted = false;
+    for(std::size_t i = 0; i < text.size(); ++i)
+      if(text[i] == '"' && is_quoted && i + 1 < text.size() && text[i + 1] == '"')
+        cells.back() += text[++i];
+      else if(text[i] == '"')
+        is_quoted = !is_quoted;
+      else if(text[i] == separator_ && !is_quoted)
+        cells.emplace_back();
+      else
+        cells.back() += text[i];
+    for(std::string& cell : cells)
+      cell = std::string(trim(cell));
+    return cells;
+  }
+
+  void check_place(const Lines& lines, const std::vector<std::string>& cells) const
+  {
+    if(place_ >= cells.size())
+      lines.fail("there is no column " + std::to_string(place_) + ": the line has " + std::to_string(cells.size())
+                 + ", numbered from 0");
+  }
+
+  static std::string list(const std::vector<std::string>& cells)
+  {
+    std::string names;
+    for(const std::string& cell : cells)
+      names += (names.empty() ? "" : ", ") + cell;
+    return quote(names);
+  }
+
+  std::string column_;
+  std::size_t place_ = 0;
+  char separator_ = ',';
+  std::vector<std::string> cells_;
+};
+
+template <class Part_of_line>
+std::vector<double> read_parts(const std::string& path, Part_of_line part, std::size_t number_of_vertices)
+{
+  Lines lines(path);
+  std::vector<double> scalars;
+  bool is_first = true;
+  while(lines.next())
+  {
+    if(std::exchange(is_first, false) && part.is_header(lines))
+      continue;
+    if(scalars.size() < number_of_vertices)
+      scalars.push_back(lines.number(part(lines)));
+    else if(!trim(lines.text()).empty()) // empty lines at the end only
+      lines.fail("more values than the " + std::to_string(number_of_vertices) + " vertices of the mesh");
+  }
+  if(scalars.size() < number_of_vertices)
+    lines.fail("the file ends after " + std::to_string(scalars.size()) + " values for "
+               + std::to_string(number_of_vertices) + " vertices");
+  return scalars;
 }
 
 } // namespace
 
-std::vector<double> read_scalars(const std::string& path, std::size_t number_of_vertices)
+std::vector<double> read_scalars(const std::string& path, const std::string& column, std::size_t number_of_vertices)
 {
-  std::ifstream file(path);
-  if(!file)
-    throw Input_error(path, "the file cannot be read");
-  std::vector<double> scalars;
-  std::string text;
-  std::size_t line = 0;
-  while(std::getline(file, text))
-  {
-    ++line;
-    if(scalars.size() == number_of_vertices)
-    {
-      if(trim(text).empty())
-        continue; // at the end only
-      throw Input_error(path, line,
-                        "more values than the " + std::to_string(number_of_vertices) + " vertices of the mesh");
-    }
-    scalars.push_back(parse_scalar(path, line, trim(text)));
-  }
-  if(file.bad())
-    throw Input_error(path, "the file cannot be read");
-  if(scalars.size() < number_of_vertices)
-    throw Input_error(path, line,
-                      "the file ends after " + std::to_string(scalars.size()) + " values for "
-                        + std::to_string(number_of_vertices) + " vertices");
-  return scalars;
+  if(!column.empty() || lower_case_extension(path) == ".csv")
+    return read_parts(path, Csv_column(column), number_of_vertices);
+  return read_parts(path, Whole_line(), number_of_vertices);
 }
 
 } // namespace reeb_graph_program

@@ -106,7 +106,7 @@ void expect(Text_input& input, std::initializer_list<std::string_view> words)
   {
     const std::string_view word = input.word_of_file();
     if(word != expected)
-      input.fail("'" + std::string(word) + "' instead of '" + std::string(expected) + "'");
+      input.fail(quote(word) + " instead of " + quote(expected));
   }
 }
 
@@ -140,13 +140,13 @@ Polygon_soup read_ascii(Text_input& input)
     for(; word == "facet"; word = input.word_of_file())
       read_facet(input, collector);
     if(word != "endsolid")
-      input.fail("'" + std::string(word) + "' instead of 'facet' or 'endsolid'");
+      input.fail(quote(word) + " instead of 'facet' or 'endsolid'");
     input.finish_line();
     word = input.word_of_file();
     if(word.empty())
       return std::move(collector.soup());
     if(word != "solid")
-      input.fail("'" + std::string(word) + "' instead of 'solid'");
+      input.fail(quote(word) + " instead of 'solid'");
   }
 }
 

@@ -12,10 +12,12 @@
 #include "input/input_error.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -43,6 +45,14 @@ inline std::string_view next_word(std::string_view line, std::size_t begin)
   if(begin == std::string_view::npos)
     return {};
   return line.substr(begin, line.find_first_of(blanks, begin) - begin);
+}
+
+inline std::string lower_case_extension(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
 }
 
 // A text file, read line by line and word by word.
@@ -128,7 +138,7 @@ public:
       return rounded_to_zero<Number>(word);
     if(error != std::errc())
       fail(word.empty() ? "a number is missing"
-                        : "'" + std::string(word) + "' is not "
+                        : quote(word) + " is not "
                             + (std::is_floating_point<Number>::value ? "a number" : "a number that is possible here"));
     return result;
   }
@@ -144,7 +154,7 @@ private:
   {
     const double value = std::strtod(std::string(word).c_str(), nullptr);
     if(!(std::abs(value) < 1))
-      fail("'" + std::string(word) + "' is too large");
+      fail(quote(word) + " is too large");
     return static_cast<Number>(value);
   }
 

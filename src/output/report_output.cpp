@@ -90,7 +90,55 @@ void write_table(std::ostream& out, const std::vector<Arc_row>& rows)
   }
 }
 
+void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report)
+{
+  json["bad_faces"] = json["added_length"] = json["marched_components"] = nullptr;
+  if(report.field)
+  {
+    json["bad_faces"] = report.field->number_of_bad_faces;
+    json["added_length"] = report.field->added_length;
+    json["marched_components"] = report.field->number_of_marched_components;
+  }
+  for(const auto& [step, seconds] : report.seconds)
+    json["seconds"][step] = seconds;
+  json["peak_memory_bytes"] = peak_memory_bytes();
+}
+
 } // namespace
+
+void write_field_text(std::ostream& out, const Work_report& report)
+{
+  if(!report.field)
+    return;
+  if(report.field->number_of_bad_faces > 0)
+    out << "         " << count(report.field->number_of_bad_faces, "face") << " without area: ";
+  else if(report.field->added_length > 0)
+    out << "         the equations are too badly conditioned: ";
+  if(report.field->added_length > 0)
+    out << "edges are taken to be longer by " << report.field->added_length << '\n';
+  if(report.field->number_of_marched_components > 0)
+    out << "         the heat method fails on " << count(report.field->number_of_marched_components, "component")
+        << ": distances of a marching front\n";
+}
+
+void write_text(std::ostream& out, const Field_range& range, const Work_report& report)
+{
+  out << count(range.number_of_values, "value");
+  if(range.number_of_values > 0)
+    out << " from " << range.lowest << " to " << range.highest;
+  out << '\n';
+  write_field_text(out, report);
+}
+
+void write_json(std::ostream& out, const Field_range& range, const Work_report& report)
+{
+  nlohmann::ordered_json json;
+  json["values"] = range.number_of_values;
+  json["lowest"] = json_number(range.lowest);
+  json["highest"] = json_number(range.highest);
+  add_field_and_costs(json, report);
+  out << json.dump(2) << '\n';
+}
 
 void write_text(std::ostream& out, const Report& report)
 {
@@ -107,7 +155,9 @@ void write_text(std::ostream& out, const Report& report)
     out << ", " << count(critical_vertices.border_saddles, "saddle") << " on the border";
   if(critical_vertices.isolated > 0)
     out << ", " << count(critical_vertices.isolated, "isolated vertex", "isolated vertices");
-  out << "\ngraph    " << count_parts(report.graph);
+  out << '\n';
+  write_field_text(out, report);
+  out << "graph    " << count_parts(report.graph);
   if(report.graph.hidden_handles.value_or(0) > 0)
     out << ", " << count(static_cast<std::size_t>(*report.graph.hidden_handles), "hidden handle");
   if(report.simplification)
@@ -154,9 +204,7 @@ void write_json(std::ostream& out, const Report& report)
   json["arc_table"] = report.arc_table ? nlohmann::ordered_json::array() : nlohmann::ordered_json();
   for(std::size_t arc = 0; report.arc_table && arc < report.arc_table->size(); ++arc)
     json["arc_table"].push_back(json_of((*report.arc_table)[arc], arc));
-  for(const auto& [step, seconds] : report.seconds)
-    json["seconds"][step] = seconds;
-  json["peak_memory_bytes"] = peak_memory_bytes();
+  add_field_and_costs(json, report);
   out << json.dump(2) << '\n';
 }
 
@@ -164,6 +212,7 @@ void write_text(std::ostream& out, const Curves_report& report)
 {
   out << report.curves << (report.curves == 1 ? " curve, " : " curves, ") << report.patches
       << (report.patches == 1 ? " patch\n" : " patches\n");
+  write_field_text(out, report);
 }
 
 void write_json(std::ostream& out, const Curves_report& report)
@@ -175,6 +224,7 @@ void write_json(std::ostream& out, const Curves_report& report)
   json["borders_made_level"] = report.border_changes.number_of_changed_borders;
   json["vertices_changed"] = report.border_changes.number_of_changed_vertices;
   json["largest_change"] = json_number(report.border_changes.largest_change);
+  add_field_and_costs(json, report);
   out << json.dump(2) << '\n';
 }
 

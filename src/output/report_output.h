@@ -11,14 +11,44 @@
 
 #include "base/report.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <limits>
 #include <ostream>
 
 namespace reeb_graph_program {
+// The number of values of a field, and where they lie.
+struct Field_range
+{
+  template <class Iterator>
+  Field_range(Iterator begin, Iterator end) : number_of_values(static_cast<std::size_t>(std::distance(begin, end)))
+  {
+    if(begin != end)
+    {
+      const auto extrema = std::minmax_element(begin, end);
+      lowest = *extrema.first;
+      highest = *extrema.second;
+    }
+  }
+
+  std::size_t number_of_values;
+  double lowest = std::numeric_limits<double>::quiet_NaN(), highest = std::numeric_limits<double>::quiet_NaN();
+};
+
+// The report of a graph.
 void write_text(std::ostream& out, const Report& report);
 void write_json(std::ostream& out, const Report& report);
 
 void write_text(std::ostream& out, const Curves_report& report);
 void write_json(std::ostream& out, const Curves_report& report);
+
+// The report of a field alone.
+void write_text(std::ostream& out, const Field_range& range, const Work_report& report);
+void write_json(std::ostream& out, const Field_range& range, const Work_report& report);
+
+// A line of what was done about bad faces, and one for the heat method; nothing if there was nothing to do.
+void write_field_text(std::ostream& out, const Work_report& report);
 
 // Tells how the field has been changed, if it has.
 void write_border_changes(std::ostream& out, const CGAL::Reeb_graph::Border_level_changes& changes);

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/fields/gradient_and_divergence.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
+#include <CGAL/Reeb_graph/fields/harmonic_field_between_borders.h>
 #include <CGAL/Reeb_graph/fields/height_field.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
 #include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
@@ -31,6 +32,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -402,7 +404,7 @@ Triangle_soup with_bad_points(Triangle_soup soup, Bad_points kind, Random& rando
     case Bad_points::NEEDLES_IN_DIGITS: p = {unit(), 1e-160 * unit(), 1e-160 * unit()}; break;
     default: break;
     }
-  const std::size_t number_of_faces = kind == Bad_points::ONE_FACE   ? 1
+  const std::size_t number_of_faces = kind == Bad_points::ONE_FACE   ? (std::min)(std::size_t(1), soup.triangles.size())
                                     : kind == Bad_points::COINCIDENT ? soup.triangles.size() / 2
                                                                      : 0;
   for(std::size_t i = 0; i < number_of_faces; ++i)
@@ -678,6 +680,7 @@ Surface_mesh small_mesh() { return make_mesh<Surface_mesh>(small_surface()); }
 typedef std::function<void(Surface_mesh&, Field_map)> Computation;
 
 const Constraints fix_vertex_0 = {{Surface_mesh::Vertex_index(0), 1}};
+const Constraints poles = {{Surface_mesh::Vertex_index(0), 0}, {Surface_mesh::Vertex_index(90), 1}};
 const std::vector<Surface_mesh::Vertex_index> source_0 = {Surface_mesh::Vertex_index(0)};
 
 template <class Exception>
@@ -841,34 +844,76 @@ BOOST_AUTO_TEST_CASE(bad_fields_vectors_and_directions_are_refused)
                                         "vertex 4 ");
 }
 
+namespace {
+// Computes a field, or what comes with it, with a callback.
+typedef std::function<void(Surface_mesh&, Field_map, const std::function<bool(double)>&)> Cancellable_computation;
+
+std::vector<Cancellable_computation> cancellable_computations()
+{
+  const auto with = [](const auto& compute) {
+    return [compute](Surface_mesh& mesh, Field_map field, const std::function<bool(double)>& callback) {
+      compute(mesh, field, CGAL::parameters::callback(callback));
+    };
+  };
+  const auto indices_of = [](const Surface_mesh& mesh) {
+    const auto indices = vertex_map(mesh);
+    for(const auto v : mesh.vertices())
+      put(indices, v, static_cast<double>(v.idx()));
+    return indices;
+  };
+  return {
+    with([](auto& mesh, auto field, auto np) { compute_harmonic_field_between_far_apart_vertices(mesh, field, np); }),
+    with([](auto& mesh, auto field, auto np) { compute_harmonic_field_between_borders(mesh, field, np); }),
+    with([](auto& mesh, auto field, auto np) { compute_curvature_poisson_field(mesh, field, fix_vertex_0, np); }),
+    with(
+      [=](auto& mesh, auto field, auto np) { compute_poisson_field(mesh, field, indices_of(mesh), fix_vertex_0, np); }),
+    with([=](auto& mesh, auto field, auto np) { compute_unit_gradient_field(mesh, indices_of(mesh), field, np); }),
+    with([](auto& mesh, auto field, auto np) { compute_geodesic_field(mesh, field, source_0, np); }),
+    with([](auto& mesh, auto field, auto np) { compute_mean_curvature(mesh, field, np); }),
+    with([](auto& mesh, auto field, auto np) { compute_height_field(mesh, field, Vector_3(1, 2, 3), np); }),
+    with([](auto& mesh, auto field, auto np) {
+      const auto vectors = face_vector_map(mesh);
+      for(const auto f : mesh.faces())
+        put(vectors, f, Vector_3(0, 0, 0));
+      compute_divergence(mesh, vectors, field, np);
+    }),
+    with([=](auto& mesh, auto, auto np) { compute_gradient(mesh, indices_of(mesh), face_vector_map(mesh), np); }),
+    with([](auto& mesh, auto, auto np) {
+      std::vector<std::pair<Surface_mesh::Vertex_index, Surface_mesh::Vertex_index>> pairs;
+      find_far_apart_vertices(mesh, std::back_inserter(pairs), np);
+    })};
+}
+} // namespace
+
 BOOST_AUTO_TEST_CASE(computations_can_be_cancelled_at_each_step)
 {
-  for(const bool is_geodesic : {false, true})
-  {
-    std::vector<double> fractions;
-    const auto compute = [&](Surface_mesh& mesh, Field_map field, std::size_t number_of_calls) {
-      fractions.clear();
-      const auto np = CGAL::parameters::callback([&](double fraction) {
-        fractions.push_back(fraction);
-        return fractions.size() < number_of_calls;
-      });
-      if(is_geodesic)
-        compute_geodesic_field(mesh, field, source_0, np);
-      else
-        compute_harmonic_field_between_far_apart_vertices(mesh, field, np);
-    };
-    Surface_mesh mesh = small_mesh();
-    const Field_map field_map = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:field", 0).first;
-    compute(mesh, field_map, 1000);
-    BOOST_TEST(fractions.front() == 0);
-    BOOST_TEST(fractions.back() == 1);
-    BOOST_TEST(std::is_sorted(fractions.begin(), fractions.end()));
-    const std::size_t number_of_calls = fractions.size();
-    BOOST_CHECK_NO_THROW(compute(mesh, field_map, number_of_calls)); // not any more when the field has been written
-    for(std::size_t i = 1; i < number_of_calls; ++i)
-      check_throws<Cancelled_error>(
-        small_mesh(), [&](Surface_mesh& m, Field_map field) { compute(m, field, i); }, "cancelled");
-  }
+  Triangle_soup bad = small_surface();
+  bad.points[bad.triangles[11][1]] = bad.points[bad.triangles[11][0]];
+  for(const Surface_mesh& original : {small_mesh(), make_mesh<Surface_mesh>(bad)})
+    for(const Cancellable_computation& compute : cancellable_computations())
+    {
+      std::vector<double> fractions;
+      const auto compute_up_to = [&](Surface_mesh& mesh, Field_map field, std::size_t number_of_calls) {
+        fractions.clear();
+        compute(mesh, field, [&](double fraction) {
+          fractions.push_back(fraction);
+          return fractions.size() < number_of_calls;
+        });
+      };
+      Surface_mesh mesh = original;
+      const Field_map field_map = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:field", 0).first;
+      compute_up_to(mesh, field_map, 1000);
+      BOOST_TEST(fractions.size() > 2u);
+      BOOST_TEST(fractions.front() == 0);
+      BOOST_TEST(fractions.back() == 1);
+      BOOST_TEST(std::is_sorted(fractions.begin(), fractions.end()));
+      const std::size_t number_of_calls = fractions.size();
+      // not any more when the field has been written
+      BOOST_CHECK_NO_THROW(compute_up_to(mesh, field_map, number_of_calls));
+      for(std::size_t i = 1; i < number_of_calls; ++i)
+        check_throws<Cancelled_error>(
+          original, [&](Surface_mesh& m, Field_map field) { compute_up_to(m, field, i); }, "cancelled");
+    }
 }
 
 namespace {
@@ -877,6 +922,50 @@ struct Failing_solver : CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Ei
   bool factor(const Matrix&, NT&) { return false; }
 };
 } // namespace
+
+namespace {
+// Fails the first time.
+struct Failing_once_solver
+  : CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>
+{
+  std::shared_ptr<int> number_of_calls = std::make_shared<int>(0);
+
+  bool factor(const Matrix& matrix, NT& denominator)
+  {
+    typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>> Base;
+    return ++*number_of_calls > 1 && Base::factor(matrix, denominator);
+  }
+};
+} // namespace
+
+BOOST_AUTO_TEST_CASE(edges_are_lengthened_if_there_is_no_solution_without)
+{
+  const Triangle_soup needles = field_checks::stretched(small_surface(), 1, 1e-9, 1e-9);
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(needles);
+  const auto field = vertex_map(mesh);
+  BOOST_TEST(compute_harmonic_field(mesh, field, poles).added_length == 0);
+  std::vector<double> fractions;
+  const auto np = CGAL::parameters::callback([&](double fraction) {
+    fractions.push_back(fraction);
+    return true;
+  });
+  for(const auto& compute : std::vector<std::function<Field_report(Failing_once_solver)>>{
+        [&](Failing_once_solver solver) {
+          return compute_harmonic_field(mesh, field, poles, np.sparse_linear_solver(solver));
+        },
+        [&](Failing_once_solver solver) {
+          return compute_curvature_poisson_field(mesh, field, poles, np.sparse_linear_solver(solver));
+        }})
+  {
+    fractions.clear();
+    const Field_report report = compute(Failing_once_solver());
+    BOOST_TEST(report.number_of_bad_faces == 0u);
+    BOOST_TEST(report.added_length > 0);
+    BOOST_TEST(report.added_length < 1e-5 * report.mean_length);
+    BOOST_TEST(std::is_sorted(fractions.begin(), fractions.end()));
+    check_finite(mesh, field);
+  }
+}
 
 BOOST_AUTO_TEST_CASE(a_failing_solver_is_reported)
 {

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
@@ -37,7 +38,8 @@ namespace Reeb_graph {
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
 /// \tparam OutputIterator a model of `OutputIterator` for `std::pair` of two vertex descriptors
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"; `vertex_point_map` counts
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters": `callback` and `vertex_point_map`
+///         as for `compute_harmonic_field()`
 ///
 /// \returns the past-the-end iterator of the output
 ///
@@ -50,9 +52,15 @@ OutputIterator find_far_apart_vertices(const FaceListGraph& mesh,
   namespace fields = internal::scalar_fields;
   if constexpr(internal::Mesh_is_face_list_graph<FaceListGraph>::value)
   {
+    const internal::Progress progress(np);
+    progress.report(0);
     const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
-    for(const auto& pair : fields::far_apart_vertices(surface, fields::uniform_graph(surface)))
+    progress.report(0.3);
+    const auto pairs = fields::far_apart_vertices(surface, fields::uniform_graph(surface));
+    progress.report(0.9);
+    for(const auto& pair : pairs)
       *out++ = std::make_pair(surface.vertex_handle(pair.first), surface.vertex_handle(pair.second));
+    progress.report_end();
   }
   return out;
 }

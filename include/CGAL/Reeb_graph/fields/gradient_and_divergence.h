@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
@@ -47,18 +48,19 @@ namespace Reeb_graph {
 ///         type that can be converted to `double`
 /// \tparam FaceVectorMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type, and
 ///         `Vector_3` of a \cgal kernel as value type
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"; `vertex_point_map` counts
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the triangulated surface; it is only read
 /// \param scalar_map the field
 /// \param gradient_map the result
-/// \param np the named parameters
+/// \param np `callback` and `vertex_point_map` as for `compute_harmonic_field()`
 ///
 /// \returns what was changed because of bad faces, see `Field_report`
 ///
 /// \exception Non_finite_scalar_error if a value of the field is infinite or NaN
 /// \exception Non_finite_vector_error if the gradient of a face is
 /// \exception Non_finite_point_error if a coordinate is
+/// \exception Cancelled_error if `callback` returns `false`
 ///
 /// and those for meshes that are not triangulated surfaces, see `compute_harmonic_field()`. When one of these is
 /// thrown, `gradient_map` is as it was before.
@@ -72,12 +74,15 @@ Field_report compute_gradient(const FaceListGraph& mesh,
                               const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
+  const internal::Progress progress(np);
+  progress.report(0);
   Field_report report;
   if constexpr(internal::Mesh_with_face_map<FaceListGraph, FaceVectorMap>::value)
   {
     typedef typename boost::property_traits<FaceVectorMap>::value_type Vector_3;
     fields::Indexed_surface<FaceListGraph> surface(mesh, np);
     report = fields::make_triangles_proper(surface);
+    progress.report(0.5);
     auto gradients = fields::scaled_gradients(surface, fields::read_field(surface, scalar_map));
     for(std::size_t t = 0; t != gradients.size(); ++t)
     {
@@ -86,8 +91,10 @@ Field_report compute_gradient(const FaceListGraph& mesh,
       if(!fields::is_finite(gradients[t]))
         throw Non_finite_vector_error(t);
     }
+    progress.report(0.9);
     for(std::size_t t = 0; t != gradients.size(); ++t)
       put(gradient_map, surface.face_handle(t), Vector_3(gradients[t][0], gradients[t][1], gradients[t][2]));
+    progress.report_end();
   }
   return report;
 }
@@ -109,18 +116,19 @@ Field_report compute_gradient(const FaceListGraph& mesh,
 ///         `Vector_3` of a \cgal kernel as value type
 /// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
 ///         type that can be constructed from `double`
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"; `vertex_point_map` counts
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the triangulated surface; it is only read
 /// \param vector_map the vectors
 /// \param divergence_map the result, zero for isolated vertices
-/// \param np the named parameters
+/// \param np `callback` and `vertex_point_map` as for `compute_harmonic_field()`
 ///
 /// \returns what was changed because of bad faces, see `Field_report`
 ///
 /// \exception Non_finite_vector_error if a vector is infinite or NaN
 /// \exception Non_finite_scalar_error if the divergence at a vertex is
 /// \exception Non_finite_point_error if a coordinate is
+/// \exception Cancelled_error if `callback` returns `false`
 ///
 /// and those for meshes that are not triangulated surfaces, see `compute_harmonic_field()`. When one of these is
 /// thrown, `divergence_map` is as it was before.
@@ -134,11 +142,14 @@ Field_report compute_divergence(const FaceListGraph& mesh,
                                 const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
+  const internal::Progress progress(np);
+  progress.report(0);
   Field_report report;
   if constexpr(internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
   {
     fields::Indexed_surface<FaceListGraph> surface(mesh, np);
     report = fields::make_triangles_proper(surface);
+    progress.report(0.5);
     std::vector<fields::Vector> vectors;
     vectors.reserve(surface.face_handles().size());
     for(const auto f : surface.face_handles())
@@ -151,7 +162,8 @@ Field_report compute_divergence(const FaceListGraph& mesh,
     auto divergences = fields::scaled_divergences(surface, vectors);
     for(double& divergence : divergences)
       divergence *= surface.scale();
-    fields::write_field(surface, divergences, divergence_map);
+    progress.report(0.9);
+    fields::write_field(surface, divergences, divergence_map, progress);
   }
   return report;
 }

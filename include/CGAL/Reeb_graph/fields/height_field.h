@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -39,15 +40,16 @@ namespace Reeb_graph {
 /// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
 ///         type that can be constructed from the number type of the points, or from `double`
 /// \tparam Vector_3 the vector type of the kernel of the points
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"; `vertex_point_map` counts
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the mesh; it is only read
 /// \param field_map the result
 /// \param direction the direction
-/// \param np the named parameters
+/// \param np `callback` and `vertex_point_map` as for `compute_harmonic_field()`
 ///
 /// \exception Direction_error if the direction is zero, or not finite
 /// \exception Non_finite_scalar_error if a height is infinite or NaN
+/// \exception Cancelled_error if `callback` returns `false`
 ///
 /// When one of these is thrown, `field_map` is as it was before.
 template <class VertexListGraph,
@@ -61,6 +63,8 @@ void compute_height_field(const VertexListGraph& mesh,
 {
   if constexpr(internal::Writable_vertex_map<FieldMap, VertexListGraph>::value)
   {
+    const internal::Progress progress(np);
+    progress.report(0);
     typedef typename boost::property_traits<FieldMap>::value_type Value;
     if(!CGAL::is_finite(direction.x()) || !CGAL::is_finite(direction.y()) || !CGAL::is_finite(direction.z())
        || (CGAL::is_zero(direction.x()) && CGAL::is_zero(direction.y()) && CGAL::is_zero(direction.z())))
@@ -76,6 +80,7 @@ void compute_height_field(const VertexListGraph& mesh,
       if(!CGAL::is_finite(heights.back()))
         throw Non_finite_scalar_error(heights.size() - 1);
     }
+    progress.report(0.5);
     std::size_t position = 0;
     for(const auto v : make_range(vertices(mesh)))
     {
@@ -84,6 +89,7 @@ void compute_height_field(const VertexListGraph& mesh,
       else
         put(field_map, v, static_cast<Value>(CGAL::to_double(heights[position++])));
     }
+    progress.report_end();
   }
 }
 

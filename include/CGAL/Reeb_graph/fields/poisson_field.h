@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
@@ -41,11 +42,13 @@ namespace Reeb_graph {
 /// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
 /// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
 ///         type that can be constructed from `double`
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"; `vertex_point_map` counts
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters": `callback` and `vertex_point_map`
+///         as for `compute_harmonic_field()`
 ///
 /// \returns what was changed because of bad faces, see `Field_report`
 ///
 /// \exception Non_finite_scalar_error if the result is infinite or NaN
+/// \exception Cancelled_error if `callback` returns `false`
 ///
 /// and those for meshes that are not triangulated surfaces, see `compute_harmonic_field()`. When one of these is
 /// thrown, `field_map` is as it was before.
@@ -57,21 +60,24 @@ Field_report compute_mean_curvature(const FaceListGraph& mesh,
   namespace fields = internal::scalar_fields;
   if constexpr(internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
   {
+    const internal::Progress progress(np);
+    progress.report(0);
     fields::Indexed_surface<FaceListGraph> surface(mesh, np);
     Field_report report = fields::make_triangles_proper(surface);
-    const auto curvatures_of = [&](const fields::Weighted_graph& cotangents, double) {
-      auto curvatures = fields::scaled_integrated_mean_curvatures(surface, cotangents);
+    const auto curvatures_of = [&](const fields::Weighted_graph& graph, double) {
+      auto values = fields::scaled_integrated_mean_curvatures(surface, graph);
       const auto areas = fields::scaled_mixed_areas(surface);
       for(std::size_t v = 0; v != areas.size(); ++v)
-        curvatures[v] /= (areas[v] > 0 ? areas[v] : 1) * surface.scale();
-      fields::check_finite(curvatures);
-      return curvatures;
+        values[v] /= (areas[v] > 0 ? areas[v] : 1) * surface.scale();
+      fields::check_finite(values);
+      return values;
     };
-    fields::write_field(surface,
-                        fields::solve_or_lengthen_edges(surface, report, fields::cotangent_graph(surface),
-                                                        curvatures_of,
-                                                        [&] { return fields::cotangent_graph(surface); }),
-                        field_map);
+    const fields::Weighted_graph cotangents = fields::cotangent_graph(surface);
+    progress.report(0.5);
+    const auto curvatures = fields::solve_or_lengthen_edges(surface, report, cotangents, curvatures_of,
+                                                            [&] { return fields::cotangent_graph(surface); });
+    progress.report(0.9);
+    fields::write_field(surface, curvatures, field_map, progress);
     return report;
   }
   else

@@ -145,7 +145,7 @@ private:
   // lengths from lengths. It does not end, or crashes, for some that are narrower, or of very different sizes.
   static bool is_fit_for_heat_method(const Mesh& mesh)
   {
-    constexpr double least_slack = 1e-14, largest_ratio = 1e10;
+    constexpr double least_slack = 1e-14, largest_ratio = 1e7;
     double shortest = std::numeric_limits<double>::infinity(), longest = 0;
     for(const auto f : mesh.faces())
     {

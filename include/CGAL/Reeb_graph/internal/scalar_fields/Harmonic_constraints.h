@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/fields/field_constraints.h>
 #include <CGAL/Reeb_graph/internal/mesh/border_cycles.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -48,7 +49,11 @@ public:
       put(is_reached_, v, false);
     fix_borders();
     std::vector<std::pair<vertex_descriptor, vertex_descriptor>> ends;
-    find_far_apart_vertices(mesh, std::back_inserter(ends), np);
+    // The callback is that of the field, whose progress begins later.
+    find_far_apart_vertices(
+      mesh, std::back_inserter(ends),
+      parameters::vertex_point_map(parameters::choose_parameter(
+        parameters::get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh))));
     for(const auto& pair : ends)
     {
       if(get(is_reached_, pair.first))

@@ -51,7 +51,9 @@ void lengthen_edges(Surface& surface, Field_report& report)
   // If all points are the same, the unit is that of the coordinates.
   const double mean = sum > 0 ? sum / number_of_edges : 1;
   const double added_length = (std::max)(margin_of_mean * mean, margin_of_longest * longest) - least_slack;
-  surface.set_added_length((std::max)(added_length, 0.));
+  if(!(added_length > 0))
+    return;
+  surface.set_added_length(added_length);
   report.mean_length = sum > 0 ? mean * surface.scale() : 0;
   report.added_length = surface.added_length() * surface.scale();
 }
