@@ -15,6 +15,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
+#include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
@@ -23,6 +24,7 @@
 #include <boost/graph/graph_concepts.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -30,6 +32,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 // Models of the concepts that have what the concepts ask for, and nothing else.
@@ -308,6 +311,83 @@ BOOST_AUTO_TEST_CASE(scalars_float) { test_scalar_type<float>(); }
 BOOST_AUTO_TEST_CASE(scalars_int) { test_scalar_type<int>(); }
 BOOST_AUTO_TEST_CASE(scalars_unsigned_char) { test_scalar_type<unsigned char>(); }
 BOOST_AUTO_TEST_CASE(scalars_exact_rational) { test_scalar_type<CGAL::Exact_rational>(); }
+
+namespace {
+typedef std::pair<int, int> Digits;
+struct Digits_traits : CGAL::Reeb_graph_traits<Surface_mesh, graph_checks::Scalar_map_of<Surface_mesh, Digits>>
+{
+  struct To_double
+  {
+    double operator()(const Digits& digits) const { return 10 * digits.first + digits.second; }
+  };
+  struct From_double
+  {
+    Digits operator()(double number) const
+    {
+      const int rounded = static_cast<int>(std::floor(number));
+      return {rounded / 10, rounded % 10};
+    }
+  };
+  To_double scalar_to_double_object() const { return To_double(); }
+  From_double scalar_from_double_object() const { return From_double(); }
+};
+
+// The same contours at the nodes as with numbers; the values are those of the numbers, or NaN.
+template <class Augmentation, class Numbers>
+void test_contours(const Augmentation& augmentation, const Numbers& numbers, std::size_t nodes, bool has_values)
+{
+  for(std::size_t node = 0; node < nodes; ++node)
+  {
+    const auto critical_set = augmentation.critical_set(node), expected = numbers.critical_set(node);
+    for(const auto& [contours, expected_contours] :
+        {std::make_pair(critical_set.lower_contours, expected.lower_contours),
+         std::make_pair(critical_set.upper_contours, expected.upper_contours)})
+      for(std::size_t i = 0; i < expected_contours.size(); ++i)
+      {
+        BOOST_TEST((contours.at(i).halfedges == expected_contours[i].halfedges));
+        BOOST_TEST((has_values ? contours[i].value == expected_contours[i].value : std::isnan(contours[i].value)));
+      }
+  }
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(contours_of_scalars_that_are_no_numbers)
+{
+  for(std::size_t seed = 0; seed < 10; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const Sample sample = make_sample(seed, Field_class::PERMUTATION);
+      std::vector<Digits> digits;
+      for(const double value : sample.values)
+        digits.emplace_back(static_cast<int>(value) / 10, static_cast<int>(value) % 10);
+      const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(sample.mesh, digits);
+      const auto number_map = CGAL::Reeb_graph::make_scalar_map(sample.mesh, sample.values);
+      const auto graph = graph_checks::compute(sample.mesh, digits);
+      const auto number_graph = graph_checks::compute(sample.mesh, sample.values);
+      const CGAL::Reeb_graph::Augmentation plain(sample.mesh, scalar_map, graph);
+      const CGAL::Reeb_graph::Augmentation converting(sample.mesh, scalar_map, graph,
+                                                      CGAL::parameters::geom_traits(Digits_traits()));
+      const CGAL::Reeb_graph::Augmentation numbers(sample.mesh, number_map, number_graph);
+      test_contours(plain, numbers, num_vertices(graph), false);
+      test_contours(converting, numbers, num_vertices(graph), true);
+      auto number_arc = edges(number_graph).first;
+      for(const auto arc : CGAL::make_range(edges(graph)))
+      {
+        for(const double t : {0.1, 0.5, 0.9})
+        {
+          const auto contour = converting.contour(arc, t), expected = numbers.contour(*number_arc, t);
+          BOOST_TEST((contour.halfedges == expected.halfedges));
+          BOOST_TEST(contour.value == expected.value);
+          BOOST_TEST(!plain.contour(arc, t).halfedges.empty());
+          std::vector<mesh_builders::Point> points, expected_points;
+          converting.points_of_contour(contour, std::back_inserter(points));
+          numbers.points_of_contour(expected, std::back_inserter(expected_points));
+          BOOST_TEST((points == expected_points));
+        }
+        ++number_arc;
+      }
+    }
+}
 
 BOOST_AUTO_TEST_CASE(small_integers_are_written_as_numbers)
 {

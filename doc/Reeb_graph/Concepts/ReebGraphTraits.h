@@ -5,7 +5,8 @@
 The concept `ReebGraphTraits` describes the types of a Reeb graph, and the predicates by which
 `CGAL::compute_reeb_graph()` orders the scalar values. This function asks nothing else of a scalar value: there is no
 arithmetic, and no conversion to a floating point number. If it works in parallel, values are copied and compared by
-several threads at once. What `CGAL::Reeb_graph::Augmentation` needs besides is told there.
+several threads at once. `CGAL::Reeb_graph::Augmentation` converts number types to `double` and back, and other ones as
+the optional members do.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Reeb_graph_traits}
@@ -55,6 +56,21 @@ public:
 
   /// returns the test.
   Is_ordered is_ordered_object() const;
+
+  /// @}
+
+  /// \name Optional
+  /// Scalar values that are no numbers need these two for the values of contours and the places of their points in
+  /// `CGAL::Reeb_graph::Augmentation`; without them, these values are NaN, and points are in the middles of edges. They
+  /// take the place of the conversions of number types, too.
+  /// @{
+
+  /// returns a function object with `double operator()(const Scalar& a) const`, which must not fall in the order.
+  unspecified_type scalar_to_double_object() const;
+
+  /// returns a function object with `Scalar operator()(double x) const`: for a number between those of two values, a
+  /// value between these or equal to the lower one.
+  unspecified_type scalar_from_double_object() const;
 
   /// @}
 };

@@ -49,8 +49,8 @@ namespace Reeb_graph {
 /// them.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
-/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes, and that a `double` can be converted to
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. Values that are no
+///         numbers are those of contours only if the traits class converts them, see `ReebGraphTraits`
 /// \tparam ReebGraph the type `Graph` of the traits class
 /// \tparam Traits a model of `ReebGraphTraits`: the type of the named parameter `geom_traits`, if that is given. It is
 ///         deduced by `Augmentation augmentation(mesh, scalar_map, graph, np)`.
@@ -134,8 +134,8 @@ public:
   /// \brief returns the contour of an arc at a place between its ends.
   ///
   /// The values along the arc are parametrized linearly, `t` = 0 at the lower node and `t` = 1 at the upper one. The
-  /// contour is one of the arc for any `t`; where no value lies between those of the ends, the vertices of the chain
-  /// are counted instead. It takes time proportional to the length of the contour and to the degrees of the ends of
+  /// contour is one of the arc for any `t`; where no value lies between those of the ends, or values are no numbers, the
+  /// vertices of the chain are counted instead. It takes time proportional to the length of the contour and to the degrees of the ends of
   /// the arc and of the halfedge it starts from, and logarithmic in the length of the chain.
   ///
   /// \exception Parameter_error if `t` is not greater than 0 and less than 1

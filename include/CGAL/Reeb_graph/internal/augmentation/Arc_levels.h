@@ -16,8 +16,6 @@
 #include <CGAL/Reeb_graph/internal/walks/Level.h>
 #include <CGAL/Reeb_graph/options.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -59,7 +57,7 @@ public:
     return !order_.is_higher(on_mesh_.lower_vertex(arc), value) && order_.is_higher(on_mesh_.upper_vertex(arc), value);
   }
 
-  Level at_value(const Scalar& value) const { return {Is_below::above_value(order_, value), CGAL::to_double(value)}; }
+  Level at_value(const Scalar& value) const { return {Is_below::above_value(order_, value), on_mesh_.conversion().to_double(value)}; }
 
   Level below_node(node_descriptor node) const
   {
@@ -130,10 +128,9 @@ private:
     if(!is_rounded_up && (is_falling ? value <= lower_end : value >= lower_end))
     {
       // For integers, the vertices below 2.5 are those below 2.
-      const double rounded = is_falling ? std::ceil(value) : std::floor(value);
-      const Scalar scalar = static_cast<Scalar>(std::is_integral<Scalar>::value ? rounded : value);
-      if(is_alive_at(arc, scalar))
-        return {Is_below::above_value(order_, scalar), value};
+      const auto scalar = on_mesh_.conversion().from_double(value, is_falling);
+      if(scalar && is_alive_at(arc, *scalar))
+        return {Is_below::above_value(order_, *scalar), value};
     }
     const Scalar& upper_value = on_mesh_.scalar(upper);
     const bool is_chain_vertex_lower = order_.is_lower(chain_vertex, upper_value);

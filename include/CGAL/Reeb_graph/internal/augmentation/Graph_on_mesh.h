@@ -14,13 +14,13 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Vertex_lists.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Scalar_conversion.h>
 #include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/mesh/flatten.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -63,6 +63,7 @@ public:
       graph_(graph),
       surface_(std::make_shared<const Surface>(flatten<Sequential_tag>(mesh, scalar_map, traits, np))),
       order_(surface_->values, traits.less_scalar_object()),
+      conversion_(traits),
       number_of_vertex_(find_vertex_numbers(mesh, surface_->vertices, np))
   {}
 
@@ -101,7 +102,8 @@ public:
   Vertex_index upper_vertex(arc_descriptor arc) const { return node_vertex(target(arc, graph_)); }
 
   const Scalar& scalar(Vertex_index number) const { return surface_->values[number]; }
-  double value(Vertex_index number) const { return CGAL::to_double(scalar(number)); }
+  const Scalar_conversion<Traits>& conversion() const { return conversion_; }
+  double value(Vertex_index number) const { return conversion_.to_double(scalar(number)); }
 
   halfedge_descriptor halfedge(Halfedge_index number) const { return surface_->halfedges(mesh_, number); }
 
@@ -173,6 +175,7 @@ private:
   const ReebGraph& graph_;
   const std::shared_ptr<const Surface> surface_;
   const Order order_;
+  const Scalar_conversion<Traits> conversion_;
   const std::function<Vertex_index(vertex_descriptor)> number_of_vertex_;
 };
 
