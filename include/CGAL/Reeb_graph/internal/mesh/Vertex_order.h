@@ -16,8 +16,6 @@
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
-#include <type_traits>
-
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
@@ -42,7 +40,8 @@ public:
 
   Vertex_order(const Indexed_vector<Vertex_index, Scalar>& values, const Less& less) : values_(&values), less_(less) {}
 
-  // Whether vertex u is lower than vertex v.
+  // Whether vertex u is lower than vertex v. Sweeps ask in the order of the mesh, in which a branch on the first
+  // comparison is foreseen where the field is smooth, and what depends on the answer need not wait for the values.
   bool operator()(Vertex_index u, Vertex_index v) const { return is_before((*values_)[u], u, (*values_)[v], v); }
 
   template <class Name>
@@ -51,10 +50,15 @@ public:
     return {(*values_)[v], name};
   }
 
+  // Sorting asks what cannot be foreseen, so the answer is computed without a branch but on ties, which are few or come
+  // in a row.
   template <class Name>
   bool operator()(const Key<Name>& a, const Key<Name>& b) const
   {
-    return is_before(a.value, a.name, b.value, b.name);
+    if constexpr(is_sure && is_used(Tuned_part::BRANCHLESS_ORDER))
+      return a.value == b.value ? a.name < b.name : less_(a.value, b.value);
+    else
+      return is_before(a.value, a.name, b.value, b.name);
   }
 
   // Whether the values are the same, so that only the indices order the vertices.
@@ -68,17 +72,10 @@ public:
   bool is_higher(Vertex_index u, const Scalar& value) const { return less_(value, (*values_)[u]); }
 
 private:
-  // Cheap comparisons are all done, as a branch on the first one could not be predicted.
   template <class Name>
   bool is_before(const Scalar& value_u, Name u, const Scalar& value_v, Name v) const
   {
-    if constexpr(std::is_arithmetic<Scalar>::value && is_used(Tuned_part::BRANCHLESS_ORDER))
-    {
-      const unsigned is_lower = less_(value_u, value_v), is_higher = less_(value_v, value_u), is_first = u < v;
-      return (is_lower | (is_first & ~is_higher)) != 0;
-    }
-    else
-      return less_(value_u, value_v) || (!less_(value_v, value_u) && u < v);
+    return less_(value_u, value_v) || (!less_(value_v, value_u) && u < v);
   }
 
   const Indexed_vector<Vertex_index, Scalar>* values_;
