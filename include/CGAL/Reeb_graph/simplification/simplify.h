@@ -123,6 +123,7 @@ Simplification<ReebGraph> simplify(const ReebGraph& graph,
   {
     if(std::addressof(graph) == std::addressof(simplified))
     {
+      // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): `simplified` is the same graph
       const ReebGraph copy(graph);
       return simplify(copy, threshold, simplified, np);
     }

@@ -36,6 +36,7 @@ void prefetch_element(const Vector& vector, Key key)
 {
   // Computed as a number, as a pointer must not leave its array.
   const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(vector.data());
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): nothing is read from there
   prefetch(reinterpret_cast<const void*>(begin + key.number() * sizeof(typename Vector::value_type)));
 }
 

@@ -66,7 +66,7 @@ Found_vertices find_vertices(const Complex& complex,
         continue;
       const Vertex_link link = find_link(v, found.fan_counts);
       neighbors[v.number() - block] = link.neighbors;
-      const bool is_found = is_wanted(link.summary.number_of_sectors);
+      const std::size_t is_found = is_wanted(link.summary.number_of_sectors) ? 1 : 0;
       found.vertices[number_of_found] = {v, link.summary};
       number_of_found += is_found;
       found.numbers_of_sectors[Side::LOWER] += is_found * link.summary.number_of_lower_sectors();

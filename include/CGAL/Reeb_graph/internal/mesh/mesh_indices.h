@@ -13,6 +13,8 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
@@ -30,7 +32,7 @@ typedef Index_of<Face_tag> Face_index;
 // The two halfedges of edge e are 2 e and 2 e + 1.
 constexpr Edge_index edge_of(Halfedge_index halfedge) { return Edge_index(halfedge.number() / 2); }
 constexpr Halfedge_index opposite_of(Halfedge_index halfedge) { return Halfedge_index(halfedge.number() ^ 1); }
-constexpr Halfedge_index even_halfedge(Edge_index edge) { return Halfedge_index(2 * edge.number()); }
+constexpr Halfedge_index even_halfedge(Edge_index edge) { return Halfedge_index(std::size_t(2) * edge.number()); }
 
 } // namespace internal
 } // namespace Reeb_graph

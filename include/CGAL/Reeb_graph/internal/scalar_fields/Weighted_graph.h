@@ -84,7 +84,7 @@ private:
     for(std::size_t v = 0; v + 1 != first_.size(); ++v)
     {
       const std::size_t old_begin = begin, old_end = first_[v + 1];
-      std::sort(neighbors_.begin() + old_begin, neighbors_.begin() + old_end,
+      std::sort(neighbors_.data() + old_begin, neighbors_.data() + old_end,
                 [](const Neighbor& a, const Neighbor& b) { return a.vertex < b.vertex; });
       first_[v] = end;
       for(begin = old_begin; begin != old_end; ++begin)

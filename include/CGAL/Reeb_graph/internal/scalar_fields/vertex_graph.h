@@ -40,7 +40,7 @@ auto read_values_of_vertices(const Mesh& mesh, const ScalarMap& scalar_map)
 template <class Mesh>
 auto make_position_map(const Mesh& mesh)
 {
-  const auto positions = get(dynamic_vertex_property_t<Position>(), mesh);
+  auto positions = get(dynamic_vertex_property_t<Position>(), mesh);
   Position position = 0;
   for(const auto v : CGAL::make_range(vertices(mesh)))
     put(positions, v, position++);

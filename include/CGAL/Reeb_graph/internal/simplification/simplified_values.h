@@ -209,6 +209,7 @@ auto simplified_values(const Mesh& mesh, const ScalarMap& scalar_map, double thr
 
   const std::vector<Index> saddles_of_places = pruned.find_saddles();
   std::vector<Index> saddles;
+  saddles.reserve(places.size());
   for(const Index place : places)
     saddles.push_back(saddles_of_places[place]);
   const std::vector<Scalar> values = scalar_fields::read_values_of_vertices(mesh, scalar_map);
