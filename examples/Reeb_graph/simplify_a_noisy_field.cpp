@@ -41,7 +41,7 @@ int main(int argc, char* argv[])
   const double width = *range.second - *range.first;
   std::mt19937 random;
   for(vertex_descriptor v : vertices(mesh))
-    scalar_map[v] += 0.05 * width * (2. * static_cast<double>(random()) / static_cast<double>(random.max()) - 1);
+    scalar_map[v] += 0.05 * width * (2. * random() / random.max() - 1);
 
   try
   {

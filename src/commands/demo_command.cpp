@@ -34,7 +34,7 @@ constexpr std::size_t number_of_vertices = 20000;
 
 Scalar_map add_tilted_height(Surface& surface)
 {
-  const Scalar_map scalar_map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
+  Scalar_map scalar_map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
   for(const Surface::Vertex_index v : surface.vertices())
   {
     const Point& point = surface.point(v);

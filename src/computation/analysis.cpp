@@ -15,6 +15,7 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/compute_reeb_graph.h>
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <utility>
@@ -87,7 +88,7 @@ Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Grap
   CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(
     surface, scalar_map, graph, named_parameters(options).visitor(std::ref(visitor)).callback(std::ref(progress_bar)));
   const auto total = std::make_pair(std::string("compute"), stopwatch.seconds());
-  report.seconds.insert(report.seconds.begin() + place_of_total, total);
+  report.seconds.insert(report.seconds.begin() + static_cast<std::ptrdiff_t>(place_of_total), total);
   return graph;
 }
 

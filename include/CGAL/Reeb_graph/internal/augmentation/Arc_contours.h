@@ -49,6 +49,7 @@ public:
   std::vector<Contour> trace_all(const std::vector<arc_descriptor>& arcs, const Level& level) const
   {
     std::vector<Halfedge_index> starts;
+    starts.reserve(arcs.size());
     for(const arc_descriptor arc : arcs)
       starts.push_back(find_start(arc, level.is_below));
     std::vector<Contour> contours(arcs.size());

@@ -85,8 +85,7 @@ private:
   {
     template <class Graph, class PositionOf, class ComponentOf>
     Copy(const Graph& graph, const PositionOf& position_of, const ComponentOf& component_of)
-      : mesh(),
-        positions(mesh.add_property_map<Mesh::Vertex_index, Position>("v:position", no_position).first),
+      : positions(mesh.add_property_map<Mesh::Vertex_index, Position>("v:position", no_position).first),
         components(mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first)
     {
       copy_face_graph(
@@ -118,7 +117,7 @@ private:
         0.1 + 0.8 * static_cast<double>(number_of_finished_components_) / static_cast<double>(number_of_components_));
       return;
     }
-    const auto middle = components.begin() + components.size() / 2;
+    const auto middle = components.begin() + static_cast<std::ptrdiff_t>(components.size() / 2);
     for(const auto& half :
         {std::vector<std::size_t>(components.begin(), middle), std::vector<std::size_t>(middle, components.end())})
     {
