@@ -9,17 +9,37 @@
 #include <boost/test/unit_test.hpp>
 
 #include "computed_graphs.h"
+#include "curve_samples.h"
 
+#include <CGAL/Reeb_graph/curves/branch_curves.h>
+#include <CGAL/Reeb_graph/curves/cut_along_contours.h>
+#include <CGAL/Reeb_graph/curves/cutting_system.h>
+#include <CGAL/Reeb_graph/curves/pants_decomposition.h>
+#include <CGAL/Reeb_graph/curves/segmentation.h>
+#include <CGAL/Reeb_graph/curves/unfold_multi_saddles.h>
+#include <CGAL/Reeb_graph/fields/make_borders_level.h>
+#include <CGAL/Reeb_graph/simplification/simplify_field.h>
+#ifdef CGAL_EIGEN3_ENABLED
+#include <CGAL/Reeb_graph/curves/harmonic_pants_decomposition.h>
+#endif
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
 #include <boost/mpl/list.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <iterator>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
 // The named parameter callback: how far the work is, and how it is stopped.
 
+namespace parameters = CGAL::parameters;
 using namespace computed_graphs;
 using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
@@ -154,3 +174,207 @@ BOOST_AUTO_TEST_CASE(being_stopped_is_an_error)
 {
   BOOST_TEST((std::is_base_of_v<CGAL::Reeb_graph::Error, CGAL::Reeb_graph::Cancelled_error>));
 }
+
+// What changes a mesh or a field, and what takes long otherwise: each is a function of a mesh, a field and a callback.
+
+namespace {
+typedef std::reference_wrapper<Listener> Callback;
+using curve_samples::Sample;
+
+template <class Mesh>
+using Field = typename boost::property_map<Mesh, CGAL::dynamic_vertex_property_t<double>>::type;
+
+template <class Mesh>
+struct Work
+{
+  const char* name;
+  std::function<void(Mesh& mesh, Field<Mesh> field, Callback callback)> run;
+};
+
+// Nothing is written unless the work is done.
+struct No_output
+{
+  template <class T>
+  void operator()(const T&) const
+  {
+    ++number_of_outputs;
+  }
+
+  static inline std::size_t number_of_outputs = 0;
+};
+
+template <class Mesh>
+std::vector<Work<Mesh>> cuts()
+{
+  using namespace CGAL::Reeb_graph;
+  const auto output = boost::make_function_output_iterator(No_output());
+  return {{"cutting_system",
+           [=](Mesh& mesh, Field<Mesh> field, Callback callback) {
+             cutting_system(mesh, field, output, parameters::borders(Borders::MAKE_LEVEL).callback(callback));
+           }},
+          {"segment_by_arcs", [](Mesh& mesh, Field<Mesh> field, Callback callback) {
+             typename CGAL::Reeb_graph_traits<Mesh, Field<Mesh>>::Graph graph;
+             CGAL::compute_reeb_graph(mesh, field, graph);
+             const auto patch_map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+             segment_by_arcs(mesh, field, graph, patch_map, parameters::callback(callback));
+           }}};
+}
+
+std::vector<Work<Surface_mesh>> all_works()
+{
+  using namespace CGAL::Reeb_graph;
+  typedef Field<Surface_mesh> Map;
+  typedef CGAL::Reeb_graph_traits<Surface_mesh, Map>::Graph Graph;
+  const auto output = boost::make_function_output_iterator(No_output());
+  std::vector<Work<Surface_mesh>> works = cuts<Surface_mesh>();
+  const auto add = [&](const char* name, const auto& run) { works.push_back({name, run}); };
+  add("pants_decomposition", [=](Surface_mesh& mesh, Map field, Callback callback) {
+    pants_decomposition(mesh, field, output,
+                        parameters::cut_open(true, parameters::borders(Borders::MAKE_LEVEL).callback(callback)));
+  });
+  add("branch_curves", [=](Surface_mesh& mesh, Map field, Callback callback) {
+    const auto np = parameters::borders(Borders::MAKE_LEVEL).callback(callback);
+    branch_curves(mesh, field, output, parameters::area_threshold(1e-9, np));
+  });
+  add("cut_along_contours", [=](Surface_mesh& mesh, Map field, Callback callback) {
+    Graph graph;
+    CGAL::compute_reeb_graph(mesh, field, graph);
+    std::vector<Augmentation<Surface_mesh, Map>::Contour> contours;
+    const Augmentation<Surface_mesh, Map> augmentation(mesh, field, graph);
+    for(const auto arc : CGAL::make_range(edges(graph)))
+      contours.push_back(augmentation.contour(arc, 0.5));
+    cut_along_contours(mesh, field, contours, output, parameters::callback(callback));
+  });
+  add("unfold_multi_saddles", [](Surface_mesh& mesh, Map field, Callback callback) {
+    const auto rank_map = get(CGAL::dynamic_vertex_property_t<std::uint64_t>(), mesh);
+    unfold_multi_saddles(mesh, field, rank_map, parameters::callback(callback));
+  });
+  add("make_borders_level", [](Surface_mesh& mesh, Map field, Callback callback) {
+    make_borders_level(mesh, field, parameters::callback(callback));
+  });
+  for(const auto ties : {Ties::PERTURB, Ties::CONTRACT})
+    add("simplify_field", [ties](Surface_mesh& mesh, Map field, Callback callback) {
+      simplify_field(mesh, field, 1e-6, field, parameters::ties(ties).callback(callback));
+    });
+  add("Augmentation", [](Surface_mesh& mesh, Map field, Callback callback) {
+    Graph graph;
+    CGAL::compute_reeb_graph(mesh, field, graph);
+    const Augmentation<Surface_mesh, Map> augmentation(mesh, field, graph, parameters::callback(callback));
+  });
+  add("locate_vertices", [](Surface_mesh& mesh, Map field, Callback callback) {
+    Graph graph;
+    CGAL::compute_reeb_graph(mesh, field, graph);
+    const Augmentation<Surface_mesh, Map> augmentation(mesh, field, graph);
+    augmentation.locate_vertices<CGAL::Parallel_if_available_tag>(parameters::callback(callback));
+  });
+#ifdef CGAL_EIGEN3_ENABLED
+  add("harmonic_pants_decomposition", [=](Surface_mesh& mesh, Map, Callback callback) {
+    harmonic_pants_decomposition(mesh, output, parameters::callback(callback));
+  });
+#endif
+  return works;
+}
+
+// A mesh and its field, with all descriptors.
+template <class Mesh>
+struct Snapshot
+{
+  typedef boost::graph_traits<Mesh> Traits;
+  typedef typename Traits::vertex_descriptor vertex_descriptor;
+  typedef typename Traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Traits::face_descriptor face_descriptor;
+
+  std::vector<std::tuple<vertex_descriptor, halfedge_descriptor, double>> vertices;
+  std::vector<std::tuple<halfedge_descriptor, halfedge_descriptor, vertex_descriptor, face_descriptor>> halfedges;
+  std::vector<std::tuple<face_descriptor, halfedge_descriptor>> faces;
+
+  Snapshot(const Mesh& mesh, const Field<Mesh>& field)
+  {
+    for(const auto v : CGAL::make_range(CGAL::vertices(mesh)))
+      vertices.emplace_back(v, halfedge(v, mesh), get(field, v));
+    for(const auto h : CGAL::make_range(CGAL::halfedges(mesh)))
+      halfedges.emplace_back(h, next(h, mesh), target(h, mesh), face(h, mesh));
+    for(const auto f : CGAL::make_range(CGAL::faces(mesh)))
+      faces.emplace_back(f, halfedge(f, mesh));
+  }
+
+  bool operator==(const Snapshot& other) const
+  {
+    return vertices == other.vertices && halfedges == other.halfedges && faces == other.faces;
+  }
+};
+
+template <class Mesh>
+struct Input
+{
+  Mesh mesh;
+  Field<Mesh> field;
+
+  explicit Input(const Sample& sample)
+    : mesh(curve_samples::make_mesh<Mesh>(sample.soup)),
+      field(get(CGAL::dynamic_vertex_property_t<double>(), mesh))
+  {
+    std::size_t position = 0;
+    for(const auto v : vertices(mesh))
+      put(field, v, sample.values[position++]);
+  }
+};
+
+// The work can be stopped at each call but the last few, and leaves everything as it was then.
+template <class Mesh>
+void check_work(const Work<Mesh>& work, const Sample& sample)
+{
+  Listener undisturbed;
+  Input<Mesh> expected(sample);
+  work.run(expected.mesh, expected.field, std::ref(undisturbed));
+  const std::vector<double>& fractions = undisturbed.fractions();
+  BOOST_TEST_REQUIRE(fractions.size() > 2u);
+  BOOST_TEST(fractions.front() == 0);
+  BOOST_TEST(std::is_sorted(fractions.begin(), fractions.end()));
+  BOOST_TEST(fractions.back() == 1);
+  BOOST_TEST(std::count(fractions.begin(), fractions.end(), 1) == 1);
+  No_output::number_of_outputs = 0;
+  std::size_t number_of_stops = 0;
+  Input<Mesh> input(sample);
+  const Snapshot<Mesh> before(input.mesh, input.field);
+  for(std::size_t call = 1; call <= fractions.size(); ++call)
+  {
+    Listener listener(call);
+    try
+    {
+      work.run(input.mesh, input.field, std::ref(listener));
+      break;
+    }
+    catch(const CGAL::Reeb_graph::Cancelled_error&)
+    {
+      ++number_of_stops;
+      BOOST_TEST(listener.fractions().size() == call);
+      BOOST_TEST_REQUIRE((Snapshot<Mesh>(input.mesh, input.field) == before));
+      BOOST_TEST_REQUIRE(No_output::number_of_outputs == 0u);
+      BOOST_TEST_REQUIRE(CGAL::is_valid_polygon_mesh(input.mesh));
+    }
+  }
+  BOOST_TEST(number_of_stops < fractions.size());
+  BOOST_TEST(number_of_stops + 2 >= fractions.size());
+  // What could not be stopped gives what it gives on a mesh on which nothing has been undone.
+  const auto number_of_faces = [](const Mesh& mesh) { return std::distance(faces(mesh).first, faces(mesh).second); };
+  BOOST_TEST(number_of_faces(input.mesh) == number_of_faces(expected.mesh));
+  BOOST_TEST(CGAL::is_triangle_mesh(input.mesh));
+}
+
+template <class Mesh>
+void check_works(const std::vector<Work<Mesh>>& works)
+{
+  for(const Work<Mesh>& work : works)
+    for(const bool has_borders : {false, true})
+      for(std::size_t seed = 0; seed < 3; ++seed)
+      {
+        BOOST_TEST_CONTEXT(work.name << ", borders " << has_borders << ", seed " << seed)
+        check_work(work, curve_samples::random_sample(seed, has_borders, 1, 2));
+      }
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(work_that_is_stopped_changes_nothing) { check_works(all_works()); }
+
+BOOST_AUTO_TEST_CASE(splits_are_undone_in_polyhedra) { check_works(cuts<Polyhedron>()); }

@@ -20,6 +20,7 @@
 #include <CGAL/Reeb_graph/internal/augmentation/New_places.h>
 #include <CGAL/Reeb_graph/internal/augmentation/check_graph.h>
 #include <CGAL/Reeb_graph/internal/augmentation/locate_vertices.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -103,19 +104,8 @@ public:
                ScalarMap scalar_map,
                const ReebGraph& graph,
                const NamedParameters& np = parameters::default_values())
-    : ties_(parameters::choose_parameter(parameters::get_parameter(np, internal::ties), Ties::PERTURB)),
-      are_degree_two_nodes_kept_(
-        parameters::choose_parameter(parameters::get_parameter(np, internal::keep_degree_two_nodes), false)),
-      on_mesh_(mesh, scalar_map, graph, internal::choose_traits<Traits>(np), np),
-      levels_(on_mesh_, ties_),
-      contours_(on_mesh_),
-      new_places_(parameters::get_parameter(np, internal::simplification))
-  {
-    static_assert(std::is_same_v<internal::Chosen_traits<Traits, NamedParameters>, Traits>,
-                  "The last template parameter of Augmentation must be the type of the named parameter geom_traits.");
-    internal::check_nodes(on_mesh_);
-    internal::check_arcs(on_mesh_, ties_);
-  }
+    : Augmentation(mesh, scalar_map, graph, np, internal::Progress(np))
+  {}
 
 #ifndef DOXYGEN_RUNNING
   // Neither the mesh nor the graph is copied.
@@ -263,13 +253,35 @@ public:
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`
   ///
   /// \exception Graph_mismatch_error if the graph is not the one that `compute_reeb_graph()` has made
-  template <class ConcurrencyTag = Sequential_tag>
-  Vertex_locations locate_vertices() const
+  template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
+  Vertex_locations locate_vertices(const NamedParameters& np = parameters::default_values()) const
   {
-    return internal::locate_vertices<ConcurrencyTag>(on_mesh_, ties_, are_degree_two_nodes_kept_, new_places_);
+    return internal::locate_vertices<ConcurrencyTag>(on_mesh_, ties_, are_degree_two_nodes_kept_, new_places_,
+                                                     internal::Progress(np));
   }
 
 private:
+  template <class NamedParameters>
+  Augmentation(const FaceListGraph& mesh,
+               ScalarMap scalar_map,
+               const ReebGraph& graph,
+               const NamedParameters& np,
+               const internal::Progress& progress)
+    : ties_(parameters::choose_parameter(parameters::get_parameter(np, internal::ties), Ties::PERTURB)),
+      are_degree_two_nodes_kept_(
+        parameters::choose_parameter(parameters::get_parameter(np, internal::keep_degree_two_nodes), false)),
+      on_mesh_(mesh, scalar_map, graph, internal::choose_traits<Traits>(np), np, progress),
+      levels_(on_mesh_, ties_),
+      contours_(on_mesh_),
+      new_places_(parameters::get_parameter(np, internal::simplification))
+  {
+    static_assert(std::is_same_v<internal::Chosen_traits<Traits, NamedParameters>, Traits>,
+                  "The last template parameter of Augmentation must be the type of the named parameter geom_traits.");
+    internal::check_nodes(on_mesh_);
+    internal::check_arcs(on_mesh_, ties_);
+    progress.report_end();
+  }
+
   void check_place(arc_descriptor arc, double t) const
   {
     internal::check_is_arc(on_mesh_.graph(), arc);

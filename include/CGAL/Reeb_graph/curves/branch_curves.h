@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/curves/choose_contours.h>
 #include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
 
@@ -115,10 +116,16 @@ OutputIterator branch_curves(MutableFaceGraph& mesh,
                              const NamedParameters& np = parameters::default_values())
 {
   const internal::Branch_thresholds<NamedParameters> thresholds(np); // It checks them before the mesh is changed.
+  const internal::Progress progress(np);
+  progress.report(0);
   internal::check_input(mesh, scalar_map, np);
-  return internal::cut_along_chosen_contours(mesh, scalar_map, curves, np, [&](const auto& ranked, const auto& simple) {
-    return internal::choose_branch_curves(ranked, simple, thresholds, np);
-  });
+  const OutputIterator end = internal::cut_along_chosen_contours(
+    mesh, scalar_map, curves, np, internal::Stage_progress(progress, 0.05, 1),
+    [&](const auto& ranked, const auto& simple, const internal::Stage_progress& stage) {
+      return internal::choose_branch_curves(ranked, simple, thresholds, np, stage);
+    });
+  progress.report_end();
+  return end;
 }
 
 } // namespace Reeb_graph

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/curves/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/curves/contours_to_cut.h>
 #include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
@@ -75,12 +76,20 @@ OutputIterator cut_along_contours(MutableFaceGraph& mesh,
   typedef internal::Chosen_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>, NamedParameters> Traits;
   if constexpr(internal::Refinable_mesh_with_field<MutableFaceGraph, ScalarMap, Traits>::value)
   {
+    const internal::Progress progress(np);
+    progress.report(0);
     internal::check_input(mesh, scalar_map, np);
     const auto traits = internal::choose_traits<Traits>(np);
-    return internal::cut_along_found_contours(mesh, scalar_map, traits, curves, np, [&](const auto& ranked) {
-      internal::rank_vertices(ranked, scalar_map, traits);
-      return internal::make_contours_to_cut(ranked, contours);
-    });
+    const OutputIterator end = internal::cut_along_found_contours(
+      mesh, scalar_map, traits, curves, np, internal::Stage_progress(progress, 0.1, 0.3),
+      internal::Stage_progress(progress, 0.3, 1), [&](const auto& ranked, const internal::Stage_progress& stage) {
+        stage(0);
+        internal::rank_vertices(ranked, scalar_map, traits);
+        stage(0.7);
+        return internal::make_contours_to_cut(ranked, contours);
+      });
+    progress.report_end();
+    return end;
   }
   else
     return curves;

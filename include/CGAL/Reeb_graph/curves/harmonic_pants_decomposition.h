@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field_between_borders.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
 
@@ -52,11 +53,17 @@ OutputIterator harmonic_pants_decomposition(MutableFaceGraph& mesh,
   if constexpr(internal::Refinable_mesh<MutableFaceGraph>::value)
   {
     typedef typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor vertex_descriptor;
+    const internal::Progress progress(np);
+    progress.report(0);
     internal::check_input(mesh, boost::static_property_map<double, vertex_descriptor>(0), parameters::default_values());
     internal::check_negative_euler_characteristics(mesh);
     const auto field_map = get(dynamic_vertex_property_t<double>(), mesh);
-    compute_harmonic_field_between_borders(mesh, field_map, np);
-    return pants_decomposition(mesh, field_map, curves, np);
+    const internal::Stage_progress field_progress(progress, 0.05, 0.9);
+    compute_harmonic_field_between_borders(mesh, field_map, np.callback(field_progress.callback()));
+    const OutputIterator end =
+      internal::cut_into_pants(mesh, field_map, curves, np, internal::Stage_progress(progress, 0.9, 1));
+    progress.report_end();
+    return end;
   }
   else
     return curves;

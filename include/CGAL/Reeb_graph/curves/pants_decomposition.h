@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/curves/choose_contours.h>
 #include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
 
@@ -75,11 +76,14 @@ OutputIterator pants_decomposition(MutableFaceGraph& mesh,
                                    OutputIterator curves,
                                    const NamedParameters& np = parameters::default_values())
 {
+  const internal::Progress progress(np);
+  progress.report(0);
   internal::check_input(mesh, scalar_map, np);
   internal::check_negative_euler_characteristics(mesh);
-  return internal::cut_along_chosen_contours(mesh, scalar_map, curves, np, [&](const auto& ranked, const auto& simple) {
-    return internal::choose_pants_decomposition(ranked, simple, np);
-  });
+  const OutputIterator end =
+    internal::cut_into_pants(mesh, scalar_map, curves, np, internal::Stage_progress(progress, 0.05, 1));
+  progress.report_end();
+  return end;
 }
 
 } // namespace Reeb_graph

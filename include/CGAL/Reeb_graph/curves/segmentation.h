@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/curves/arc_patches.h>
 
@@ -149,15 +150,19 @@ std::size_t segment_by_arcs(MutableFaceGraph& mesh,
   typedef internal::Chosen_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>, NamedParameters> Traits;
   if constexpr(internal::Refinable_mesh_with_graph<MutableFaceGraph, ScalarMap, ReebGraph, Traits, FacePatchMap>::value)
   {
+    const internal::Progress progress(np);
+    const auto stage = [&](double begin, double end) { return internal::Stage_progress(progress, begin, end); };
     const auto traits = internal::choose_traits<Traits>(np);
     auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
     const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
     const Augmentation<MutableFaceGraph, ScalarMap, ReebGraph, Traits> augmentation(
-      mesh, scalar_map, graph, np); // It checks the values before they are sorted.
+      mesh, scalar_map, graph, np.callback(stage(0, 0.05).callback())); // It checks the values before they are sorted.
     internal::rank_vertices(ranked, scalar_map, traits);
-    const auto borders = internal::find_arc_borders(ranked, graph, augmentation);
-    const auto curves = internal::cut_and_mark(ranked, borders.contours, scalar_map, traits, np);
-    return internal::mark_arc_patches(ranked, graph, borders, curves, face_patch_map);
+    const auto borders = internal::find_arc_borders(ranked, graph, augmentation, stage(0.1, 0.2));
+    const auto curves = internal::cut_and_mark(ranked, borders.contours, scalar_map, traits, np, stage(0.2, 0.65));
+    const std::size_t number_of_patches = internal::mark_arc_patches(ranked, graph, borders, curves, face_patch_map);
+    progress.report_end();
+    return number_of_patches;
   }
   else
     return 0;

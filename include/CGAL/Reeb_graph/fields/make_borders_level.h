@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/level_border_values.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -110,7 +111,7 @@ Border_level_changes make_borders_level(const FaceListGraph& mesh,
     return internal::scalar_fields::write_level_borders<Border_level_changes>(
       mesh, scalar_map, internal::choose_traits<Traits>(np),
       choose_parameter(get_parameter(np, internal::border_extremum), Border_extremum::AUTOMATIC),
-      choose_parameter(get_parameter(np, internal::collar_width), std::size_t(3)));
+      choose_parameter(get_parameter(np, internal::collar_width), std::size_t(3)), internal::Progress(np));
   else
     return Border_level_changes();
 }

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/simplification/simplified_values.h>
@@ -102,7 +103,9 @@ double simplify_field(const FaceListGraph& mesh,
   if constexpr(internal::Scalar_field_and_map<FaceListGraph, ScalarMap, Traits, SimplifiedScalarMap>::value)
   {
     typedef Branch<typename boost::graph_traits<typename Traits::Graph>::vertex_descriptor> Branch;
-    const auto values = internal::simplified_values<Branch, Traits>(mesh, scalar_map, threshold, np);
+    const internal::Progress progress(np);
+    const auto values = internal::simplified_values<Branch, Traits>(mesh, scalar_map, threshold, np,
+                                                                    internal::Stage_progress(progress, 0, 0.98));
     double largest_difference = 0;
     std::size_t position = 0;
     for(const auto v : CGAL::make_range(vertices(mesh)))
@@ -112,6 +115,7 @@ double simplify_field(const FaceListGraph& mesh,
         largest_difference, internal::persistence(CGAL::to_double(get(scalar_map, v)), CGAL::to_double(value)));
       put(simplified_scalar_map, v, value);
     }
+    progress.report_end();
     return largest_difference;
   }
   else

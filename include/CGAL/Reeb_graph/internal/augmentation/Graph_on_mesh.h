@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Vertex_lists.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/Scalar_conversion.h>
 #include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
@@ -58,10 +59,11 @@ public:
                 const ScalarMap& scalar_map,
                 const ReebGraph& graph,
                 const Traits& traits,
-                const NamedParameters& np)
+                const NamedParameters& np,
+                const Progress& progress)
     : mesh_(mesh),
       graph_(graph),
-      surface_(std::make_shared<const Surface>(flatten<Sequential_tag>(mesh, scalar_map, traits, np))),
+      surface_(std::make_shared<const Surface>(flatten_reported(mesh, scalar_map, traits, np, progress))),
       order_(surface_->values, traits.less_scalar_object()),
       conversion_(traits),
       number_of_vertex_(find_vertex_numbers(mesh, surface_->vertices, np))
@@ -171,6 +173,19 @@ public:
   }
 
 private:
+  template <class ScalarMap, class NamedParameters>
+  static Surface flatten_reported(const FaceListGraph& mesh,
+                                  const ScalarMap& scalar_map,
+                                  const Traits& traits,
+                                  const NamedParameters& np,
+                                  const Progress& progress)
+  {
+    progress.report(0);
+    Surface surface = flatten<Sequential_tag>(mesh, scalar_map, traits, np);
+    progress.report(0.8);
+    return surface;
+  }
+
   const FaceListGraph& mesh_;
   const ReebGraph& graph_;
   const std::shared_ptr<const Surface> surface_;

@@ -42,15 +42,22 @@ class Vertex_places
 {
 public:
   template <class ConcurrencyTag>
-  static Vertex_places make(const Complex& complex, const Order& order, Ties ties, bool are_degree_two_nodes_kept)
+  static Vertex_places make(const Complex& complex,
+                            const Order& order,
+                            Ties ties,
+                            bool are_degree_two_nodes_kept,
+                            const Progress& progress)
   {
     Vertex_places places(complex, order, ties);
+    progress.report(0);
     places.critical_vertices_ = classify_vertices<ConcurrencyTag>(complex, order);
-    if(!places.template spread_arcs<ConcurrencyTag>())
-      places.template sweep_all_vertices<ConcurrencyTag>();
+    if(!places.template spread_arcs<ConcurrencyTag>(Stage_progress(progress, 0.3, 0.4)))
+      places.template sweep_all_vertices<ConcurrencyTag>(Stage_progress(progress, 0.5, 0.85));
+    progress.report(0.9);
     places.graph_ = reduce_arcs<ConcurrencyTag>(complex, order, places.critical_vertices_, places.critical_arcs_, ties,
                                                 are_degree_two_nodes_kept, true);
     checked_index(places.graph_.nodes.size() + places.graph_.arcs.size());
+    progress.report(0.95);
     places.template find_places<ConcurrencyTag>();
     return places;
   }
@@ -71,22 +78,22 @@ private:
   {}
 
   template <class ConcurrencyTag>
-  bool spread_arcs()
+  bool spread_arcs(const Stage_progress& progress)
   {
     if(Spreading::are_arcs_short(*complex_, critical_vertices_))
       return false;
     critical_arcs_ = find_arcs<ConcurrencyTag>(*complex_, *order_, critical_vertices_, Default_method(),
-                                               Default_number_of_slabs(), No_progress());
+                                               Default_number_of_slabs(), progress);
     Spreading spreading(*complex_, *order_, critical_vertices_, critical_arcs_);
     return spreading.template find_arcs_of_vertices<ConcurrencyTag>(arc_of_vertex_);
   }
 
   template <class ConcurrencyTag>
-  void sweep_all_vertices()
+  void sweep_all_vertices(const Stage_progress& progress)
   {
     const Swept_vertices all_vertices = sort_all_vertices<ConcurrencyTag>(*complex_, *order_);
     const Slab_arcs steps = find_arcs<ConcurrencyTag>(*complex_, *order_, all_vertices, Default_method(),
-                                                      Default_number_of_slabs(), No_progress());
+                                                      Default_number_of_slabs(), progress);
     const Flat_graph graph =
       reduce_arcs<ConcurrencyTag>(*complex_, *order_, all_vertices, steps, Ties::PERTURB, true, true);
     make_critical_arcs(graph);

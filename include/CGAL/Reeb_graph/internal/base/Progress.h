@@ -15,6 +15,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 
 namespace CGAL {
@@ -36,8 +38,11 @@ public:
       throw Cancelled_error();
   }
 
+  // How far it is where nothing can be cancelled.
+  void tell(double fraction) const { callback_(fraction); }
+
   // The end: there is nothing left to cancel.
-  void report_end() const { callback_(1); }
+  void report_end() const { tell(1); }
 
 private:
   struct No_callback
@@ -48,15 +53,38 @@ private:
   std::function<bool(double)> callback_;
 };
 
-// Tells how far a stage is, which begins and ends at fractions of the whole.
+// Tells how far a stage is, which begins and ends at fractions of the whole. It refers to the progress of the whole.
 class Stage_progress
 {
 public:
   Stage_progress(const Progress& progress, double begin, double end) : progress_(progress), begin_(begin), end_(end) {}
 
-  void operator()(double fraction) const { progress_.report(begin_ + fraction * (end_ - begin_)); }
+  // A stage of this stage.
+  Stage_progress part(double begin, double end) const { return {progress_, of_whole(begin), of_whole(end)}; }
+
+  void operator()(double fraction) const { progress_.report(of_whole(fraction)); }
+  void tell(double fraction) const { progress_.tell(of_whole(fraction)); }
+
+  // Reports before some of the steps of a loop.
+  void report_step(std::size_t step, std::size_t number_of_steps) const
+  {
+    if(step % (number_of_steps / 64 + 1) == 0)
+      (*this)(static_cast<double>(step) / static_cast<double>(number_of_steps));
+  }
+
+  // The named parameter `callback` of a function that does the stage. It throws Cancelled_error itself, also at the end.
+  auto callback() const
+  {
+    return [stage = *this](double fraction) {
+      stage(fraction);
+      return true;
+    };
+  }
 
 private:
+  // Not more than the end, so that the fractions of one stage after the other ascend.
+  double of_whole(double fraction) const { return (std::min)(end_, begin_ + fraction * (end_ - begin_)); }
+
   const Progress& progress_;
   double begin_, end_;
 };

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/curves/Curve.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/curves/Contour_cutting.h>
 #include <CGAL/Reeb_graph/internal/curves/Graph_retract.h>
 
@@ -69,12 +70,16 @@ public:
   Contour_choice(const RankedMesh& ranked,
                  const Graph& graph,
                  const CurveCost& curve_cost,
-                 std::size_t number_of_candidates)
+                 std::size_t number_of_candidates,
+                 const Stage_progress& progress)
     : ranked_(ranked),
       graph_(graph),
       curve_cost_(curve_cost),
       number_of_candidates_((std::max)(number_of_candidates, std::size_t(1))),
-      augmentation_(ranked.mesh(), ranked.rank_map(), graph, parameters::ties(Ties::CONTRACT))
+      augmentation_(ranked.mesh(),
+                    ranked.rank_map(),
+                    graph,
+                    parameters::ties(Ties::CONTRACT, parameters::callback(progress.callback())))
   {}
 
   // The contour of least cost among those just above some vertices of the chains along the path.

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/curves/Ranked_mesh.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -67,16 +68,23 @@ public:
       crossing_map_(get(dynamic_vertex_property_t<std::size_t>(), mesh_))
   {}
 
-  std::vector<Curve<halfedge_descriptor>> operator()()
+  std::vector<Curve<halfedge_descriptor>> operator()(const Stage_progress& progress)
   {
     for(const vertex_descriptor v : vertices(mesh_))
       put(crossing_map_, v, 0);
     sort_crossings();
     collect_faces();
-    for(std::size_t edge = 0; edge != crossed_edges_.size(); ++edge)
+    const std::size_t number_of_edges = crossed_edges_.size(), number_of_faces = crossed_faces_.size();
+    for(std::size_t edge = 0; edge != number_of_edges; ++edge)
+    {
+      progress.part(0.1, 0.4).report_step(edge, number_of_edges);
       split_edge(edge);
-    for(const face_descriptor f : crossed_faces_)
-      split_face(f);
+    }
+    for(std::size_t i = 0; i != number_of_faces; ++i)
+    {
+      progress.part(0.4, 0.9).report_step(i, number_of_faces);
+      split_face(crossed_faces_[i]);
+    }
     return make_curves();
   }
 

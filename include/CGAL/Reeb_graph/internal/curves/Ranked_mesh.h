@@ -59,6 +59,14 @@ public:
       value_map_(get(dynamic_vertex_property_t<double>(), mesh))
   {}
 
+  // Undoes all splits, the last one first, unless they are to be kept: something has been thrown. What was there before
+  // them is there again, with the same descriptors.
+  ~Ranked_mesh()
+  {
+    for(; !splits_.empty(); splits_.pop_back())
+      undo(splits_.back());
+  }
+
   Ranked_mesh(const Ranked_mesh&) = delete;
   Ranked_mesh& operator=(const Ranked_mesh&) = delete;
 
@@ -105,6 +113,9 @@ public:
   halfedge_descriptor split_edge(halfedge_descriptor h, vertex_descriptor u, vertex_descriptor w, double t) const
   {
     const auto point = point_between(u, w, t);
+    if(are_splits_remembered_)
+      splits_.push_back({h, true, halfedge(source(h, mesh_), mesh_), halfedge(target(h, mesh_), mesh_),
+                         halfedge_of_face(h), halfedge_of_face(opposite(h, mesh_))});
     const halfedge_descriptor first = Euler::split_edge(h, mesh_);
     put(vertex_point_map_, target(first, mesh_), point);
     visitor_.edge_split(first, h);
@@ -115,7 +126,11 @@ public:
   // Joins the targets of two halfedges of a face. The new face is behind `h2`. Returns the halfedge that follows `h1`.
   halfedge_descriptor split_face(halfedge_descriptor h1, halfedge_descriptor h2) const
   {
+    const halfedge_descriptor of_source = halfedge(target(h1, mesh_), mesh_),
+                              of_target = halfedge(target(h2, mesh_), mesh_), of_face = halfedge_of_face(h1);
     const halfedge_descriptor h = Euler::split_face(h1, h2, mesh_);
+    if(are_splits_remembered_)
+      splits_.push_back({h, false, of_source, of_target, of_face, of_face});
     visitor_.face_split(face(h, mesh_), face(opposite(h, mesh_), mesh_));
     return h;
   }
@@ -145,7 +160,49 @@ public:
       split_face(next(next(to_apex, mesh_), mesh_), to_apex);
   }
 
+  // The splits so far and those to come are not undone.
+  void keep_splits() const
+  {
+    are_splits_remembered_ = false;
+    splits_ = std::vector<Split>();
+  }
+
 private:
+  // A split of the edge of a halfedge, or of a face by a new one, and the halfedges that were those of its ends, and of the
+  // faces on both sides.
+  struct Split
+  {
+    halfedge_descriptor halfedge;
+    bool is_of_edge;
+    halfedge_descriptor of_source, of_target, of_face, of_opposite_face;
+  };
+
+  halfedge_descriptor halfedge_of_face(halfedge_descriptor h) const
+  {
+    return is_border(h, mesh_) ? h : halfedge(face(h, mesh_), mesh_);
+  }
+
+  void restore_face(face_descriptor f, halfedge_descriptor h) const
+  {
+    if(f != boost::graph_traits<Mesh>::null_face())
+      set_halfedge(f, h, mesh_);
+  }
+
+  void undo(const Split& split) const
+  {
+    const halfedge_descriptor h = split.halfedge;
+    if(split.is_of_edge)
+      Euler::join_vertex(opposite(prev(h, mesh_), mesh_), mesh_);
+    const vertex_descriptor u = source(h, mesh_), w = target(h, mesh_);
+    const face_descriptor f = face(h, mesh_), g = split.is_of_edge ? face(opposite(h, mesh_), mesh_) : f;
+    if(!split.is_of_edge)
+      Euler::join_face(h, mesh_);
+    set_halfedge(u, split.of_source, mesh_);
+    set_halfedge(w, split.of_target, mesh_);
+    restore_face(f, split.of_face);
+    restore_face(g, split.of_opposite_face);
+  }
+
   double quality_of_fan(const std::vector<halfedge_descriptor>& polygon, std::size_t apex) const
   {
     const auto corner = [&](std::size_t i) { return target(polygon[(apex + i) % polygon.size()], mesh_); };
@@ -169,6 +226,8 @@ private:
   Visitor& visitor_;
   Rank_map rank_map_;
   Value_map value_map_;
+  mutable bool are_splits_remembered_ = true;
+  mutable std::vector<Split> splits_;
 };
 
 } // namespace internal

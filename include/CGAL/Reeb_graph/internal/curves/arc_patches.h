@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/curves/Contour_choice.h>
 #include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
@@ -40,7 +41,8 @@ struct Arc_borders
 template <class RankedMesh, class ReebGraph, class Augmentation>
 Arc_borders<RankedMesh, ReebGraph> find_arc_borders(const RankedMesh& ranked,
                                                     const ReebGraph& graph,
-                                                    const Augmentation& augmentation)
+                                                    const Augmentation& augmentation,
+                                                    const Stage_progress& progress)
 {
   typedef typename Augmentation::Contour Contour;
   std::unordered_map<const void*, std::size_t> numbers; // arcs have no order, but each has its own properties
@@ -50,6 +52,7 @@ Arc_borders<RankedMesh, ReebGraph> find_arc_borders(const RankedMesh& ranked,
   Arc_borders<RankedMesh, ReebGraph> result;
   for(const auto node : CGAL::make_range(vertices(graph)))
   {
+    progress.report_step(node, num_vertices(graph));
     if(in_degree(node, graph) + out_degree(node, graph) < 2)
       continue;
     const auto critical_set = augmentation.critical_set(node);

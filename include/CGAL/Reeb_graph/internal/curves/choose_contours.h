@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/curves/Contour_choice.h>
 #include <CGAL/Reeb_graph/internal/curves/Graph_retract.h>
@@ -62,11 +63,12 @@ template <class RankedMesh, class CurveCost, class NamedParameters>
 Contour_choice<RankedMesh, CurveCost> make_contour_choice(const RankedMesh& ranked,
                                                           const Simple_reeb_graph<RankedMesh>& simple,
                                                           const CurveCost& cost,
-                                                          const NamedParameters& np)
+                                                          const NamedParameters& np,
+                                                          const Stage_progress& progress)
 {
   const std::size_t number =
     parameters::choose_parameter(parameters::get_parameter(np, number_of_candidates), std::size_t(16));
-  return Contour_choice<RankedMesh, CurveCost>(ranked, simple.graph, cost, number);
+  return Contour_choice<RankedMesh, CurveCost>(ranked, simple.graph, cost, number, progress);
 }
 
 // The positions of the edges that are in no maximum spanning tree of a graph with parallel edges and loops. `Path` has
@@ -99,12 +101,13 @@ template <class RankedMesh, class NamedParameters>
 std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_cutting_system(
   const RankedMesh& ranked,
   const Simple_reeb_graph<RankedMesh>& simple,
-  const NamedParameters& np)
+  const NamedParameters& np,
+  const Stage_progress& progress)
 {
   typedef typename Simple_reeb_graph<RankedMesh>::Graph Graph;
   const auto cost = choose_curve_cost<Length_of_curve>(np);
   const auto weight = parameters::choose_parameter<Length_of_curve>(parameters::get_parameter(np, arc_weight));
-  const auto choose = make_contour_choice(ranked, simple, cost, np);
+  const auto choose = make_contour_choice(ranked, simple, cost, np, progress.part(0, 0.2));
   const std::vector<bool> no_border(num_vertices(simple.graph), false);
   const Graph_retract<Graph> retract(simple.graph, no_border);
 
@@ -112,6 +115,7 @@ std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_cut
   std::vector<double> weights;
   for(const auto& path : retract.paths())
   {
+    progress.part(0.2, 1).report_step(candidates.size(), retract.paths().size());
     auto choice = choose(path);
     weights.push_back(weight(choice.properties));
     candidates.push_back(std::move(choice.contour));
@@ -126,15 +130,18 @@ template <class RankedMesh, class NamedParameters>
 std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_pants_decomposition(
   const RankedMesh& ranked,
   const Simple_reeb_graph<RankedMesh>& simple,
-  const NamedParameters& np)
+  const NamedParameters& np,
+  const Stage_progress& progress)
 {
   typedef typename Simple_reeb_graph<RankedMesh>::Graph Graph;
   const auto cost = choose_curve_cost<Length_of_curve>(np);
-  const auto choose = make_contour_choice(ranked, simple, cost, np);
+  const auto choose = make_contour_choice(ranked, simple, cost, np, progress.part(0, 0.2));
   std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> contours;
   const Graph_retract<Graph> retract(simple.graph, simple.is_border);
+  std::size_t number_of_paths = 0;
   for(const auto& path : retract.paths())
   {
+    progress.part(0.2, 1).report_step(number_of_paths++, retract.paths().size());
     if(!simple.is_border[path.first_node] && !simple.is_border[path.last_node])
       contours.push_back(choose(path).contour);
   }
@@ -146,13 +153,18 @@ std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_bra
   const RankedMesh& ranked,
   const Simple_reeb_graph<RankedMesh>& simple,
   const Branch_thresholds<NamedParameters>& thresholds,
-  const NamedParameters& np)
+  const NamedParameters& np,
+  const Stage_progress& progress)
 {
   const auto cost = choose_curve_cost<Cost_of_branch_curve>(np);
-  const auto choose = make_contour_choice(ranked, simple, cost, np);
+  const auto choose = make_contour_choice(ranked, simple, cost, np, progress.part(0, 0.2));
   std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> contours;
-  for(const auto& path : find_branches(ranked, simple, thresholds))
+  const auto branches = find_branches(ranked, simple, thresholds, progress.part(0.2, 0.5));
+  for(const auto& path : branches)
+  {
+    progress.part(0.5, 1).report_step(contours.size(), branches.size());
     contours.push_back(choose(path).contour);
+  }
   return contours;
 }
 
@@ -174,38 +186,57 @@ void copy_added_values(const Mesh& mesh,
   }
 }
 
-// Refines a mesh so that the contours of choose(ranked mesh, its Reeb graph with simple saddles) become paths of edges,
-// and outputs these. The input has been checked by check_input().
+// Refines a mesh so that the contours of choose(ranked mesh, its Reeb graph with simple saddles, progress) become paths
+// of edges, and outputs these. The input has been checked by check_input().
 template <class Mesh, class ScalarMap, class OutputIterator, class NamedParameters, class Choose>
 OutputIterator cut_along_chosen_contours(Mesh& mesh,
                                          const ScalarMap& scalar_map,
                                          OutputIterator output,
                                          const NamedParameters& np,
+                                         const Stage_progress& progress,
                                          const Choose& choose)
 {
   typedef Chosen_traits<Reeb_graph_traits<Mesh, ScalarMap>, NamedParameters> Traits;
   if constexpr(Refinable_mesh_with_field<Mesh, ScalarMap, Traits>::value)
   {
     const auto traits = choose_traits<Traits>(np);
-    const auto cut = [&](const auto& map) {
-      return cut_along_found_contours(mesh, map, traits, output, np, [&](const auto& ranked) {
-        return choose(ranked, compute_simple_reeb_graph(ranked, map, traits));
-      });
+    const auto cut = [&](const auto& map, const Stage_progress& stage) {
+      const auto find_contours = [&](const auto& ranked, const Stage_progress& finding) {
+        const auto simple = compute_simple_reeb_graph(ranked, map, traits, finding.part(0, 0.55));
+        return choose(ranked, simple, finding.part(0.55, 1));
+      };
+      return cut_along_found_contours(mesh, map, traits, output, np, stage.part(0, 0.85), stage.part(0.85, 1),
+                                      find_contours);
     };
     if(parameters::choose_parameter(parameters::get_parameter(np, borders), Borders::LEVEL) == Borders::LEVEL)
-      return cut(scalar_map);
+      return cut(scalar_map, progress);
     const auto old_vertices = CGAL::make_range(vertices(mesh));
     const std::set<typename boost::graph_traits<Mesh>::vertex_descriptor> old(old_vertices.begin(), old_vertices.end());
     const auto level_map = get(dynamic_vertex_property_t<typename Traits::Scalar>(), mesh);
     for(const auto v : old)
       put(level_map, v, get(scalar_map, v));
-    make_borders_level(mesh, level_map, np);
-    output = cut(level_map);
+    make_borders_level(mesh, level_map, np.callback(progress.part(0, 0.2).callback()));
+    const OutputIterator end = cut(level_map, progress.part(0.2, 1));
     copy_added_values(mesh, old, level_map, scalar_map);
-    return output;
+    return end;
   }
   else
     return output;
+}
+
+// Refines a mesh so that the curves of a pants decomposition become paths of edges, and outputs these. The input has been
+// checked.
+template <class Mesh, class ScalarMap, class OutputIterator, class NamedParameters>
+OutputIterator cut_into_pants(Mesh& mesh,
+                              const ScalarMap& scalar_map,
+                              OutputIterator output,
+                              const NamedParameters& np,
+                              const Stage_progress& progress)
+{
+  return cut_along_chosen_contours(mesh, scalar_map, output, np, progress,
+                                   [&](const auto& ranked, const auto& simple, const Stage_progress& stage) {
+                                     return choose_pants_decomposition(ranked, simple, np, stage);
+                                   });
 }
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/curves/Contour_cutting.h>
 #include <CGAL/Reeb_graph/internal/curves/Curve_opening.h>
 #include <CGAL/Reeb_graph/internal/curves/Refined_field.h>
@@ -91,14 +92,16 @@ std::size_t number_patches(const Mesh& mesh,
                                                        parameters::edge_is_constrained_map(is_curve_edge));
 }
 
-// Cuts a mesh along contours, and writes the field and the property maps that have been asked for.
+// Cuts a mesh along contours, and writes the field and the property maps that have been asked for. If it is
+// cancelled, the mesh is as it was before the first split.
 template <class RankedMesh, class ScalarMap, class Traits, class NamedParameters>
 std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
   const RankedMesh& ranked,
   const std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>>& contours,
   const ScalarMap& scalar_map,
   const Traits& traits,
-  const NamedParameters& np)
+  const NamedParameters& np,
+  const Stage_progress& progress)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -106,13 +109,18 @@ std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
   Refined_field<RankedMesh, ScalarMap, Traits> field(ranked, scalar_map, traits);
   field.write_ranked_vertices();
   field.place_contours(contours);
-  auto curves = Contour_cutting<RankedMesh>(ranked, contours)();
+  if constexpr(!is_given<decltype(get_parameter(np, internal_np::callback))>)
+    ranked.keep_splits(); // There may be many, and to remember them takes memory.
+  auto curves = Contour_cutting<RankedMesh>(ranked, contours)(progress.part(0.05, 0.8));
+  progress(0.8);
+  ranked.keep_splits();
   if(choose_parameter(get_parameter(np, cut_open), false))
   {
     Curve_opening<RankedMesh> open(ranked);
     for(auto& curve : curves)
       open(curve);
   }
+  progress.tell(0.9);
   field.write_curves(curves);
   mark_edges(mesh, curves, np);
   if constexpr(is_given<decltype(get_parameter(np, internal_np::face_patch))>)
@@ -126,18 +134,21 @@ std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
   return curves;
 }
 
-// Refines a mesh so that the contours of find_contours(ranked mesh) become paths of edges, and outputs these.
+// Refines a mesh so that the contours of find_contours(ranked mesh, its progress) become paths of edges, and outputs these.
 template <class Mesh, class ScalarMap, class Traits, class OutputIterator, class NamedParameters, class FindContours>
 OutputIterator cut_along_found_contours(Mesh& mesh,
                                         const ScalarMap& scalar_map,
                                         const Traits& traits,
                                         OutputIterator output,
                                         const NamedParameters& np,
+                                        const Stage_progress& finding,
+                                        const Stage_progress& cutting,
                                         const FindContours& find_contours)
 {
   auto visitor_parameter = choose_refinement_visitor(mesh, np);
   const auto ranked = make_ranked_mesh(mesh, unwrap_reference(visitor_parameter), np);
-  const auto curves = cut_and_mark(ranked, find_contours(ranked), scalar_map, traits, np);
+  const auto contours = find_contours(ranked, finding);
+  const auto curves = cut_and_mark(ranked, contours, scalar_map, traits, np, cutting);
   return std::copy(curves.begin(), curves.end(), output);
 }
 

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/curves/Graph_retract.h>
 #include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
@@ -107,14 +108,16 @@ struct Branch_weight
 template <class RankedMesh, class Thresholds>
 std::vector<Branch_weight> branch_weights(const RankedMesh& ranked,
                                           const Simple_reeb_graph<RankedMesh>& simple,
-                                          const Thresholds& thresholds)
+                                          const Thresholds& thresholds,
+                                          const Stage_progress& progress)
 {
   std::vector<Branch_weight> weights(num_vertices(simple.graph) + num_edges(simple.graph));
   if(!thresholds.needs_areas() && !thresholds.needs_vertex_counts())
     return weights;
   const Augmentation<typename RankedMesh::Mesh, typename RankedMesh::Rank_map> augmentation(
-    ranked.mesh(), ranked.rank_map(), simple.graph, parameters::ties(Ties::CONTRACT));
-  const auto locations = augmentation.locate_vertices();
+    ranked.mesh(), ranked.rank_map(), simple.graph,
+    parameters::ties(Ties::CONTRACT, parameters::callback(progress.part(0, 0.2).callback())));
+  const auto locations = augmentation.locate_vertices(parameters::callback(progress.part(0.2, 0.9).callback()));
   for(const auto v : simple.given_vertices)
     ++weights[locations.index(v)].vertex_count;
   if(thresholds.needs_areas())
@@ -147,7 +150,10 @@ auto path_of_branch(const Weighted_leaf_pruning<Branch_weight>& pruned,
 // The branches of a surface: leaf arcs that reach the thresholds, once those that do not have been removed from the
 // graph as by simplify(). A leaf at a border is no branch, and an arc between two leaves has none.
 template <class RankedMesh, class Thresholds>
-auto find_branches(const RankedMesh& ranked, const Simple_reeb_graph<RankedMesh>& simple, const Thresholds& thresholds)
+auto find_branches(const RankedMesh& ranked,
+                   const Simple_reeb_graph<RankedMesh>& simple,
+                   const Thresholds& thresholds,
+                   const Stage_progress& progress)
 {
   typedef typename RankedMesh::vertex_descriptor vertex_descriptor;
   typedef typename boost::graph_traits<typename Simple_reeb_graph<RankedMesh>::Graph>::edge_descriptor arc_descriptor;
@@ -162,7 +168,7 @@ auto find_branches(const RankedMesh& ranked, const Simple_reeb_graph<RankedMesh>
     return thresholds.relative_size(branch, arc.weight.vertex_count);
   };
   Weighted_leaf_pruning<Branch_weight> pruned(static_cast<Index>(num_vertices(graph)), read_arcs(graph),
-                                              branch_weights(ranked, simple, thresholds));
+                                              branch_weights(ranked, simple, thresholds, progress));
   pruned(
     size, [&](const Leaf_arc& arc) { return !simple.is_border[arc.leaf]; },
     [](double relative_size) { return relative_size < 1; }, [](Index) { return true; });

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/curves/Ranked_mesh.h>
 #include <CGAL/Reeb_graph/internal/curves/level_borders.h>
@@ -107,17 +108,21 @@ struct Simple_reeb_graph
 template <class RankedMesh, class ScalarMap, class Traits>
 Simple_reeb_graph<RankedMesh> compute_simple_reeb_graph(const RankedMesh& ranked,
                                                         const ScalarMap& scalar_map,
-                                                        const Traits& traits)
+                                                        const Traits& traits,
+                                                        const Stage_progress& progress)
 {
   auto& mesh = ranked.mesh();
   Simple_reeb_graph<RankedMesh> result;
   result.given_vertices.assign(vertices(mesh).first, vertices(mesh).second);
+  progress(0);
   auto borders = find_level_borders(mesh, scalar_map, traits.less_scalar_object());
   rank_vertices(ranked, scalar_map, traits, borders);
+  progress(0.4);
   split_chords(ranked, borders);
   unfold_all_vertices(ranked);
 
-  compute_reeb_graph(mesh, ranked.rank_map(), result.graph, parameters::ties(Ties::CONTRACT));
+  compute_reeb_graph(mesh, ranked.rank_map(), result.graph,
+                     parameters::ties(Ties::CONTRACT, parameters::callback(progress.part(0.55, 1).callback())));
   for(const auto node : CGAL::make_range(vertices(result.graph)))
     result.is_border.push_back(borders.is_on_border(result.graph[node].vertex));
   return result;

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/mesh/border_cycles.h>
 #include <CGAL/Reeb_graph/internal/mesh/flatten.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Basin_filling.h>
@@ -110,15 +111,20 @@ Changes write_level_borders(const Mesh& mesh,
                             const ScalarMap& scalar_map,
                             const Traits& traits,
                             Border_extremum wish,
-                            std::size_t collar_width)
+                            std::size_t collar_width,
+                            const Progress& progress)
 {
+  progress.report(0);
   flatten<Sequential_tag>(mesh, scalar_map, traits, parameters::default_values()); // It checks the input.
   const auto less = traits.less_scalar_object();
+  progress.report(0.2);
   const auto values = read_values_of_vertices(mesh, scalar_map);
   const auto positions = make_position_map(mesh);
   const auto borders = vertices_of_borders(mesh, positions);
-  const auto new_values =
-    level_border_values(make_vertex_graph(mesh, positions, values.size()), borders, values, less, wish, collar_width);
+  const auto graph = make_vertex_graph(mesh, positions, values.size());
+  progress.report(0.9);
+  const auto new_values = level_border_values(graph, borders, values, less, wish, collar_width);
+  progress.report(0.95); // the last one before the field changes
   Changes changes;
   const auto is_changed = [&](Position v) { return less(values[v], new_values[v]) || less(new_values[v], values[v]); };
   changes.number_of_borders = borders.size();
@@ -133,6 +139,7 @@ Changes write_level_borders(const Mesh& mesh,
     changes.largest_change = (std::max)(changes.largest_change, distance_of_values(values[i], new_values[i]));
     put(scalar_map, v, new_values[i]);
   }
+  progress.report_end();
   return changes;
 }
 

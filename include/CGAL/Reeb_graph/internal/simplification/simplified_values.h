@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/vertex_graph.h>
 #include <CGAL/Reeb_graph/internal/simplification/Moved_pieces.h>
 #include <CGAL/Reeb_graph/internal/simplification/Triangle_neighbors.h>
@@ -65,10 +66,12 @@ template <class Mesh, class ScalarMap, class ReebGraph, class NamedParameters>
 std::vector<Index> find_places_of_vertices(const Mesh& mesh,
                                            const ScalarMap& scalar_map,
                                            const ReebGraph& graph,
-                                           const NamedParameters& np)
+                                           const NamedParameters& np,
+                                           const Stage_progress& progress)
 {
-  const Augmentation<Mesh, ScalarMap, ReebGraph> augmentation(mesh, scalar_map, graph, np);
-  const auto locations = augmentation.locate_vertices();
+  const Augmentation<Mesh, ScalarMap, ReebGraph> augmentation(mesh, scalar_map, graph,
+                                                              np.callback(progress.part(0, 0.2).callback()));
+  const auto locations = augmentation.locate_vertices(parameters::callback(progress.part(0.2, 0.9).callback()));
   std::vector<Index> places;
   for(const auto v : CGAL::make_range(vertices(mesh)))
     places.push_back(static_cast<Index>(locations.index(v)));
@@ -142,19 +145,20 @@ template <class ReebGraph, class Scalar, class IsSimplified>
 std::vector<Scalar> contracted_values(const ReebGraph& graph,
                                       const std::vector<Index>& nodes_of_saddles,
                                       std::vector<Scalar> values,
-                                      const IsSimplified& is_simplified)
+                                      const IsSimplified& is_simplified,
+                                      const Stage_progress& progress)
 {
   for(std::size_t v = 0; v != values.size(); ++v)
   {
     if(nodes_of_saddles[v] != no_index)
       values[v] = graph[nodes_of_saddles[v]].value;
   }
-  if(!is_simplified(values))
+  if(!is_simplified(values, progress))
     throw Piece_topology_error();
   return values;
 }
 
-// With perturbed ties, it is moved next to its saddle. `is_simplified(values)` tells whether the graph is right: only if it
+// With perturbed ties, it is moved next to its saddle. `is_simplified(values, progress)` tells whether the graph is right: only if it
 // is not, and that is rare, are contours followed to find a better order.
 template <class Mesh, class ReebGraph, class Scalar, class IsSimplified>
 std::vector<Scalar> perturbed_values(const Mesh& mesh,
@@ -162,7 +166,8 @@ std::vector<Scalar> perturbed_values(const Mesh& mesh,
                                      std::vector<Index> saddles, // at first, nodes
                                      const std::vector<Scalar>& values,
                                      double threshold,
-                                     const IsSimplified& is_simplified)
+                                     const IsSimplified& is_simplified,
+                                     const Stage_progress& progress)
 {
   const std::vector<Index> positions = positions_of_nodes(mesh, graph);
   for(Index& saddle : saddles)
@@ -176,29 +181,34 @@ std::vector<Scalar> perturbed_values(const Mesh& mesh,
     return Moved_pieces<Scalar>(vertex_graph, saddles, rooms, spread, orders, threshold).move();
   };
   std::vector<Scalar> moved = move({});
-  if(is_simplified(moved))
+  if(is_simplified(moved, progress.part(0.4, 0.8)))
     return moved;
   moved = move(find_loop_free_orders(vertex_graph, Triangle_neighbors(mesh), saddles, values, moved));
-  if(!is_simplified(moved))
+  if(!is_simplified(moved, progress.part(0.9, 1)))
     throw Piece_topology_error();
   return moved;
 }
 
 // The values of the simplified field, by position of the vertex; see simplify_field().
 template <class Branch, class Traits, class Mesh, class ScalarMap, class NamedParameters>
-auto simplified_values(const Mesh& mesh, const ScalarMap& scalar_map, double threshold, const NamedParameters& np)
+auto simplified_values(const Mesh& mesh,
+                       const ScalarMap& scalar_map,
+                       double threshold,
+                       const NamedParameters& np,
+                       const Stage_progress& progress)
 {
   typedef typename Traits::Scalar Scalar;
   const Ties ties_of_graph = parameters::choose_parameter(parameters::get_parameter(np, ties), Ties::PERTURB);
   typename Traits::Graph graph, simplified;
-  compute_reeb_graph(mesh, scalar_map, graph, np);
+  compute_reeb_graph(mesh, scalar_map, graph, np.callback(progress.part(0, 0.22).callback()));
   const Leaf_pruning pruned = prune_graph<Branch>(graph, threshold, np);
   const auto simplification = write_simplified_graph(graph, pruned, simplified);
-  const std::vector<Index> places = find_places_of_vertices(mesh, scalar_map, graph, np);
-  const auto is_simplified = [&](const std::vector<Scalar>& values) {
+  const std::vector<Index> places = find_places_of_vertices(mesh, scalar_map, graph, np, progress.part(0.3, 0.75));
+  const auto is_simplified = [&](const std::vector<Scalar>& values, const Stage_progress& comparing) {
     const auto map = make_scalar_map(mesh, values);
     typename Reeb_graph_traits<Mesh, std::decay_t<decltype(map)>>::Graph graph_of_values;
-    compute_reeb_graph(mesh, map, graph_of_values, parameters::ties(ties_of_graph));
+    compute_reeb_graph(mesh, map, graph_of_values,
+                       parameters::ties(ties_of_graph, parameters::callback(comparing.callback())));
     const std::vector<Index> positions = positions_of_nodes(mesh, graph_of_values);
     return is_simplified_graph(graph_of_values, simplified, [&](std::size_t node) {
       const Index place = places[positions[node]];
@@ -214,9 +224,9 @@ auto simplified_values(const Mesh& mesh, const ScalarMap& scalar_map, double thr
     saddles.push_back(saddles_of_places[place]);
   const std::vector<Scalar> values = scalar_fields::read_values_of_vertices(mesh, scalar_map);
   if(ties_of_graph == Ties::CONTRACT)
-    return contracted_values(graph, saddles, values, is_simplified);
+    return contracted_values(graph, saddles, values, is_simplified, progress.part(0.75, 1));
   if constexpr(std::is_floating_point_v<Scalar>)
-    return perturbed_values(mesh, graph, std::move(saddles), values, threshold, is_simplified);
+    return perturbed_values(mesh, graph, std::move(saddles), values, threshold, is_simplified, progress.part(0.75, 1));
   else
     throw Scalar_resolution_error(0);
 }
