@@ -54,7 +54,7 @@ Surface read_surface(const Input_options& options, Work_report& report)
 Scalar_map add_field(const Input_options& options, Surface& surface, Work_report& report)
 {
   const Stopwatch read_stopwatch;
-  const Scalar_map scalar_map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
+  Scalar_map scalar_map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
   read_field(options, surface, scalar_map);
   report.add_seconds("read", read_stopwatch.seconds());
   if(is_computed(options.field))
