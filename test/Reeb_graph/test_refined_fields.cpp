@@ -19,6 +19,7 @@
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/curves/segmentation.h>
 #include <CGAL/Reeb_graph/curves/unfold_multi_saddles.h>
+#include <CGAL/Reeb_graph/internal/curves/value_between.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/compute_reeb_graph.h>
 
@@ -34,6 +35,7 @@
 #include <cstdint>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -52,6 +54,8 @@ using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
 
 typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
+typedef boost::mpl::list<std::int16_t, std::uint16_t, std::int32_t, std::uint32_t, std::int64_t, std::uint64_t>
+  Integers;
 
 namespace {
 template <class Mesh>
@@ -193,6 +197,29 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_graph_is_the_same_after_cutting, Mesh, Meshes)
       const Sample sample = curve_samples::smooth_sample(genus, 2000, kind);
       test_all_cuts<Mesh>(sample, sample.values, CGAL::parameters::default_values());
     }
+}
+
+// Between any two integers of any type there is a value unless they are next to each other.
+BOOST_AUTO_TEST_CASE_TEMPLATE(integers_up_to_the_ends_of_their_range, Scalar, Integers)
+{
+  const Scalar lowest = std::numeric_limits<Scalar>::lowest(), highest = (std::numeric_limits<Scalar>::max)();
+  const auto test = [](Scalar lower, Scalar upper) {
+    const double infinity = std::numeric_limits<double>::infinity(), middle = (double(lower) + double(upper)) / 2;
+    for(const double wish : {-infinity, double(lower), middle, double(upper), infinity, std::nan("")})
+    {
+      const Scalar value = CGAL::Reeb_graph::internal::value_between(lower, upper, wish, std::less<Scalar>());
+      BOOST_TEST((static_cast<Scalar>(lower + 1) == upper ? value == lower : lower < value && value < upper));
+      const Scalar falling = CGAL::Reeb_graph::internal::value_between(upper, lower, wish, std::greater<Scalar>());
+      BOOST_TEST((static_cast<Scalar>(lower + 1) == upper ? falling == upper : falling == value));
+    }
+  };
+  test(lowest, highest);
+  for(int difference = 1; difference != 5; ++difference)
+  {
+    test(lowest, static_cast<Scalar>(lowest + difference));
+    test(static_cast<Scalar>(highest - difference), highest);
+    test(static_cast<Scalar>(highest / 2), static_cast<Scalar>(highest / 2 + difference));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(the_graph_of_exact_numbers_is_the_same_after_cutting)

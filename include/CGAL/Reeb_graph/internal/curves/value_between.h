@@ -11,11 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -46,11 +43,15 @@ Scalar candidate_between(const Scalar& lower, const Scalar& upper, double wish)
   }
   else if constexpr(std::is_integral_v<Scalar>)
   {
-    const double low = (std::min)(CGAL::to_double(lower), CGAL::to_double(upper));
-    const double high = (std::max)(CGAL::to_double(lower), CGAL::to_double(upper));
-    const double largest = std::ldexp(1., std::numeric_limits<Scalar>::digits - 1);
-    const double rounded = (std::min)((std::max)(std::floor(wish), low + 1), high - 1);
-    return rounded > -largest && rounded < largest ? static_cast<Scalar>(rounded) : lower;
+    const auto [low, high] = std::minmax(lower, upper);
+    if(low == high || static_cast<Scalar>(low + 1) == high)
+      return lower;
+    const Scalar first = static_cast<Scalar>(low + 1), last = static_cast<Scalar>(high - 1);
+    // Conversions to `double` round, so that a wish between the two may be a little beyond them.
+    if(!(wish > static_cast<double>(first)))
+      return first;
+    return wish < static_cast<double>(last) ? (std::min)((std::max)(static_cast<Scalar>(std::floor(wish)), first), last)
+                                            : last;
   }
   else if constexpr(Has_mean<Scalar>::value)
     return (lower + upper) / Scalar(2);
