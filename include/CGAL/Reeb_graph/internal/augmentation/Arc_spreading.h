@@ -71,7 +71,7 @@ public:
     typedef std::conditional_t<Order::is_sure, ConcurrencyTag, Sequential_tag> Tag;
     for_each_index<Tag>(arcs_.size(), [&](std::size_t i) {
       std::vector<Vertex_index> reached;
-      spread(Slab_arc_index(i), arcs_[Slab_arc_index(i)].first_step.target, reached);
+      spread<Tag>(Slab_arc_index(i), arcs_[Slab_arc_index(i)].first_step.target, reached);
     });
     set_critical();
     const std::vector<Vertex_index> others = vertices_without_arc();
@@ -101,11 +101,15 @@ private:
   Vertex_index upper_vertex(Slab_arc_index arc) const { return critical_vertices_.vertex(arcs_[arc].upper_vertex()); }
 
   // Gives the arc to `start`, if that lies between its ends, and to all that can be reached from there.
+  template <class Tag>
   void spread(Slab_arc_index arc, Vertex_index start, std::vector<Vertex_index>& reached)
   {
     const Vertex_index lower = lower_vertex(arc), upper = upper_vertex(arc);
+    const auto is_between = [&](Vertex_index vertex) { return order_(lower, vertex) && order_(vertex, upper); };
+    const auto is_free = [&](Vertex_index vertex) { return arc_of_vertex_[vertex] == no_index; };
     const auto reach = [&](Vertex_index vertex) {
-      if(arc_of_vertex_[vertex] != no_index || !order_(lower, vertex) || !order_(vertex, upper))
+      // Another thread may be writing the arc of a vertex that is not between the ends; alone, the fast test comes first.
+      if(is_parallel<Tag>() ? !is_between(vertex) || !is_free(vertex) : !is_free(vertex) || !is_between(vertex))
         return;
       arc_of_vertex_[vertex] = arc;
       reached.push_back(vertex);
@@ -150,7 +154,7 @@ private:
         return false;
       if(arc == no_index)
         complex_.throw_contradiction_near(vertex);
-      spread(arc, vertex, reached);
+      spread<Sequential_tag>(arc, vertex, reached);
     }
     return true;
   }
