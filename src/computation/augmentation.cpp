@@ -55,7 +55,9 @@ std::vector<Polyline> contours_at_level(const Surface& surface, const Augmentati
 
 Vertex_locations locate_vertices(const Augmentation& augmentation)
 {
-  return augmentation.locate_vertices<CGAL::Parallel_if_available_tag>();
+  Progress_bar progress_bar("places");
+  return augmentation.locate_vertices<CGAL::Parallel_if_available_tag>(
+    CGAL::parameters::callback(std::ref(progress_bar)));
 }
 
 std::vector<Arc_row> measure_arcs(const Surface& surface,

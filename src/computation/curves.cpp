@@ -8,13 +8,16 @@
 
 #include "computation/curves.h"
 
+#include "base/progress_bar.h"
 #include <CGAL/Reeb_graph/IO/polylines.h>
+
 #include <CGAL/Reeb_graph/curves/Interpolating_visitor.h>
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/cutting_system.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <variant>
 
@@ -33,7 +36,9 @@ std::vector<Curve> find_curves(Surface& surface,
   CGAL::Reeb_graph::Interpolating_visitor<Surface> visitor;
   for(const Any_vertex_property& property : properties)
     std::visit([&](const auto& map) { visitor.add_vertex_map(map); }, property);
-  const auto cut = parameters::cut_open(options.is_cut_open, parameters::face_patch_map(patch_map).visitor(visitor));
+  Progress_bar progress_bar("cut");
+  const auto maps = parameters::face_patch_map(patch_map).visitor(visitor).callback(std::ref(progress_bar));
+  const auto cut = parameters::cut_open(options.is_cut_open, maps);
   switch(options.type)
   {
   case Curves_type::CUTTING_SYSTEM:
@@ -61,7 +66,11 @@ Cut_result cut_along_curves(Surface& surface,
 {
   Cut_result result;
   if(options.borders == CGAL::Reeb_graph::Borders::MAKE_LEVEL)
-    result.border_changes = CGAL::Reeb_graph::make_borders_level(surface, scalar_map);
+  {
+    Progress_bar progress_bar("borders");
+    result.border_changes =
+      CGAL::Reeb_graph::make_borders_level(surface, scalar_map, CGAL::parameters::callback(std::ref(progress_bar)));
+  }
   result.patch_map = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
   for(const Curve& curve : find_curves(surface, scalar_map, properties, options, result.patch_map))
     result.polylines.push_back(CGAL::Reeb_graph::polyline_of_curve(surface, curve));

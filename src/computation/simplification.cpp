@@ -8,11 +8,14 @@
 
 #include "computation/simplification.h"
 
+#include "base/progress_bar.h"
+
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
@@ -60,10 +63,11 @@ Augmentation Simplified_graph::augmentation(const Surface& surface,
                                             Scalar_map scalar_map,
                                             const Graph_options& options) const
 {
+  Progress_bar progress_bar("surface");
+  const auto np = named_parameters(options).callback(std::ref(progress_bar));
   if(!simplification_)
-    return Augmentation(surface, scalar_map, given_, named_parameters(options));
-  return Augmentation(surface, scalar_map, simplified_,
-                      CGAL::parameters::simplification(*simplification_, named_parameters(options)));
+    return Augmentation(surface, scalar_map, given_, np);
+  return Augmentation(surface, scalar_map, simplified_, CGAL::parameters::simplification(*simplification_, np));
 }
 
 std::vector<Persistence_pair> find_persistence_pairs(const Graph& graph)

@@ -8,7 +8,11 @@
 
 #include "computation/simplified_field.h"
 
+#include "base/progress_bar.h"
+
 #include <CGAL/Reeb_graph/simplification/simplify_field.h>
+
+#include <functional>
 
 namespace reeb_graph_program {
 double compute_simplified_field(const Surface& surface,
@@ -19,9 +23,10 @@ double compute_simplified_field(const Surface& surface,
                                 Scalar_map simplified_map)
 {
   namespace parameters = CGAL::parameters;
+  Progress_bar progress_bar("simplified field");
   const auto leaves = parameters::number_of_leaves(options.number_of_leaves.value_or(0));
   return CGAL::Reeb_graph::simplify_field(surface, scalar_map, threshold, simplified_map,
-                                          parameters::ties(ties, leaves));
+                                          parameters::ties(ties, leaves).callback(std::ref(progress_bar)));
 }
 
 } // namespace reeb_graph_program

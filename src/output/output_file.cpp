@@ -8,8 +8,12 @@
 
 #include "output/output_file.h"
 
+#include <signal.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
+#include <cstddef>
 #include <fstream>
 #include <set>
 #include <stdexcept>
@@ -20,10 +24,52 @@ namespace fs = std::filesystem;
 
 namespace reeb_graph_program {
 namespace {
-// Removes the file in the end, whether it is there or not.
+// The file to be removed when a signal ends the program.
+std::atomic<const char*> partial_file = nullptr;
+
+// Ends the program as the signal would have done. All that it calls can be called by a signal handler.
+void remove_partial_file(int signal)
+{
+  if(const char* path = partial_file)
+    unlink(path);
+  ::signal(signal, SIG_DFL);
+  raise(signal);
+}
+
+// Lets the signals that users end a program by remove the file, except those that are ignored.
+class Interrupt_guard
+{
+public:
+  explicit Interrupt_guard(const char* path)
+  {
+    partial_file = path;
+    for(std::size_t i = 0; i != signals.size(); ++i)
+    {
+      sigaction(signals[i], nullptr, &old_actions_[i]);
+      if(old_actions_[i].sa_handler != SIG_IGN)
+        signal(signals[i], remove_partial_file);
+    }
+  }
+  ~Interrupt_guard()
+  {
+    for(std::size_t i = 0; i != signals.size(); ++i)
+      sigaction(signals[i], &old_actions_[i], nullptr);
+    partial_file = nullptr;
+  }
+  Interrupt_guard(const Interrupt_guard&) = delete;
+  Interrupt_guard& operator=(const Interrupt_guard&) = delete;
+
+private:
+  static constexpr std::array<int, 3> signals = {SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, 3> old_actions_;
+};
+
+// Removes the file in the end, whether it is there or not, also if the program is interrupted.
 struct Temporary_file
 {
-  explicit Temporary_file(const fs::path& target) : path(target.string() + "." + std::to_string(getpid()) + ".partial")
+  explicit Temporary_file(const fs::path& target)
+    : path(target.string() + "." + std::to_string(getpid()) + ".partial"),
+      guard(path.c_str())
   {}
   ~Temporary_file()
   {
@@ -34,6 +80,7 @@ struct Temporary_file
   Temporary_file& operator=(const Temporary_file&) = delete;
 
   const fs::path path;
+  const Interrupt_guard guard;
 };
 
 std::runtime_error output_error(const fs::path& path)

@@ -6,8 +6,8 @@ The concept `ReebGraphRefinementVisitor` describes what the functions that refin
 `CGAL::Reeb_graph::cut_along_contours()`, tell while they work, so that attributes of the mesh can be carried over.
 
 The refinement is a sequence of single steps: the split of an edge, or of a face. After each, the members
-are called, and the mesh can be read; its faces are no triangles all the time. An exception that a member throws leaves
-the mesh partly refined.
+are called, and the mesh can be read; its faces are no triangles all the time. An exception that a member throws can
+leave the mesh partly refined. If the named parameter `callback` stops the work, splits are undone, which is not told.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Reeb_graph::Default_refinement_visitor}

@@ -92,8 +92,9 @@ public:
   /// \param scalar_map the field that it has been computed of
   /// \param graph the graph
   /// \param np the named parameters that the graph has been computed with: `ties`, `keep_degree_two_nodes`,
-  ///        `vertex_index_map`, `face_index_map` and `geom_traits` count; and for a graph made by `simplify()`, what that
-  ///        has returned, as named parameter `simplification`, if vertices are to be located
+  ///        `vertex_index_map`, `face_index_map` and `geom_traits` count; `callback`, as for `compute_reeb_graph()`; and
+  ///        for a graph made by `simplify()`, what that has returned, as named parameter `simplification`, if vertices are
+  ///        to be located
   ///
   /// \exception Graph_mismatch_error if a node is not one of this mesh and field, or an arc none that `ties` gives.
   ///            That all nodes and arcs are there is checked by `locate_vertices()` only.
@@ -251,8 +252,13 @@ public:
   /// noise, that of sorting all vertices and computing the graph with all of them: near-linear for any field.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  ///
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `callback`, as for
+  ///        `compute_reeb_graph()`
   ///
   /// \exception Graph_mismatch_error if the graph is not the one that `compute_reeb_graph()` has made
+  /// \exception Cancelled_error if `callback` returns `false`
   template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
   Vertex_locations locate_vertices(const NamedParameters& np = parameters::default_values()) const
   {

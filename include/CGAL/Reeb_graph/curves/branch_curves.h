@@ -103,7 +103,7 @@ namespace Reeb_graph {
 /// \exception Reeb_graph::Border_level_error if `borders` is `Reeb_graph::Borders::LEVEL`, and the vertices of a border component do
 ///            not have one value, or have lower as well as higher neighbors
 /// \exception Reeb_graph::Threshold_error if a threshold is negative or NaN
-/// \exception Reeb_graph::Measure_error if a measure is NaN; the mesh may have been refined then
+/// \exception Reeb_graph::Measure_error if a measure is NaN
 ///
 /// and the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
 template <class MutableFaceGraph,

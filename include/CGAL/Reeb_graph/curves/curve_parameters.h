@@ -132,6 +132,22 @@
 ///     \cgalParamDefault{`Reeb_graph_traits<MutableFaceGraph, ScalarMap>`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+///
+/// <b>How far the work is:</b>
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1, by the calling thread. If
+///                           it returns `false`, the work stops with `Reeb_graph::Cancelled_error`; not any more once all
+///                           faces are split, when only the result is to be written. Splits that have been made are undone
+///                           then: the mesh has the vertices, edges and faces that it had, with the same descriptors, the
+///                           field has its values there, and nothing has been output. The visitor has been told of the
+///                           splits, and a `Surface_mesh` has garbage. To be undone, each split takes 24 bytes on it until
+///                           all are made.}
+///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 
 CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(curve_cost)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_candidates, std::size_t)

@@ -94,6 +94,12 @@ struct Border_level_changes
 ///     \cgalParamType{a model of `ReebGraphTraits`}
 ///     \cgalParamDefault{`Reeb_graph_traits<FaceListGraph, ScalarMap>`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1. If it returns `false`, the
+///                           work stops; not any more at 1, when the field has been written.}
+///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns how many borders and vertices have been changed, and by how much.

@@ -71,8 +71,8 @@ namespace Reeb_graph {
 /// \param scalar_map the scalar field
 /// \param threshold what is smaller is removed, in units of the measure
 /// \param simplified_scalar_map the result; it can be the same map as `scalar_map`
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `ties`, `vertex_index_map` and
-///        `face_index_map` of `compute_reeb_graph()`, and `number_of_leaves`, `piece_weights` and `branch_measure` of
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `ties`, `vertex_index_map`,
+///        `face_index_map` and `callback` of `compute_reeb_graph()`, and `number_of_leaves`, `piece_weights` and `branch_measure` of
 ///        `simplify()`. The order is always that of `operator<`: there is no `geom_traits`
 ///
 /// \returns the largest absolute difference between a value of the result and the given one.
