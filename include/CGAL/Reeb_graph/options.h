@@ -66,7 +66,7 @@ enum class Border_extremum
 enum class Borders
 {
   LEVEL,     ///< they throw `Border_level_error`
-  MAKE_LEVEL ///< they go on with the field that `make_borders_level()` makes; the scalar map stays as it is
+  MAKE_LEVEL ///< they go on with the field that `make_borders_level()` makes; old vertices keep their values in the map
 };
 
 } // namespace Reeb_graph
