@@ -110,7 +110,14 @@ void read_graphml(const std::string& filename, const FaceListGraph& mesh, Graph&
   std::ifstream in(filename);
   if(!in)
     throw File_error(filename + " cannot be read");
-  Reeb_graph::read_graphml(in, mesh, graph);
+  try
+  {
+    Reeb_graph::read_graphml(in, mesh, graph);
+  }
+  catch(const File_error& error)
+  {
+    throw File_error(filename + ": " + error.what());
+  }
 }
 
 } // namespace Reeb_graph

@@ -41,7 +41,7 @@ constexpr bool is_parallel()
 {
 #ifndef CGAL_LINKED_WITH_TBB
   static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
-                "Parallel_tag is enabled but TBB is unavailable.");
+                "Parallel_tag needs TBB: link CGAL::TBB_support, or ask for Parallel_if_available_tag.");
   return false;
 #else
   return std::is_convertible<ConcurrencyTag, Parallel_tag>::value;

@@ -92,6 +92,10 @@ public:
           names_[attribute(child, "id")] = attribute(child, "attr.name");
       }
     }
+    catch(const boost::property_tree::file_parser_error& error)
+    {
+      throw File_error("this is no GraphML: line " + std::to_string(error.line()) + ": " + error.message());
+    }
     catch(const boost::property_tree::ptree_error& error)
     {
       throw File_error(std::string("this is no GraphML: ") + error.what());
@@ -137,7 +141,9 @@ inline const std::string& data_of(const std::map<std::string, std::string>& data
 {
   const auto found = data.find(name);
   if(found == data.end())
-    throw File_error("a node or edge of the GraphML has no data " + name);
+    throw File_error(
+      "a node or edge of the GraphML has no data " + name
+      + (name == "chain" ? ": write_graphml() writes chains if it is given an index map of the halfedges" : ""));
   return found->second;
 }
 
