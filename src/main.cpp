@@ -20,6 +20,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace {
 using reeb_graph_program::Compute_options;
@@ -230,6 +231,20 @@ void add_demo_command(CLI::App& app, Demo_options& options)
   command->callback([&options] { run_demo(options); });
 }
 
+// What is wrong with the command line; a missing or unknown command is named with those that there are.
+std::string describe(const CLI::App& app, const CLI::ParseError& error)
+{
+  std::string message = error.what();
+  if(app.get_subcommands().empty() && error.get_name() == "RequiredError")
+  {
+    const std::vector<std::string> words = app.remaining();
+    message = words.empty() ? "a command is needed" : "there is no command '" + words.front() + "'";
+    for(const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+      message += (message.find(": ") == std::string::npos ? ": " : ", ") + command->get_name();
+  }
+  return message + "\nRun with --help for more information.";
+}
+
 int report_error(const std::string& message)
 {
   std::cerr << "reeb_graph: error: " << message << '\n';
@@ -266,7 +281,7 @@ int main(int argc, char** argv)
   }
   catch(const CLI::ParseError& error)
   {
-    return report_error(std::string(error.what()) + "\nRun with --help for more information.");
+    return report_error(describe(app, error));
   }
   catch(const std::bad_alloc&)
   {

@@ -19,6 +19,8 @@
 #include "output/polylines_output.h"
 #include "output/report_output.h"
 
+#include <CGAL/Reeb_graph/curves/exceptions.h>
+
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -87,6 +89,18 @@ void write_files(const Curves_options& options, const Surface& surface, const Cu
     write_patches(options.patches_path, surface, result.patch_map);
 }
 
+Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& options)
+{
+  try
+  {
+    return cut_along_curves(surface, scalar_map, properties_to_keep(options, surface), options.cut);
+  }
+  catch(const CGAL::Reeb_graph::Border_level_error& error)
+  {
+    throw std::runtime_error(std::string(error.what()) + "; here, so does --borders make-level");
+  }
+}
+
 } // namespace
 
 void run_curves(const Curves_options& options)
@@ -110,7 +124,7 @@ void run_curves(const Curves_options& options)
     report.add_seconds("simplified field", stopwatch.seconds());
   }
   const Stopwatch cut_stopwatch;
-  const Cut_result result = cut_along_curves(surface, scalar_map, properties_to_keep(options, surface), options.cut);
+  const Cut_result result = cut(surface, scalar_map, options);
   report.add_seconds("cut", cut_stopwatch.seconds());
   const Stopwatch output_stopwatch;
   write_files(options, surface, result);

@@ -76,7 +76,7 @@ list(JOIN lines "\n" lines)
 file(WRITE ${FOLDER}/holes.off "${lines}\n")
 set(holes holes.off --scalars scalars.txt)
 expect_json(2 border_loops ARGUMENTS ${holes})
-expect_error("border component of vertex [0-9]+ does not lie in one level.*MAKE_LEVEL" curves ${holes} --type pants
+expect_error("border component of vertex [0-9]+ does not lie in one level.*--borders make-level" curves ${holes} --type pants
              --borders level)
 run(curves ${holes} --type pants)
 expect_equal("${exit_code} ${output}" "0 8 curves, 6 patches\n")

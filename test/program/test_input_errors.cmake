@@ -5,8 +5,8 @@ set(graph --graph graph.graphml)
 file(WRITE ${FOLDER}/tetrahedron.off "${tetrahedron_off}")
 
 # the command line
-expect_error("subcommand")
-expect_error("" paint tetrahedron.off)
+expect_error("a command is needed: compute, contour, curves, field, demo")
+expect_error("there is no command 'paint': compute" paint tetrahedron.off)
 expect_error("MESH" compute)
 expect_error("" compute tetrahedron.off)
 expect_error("" compute tetrahedron.off --field z --scalars scalars.txt)
