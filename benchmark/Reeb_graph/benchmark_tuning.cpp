@@ -7,8 +7,8 @@
 // Author(s)     : The Reeb_graph authors
 
 // What the tuned parts gain: the time of the whole graph without the one that the macro CGAL_REEB_GRAPH_LEFT_OUT names.
-// With all of them, also the time to write a graph from arrays: with the containers of Reeb_graph_traits, with the usual
-// ones of an adjacency list, and as compressed rows, which cannot be changed. Shortest times of several runs.
+// With all of them, also the time to write a graph from arrays: with the containers of Reeb_graph_traits, with the
+// usual ones of an adjacency list, and as compressed rows, which cannot be changed. Shortest times of several runs.
 
 #include "Table.h"
 #include "inputs.h"

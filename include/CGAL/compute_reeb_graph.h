@@ -55,11 +55,12 @@ void run_pipeline(const FaceListGraph& mesh, ScalarMap scalar_map, ReebGraph& gr
 /// the first vertex of their chain. The same input gives the same graph, whatever the type of the mesh.
 ///
 /// The named parameter `method` chooses between two methods. Critical sets are those of M. Hajij and P. Rosen, *An
-/// Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020. By default the surface is cut along one contour per loop of the
-/// graph, what is left has a contour tree, made as by Y. Chiang, T. Lenz, X. Lu, G. Rote, *Simple and optimal
-/// output-sensitive construction of contour trees using monotone paths*, 2005, and H. Carr, J. Snoeyink, U. Axen,
-/// *Computing contour trees in all dimensions*, 2003, and the cuts are glued: the loop surgery of J. Tierny, A. Gyulassy,
-/// E. Simon, V. Pascucci, *Loop surgery for volumetric meshes: Reeb graphs reduced to contour trees*, 2009. With \f$ n \f$ vertices and faces,
+/// Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020. By default the surface is cut along one contour per
+/// loop of the graph, what is left has a contour tree, made as by Y. Chiang, T. Lenz, X. Lu, G. Rote, *Simple and
+/// optimal output-sensitive construction of contour trees using monotone paths*, 2005, and H. Carr, J. Snoeyink, U.
+/// Axen, *Computing contour trees in all dimensions*, 2003, and the cuts are glued: the loop surgery of J. Tierny, A.
+/// Gyulassy, E. Simon, V. Pascucci, *Loop surgery for volumetric meshes: Reeb graphs reduced to contour trees*, 2009.
+/// With \f$ n \f$ vertices and faces,
 /// \f$ c \f$ critical vertices, and \f$ l \f$ the length of the contours at the vertices where loops close, this
 /// takes \f$ O(n + c \log c + l \log l) \f$ time and \f$ O(n + l) \f$ memory. On a closed surface of genus
 /// \f$ g \f$ there are at most \f$ 2g \f$ such vertices.
@@ -147,7 +148,8 @@ void run_pipeline(const FaceListGraph& mesh, ScalarMap scalar_map, ReebGraph& gr
 /// \exception Reeb_graph::Degenerate_face_error if a face has one vertex at two corners
 /// \exception Reeb_graph::Edge_without_face_error if an edge is on no face, and the mesh lists its edges
 /// \exception Reeb_graph::Non_manifold_vertex_error if the faces of a vertex form more than one fan
-/// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN, or the order of the values is found to be none
+/// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN, or the order of the values is found to be
+///            none
 /// \exception Reeb_graph::Invalid_index_map_error if an index map is not one to one
 /// \exception Reeb_graph::Cancelled_error if `callback` returns `false`
 /// \exception Reeb_graph::Mesh_size_error if there are too many vertices or halfedges for 32-bit indices

@@ -58,9 +58,9 @@ private:
 
 std::vector<Persistence_pair> find_persistence_pairs(const Graph& graph);
 
-// The middle of the widest gap of the sorted persistences, the first of them 0, of all pairs but those of a minimum and a
-// maximum, which always stay: if the field has noise, it is what is below. There is none if no persistence is finite and
-// not 0.
+// The middle of the widest gap of the sorted persistences, the first of them 0, of all pairs but those of a minimum and
+// a maximum, which always stay: if the field has noise, it is what is below. There is none if no persistence is finite
+// and not 0.
 std::optional<double> suggest_threshold(const Graph& graph, const std::vector<Persistence_pair>& pairs);
 
 } // namespace reeb_graph_program

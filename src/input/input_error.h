@@ -25,7 +25,8 @@ public:
   {}
 };
 
-// A part of a file as messages show it: in quotation marks, at most 60 characters of it, and none that control a terminal.
+// A part of a file as messages show it: in quotation marks, at most 60 characters of it, and none that control a
+// terminal.
 inline std::string quote(std::string_view text)
 {
   constexpr std::size_t longest = 60;

@@ -16,8 +16,8 @@
 
 namespace reeb_graph_program {
 // Readers of our own: those of CGAL differ from version to version, and some files that are damaged end the program in
-// them. Each throws Input_error, with the line where the file has lines, unless all of the file is a mesh of its format.
-// Numbers of vertices may be out of range, and coordinates no finite numbers.
+// them. Each throws Input_error, with the line where the file has lines, unless all of the file is a mesh of its
+// format. Numbers of vertices may be out of range, and coordinates no finite numbers.
 
 // OFF with or without vertex colours (COFF), normals (NOFF), textures (STOFF), and homogeneous coordinates (4OFF).
 Polygon_soup read_off(const std::string& path);

@@ -15,9 +15,9 @@
 #include <string>
 
 namespace reeb_graph_program {
-// Reads an OFF, OBJ, PLY, STL, or TS file. Vertex i of the surface is vertex i of the file, isolated ones included. Faces
-// are oriented consistently if need be. The property of the vertices of a PLY file that is asked for, if any, becomes
-// the property map v:scalar. Throws Input_error.
+// Reads an OFF, OBJ, PLY, STL, or TS file. Vertex i of the surface is vertex i of the file, isolated ones included.
+// Faces are oriented consistently if need be. The property of the vertices of a PLY file that is asked for, if any,
+// becomes the property map v:scalar. Throws Input_error.
 Surface read_surface(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property);
 
 bool is_ply_file(const std::string& path);

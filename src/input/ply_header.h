@@ -74,8 +74,8 @@ struct Header
 
 inline bool is_integer(Type type) { return type < Type::FLOAT32; }
 
-// Reads the header from its first line on, up to the line that ends it. Throws Input_error if it is none, as if a property
-// belongs to no element.
+// Reads the header from its first line on, up to the line that ends it. Throws Input_error if it is none, as if a
+// property belongs to no element.
 Header read_header(Text_input& input);
 
 } // namespace ply

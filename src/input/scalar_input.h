@@ -14,9 +14,9 @@
 #include <vector>
 
 namespace reeb_graph_program {
-// Reads one number per line, whatever the locale, or a column of a CSV file, which is one if its name ends in .csv or if a
-// column is given: by its number, from 0, or by its name in the first line. The column is not needed if there is only one.
-// Lines that begin with # are comments. Throws Input_error unless there are as many numbers as vertices.
+// Reads one number per line, whatever the locale, or a column of a CSV file, which is one if its name ends in .csv or
+// if a column is given: by its number, from 0, or by its name in the first line. The column is not needed if there is
+// only one. Lines that begin with # are comments. Throws Input_error unless there are as many numbers as vertices.
 std::vector<double> read_scalars(const std::string& path, const std::string& column, std::size_t number_of_vertices);
 
 } // namespace reeb_graph_program

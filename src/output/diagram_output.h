@@ -20,8 +20,8 @@ namespace reeb_graph_program {
 // Throws an exception unless the file name ends in .svg.
 void check_diagram_format(const std::filesystem::path& path);
 
-// Draws the persistence diagram: each pair of finite values is a point, as far above the diagonal as it is persistent, and
-// what is below the threshold is in a shaded band. Throws std::runtime_error if the file cannot be written.
+// Draws the persistence diagram: each pair of finite values is a point, as far above the diagonal as it is persistent,
+// and what is below the threshold is in a shaded band. Throws std::runtime_error if the file cannot be written.
 void write_diagram(const std::filesystem::path& path,
                    const Graph& graph,
                    const std::vector<Persistence_pair>& pairs,

@@ -31,8 +31,8 @@ void write_csv(std::ostream& stream,
   }
 }
 
-// What lives in sublevel sets has dimension 0 and is born below; relative classes and loops have dimension 1 and are born
-// above.
+// What lives in sublevel sets has dimension 0 and is born below; relative classes and loops have dimension 1 and are
+// born above.
 void write_pers(std::ostream& stream, const Graph& graph, const std::vector<Persistence_pair>& pairs)
 {
   typedef CGAL::Reeb_graph::Persistence_pair_kind Kind;

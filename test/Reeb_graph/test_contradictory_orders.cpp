@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-// Scalar types that hide NaN, and orders that are none. The contradiction is found, or there is some graph: nothing goes
-// on without end, nor out of bounds, which the sanitizers see.
+// Scalar types that hide NaN, and orders that are none. The contradiction is found, or there is some graph: nothing
+// goes on without end, nor out of bounds, which the sanitizers see.
 
 #include <boost/test/unit_test.hpp>
 

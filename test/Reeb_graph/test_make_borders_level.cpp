@@ -356,7 +356,8 @@ std::size_t number_of_nodes(const Sample& sample)
 }
 } // namespace
 
-// A hole in a slope: the border goes up or down, whichever is nearer, and the saddle that belongs to it is the only one.
+// A hole in a slope: the border goes up or down, whichever is nearer, and the saddle that belongs to it is the only
+// one.
 BOOST_AUTO_TEST_CASE(the_nearer_extremum_is_taken)
 {
   // the plane cylinder of three rings, with values 0..3 on the inner one, and a slope on the other ones
@@ -423,8 +424,8 @@ BOOST_AUTO_TEST_CASE(a_disk_becomes_constant_only_without_inner_vertices)
   BOOST_TEST(make_level<Surface_mesh>(disk, Border_extremum::MINIMUM, 3).values[1] < 2);
 }
 
-// The wave around the hole leaves minima in two valleys, if the border becomes a maximum; the lower one is an extremum by
-// need, and the other one is filled to the pass between them, which is 3.
+// The wave around the hole leaves minima in two valleys, if the border becomes a maximum; the lower one is an extremum
+// by need, and the other one is filled to the pass between them, which is 3.
 BOOST_AUTO_TEST_CASE(a_basin_is_filled_to_its_lowest_pass)
 {
   const Combinatorial_mesh mesh = random_meshes::cylinder(4, 3);

@@ -66,9 +66,10 @@ void test_stability(const mesh_builders::Surface_mesh& mesh, const std::vector<d
 }
 typedef std::tuple<int, double, double> Interval; // dimension, birth, death
 
-// The extended persistence of the surface itself, of all its triangles, that tells about its Reeb graph: the ordinary classes
-// of dimension 0, the relative ones of dimension 1, the components, and of the loops those that are born above, as
-// M. Carrière, S. Oudot, Structure and Stability of the One-Dimensional Mapper, 2018, say. The values are whole numbers.
+// The extended persistence of the surface itself, of all its triangles, that tells about its Reeb graph: the ordinary
+// classes of dimension 0, the relative ones of dimension 1, the components, and of the loops those that are born above,
+// as M. Carrière, S. Oudot, Structure and Stability of the One-Dimensional Mapper, 2018, say. The values are whole
+// numbers.
 std::vector<Interval> intervals_of_gudhi(const Combinatorial_mesh& mesh, const std::vector<double>& values)
 {
   typedef Gudhi::Simplex_tree<> Simplex_tree;

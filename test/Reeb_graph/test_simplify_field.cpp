@@ -203,8 +203,8 @@ bool test_field(const Field_sample& sample, Ties ties)
   return true;
 }
 
-// An order of some vertices that follow one another, the members, is good if the Reeb graph has neither leaves nor loops
-// among them.
+// An order of some vertices that follow one another, the members, is good if the Reeb graph has neither leaves nor
+// loops among them.
 bool is_good_order(const Surface_mesh& mesh, const std::vector<Position>& order, std::size_t begin, std::size_t end)
 {
   std::vector<double> ranks(order.size());
@@ -338,7 +338,8 @@ BOOST_AUTO_TEST_CASE(tied_saddles)
     }
 }
 
-// All neighbors of the vertex 4 have the value 3. So it is an extremum, whatever its value is, unless one of theirs changes.
+// All neighbors of the vertex 4 have the value 3. So it is an extremum, whatever its value is, unless one of theirs
+// changes.
 BOOST_AUTO_TEST_CASE(ties_that_have_to_be_spread)
 {
   const Combinatorial_mesh combinatorial_mesh = {
@@ -405,8 +406,8 @@ BOOST_AUTO_TEST_CASE(infinite_values_that_are_tied)
     }
 }
 
-// Noise of 5 percent of the range and a threshold of 11 percent: the graph is that of the field without noise. The mesh is
-// so fine that noise does not exchange the saddles of neighboring loops.
+// Noise of 5 percent of the range and a threshold of 11 percent: the graph is that of the field without noise. The mesh
+// is so fine that noise does not exchange the saddles of neighboring loops.
 BOOST_AUTO_TEST_CASE(noise_is_removed)
 {
   for(unsigned genus = 0; genus <= 10; ++genus)
@@ -440,8 +441,8 @@ BOOST_AUTO_TEST_CASE(noise_is_removed)
       }
 }
 
-// On a coarser mesh, noise exchanges saddles of neighboring loops. Removing leaves changes no loop: so the graph without
-// noise is found exactly if both graphs are the same when all leaves have been removed that can be.
+// On a coarser mesh, noise exchanges saddles of neighboring loops. Removing leaves changes no loop: so the graph
+// without noise is found exactly if both graphs are the same when all leaves have been removed that can be.
 BOOST_AUTO_TEST_CASE(noise_that_exchanges_loops)
 {
   std::size_t number_of_other_graphs = 0;

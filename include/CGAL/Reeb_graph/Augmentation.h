@@ -50,8 +50,8 @@ namespace Reeb_graph {
 /// them.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
-/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. Values that are no
-///         numbers are those of contours only if the traits class converts them, see `ReebGraphTraits`
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. Values that
+///         are no numbers are those of contours only if the traits class converts them, see `ReebGraphTraits`
 /// \tparam ReebGraph the type `Graph` of the traits class
 /// \tparam Traits a model of `ReebGraphTraits`: the type of the named parameter `geom_traits`, if that is given. It is
 ///         deduced by `Augmentation augmentation(mesh, scalar_map, graph, np)`.
@@ -92,9 +92,9 @@ public:
   /// \param scalar_map the field that it has been computed of
   /// \param graph the graph
   /// \param np the named parameters that the graph has been computed with: `ties`, `keep_degree_two_nodes`,
-  ///        `vertex_index_map`, `face_index_map` and `geom_traits` count; `callback`, as for `compute_reeb_graph()`; and
-  ///        for a graph made by `simplify()`, what that has returned, as named parameter `simplification`, if vertices are
-  ///        to be located
+  ///        `vertex_index_map`, `face_index_map` and `geom_traits` count; `callback`, as for `compute_reeb_graph()`;
+  ///        and for a graph made by `simplify()`, what that has returned, as named parameter `simplification`, if
+  ///        vertices are to be located
   ///
   /// \exception Graph_mismatch_error if a node is not one of this mesh and field, or an arc none that `ties` gives.
   ///            That all nodes and arcs are there is checked by `locate_vertices()` only.
@@ -125,9 +125,9 @@ public:
   /// \brief returns the contour of an arc at a place between its ends.
   ///
   /// The values along the arc are parametrized linearly, `t` = 0 at the lower node and `t` = 1 at the upper one. The
-  /// contour is one of the arc for any `t`; where no value lies between those of the ends, or values are no numbers, the
-  /// vertices of the chain are counted instead. It takes time proportional to the length of the contour and to the degrees of the ends of
-  /// the arc and of the halfedge it starts from, and logarithmic in the length of the chain.
+  /// contour is one of the arc for any `t`; where no value lies between those of the ends, or values are no numbers,
+  /// the vertices of the chain are counted instead. It takes time proportional to the length of the contour and to the
+  /// degrees of the ends of the arc and of the halfedge it starts from, and logarithmic in the length of the chain.
   ///
   /// \exception Parameter_error if `t` is not greater than 0 and less than 1
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph

@@ -55,8 +55,8 @@ std::size_t number_of_components(const ReebGraph& graph)
 
 /// \ingroup PkgReebGraphTopology
 ///
-/// \brief counts the independent loops of a Reeb graph, its first Betti number: arcs less nodes plus components. It takes
-/// linear time.
+/// \brief counts the independent loops of a Reeb graph, its first Betti number: arcs less nodes plus components. It
+/// takes linear time.
 template <class ReebGraph>
 std::size_t number_of_loops(const ReebGraph& graph)
 {
@@ -87,8 +87,9 @@ OutputIterator leaves(const ReebGraph& graph, OutputIterator nodes)
 /// \brief writes a basis of the cycles of a Reeb graph: as many loops as `number_of_loops()`, from which all others are
 /// combined.
 ///
-/// Each loop is closed by its first arc, which is in no other loop of the basis: the rest is the path between the ends of
-/// that arc in a spanning forest of shortest paths. It takes time linear in the graph and in the lengths of the loops.
+/// Each loop is closed by its first arc, which is in no other loop of the basis: the rest is the path between the ends
+/// of that arc in a spanning forest of shortest paths. It takes time linear in the graph and in the lengths of the
+/// loops.
 ///
 /// \param graph the Reeb graph
 /// \param loops the output, an output iterator for `std::vector` of arcs: the first arc, passed upwards, and then those

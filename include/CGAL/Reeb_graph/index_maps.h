@@ -23,9 +23,9 @@ namespace Reeb_graph {
 ///
 /// \brief returns a property map from the vertices of a mesh to their positions in `vertices(mesh)`, from 0.
 ///
-/// It serves where a mesh has no indices of its own, such as a plain `Polyhedron_3`, or where its indices have holes. The
-/// mesh is only read, so that several threads may call this function for one mesh. The map holds the positions: it is that
-/// of the mesh as it is now, and copies of it share them.
+/// It serves where a mesh has no indices of its own, such as a plain `Polyhedron_3`, or where its indices have holes.
+/// The mesh is only read, so that several threads may call this function for one mesh. The map holds the positions: it
+/// is that of the mesh as it is now, and copies of it share them.
 template <class FaceListGraph>
 auto make_vertex_index_map(const FaceListGraph& mesh)
 {

@@ -16,7 +16,8 @@
 
 #include <cstddef>
 
-// The named parameters of graphs, fields and simplification; their documentation is in the list `PkgReebGraphNamedParameters`.
+// The named parameters of graphs, fields and simplification; their documentation is in the list
+// `PkgReebGraphNamedParameters`.
 CGAL_REEB_GRAPH_NAMED_PARAMETER(keep_degree_two_nodes, bool)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(ties, Reeb_graph::Ties)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(method, Reeb_graph::Method)

@@ -58,8 +58,8 @@ std::vector<double> vertex_counts_of_pieces(const FaceListGraph& mesh,
 
 /// \ingroup PkgReebGraphAugmentation
 ///
-/// \brief adds up the area that belongs to each node and to each arc of a Reeb graph: weights for `simplify()`, as named
-/// parameter `piece_weights`.
+/// \brief adds up the area that belongs to each node and to each arc of a Reeb graph: weights for `simplify()`, as
+/// named parameter `piece_weights`.
 ///
 /// A third of the area of each face belongs to each of its vertices.
 ///
@@ -113,8 +113,8 @@ std::vector<double> areas_of_pieces(const FaceListGraph& mesh,
 ///
 /// \brief adds up the area of the surface that belongs to each arc of a Reeb graph.
 ///
-/// A third of the area of each face belongs to each of its vertices, as in `areas_of_pieces()`; what belongs to a node is
-/// shared out equally among its arcs. So the sum is the area of the mesh, but for components without an arc, which
+/// A third of the area of each face belongs to each of its vertices, as in `areas_of_pieces()`; what belongs to a node
+/// is shared out equally among its arcs. So the sum is the area of the mesh, but for components without an arc, which
 /// contracted ties can leave.
 ///
 /// \param mesh the mesh

@@ -94,8 +94,8 @@ void write_graphml_with(std::ostream& out,
 ///
 /// Each node has the data `vertex`, the index of its mesh vertex, `value`, the scalar value, and `kind`, see
 /// `to_string()`. Each edge runs from the lower to the upper node, and has the data `index`, the number of the arc, if
-/// the graph has the property `boost::edge_index`. Nodes and edges are written in the order that they have in the graph,
-/// so that equal graphs give equal files. A floating-point value is written with as many digits as
+/// the graph has the property `boost::edge_index`. Nodes and edges are written in the order that they have in the
+/// graph, so that equal graphs give equal files. A floating-point value is written with as many digits as
 /// it takes to read back the same value; an integer as a number, even if it is a character;
 /// any other value by its `operator<<`.
 ///
@@ -117,12 +117,13 @@ void write_graphml(std::ostream& out, const Graph& graph, VertexIndexMap vertex_
 
 /// \ingroup PkgReebGraphIO
 ///
-/// \brief writes a Reeb graph with the chains of its arcs in the GraphML format, so that `read_graphml()` can read it back.
+/// \brief writes a Reeb graph with the chains of its arcs in the GraphML format, so that `read_graphml()` can read it
+///            back.
 ///
 /// It is as without chains, but each edge has the data `chain`, the indices of the halfedges.
 ///
-/// \tparam HalfedgeIndexMap a model of `ReadablePropertyMap` with the halfedge descriptors of the mesh as key type and an
-///         integer type as value type
+/// \tparam HalfedgeIndexMap a model of `ReadablePropertyMap` with the halfedge descriptors of the mesh as key type and
+///         an integer type as value type
 ///
 /// \param out the stream; whether writing succeeded is seen by its state
 /// \param graph the Reeb graph

@@ -48,8 +48,8 @@ inline const char* fill_color(Node_kind kind)
 /// program `dot` with lower nodes below upper ones.
 ///
 /// The label of a node is its number, the index of its mesh vertex and its scalar value to six digits, its colour tells
-/// the kind. The label of an arc is its number, if the graph has the property `boost::edge_index`. The attributes `vertex`, `value`, and `kind` are those of `write_graphml()`, with all digits.
-/// Equal graphs give equal files.
+/// the kind. The label of an arc is its number, if the graph has the property `boost::edge_index`. The attributes
+/// `vertex`, `value`, and `kind` are those of `write_graphml()`, with all digits. Equal graphs give equal files.
 ///
 /// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
 /// \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an

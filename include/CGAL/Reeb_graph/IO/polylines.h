@@ -101,8 +101,8 @@ auto polyline_of_contour(const FaceListGraph&,
 
 /// \ingroup PkgReebGraphIO
 ///
-/// \brief returns the points of a curve of a refined mesh, of which the first one is repeated at the end if the curve is
-/// closed.
+/// \brief returns the points of a curve of a refined mesh, of which the first one is repeated at the end if the curve
+/// is closed.
 ///
 /// \param mesh the refined mesh
 /// \param curve a `Reeb_graph::Curve` with at least one halfedge

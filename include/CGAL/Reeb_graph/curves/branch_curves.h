@@ -44,7 +44,8 @@ namespace Reeb_graph {
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can be.
+///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can
+///         be.
 /// \tparam OutputIterator a model of `OutputIterator` for `Reeb_graph::Curve`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
@@ -76,9 +77,9 @@ namespace Reeb_graph {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{branch_measure}
 ///     \cgalParamDescription{how large a branch is, for `measure_threshold`}
-///     \cgalParamType{a function object that is called with a `Reeb_graph::Branch` whose nodes are vertices of the mesh, and
-///                    whose weight is its area, and returns a `double`. Where a saddle has been unfolded, its vertex can
-///                    be a new one.}
+///     \cgalParamType{a function object that is called with a `Reeb_graph::Branch` whose nodes are vertices of the
+///                    mesh, and whose weight is its area, and returns a `double`. Where a saddle has been unfolded, its
+///                    vertex can be a new one.}
 ///     \cgalParamDefault{none}
 ///     \cgalParamExtra{use the functions `parameters::branch_measure()`}
 ///   \cgalParamNEnd
@@ -100,8 +101,8 @@ namespace Reeb_graph {
 ///
 /// \returns the output iterator behind the last curve.
 ///
-/// \exception Reeb_graph::Border_level_error if `borders` is `Reeb_graph::Borders::LEVEL`, and the vertices of a border component do
-///            not have one value, or have lower as well as higher neighbors
+/// \exception Reeb_graph::Border_level_error if `borders` is `Reeb_graph::Borders::LEVEL`, and the vertices of a border
+///            component do not have one value, or have lower as well as higher neighbors
 /// \exception Reeb_graph::Threshold_error if a threshold is negative or NaN
 /// \exception Reeb_graph::Measure_error if a measure is NaN
 ///

@@ -52,10 +52,11 @@
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{borders}
-///     \cgalParamDescription{what happens if a border component does not lie in one level, or is neither a minimum nor a
-///                           maximum: an exception, or the field is changed as by `make_borders_level()`, whose named
-///                           parameters `border_extremum` and `collar_width` count then. `scalar_map` itself stays as it
-///                           is, but for vertices that are added; to have the changed field, call that function first.}
+///     \cgalParamDescription{what happens if a border component does not lie in one level, or is neither a minimum nor
+///                           a maximum: an exception, or the field is changed as by `make_borders_level()`, whose named
+///                           parameters `border_extremum` and `collar_width` count then. `scalar_map` itself stays as
+///                           it is, but for vertices that are added; to have the changed field, call that function
+///                           first.}
 ///     \cgalParamType{`Reeb_graph::Borders`}
 ///     \cgalParamDefault{`Reeb_graph::Borders::LEVEL`}
 ///     \cgalParamExtra{use the functions `parameters::borders()`}
@@ -106,11 +107,11 @@
 ///
 /// <b>The field of the refined mesh:</b> if the scalar map can be written, each vertex that is added gets a value: on a
 /// curve that of the contour, elsewhere one next to that of the vertex that has been unfolded or of the border; both
-/// strictly between the values of the vertices below and above wherever there is such a number. So the Reeb graph of the
-/// refined mesh has the nodes and arcs that it had, but for multi-saddles, which have been unfolded, and for the cuts of
-/// `cut_open`. Three kinds of maps are only read: those that are no model of `ReadWritePropertyMap`, those over a range of
-/// fixed size, such as `boost::iterator_property_map`, and dynamic property maps of a `Surface_mesh` that is `const`,
-/// which `make_scalar_map()` returns. Other property maps are carried over by an `Interpolating_visitor`.
+/// strictly between the values of the vertices below and above wherever there is such a number. So the Reeb graph of
+/// the refined mesh has the nodes and arcs that it had, but for multi-saddles, which have been unfolded, and for the
+/// cuts of `cut_open`. Three kinds of maps are only read: those that are no model of `ReadWritePropertyMap`, those over
+/// a range of fixed size, such as `boost::iterator_property_map`, and dynamic property maps of a `Surface_mesh` that is
+/// `const`, which `make_scalar_map()` returns. Other property maps are carried over by an `Interpolating_visitor`.
 ///
 /// <b>What is known of the mesh and the field:</b>
 ///
@@ -137,13 +138,13 @@
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1, by the calling thread. If
-///                           it returns `false`, the work stops with `Reeb_graph::Cancelled_error`; not any more once all
-///                           faces are split, when only the result is to be written. Splits that have been made are undone
-///                           then: the mesh has the vertices, edges and faces that it had, with the same descriptors, the
-///                           field has its values there, and nothing has been output. The visitor has been told of the
-///                           splits, and a `Surface_mesh` has garbage. To be undone, each split takes 24 bytes on it until
-///                           all are made.}
+///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1, by the calling
+///                           thread. If it returns `false`, the work stops with `Reeb_graph::Cancelled_error`; not any
+///                           more once all faces are split, when only the result is to be written. Splits that have
+///                           been made are undone then: the mesh has the vertices, edges and faces that it had, with
+///                           the same descriptors, the field has its values there, and nothing has been output. The
+///                           visitor has been told of the splits, and a `Surface_mesh` has garbage. To be undone, each
+///                           split takes 24 bytes on it until all are made.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

@@ -43,7 +43,8 @@ namespace Reeb_graph {
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can be.
+///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can
+///         be.
 /// \tparam OutputIterator a model of `OutputIterator` for `Reeb_graph::Curve`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
@@ -73,8 +74,8 @@ namespace Reeb_graph {
 ///
 /// \returns the output iterator behind the last curve.
 ///
-/// \exception Reeb_graph::Border_level_error if `borders` is `Reeb_graph::Borders::LEVEL`, and the vertices of a border component do
-///            not have one value, or have lower as well as higher neighbors
+/// \exception Reeb_graph::Border_level_error if `borders` is `Reeb_graph::Borders::LEVEL`, and the vertices of a border
+///            component do not have one value, or have lower as well as higher neighbors
 ///
 /// and the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
 template <class MutableFaceGraph,

@@ -29,8 +29,8 @@ namespace Reeb_graph {
 ///
 /// \brief refines a mesh and finds a pants decomposition by a harmonic field, which it computes.
 ///
-/// The field is that of `compute_harmonic_field_between_borders()`: it has no extrema but the borders, or two vertices that
-/// are far apart.
+/// The field is that of `compute_harmonic_field_between_borders()`: it has no extrema but the borders, or two vertices
+/// that are far apart.
 ///
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`

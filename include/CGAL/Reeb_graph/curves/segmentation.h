@@ -34,7 +34,8 @@ namespace Reeb_graph {
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can be.
+///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can
+///         be.
 /// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
 ///         integer type as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -71,7 +72,8 @@ std::size_t segment_by_pants(MutableFaceGraph& mesh,
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can be.
+///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can
+///         be.
 /// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
 ///         integer type as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -103,8 +105,8 @@ std::size_t segment_by_branches(MutableFaceGraph& mesh,
 /// \brief refines a mesh and cuts it into the regions of the arcs of its Reeb graph: one connected patch for each arc.
 ///
 /// At each node, the mesh is cut along all contours next to it but one, the one that crosses the most edges: the node
-/// belongs to the patch of its arc. So no face is divided between two arcs, unlike in a segmentation of the vertices. Time
-/// and refinement are those of `cut_along_contours()` for the contours next to the nodes.
+/// belongs to the patch of its arc. So no face is divided between two arcs, unlike in a segmentation of the vertices.
+/// Time and refinement are those of `cut_along_contours()` for the contours next to the nodes.
 ///
 /// Any mesh and any field will do, borders need not be levels. A component on which the field is constant has no arc if
 /// ties are contracted; it is a patch of its own, numbered behind those of the arcs. The halfedges of the chains of
@@ -113,7 +115,8 @@ std::size_t segment_by_branches(MutableFaceGraph& mesh,
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can be.
+///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can
+///         be.
 /// \tparam ReebGraph the type `Graph` of the traits class
 /// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
 ///         integer type as value type

@@ -39,10 +39,10 @@ namespace Reeb_graph {
 ///
 /// <b>There is no local extremum but at the vertices whose values are given</b>: after rounding each other vertex has a
 /// neighbor of strictly lower and one of strictly higher value, on any mesh and with any weights, even where the
-/// solution is flat to all digits, and even if faces have no area. So with two given values a closed surface of genus \f$ g \f$ has exactly one
-/// minimum, one maximum, and saddles of total multiplicity \f$ 2g \f$. The only exception are parts of the surface
-/// around which all given values are the same, so that the solution is constant there. Where the plain solution keeps
-/// the promise, it is the result; elsewhere values are moved as little as it takes.
+/// solution is flat to all digits, and even if faces have no area. So with two given values a closed surface of genus
+/// \f$ g \f$ has exactly one minimum, one maximum, and saddles of total multiplicity \f$ 2g \f$. The only exception are
+/// parts of the surface around which all given values are the same, so that the solution is constant there. Where the
+/// plain solution keeps the promise, it is the result; elsewhere values are moved as little as it takes.
 ///
 /// Time and memory are those of the solver, for its default about \f$ O(n^{3/2}) \f$ and \f$ O(n \log n) \f$, plus
 /// \f$ O(n \log n) \f$.

@@ -26,12 +26,13 @@ namespace Reeb_graph {
 /// \brief computes the harmonic field whose extrema are the borders of the mesh, so that they are levels, as
 /// `cutting_system()`, `pants_decomposition()` and `branch_curves()` need it.
 ///
-/// In each connected component, the field is 0 on the first border component and 1 on the other ones, in the order of their
-/// first vertices. If there is one border, the field is 1 at a vertex far from it; if there is none, it is 0 and 1 at the
-/// two vertices of `find_far_apart_vertices()`. An isolated vertex gets the value 0. Borders at 1 that share edges are one
-/// plateau.
+/// In each connected component, the field is 0 on the first border component and 1 on the other ones, in the order of
+/// their first vertices. If there is one border, the field is 1 at a vertex far from it, or 0 all over where all
+/// vertices are on it; if there is none, it is 0 and 1 at the two vertices of `find_far_apart_vertices()`. An isolated
+/// vertex gets the value 0. Borders at 1 that share edges are one plateau.
 ///
-/// The template parameters, the named parameters, the result, and the exceptions are those of `compute_harmonic_field()`.
+/// The template parameters, the named parameters, the result, and the exceptions are those of
+/// `compute_harmonic_field()`.
 template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
 Field_report compute_harmonic_field_between_borders(const FaceListGraph& mesh,
                                                     FieldMap field_map,

@@ -40,35 +40,38 @@ struct Border_level_changes
 /// \brief changes a field so that each border component lies in one level and is an extremum of the surface, as
 /// `cutting_system()`, `pants_decomposition()` and `branch_curves()` need it.
 ///
-/// All vertices of a border get one value, which is higher than those of all vertices next to it, or lower. Of the values
-/// that are, it is the one nearest to those of the border. Maximum or minimum is what changes less, if `border_extremum()`
-/// does not say which. A border that has one value already, with no neighbor below it or with none above it, keeps it.
+/// All vertices of a border get one value, which is higher than those of all vertices next to it, or lower. Of the
+/// values that are, it is the one nearest to those of the border. Maximum or minimum is what changes less, if
+/// `border_extremum()` does not say which. A border that has one value already, with no neighbor below it or with none
+/// above it, keeps it.
 ///
 /// - <b>Borders that touch each other</b>, that is, share an edge, become extrema of opposite kinds, the maximum above
-///   the minimum, where that can be. Where it cannot, as for three borders each of which touches the other two, those of
-///   one kind that touch share one level. So there is a result for each mesh, also for an annulus or a disk without inner
-///   vertices, which becomes constant. A border that is an extremal level already changes only if those that touch it leave
-///   it no choice.
+///   the minimum, where that can be. Where it cannot, as for three borders each of which touches the other two, those
+///   of one kind that touch share one level. So there is a result for each mesh, also for an annulus or a disk without
+///   inner vertices, which becomes constant. A border that is an extremal level already changes only if those that
+///   touch it leave it no choice.
 /// - <b>In a collar</b> around the borders that have been changed, all vertices on no border that are at most
 ///   `collar_width()` edges away, extrema that the change would make are removed again: the basin of a new minimum is
-///   filled to just above its lowest pass, so that each of its vertices has a lower and a higher neighbor, and that of a
-///   new maximum is cut down likewise. All other values in the collar stay. So there are no new critical points but the
-///   borders, and the saddles that belong to them by the Euler characteristic. Where the pass lies outside of the collar,
-///   is tied with the next vertex around the basin, or is beyond the border, which is at the bottom of a
+///   filled to just above its lowest pass, so that each of its vertices has a lower and a higher neighbor, and that of
+///   a new maximum is cut down likewise. All other values in the collar stay. So there are no new critical points but
+///   the borders, and the saddles that belong to them by the Euler characteristic. Where the pass lies outside of the
+///   collar, is tied with the next vertex around the basin, or is beyond the border, which is at the bottom of a
 ///   valley and becomes a maximum, say, the extremum stays, and nothing is changed for it.
 ///
-/// <b>How much changes:</b> Values outside of the collar stay as they are. With \f$ r \f$ for the range of the values of a
-/// border and the vertices next to it, no value of the border changes by more than \f$ (1 + 1/1024)\, r \f$ if it touches
-/// no other border. A vertex beside it moves by at most 17/16 of the depth of its basin, once for each basin that it is in.
+/// <b>How much changes:</b> Values outside of the collar stay as they are. With \f$ r \f$ for the range of the values
+/// of a border and the vertices next to it, no value of the border changes by more than \f$ (1 + 1/1024)\, r \f$ if it
+/// touches no other border. A vertex beside it moves by at most 17/16 of the depth of its basin, once for each basin
+/// that it is in.
 ///
 /// It takes \f$ O(n \log n + c \log c) \f$ time for \f$ n \f$ vertices, where \f$ c \f$ is the sum of the numbers of
 /// vertices in the basins and next to them.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph` with dynamic property maps
 /// \tparam ScalarMap a model of `ReadWritePropertyMap` with the vertex descriptors of the mesh as key type, and with a
-///         value type that `CGAL::to_double()` takes. If it is no built-in floating point type, or is ordered by another
-///         function object, there is no arithmetic: a border gets a value of one of its vertices or of those next to
-///         them, so that it has no higher neighbor, or no lower one, but can have equal ones, and nothing else changes.
+///         value type that `CGAL::to_double()` takes. If it is no built-in floating point type, or is ordered by
+///         another function object, there is no arithmetic: a border gets a value of one of its vertices or of those
+///         next to them, so that it has no higher neighbor, or no lower one, but can have equal ones, and nothing else
+///         changes.
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the triangulated surface; it is only read
@@ -83,8 +86,8 @@ struct Border_level_changes
 ///     \cgalParamExtra{use the functions `parameters::border_extremum()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{collar_width}
-///     \cgalParamDescription{the number of edges from a border up to which values are changed; 0 changes those of borders
-///                           only}
+///     \cgalParamDescription{the number of edges from a border up to which values are changed; 0 changes those of
+///                           borders only}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{3}
 ///     \cgalParamExtra{use the functions `parameters::collar_width()`}
@@ -95,8 +98,8 @@ struct Border_level_changes
 ///     \cgalParamDefault{`Reeb_graph_traits<FaceListGraph, ScalarMap>`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1. If it returns `false`, the
-///                           work stops; not any more at 1, when the field has been written.}
+///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1. If it returns
+///                           `false`, the work stops; not any more at 1, when the field has been written.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

@@ -28,13 +28,13 @@ namespace Reeb_graph {
 
 /// \ingroup PkgReebGraphSimplification
 ///
-/// \brief the way from a Reeb graph to its simplified graph: for each node and each arc the node or arc of the simplified
-/// graph that has taken it up.
+/// \brief the way from a Reeb graph to its simplified graph: for each node and each arc the node or arc of the
+/// simplified graph that has taken it up.
 ///
 /// It is made by `simplify()`. As a property map, it has the nodes of the graph that has been simplified as keys:
-/// `get(simplification, node)`. Copies share their memory. It holds copies of the arc descriptors of the simplified graph,
-/// which must not lose arcs as long as it is used. Given to `Augmentation` as named parameter `simplification`, it leads
-/// from the vertices of the mesh to the simplified graph.
+/// `get(simplification, node)`. Copies share their memory. It holds copies of the arc descriptors of the simplified
+/// graph, which must not lose arcs as long as it is used. Given to `Augmentation` as named parameter `simplification`,
+/// it leads from the vertices of the mesh to the simplified graph.
 ///
 /// \tparam ReebGraph the type of both graphs
 ///

@@ -85,8 +85,8 @@ inline std::string to_string(Persistence_pair_kind kind)
 
 /// \ingroup PkgReebGraphSimplification
 ///
-/// \brief returns the persistence of a pair: the absolute difference of the values of its two nodes, as a `double`. That
-/// of equal values is 0, also if they are infinite.
+/// \brief returns the persistence of a pair: the absolute difference of the values of its two nodes, as a `double`.
+/// That of equal values is 0, also if they are infinite.
 ///
 /// \param graph the graph that the pair is one of; `CGAL::to_double()` has to take its values
 /// \param pair the pair
@@ -102,26 +102,26 @@ double persistence(const ReebGraph& graph,
 ///
 /// \brief finds the pairs of the extended persistence of a Reeb graph.
 ///
-/// Level sets are followed upwards, and then superlevel sets downwards; what is born at one node dies at another one, and
-/// the values of these two tell how much of the field it takes part in.
+/// Level sets are followed upwards, and then superlevel sets downwards; what is born at one node dies at another one,
+/// and the values of these two tell how much of the field it takes part in.
 ///
-/// - Where several components of a sublevel set meet, all die but the one of the lowest minimum (the elder rule): a pair of
-///   a minimum and a saddle for each.
-/// - Where several components of a superlevel set meet, all die but the one of the highest maximum: a pair of a saddle and
-///   a maximum for each.
-/// - The lowest minimum and the highest maximum of each connected component of the graph are a pair. A node without arcs is
-///   one with itself.
-/// - There are as many loop pairs as the graph has independent loops. The upper node of a pair is where arcs close a loop
-///   from below, and the lower node is the highest one that can be the lowest node of such a loop.
+/// - Where several components of a sublevel set meet, all die but the one of the lowest minimum (the elder rule): a
+///   pair of a minimum and a saddle for each.
+/// - Where several components of a superlevel set meet, all die but the one of the highest maximum: a pair of a saddle
+///   and a maximum for each.
+/// - The lowest minimum and the highest maximum of each connected component of the graph are a pair. A node without
+///   arcs is one with itself.
+/// - There are as many loop pairs as the graph has independent loops. The upper node of a pair is where arcs close a
+///   loop from below, and the lower node is the highest one that can be the lowest node of such a loop.
 ///
-/// A node at which more than three arcs end takes part in several pairs, a node with one arc below and one above in none.
-/// Nodes are compared by their numbers, which is the total order of the vertices, so the pairs are unique. Turned upside
-/// down, the graph has the same pairs upside down.
+/// A node at which more than three arcs end takes part in several pairs, a node with one arc below and one above in
+/// none. Nodes are compared by their numbers, which is the total order of the vertices, so the pairs are unique. Turned
+/// upside down, the graph has the same pairs upside down.
 ///
-/// With \f$ n \f$ nodes and arcs, of which \f$ l \f$ are in loops, the time is \f$ O(n \log n) \f$ with a small constant,
-/// plus \f$ O(l \log l) \f$. Loops are found by link-cut trees. See P. K. Agarwal, H. Edelsbrunner, J. Harer, Y. Wang,
-/// *Extreme elevation on a 2-manifold*, 2006, and J. Tu, M. Hajij, P. Rosen, *Propagate and Pair: A Single-Pass Approach to
-/// Critical Point Pairing in Reeb Graphs*, 2019.
+/// With \f$ n \f$ nodes and arcs, of which \f$ l \f$ are in loops, the time is \f$ O(n \log n) \f$ with a small
+/// constant, plus \f$ O(l \log l) \f$. Loops are found by link-cut trees. See P. K. Agarwal, H. Edelsbrunner, J. Harer,
+/// Y. Wang, *Extreme elevation on a 2-manifold*, 2006, and J. Tu, M. Hajij, P. Rosen, *Propagate and Pair: A
+/// Single-Pass Approach to Critical Point Pairing in Reeb Graphs*, 2019.
 ///
 /// \tparam ReebGraph the type `Graph` of the traits class, or another bidirectional graph with `std::size_t` as vertex
 ///         descriptor

@@ -27,8 +27,8 @@ namespace Reeb_graph {
 
 /// \ingroup PkgReebGraphSimplification
 ///
-/// \brief a leaf of a Reeb graph with its arc, as `simplify()` sees it: the arc that can be made of several ones, and all
-/// that has been removed from it.
+/// \brief a leaf of a Reeb graph with its arc, as `simplify()` sees it: the arc that can be made of several ones, and
+/// all that has been removed from it.
 ///
 /// \tparam NodeDescriptor the type of the nodes of the graph
 template <class NodeDescriptor>
@@ -47,24 +47,25 @@ struct Branch
 ///
 /// The leaf arc of least measure is removed; of several, the one whose leaf has the lowest number. If one arc below its
 /// saddle and one above are left, they become one, which can be a leaf arc of a larger measure. So it goes on until no
-/// measure is below the threshold. A leaf arc that is the only one on its side of the saddle is no branch, as what is left
-/// would end there; so a branch with a loop stays as long as the loop does. See H. Carr, J. Snoeyink, M. van de Panne,
-/// *Simplifying Flexible Isosurfaces Using Local Geometric Measures*, 2004.
+/// measure is below the threshold. A leaf arc that is the only one on its side of the saddle is no branch, as what is
+/// left would end there; so a branch with a loop stays as long as the loop does. See H. Carr, J. Snoeyink, M. van de
+/// Panne, *Simplifying Flexible Isosurfaces Using Local Geometric Measures*, 2004.
 ///
-/// The measure of a leaf arc is its persistence by default: the largest difference between the value of the saddle and one
-/// in what would be removed, which is how far `simplify_field()` has to move a value. It is the difference between the
-/// ends of the arc, unless an extremum beyond the leaf has been removed from it before. What has been removed is not in the
-/// simplified graph: where such an extremum has kept a leaf arc, simplifying that graph again removes the arc. With the
-/// difference between the ends as `branch_measure`, simplifying again changes nothing, but values of the simplified field
-/// can change by more than the threshold.
+/// The measure of a leaf arc is its persistence by default: the largest difference between the value of the saddle and
+/// one in what would be removed, which is how far `simplify_field()` has to move a value. It is the difference between
+/// the ends of the arc, unless an extremum beyond the leaf has been removed from it before. What has been removed is
+/// not in the simplified graph: where such an extremum has kept a leaf arc, simplifying that graph again removes the
+/// arc. With the difference between the ends as `branch_measure`, simplifying again changes nothing, but values of the
+/// simplified field can change by more than the threshold.
 ///
-/// The simplified graph is one of the same type. Its nodes are nodes of `graph` in the same order, but those of degree two
-/// are never among them. Its arcs are sorted by lower node, upper node, and the first arc of `graph` that they are made
-/// of. The chain of an arc consists of the chains of these arcs, in pieces; so an `Augmentation` finds the contours of the
-/// branch that has been kept. A larger threshold gives a graph with nodes of that of a smaller one, and no more.
+/// The simplified graph is one of the same type. Its nodes are nodes of `graph` in the same order, but those of degree
+/// two are never among them. Its arcs are sorted by lower node, upper node, and the first arc of `graph` that they are
+/// made of. The chain of an arc consists of the chains of these arcs, in pieces; so an `Augmentation` finds the
+/// contours of the branch that has been kept. A larger threshold gives a graph with nodes of that of a smaller one, and
+/// no more.
 ///
-/// With \f$ n \f$ nodes and arcs, it takes \f$ O(n \log n) \f$ time, and the same again each time that cancelled loops have
-/// made new leaf arcs.
+/// With \f$ n \f$ nodes and arcs, it takes \f$ O(n \log n) \f$ time, and the same again each time that cancelled loops
+/// have made new leaf arcs.
 ///
 /// \tparam ReebGraph the type `Graph` of the traits class. `CGAL::to_double()` has to take the values of the nodes
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -82,9 +83,9 @@ struct Branch
 ///     \cgalParamExtra{use the functions `parameters::number_of_leaves()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{cancel_loops}
-///     \cgalParamDescription{whether loops of a persistence below the threshold are removed, too: of the two sides of a loop
-///                           one takes up the other. A loop stays while arcs that stay leave both of its sides. The
-///                           measure of a loop is always its persistence. A field on the mesh has those that the
+///     \cgalParamDescription{whether loops of a persistence below the threshold are removed, too: of the two sides of a
+///                           loop one takes up the other. A loop stays while arcs that stay leave both of its sides.
+///                           The measure of a loop is always its persistence. A field on the mesh has those that the
 ///                           surface asks for, so that `simplify_field()` throws an exception if it is asked to.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
@@ -92,7 +93,8 @@ struct Branch
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{piece_weights}
 ///     \cgalParamDescription{a number for each node, and then for each arc in the order of `edges(graph)`; see
-///                           `areas_of_pieces()` and `vertex_counts_of_pieces()`. They are added up over all that is removed.}
+///                           `areas_of_pieces()` and `vertex_counts_of_pieces()`. They are added up over all that is
+///                           removed.}
 ///     \cgalParamType{a range of numbers}
 ///     \cgalParamDefault{none}
 ///     \cgalParamExtra{use the functions `parameters::piece_weights()`}

@@ -35,35 +35,36 @@ namespace Reeb_graph {
 ///
 /// \brief computes a field whose Reeb graph is the simplified graph of a given field.
 ///
-/// What `simplify()` removes from the graph is a piece of the surface. The values in this piece are moved to that of its
-/// saddle, or next to it; all other values stay as they are, but for ties (see below). No value changes by as much as the
-/// threshold, if the measure is the persistence. So everything that takes a field can be done with the simplified one:
-/// cutting systems, pants, branches.
+/// What `simplify()` removes from the graph is a piece of the surface. The values in this piece are moved to that of
+/// its saddle, or next to it; all other values stay as they are, but for ties (see below). No value changes by as much
+/// as the threshold, if the measure is the persistence. So everything that takes a field can be done with the
+/// simplified one: cutting systems, pants, branches.
 ///
 /// - With `Ties::CONTRACT`, a removed piece gets the value of its saddle: it becomes part of a plateau.
 /// - With `Ties::PERTURB`, it gets different values next to that of its saddle, in an order in which each vertex has a
-///   lower and a higher neighbor (an st-numbering: R. E. Tarjan, *Two Streamlined Depth-First Search Algorithms*, 1986).
-///   The graph is the same with contracted ties if the field had none. Where a saddle of higher multiplicity stays, its
-///   node can be at another vertex of the pieces next to it, or come apart into several ones there, which are a tree. Where
-///   a vertex around a piece is tied with the saddle, no number is left for the piece: there, the vertices of that value
-///   that come after the first such saddle in the order of the vertices are moved up, in this order, by at most a 1024th of
-///   the threshold. Only then does a value outside of the pieces change.
+///   lower and a higher neighbor (an st-numbering: R. E. Tarjan, *Two Streamlined Depth-First Search Algorithms*,
+///   1986). The graph is the same with contracted ties if the field had none. Where a saddle of higher multiplicity
+///   stays, its node can be at another vertex of the pieces next to it, or come apart into several ones there, which
+///   are a tree. Where a vertex around a piece is tied with the saddle, no number is left for the piece: there, the
+///   vertices of that value that come after the first such saddle in the order of the vertices are moved up, in this
+///   order, by at most a 1024th of the threshold. Only then does a value outside of the pieces change.
 ///
-/// With perturbed ties not every simplified graph is that of a field on the mesh. A removed piece with a border, or with a
-/// handle that a multi-saddle hides, can need a loop. So the graph of the result is computed and compared. If it has a loop
-/// too many, another order is looked for: one in which each vertex that is moved next to a saddle, and this saddle, have
-/// contours below and above them, and join no contours that the vertices before them have joined or split. Where they are
-/// up to 16, all orders are searched, where they are more, a large number. Section \ref ReebGraph_simplify_field of the
-/// manual says which pieces have none. With contracted ties there is always a field.
+/// With perturbed ties not every simplified graph is that of a field on the mesh. A removed piece with a border, or
+/// with a handle that a multi-saddle hides, can need a loop. So the graph of the result is computed and compared. If it
+/// has a loop too many, another order is looked for: one in which each vertex that is moved next to a saddle, and this
+/// saddle, have contours below and above them, and join no contours that the vertices before them have joined or split.
+/// Where they are up to 16, all orders are searched, where they are more, a large number. Section
+/// \ref ReebGraph_simplify_field of the manual says which pieces have none. With contracted ties there is always a field.
 ///
 /// On the subject, see U. Bauer, C. Lange, M. Wardetzky, *Optimal Topological Simplification of Discrete Functions on
-/// Surfaces*, 2012, and J. Tierny, V. Pascucci, *Generalized Topological Simplification of Scalar Fields on Surfaces*, 2012.
-/// It takes the time of `compute_reeb_graph()` twice, that of `Augmentation::locate_vertices()`, and near-linear time.
+/// Surfaces*, 2012, and J. Tierny, V. Pascucci, *Generalized Topological Simplification of Scalar Fields on Surfaces*,
+/// 2012. It takes the time of `compute_reeb_graph()` twice, that of `Augmentation::locate_vertices()`, and near-linear
+/// time.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph` with dynamic property maps
-/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value type
-///         that `CGAL::to_double()` takes; with `Ties::PERTURB`, a built-in floating point type. The order is that of
-///         `operator<`.
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
+///         type that `CGAL::to_double()` takes; with `Ties::PERTURB`, a built-in floating point type. The order is that
+///         of `operator<`.
 /// \tparam SimplifiedScalarMap a model of `WritablePropertyMap` with the same key and value types
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
@@ -72,19 +73,19 @@ namespace Reeb_graph {
 /// \param threshold what is smaller is removed, in units of the measure
 /// \param simplified_scalar_map the result; it can be the same map as `scalar_map`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `ties`, `vertex_index_map`,
-///        `face_index_map` and `callback` of `compute_reeb_graph()`, and `number_of_leaves`, `piece_weights` and `branch_measure` of
-///        `simplify()`. The order is always that of `operator<`: there is no `geom_traits`
+///        `face_index_map` and `callback` of `compute_reeb_graph()`, and `number_of_leaves`, `piece_weights` and
+///        `branch_measure` of `simplify()`. The order is always that of `operator<`: there is no `geom_traits`
 ///
 /// \returns the largest absolute difference between a value of the result and the given one.
 ///
-/// \exception Reeb_graph::Scalar_resolution_error if there are too few numbers next to the value of a saddle to give each
-///            vertex of a piece another one, as for infinite values
+/// \exception Reeb_graph::Scalar_resolution_error if there are too few numbers next to the value of a saddle to give
+///            each vertex of a piece another one, as for infinite values
 /// \exception Reeb_graph::Piece_topology_error with `Reeb_graph::Ties::PERTURB`, if an order of the vertices that are
 ///            moved next to a saddle has not been found
 /// \exception Reeb_graph::Loop_cancellation_error if `cancel_loops` is `true`
 ///
-/// and the exceptions of `compute_reeb_graph()` and `simplify()`. When one is thrown, `simplified_scalar_map` is as it was
-/// before.
+/// and the exceptions of `compute_reeb_graph()` and `simplify()`. When one is thrown, `simplified_scalar_map` is as it
+/// was before.
 template <class FaceListGraph,
           class ScalarMap,
           class SimplifiedScalarMap,

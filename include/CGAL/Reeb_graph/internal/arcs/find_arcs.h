@@ -36,8 +36,8 @@ namespace internal {
 typedef std::integral_constant<Method, Method::CONTOUR_TREES> Default_method;
 typedef std::integral_constant<std::size_t, 1> Default_number_of_slabs;
 
-// Throws if an arc lacks a node of the slab at an end, or has no step to begin with at a vertex: the order of the vertices
-// has contradicted itself.
+// Throws if an arc lacks a node of the slab at an end, or has no step to begin with at a vertex: the order of the
+// vertices has contradicted itself.
 template <class Complex>
 void check_arcs(const Slab<Complex>& slab, const Slab_arcs& arcs)
 {
@@ -50,8 +50,8 @@ void check_arcs(const Slab<Complex>& slab, const Slab_arcs& arcs)
   }
 }
 
-// Finds the arcs between the nodes of a slab by the engine for the method. All return the same arcs, in any order. First
-// steps are those of arcs that begin at a critical vertex.
+// Finds the arcs between the nodes of a slab by the engine for the method. All return the same arcs, in any order.
+// First steps are those of arcs that begin at a critical vertex.
 template <class ConcurrencyTag, class Complex, class Order, class Report>
 Slab_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Order& order, Default_method, const Report& report)
 {

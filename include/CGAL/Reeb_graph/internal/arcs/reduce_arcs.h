@@ -33,8 +33,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Makes nodes and arcs of the critical vertices and the arcs between them. A group of critical vertices is a node, unless
-// one arc enters it and one leaves it.
+// Makes nodes and arcs of the critical vertices and the arcs between them. A group of critical vertices is a node,
+// unless one arc enters it and one leaves it.
 template <class ConcurrencyTag, class Complex, class Order>
 class Arc_reduction
 {

@@ -57,7 +57,10 @@ public:
     return !order_.is_higher(on_mesh_.lower_vertex(arc), value) && order_.is_higher(on_mesh_.upper_vertex(arc), value);
   }
 
-  Level at_value(const Scalar& value) const { return {Is_below::above_value(order_, value), on_mesh_.conversion().to_double(value)}; }
+  Level at_value(const Scalar& value) const
+  {
+    return {Is_below::above_value(order_, value), on_mesh_.conversion().to_double(value)};
+  }
 
   Level below_node(node_descriptor node) const
   {

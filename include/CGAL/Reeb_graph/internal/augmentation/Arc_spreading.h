@@ -62,8 +62,8 @@ public:
     return critical_vertices.size() > complex.number_of_vertices() / 16;
   }
 
-  // Whether the arcs of all vertices have been found. It gives up if more than the given share of the vertices is out of
-  // reach, or if their contours are long.
+  // Whether the arcs of all vertices have been found. It gives up if more than the given share of the vertices is out
+  // of reach, or if their contours are long.
   template <class ConcurrencyTag>
   bool find_arcs_of_vertices(Arc_of_vertex& arc_of_vertex, double largest_share_out_of_reach = 0.125)
   {
@@ -108,7 +108,8 @@ private:
     const auto is_between = [&](Vertex_index vertex) { return order_(lower, vertex) && order_(vertex, upper); };
     const auto is_free = [&](Vertex_index vertex) { return arc_of_vertex_[vertex] == no_index; };
     const auto reach = [&](Vertex_index vertex) {
-      // Another thread may be writing the arc of a vertex that is not between the ends; alone, the fast test comes first.
+      // Another thread may be writing the arc of a vertex that is not between the ends; alone, the fast test comes
+      // first.
       if(is_parallel<Tag>() ? !is_between(vertex) || !is_free(vertex) : !is_free(vertex) || !is_between(vertex))
         return;
       arc_of_vertex_[vertex] = arc;

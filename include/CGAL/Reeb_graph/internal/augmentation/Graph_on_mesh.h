@@ -36,8 +36,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// A graph and the flat surface that its nodes and chains are on: the way from descriptors to numbers and back. The graph
-// may be any whose nodes are vertices and whose chains are halfedges of the mesh. It refers to both.
+// A graph and the flat surface that its nodes and chains are on: the way from descriptors to numbers and back. The
+// graph may be any whose nodes are vertices and whose chains are halfedges of the mesh. It refers to both.
 template <class FaceListGraph, class ReebGraph, class Traits>
 class Graph_on_mesh
 {

@@ -32,8 +32,8 @@ namespace internal {
 
 typedef Indexed_vector<Vertex_index, Index> Place_of_vertex; // no_index where there is no vertex
 
-// The vertices of each place in ascending order. They are sorted when they are asked for, which takes longer than to find
-// the places.
+// The vertices of each place in ascending order. They are sorted when they are asked for, which takes longer than to
+// find the places.
 template <class VertexDescriptor>
 class Vertex_lists
 {

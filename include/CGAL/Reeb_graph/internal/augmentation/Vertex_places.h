@@ -34,9 +34,9 @@ namespace internal {
 
 // The place of each vertex in the exact graph. Nothing but the surface and the order of its vertices is asked.
 //
-// First the arc between critical vertices is found that each regular vertex is on: by spreading the arcs, or, where they
-// are short, by the engine, with all vertices in the place of the critical ones. Reducing those arcs gives the graph
-// once more, and says what has become of them.
+// First the arc between critical vertices is found that each regular vertex is on: by spreading the arcs, or, where
+// they are short, by the engine, with all vertices in the place of the critical ones. Reducing those arcs gives the
+// graph once more, and says what has become of them.
 template <class Complex, class Order>
 class Vertex_places
 {

@@ -64,8 +64,8 @@ private:
 struct Component_tag;
 typedef Index_of<Component_tag> Component_index;
 
-// The components of sublevel or superlevel sets that merge in a sweep: disjoint sets, each with a top, the node at which
-// the sweep has met it last. Both in one place, as a sweep jumps about in memory.
+// The components of sublevel or superlevel sets that merge in a sweep: disjoint sets, each with a top, the node at
+// which the sweep has met it last. Both in one place, as a sweep jumps about in memory.
 template <class Node>
 class Merging_components
 {

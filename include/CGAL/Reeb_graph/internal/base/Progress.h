@@ -72,7 +72,8 @@ public:
       (*this)(static_cast<double>(step) / static_cast<double>(number_of_steps));
   }
 
-  // The named parameter `callback` of a function that does the stage. It throws Cancelled_error itself, also at the end.
+  // The named parameter `callback` of a function that does the stage. It throws Cancelled_error itself, also at the
+  // end.
   auto callback() const
   {
     return [stage = *this](double fraction) {

@@ -37,8 +37,8 @@ struct Has_scalar_conversion<Traits,
 {
 };
 
-// The way from the values of a field to numbers and back: that of the traits class, else that of number types. Values of
-// any other type are not a number each.
+// The way from the values of a field to numbers and back: that of the traits class, else that of number types. Values
+// of any other type are not a number each.
 template <class Traits>
 class Scalar_conversion
 {

@@ -43,7 +43,8 @@ public:
   const T& operator[](Key key) const { return elements_.get()[key.number()]; }
 
 private:
-  // What other arrays do: each line of the cache is written. Compilers know that calloc() leaves zeros, and drop a memset().
+  // What other arrays do: each line of the cache is written. Compilers know that calloc() leaves zeros, and drop a
+  // memset().
   void touch(std::size_t size)
   {
     constexpr std::size_t line = 64;

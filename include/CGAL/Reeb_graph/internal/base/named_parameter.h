@@ -52,9 +52,9 @@ T& unwrap_reference(std::reference_wrapper<T>& parameter)
 } // namespace Reeb_graph
 } // namespace CGAL
 
-// A named parameter of the package's own, as in CGAL's parameters_interface.h: its tag, a function that starts a pack of
-// parameters with a value of type `Type`, and one that appends the value to a pack. Everything else about it is CGAL's.
-// To be used outside of any namespace.
+// A named parameter of the package's own, as in CGAL's parameters_interface.h: its tag, a function that starts a pack
+// of parameters with a value of type `Type`, and one that appends the value to a pack. Everything else about it is
+// CGAL's. To be used outside of any namespace.
 #define CGAL_REEB_GRAPH_NAMED_PARAMETER(name, Type)                                                                    \
   CGAL_REEB_GRAPH_NAMED_PARAMETER_TAG(name)                                                                            \
   namespace CGAL {                                                                                                     \

@@ -15,7 +15,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The parts that are there for speed alone. The benchmark leaves out one at a time, by the macro, to tell what it gains.
+// The parts that are there for speed alone. The benchmark leaves out one at a time, by the macro, to tell what it
+// gains.
 enum class Tuned_part
 {
   NONE,

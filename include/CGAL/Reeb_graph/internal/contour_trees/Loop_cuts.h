@@ -28,9 +28,9 @@ namespace internal {
 struct Cut_tag;
 typedef Index_of<Cut_tag> Cut_index;
 
-// Contours along which the surface is cut so that no loop is left, each just below a critical vertex that it touches. A cut adds two nodes
-// to the trees: one below it, a maximum joined to the lower ends of the crossed edges, and one above it, a minimum
-// joined to the upper ends.
+// Contours along which the surface is cut so that no loop is left, each just below a critical vertex that it touches. A
+// cut adds two nodes to the trees: one below it, a maximum joined to the lower ends of the crossed edges, and one above
+// it, a minimum joined to the upper ends.
 class Loop_cuts
 {
 public:

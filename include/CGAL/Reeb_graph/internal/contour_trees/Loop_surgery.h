@@ -73,8 +73,8 @@ public:
   }
 
 private:
-  // Visits the shorter contour of two lower sectors of one sublevel component. Both are walked at once, so that the longer one costs no
-  // more than the shorter one.
+  // Visits the shorter contour of two lower sectors of one sublevel component. Both are walked at once, so that the
+  // longer one costs no more than the shorter one.
   template <class Visit>
   void visit_shorter_contour(Swept_index critical, const Visit& visit)
   {

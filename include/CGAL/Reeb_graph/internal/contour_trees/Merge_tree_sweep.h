@@ -121,8 +121,8 @@ public:
     };
   }
 
-  // Merges components at a critical vertex, which come in the order of the sweep. All classes are named before the first of them
-  // gets a new top.
+  // Merges components at a critical vertex, which come in the order of the sweep. All classes are named before the
+  // first of them gets a new top.
   void merge_at(Swept_index critical)
   {
     merged_components_.clear();

@@ -28,8 +28,8 @@ namespace internal {
 // A lower neighbor of a vertex and a higher one, no_index if there is none.
 typedef By_side<Vertex_index> Monotone_neighbors;
 
-// The monotone neighbors of the vertices in blocks of which many are critical. There, nearly each vertex is on a monotone path;
-// elsewhere, to find the few steps of paths again takes less than to keep all of them.
+// The monotone neighbors of the vertices in blocks of which many are critical. There, nearly each vertex is on a
+// monotone path; elsewhere, to find the few steps of paths again takes less than to keep all of them.
 class Kept_neighbors
 {
 public:

@@ -43,7 +43,8 @@ struct Found_vertices
   Fan_counts fan_counts; // if fans have been found on the way
 };
 
-// Finds vertices from `begin` to `end`: find_link(vertex, fan counts) tells the link of a vertex, is_wanted(number of link sectors) whether to take it.
+// Finds vertices from `begin` to `end`: find_link(vertex, fan counts) tells the link of a vertex, is_wanted(number of
+// link sectors) whether to take it.
 template <class Complex, class FindLink, class IsWanted>
 Found_vertices find_vertices(const Complex& complex,
                              std::size_t begin,
@@ -151,8 +152,8 @@ struct Classified_complex
   Swept_vertices critical_vertices;
 };
 
-// Finds the critical vertices of a complex that has not been checked, which is done on the way: both have to turn around
-// each vertex.
+// Finds the critical vertices of a complex that has not been checked, which is done on the way: both have to turn
+// around each vertex.
 template <class ConcurrencyTag, class Complex, class Order>
 Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Complex> unchecked, const Order& order)
 {

@@ -42,8 +42,8 @@ inline Critical_vertex_counts count_critical_vertices(const Swept_vertices& crit
   return counts;
 }
 
-// The Euler characteristic of the surface, to which a vertex contributes 1 minus the Euler characteristic of its lower link. (T. Banchoff,
-// Critical points and curvature for embedded polyhedra, 1967.)
+// The Euler characteristic of the surface, to which a vertex contributes 1 minus the Euler characteristic of its lower
+// link. (T. Banchoff, Critical points and curvature for embedded polyhedra, 1967.)
 inline std::ptrdiff_t euler_characteristic(const Swept_vertices& critical_vertices)
 {
   std::ptrdiff_t result = 0;

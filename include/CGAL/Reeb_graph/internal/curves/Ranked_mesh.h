@@ -113,10 +113,13 @@ public:
   halfedge_descriptor split_edge(halfedge_descriptor h, vertex_descriptor u, vertex_descriptor w, double t) const
   {
     const auto point = point_between(u, w, t);
-    if(are_splits_remembered_)
-      splits_.push_back({h, true, halfedge(source(h, mesh_), mesh_), halfedge(target(h, mesh_), mesh_),
-                         halfedge_of_face(h), halfedge_of_face(opposite(h, mesh_))});
-    const halfedge_descriptor first = Euler::split_edge(h, mesh_);
+    const Split split = {h,
+                         true,
+                         halfedge(source(h, mesh_), mesh_),
+                         halfedge(target(h, mesh_), mesh_),
+                         halfedge_of_face(h),
+                         halfedge_of_face(opposite(h, mesh_))};
+    const halfedge_descriptor first = remember(split, [&] { return Euler::split_edge(h, mesh_); });
     put(vertex_point_map_, target(first, mesh_), point);
     visitor_.edge_split(first, h);
     visitor_.vertex_added(target(first, mesh_), u, w, t);
@@ -126,11 +129,12 @@ public:
   // Joins the targets of two halfedges of a face. The new face is behind `h2`. Returns the halfedge that follows `h1`.
   halfedge_descriptor split_face(halfedge_descriptor h1, halfedge_descriptor h2) const
   {
-    const halfedge_descriptor of_source = halfedge(target(h1, mesh_), mesh_),
-                              of_target = halfedge(target(h2, mesh_), mesh_), of_face = halfedge_of_face(h1);
-    const halfedge_descriptor h = Euler::split_face(h1, h2, mesh_);
+    const halfedge_descriptor of_face = halfedge_of_face(h1);
+    const Split split = {h1,      false,  halfedge(target(h1, mesh_), mesh_), halfedge(target(h2, mesh_), mesh_),
+                         of_face, of_face};
+    const halfedge_descriptor h = remember(split, [&] { return Euler::split_face(h1, h2, mesh_); });
     if(are_splits_remembered_)
-      splits_.push_back({h, false, of_source, of_target, of_face, of_face});
+      splits_.back().halfedge = h;
     visitor_.face_split(face(h, mesh_), face(opposite(h, mesh_), mesh_));
     return h;
   }
@@ -168,14 +172,32 @@ public:
   }
 
 private:
-  // A split of the edge of a halfedge, or of a face by a new one, and the halfedges that were those of its ends, and of the
-  // faces on both sides.
+  // A split of the edge of a halfedge, or of a face by a new one, and the halfedges that were those of its ends, and of
+  // the faces on both sides.
   struct Split
   {
     halfedge_descriptor halfedge;
     bool is_of_edge;
     halfedge_descriptor of_source, of_target, of_face, of_opposite_face;
   };
+
+  // Calls a function that splits. A split that fails is not remembered, and one that cannot be remembered is not done.
+  template <class Function>
+  halfedge_descriptor remember(const Split& split, const Function& function) const
+  {
+    if(!are_splits_remembered_)
+      return function();
+    splits_.push_back(split);
+    try
+    {
+      return function();
+    }
+    catch(...)
+    {
+      splits_.pop_back();
+      throw;
+    }
+  }
 
   halfedge_descriptor halfedge_of_face(halfedge_descriptor h) const
   {

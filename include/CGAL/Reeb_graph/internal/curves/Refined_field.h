@@ -228,7 +228,8 @@ private:
     return *value;
   }
 
-  // Calls place(i, those of the contours before it that are the last ones at its edges) for each contour, in this order.
+  // Calls place(i, those of the contours before it that are the last ones at its edges) for each contour, in this
+  // order.
   template <class Iterator, class Place>
   void for_each_contour(const std::vector<Contour>& contours, Iterator begin, Iterator end, const Place& place)
   {

@@ -224,8 +224,8 @@ OutputIterator cut_along_chosen_contours(Mesh& mesh,
     return output;
 }
 
-// Refines a mesh so that the curves of a pants decomposition become paths of edges, and outputs these. The input has been
-// checked.
+// Refines a mesh so that the curves of a pants decomposition become paths of edges, and outputs these. The input has
+// been checked.
 template <class Mesh, class ScalarMap, class OutputIterator, class NamedParameters>
 OutputIterator cut_into_pants(Mesh& mesh,
                               const ScalarMap& scalar_map,

@@ -134,7 +134,8 @@ std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
   return curves;
 }
 
-// Refines a mesh so that the contours of find_contours(ranked mesh, its progress) become paths of edges, and outputs these.
+// Refines a mesh so that the contours of find_contours(ranked mesh, its progress) become paths of edges, and outputs
+// these.
 template <class Mesh, class ScalarMap, class Traits, class OutputIterator, class NamedParameters, class FindContours>
 OutputIterator cut_along_found_contours(Mesh& mesh,
                                         const ScalarMap& scalar_map,

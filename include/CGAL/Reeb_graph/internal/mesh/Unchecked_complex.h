@@ -97,9 +97,9 @@ public:
     return false;
   }
 
-  // The complex, if the sums of the counts are right. Throws if a face is no triangle, or has a corner that belongs to no fan: a mesh leads
-  // to one fan per vertex only, but there may be more. Throws if an edge has no face: the halfedges of the other ones
-  // are as many as the corners, and one more leaves each border vertex.
+  // The complex, if the sums of the counts are right. Throws if a face is no triangle, or has a corner that belongs to
+  // no fan: a mesh leads to one fan per vertex only, but there may be more. Throws if an edge has no face: the
+  // halfedges of the other ones are as many as the corners, and one more leaves each border vertex.
   Complex check(const Fan_counts& counts) &&
   {
     const bool has_other_halfedges = counts.corners + counts.border_fans != 2 * complex_.number_of_live_edges();

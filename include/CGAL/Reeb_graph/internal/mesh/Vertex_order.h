@@ -29,8 +29,8 @@ public:
   // Whether the order cannot contradict itself, whatever the values are.
   static constexpr bool is_sure = is_order_of_numbers<Scalar, Less>;
 
-  // A name of a vertex with its value, to be sorted without access to the array of all values. Names are in the order of
-  // the vertices' indices.
+  // A name of a vertex with its value, to be sorted without access to the array of all values. Names are in the order
+  // of the vertices' indices.
   template <class Name>
   struct Key
   {

@@ -48,8 +48,8 @@ public:
       basins_next_to_(values.size(), 0)
   {}
 
-  // Fills the basins of those candidates that are minima, but not minima of `old_values`, where the basin lies among the
-  // free vertices.
+  // Fills the basins of those candidates that are minima, but not minima of `old_values`, where the basin lies among
+  // the free vertices.
   void remove_new_minima(const std::vector<Position>& candidates, const std::vector<Scalar>& old_values, int sign)
   {
     sign_ = static_cast<Scalar>(sign);

@@ -97,8 +97,8 @@ double distance_of_values(const Scalar& a, const Scalar& b)
   return first == second ? 0 : std::abs(first - second);
 }
 
-// What is done with values to choose the levels of borders. With floating point numbers, levels are in the middle between
-// values, or beyond them; of any other type, and with any other order, they are values that there are.
+// What is done with values to choose the levels of borders. With floating point numbers, levels are in the middle
+// between values, or beyond them; of any other type, and with any other order, they are values that there are.
 template <class Scalar, class Less>
 class Level_arithmetic
 {

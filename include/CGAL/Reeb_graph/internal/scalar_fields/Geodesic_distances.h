@@ -179,8 +179,8 @@ private:
     }
   }
 
-  // Whether no distance of the heat method is off by more than half of the largest marched one. Where it divides zero by
-  // zero, as on some tetrahedra and some thousand edges away from the sources, it gives NaN or the largest number.
+  // Whether no distance of the heat method is off by more than half of the largest marched one. Where it divides zero
+  // by zero, as on some tetrahedra and some thousand edges away from the sources, it gives NaN or the largest number.
   bool is_plausible(const Copy& component, const Distance_map& distance_map) const
   {
     double largest = 0;

@@ -29,14 +29,14 @@ struct Pruned_arc
   Index lower, upper;
 };
 
-// Removes leaf arcs from a graph, the one of least measure first; of equal ones the one whose leaf has the lower number.
-// What is removed is taken up by the saddle at which it was. A node that is left with one arc below and one above is
-// taken up by these two, which become one arc. An arc is not removed if it is the only one on its side of the saddle, as
-// what is left would end there. (H. Carr, J. Snoeyink, M. van de Panne, Simplifying Flexible Isosurfaces Using Local
-// Geometric Measures, 2004.) The time is O(n log n).
+// Removes leaf arcs from a graph, the one of least measure first; of equal ones the one whose leaf has the lower
+// number. What is removed is taken up by the saddle at which it was. A node that is left with one arc below and one
+// above is taken up by these two, which become one arc. An arc is not removed if it is the only one on its side of the
+// saddle, as what is left would end there. (H. Carr, J. Snoeyink, M. van de Panne, Simplifying Flexible Isosurfaces
+// Using Local Geometric Measures, 2004.) The time is O(n log n).
 //
-// Nodes are numbered in ascending order. Places are the nodes, by their numbers, and behind them the arcs.
-// A weight is a number, or several, which `+=` adds up.
+// Nodes are numbered in ascending order. Places are the nodes, by their numbers, and behind them the arcs. A weight is a
+// number, or several, which `+=` adds up.
 template <class Weight>
 class Weighted_leaf_pruning
 {
@@ -67,8 +67,8 @@ public:
       number_of_leaves_ += is_leaf(node) ? 1 : 0;
   }
 
-  // `measure(leaf arc)` is a number, `can_be_removed(leaf arc)` whether it may be, `is_small(measure)` whether an arc of
-  // that measure is to be removed, and `goes_on(number of leaves)` whether there are still so many leaves.
+  // `measure(leaf arc)` is a number, `can_be_removed(leaf arc)` whether it may be, `is_small(measure)` whether an arc
+  // of that measure is to be removed, and `goes_on(number of leaves)` whether there are still so many leaves.
   template <class Measure, class CanBeRemoved, class IsSmall, class GoesOn>
   void operator()(const Measure& measure,
                   const CanBeRemoved& can_be_removed,
@@ -164,8 +164,8 @@ public:
 private:
   static constexpr int lower_side = 0, upper_side = 1;
 
-  // The arcs at each side of a node: how many, and the exclusive or of all their numbers, which is the number of the last
-  // one that is left.
+  // The arcs at each side of a node: how many, and the exclusive or of all their numbers, which is the number of the
+  // last one that is left.
   struct Node
   {
     std::array<Index, 2> degrees = {0, 0};

@@ -22,8 +22,8 @@ namespace Reeb_graph {
 namespace internal {
 
 // A forest of numbered nodes with keys, whose edges come and go: the link-cut trees of D. D. Sleator and R. E. Tarjan,
-// Self-Adjusting Binary Search Trees, 1985. Each operation takes amortized logarithmic time. An edge that needs a key is
-// best made a node between its ends.
+// Self-Adjusting Binary Search Trees, 1985. Each operation takes amortized logarithmic time. An edge that needs a key
+// is best made a node between its ends.
 class Link_cut_forest
 {
 public:

@@ -33,10 +33,10 @@ namespace internal {
 inline constexpr int members_of_exhaustive_search = 16;
 
 // The search for an order in which the members of a sweep pass without a leaf or a loop in the Reeb graph. It goes from
-// step to step, and back where there is none. Regular vertices come first: they change neither contours nor what is below
-// or above. So a hole of the surface at which a contour has been opened is passed before the next one is, if that can be.
-// What is possible next depends only on which members have passed, and no such state is looked at twice. So few members are
-// searched exhaustively; with many, the search begins anew in another order a few times.
+// step to step, and back where there is none. Regular vertices come first: they change neither contours nor what is
+// below or above. So a hole of the surface at which a contour has been opened is passed before the next one is, if that
+// can be. What is possible next depends only on which members have passed, and no such state is looked at twice. So few
+// members are searched exhaustively; with many, the search begins anew in another order a few times.
 template <class Sweep>
 class Loop_free_order
 {
@@ -45,8 +45,8 @@ class Loop_free_order
 public:
   explicit Loop_free_order(Sweep& sweep) : sweep_(sweep), ranks_(sweep.members().size()), places_(ranks_.size()) {}
 
-  // Finds the order, and leaves the sweep at its end; returns whether it has been found. The order of the members is tried
-  // first.
+  // Finds the order, and leaves the sweep at its end; returns whether it has been found. The order of the members is
+  // tried first.
   bool find()
   {
     for(const Member_index m : ranks_.keys())

@@ -32,8 +32,8 @@ namespace internal {
 // are moved next to it in the order of the vertices: just above it if one of them is below it, else just below it. The
 // vertices around the piece do not change sides. Within it, the vertices are numbered so that each has a lower and a
 // higher neighbor. So no extremum is left, and as the indices of the piece and of its saddle add up to the same as
-// before, no other saddle than that of the arcs that stay if the piece has no handle and no border. Where this does not do,
-// an order of all pieces at the saddle is given.
+// before, no other saddle than that of the arcs that stay if the piece has no handle and no border. Where this does not
+// do, an order of all pieces at the saddle is given.
 template <class Scalar>
 class Moved_pieces
 {
@@ -44,8 +44,9 @@ public:
   // The vertices of all pieces at a saddle and this, from below to above, by saddle.
   typedef std::map<Index, std::vector<Position>> Orders;
 
-  // `saddles` has for each vertex that is to be moved the vertex of the saddle, and no_index for each other one. `rooms`
-  // has for the vertex of a saddle how far the next values of nodes are: a saddle in a piece must not pass them.
+  // `saddles` has for each vertex that is to be moved the vertex of the saddle, and no_index for each other one.
+  // `rooms` has for the vertex of a saddle how far the next values of nodes are: a saddle in a piece must not pass
+  // them.
   Moved_pieces(const Vertex_graph& graph,
                const std::vector<Index>& saddles,
                const std::vector<Scalar>& rooms,
@@ -151,16 +152,16 @@ private:
       }
   }
 
-  // As many values as the piece has vertices, ascending, between the saddle and the middle of the way to the next of the
-  // vertices around the piece: the other half is for a piece that comes the other way.
+  // As many values as the piece has vertices, ascending, between the saddle and the middle of the way to the next of
+  // the vertices around the piece: the other half is for a piece that comes the other way.
   std::vector<Scalar> choose_values(const Piece& piece) const
   {
     return choose_values(piece.vertices, piece.saddle, piece.is_above,
                          piece.is_above ? piece.lowest_sink : piece.highest_source);
   }
 
-  // The same for any vertices between the saddle and a value. They take a small part of the room, so that the largest change
-  // stays below the threshold.
+  // The same for any vertices between the saddle and a value. They take a small part of the room, so that the largest
+  // change stays below the threshold.
   std::vector<Scalar> choose_values(const std::vector<Position>& vertices,
                                     Position saddle,
                                     bool is_above,

@@ -30,9 +30,9 @@ namespace Reeb_graph {
 namespace internal {
 
 // A level that rises over some vertices of a surface, the members, while all other vertices stay where they are: one
-// vertex after another passes from above it to below it, and back. It tells by which steps the Reeb graph of the part that has
-// been swept gets no loop and no leaf: a vertex has to have contours below and above it, and those below must belong to
-// parts that nothing has joined yet. `IsLower` tells where the other vertices are.
+// vertex after another passes from above it to below it, and back. It tells by which steps the Reeb graph of the part
+// that has been swept gets no loop and no leaf: a vertex has to have contours below and above it, and those below must
+// belong to parts that nothing has joined yet. `IsLower` tells where the other vertices are.
 template <class IsLower>
 class Piece_sweep
 {

@@ -32,7 +32,8 @@ struct Vertex_contours
   std::vector<Member_index> labels; // a swept member below each contour, no_index if it has none
 };
 
-// The vertices around a vertex on one side of a level, in disjoint sets: the sectors of its link, and later the contours.
+// The vertices around a vertex on one side of a level, in disjoint sets: the sectors of its link, and later the
+// contours.
 struct Vertex_ring
 {
   std::vector<scalar_fields::Position> vertices;

@@ -48,10 +48,10 @@ bool are_regular_but_one(Sweep& sweep, scalar_fields::Position exception)
   return are_regular;
 }
 
-// Orders without leaves and loops for the pieces with critical vertices, where `moved` are the values that Moved_pieces has
-// given them. Without critical vertices, a piece changes no contour of its surroundings, be there borders or not. An
-// order that is found is given to each of the others, also if it is that of the values: they may be mixed with those of
-// critical vertices elsewhere.
+// Orders without leaves and loops for the pieces with critical vertices, where `moved` are the values that Moved_pieces
+// has given them. Without critical vertices, a piece changes no contour of its surroundings, be there borders or not.
+// An order that is found is given to each of the others, also if it is that of the values: they may be mixed with those
+// of critical vertices elsewhere.
 template <class Scalar>
 typename Moved_pieces<Scalar>::Orders find_loop_free_orders(const scalar_fields::Weighted_graph& graph,
                                                             const Triangle_neighbors& triangles,

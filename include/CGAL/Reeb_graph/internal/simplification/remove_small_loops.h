@@ -80,9 +80,10 @@ inline std::vector<Index> rank_arcs(const Leaf_pruning& graph, std::vector<Index
   return ranks;
 }
 
-// Removes one side of each loop that `is_small(split saddle, join saddle)` names and that has a single arc on this side.
-// The arc is taken up by the lowest one of the other side. Returns whether there has been such a loop. As for pairs, a
-// forest is maximal by lower ends; as no other loop has passed the arc by then, the other loops keep their nodes.
+// Removes one side of each loop that `is_small(split saddle, join saddle)` names and that has a single arc on this
+// side. The arc is taken up by the lowest one of the other side. Returns whether there has been such a loop. As for
+// pairs, a forest is maximal by lower ends; as no other loop has passed the arc by then, the other loops keep their
+// nodes.
 template <class IsSmall>
 bool remove_small_loops(Leaf_pruning& graph, const IsSmall& is_small)
 {

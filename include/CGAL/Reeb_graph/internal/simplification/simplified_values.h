@@ -95,8 +95,8 @@ std::vector<Scalar> rooms_of_nodes(const std::vector<Index>& positions, const st
   return rooms;
 }
 
-// Whether a graph is the simplified one, if nodes are told by the place of their vertices, `place_of_node(node)`. A node at
-// which several saddles are in one vertex may have come apart into a tree of nodes in the same place.
+// Whether a graph is the simplified one, if nodes are told by the place of their vertices, `place_of_node(node)`. A
+// node at which several saddles are in one vertex may have come apart into a tree of nodes in the same place.
 template <class ReebGraph, class SimplifiedGraph, class PlaceOfNode>
 bool is_simplified_graph(const ReebGraph& graph, const SimplifiedGraph& simplified, const PlaceOfNode& place_of_node)
 {
@@ -158,8 +158,8 @@ std::vector<Scalar> contracted_values(const ReebGraph& graph,
   return values;
 }
 
-// With perturbed ties, it is moved next to its saddle. `is_simplified(values, progress)` tells whether the graph is right: only if it
-// is not, and that is rare, are contours followed to find a better order.
+// With perturbed ties, it is moved next to its saddle. `is_simplified(values, progress)` tells whether the graph is
+// right: only if it is not, and that is rare, are contours followed to find a better order.
 template <class Mesh, class ReebGraph, class Scalar, class IsSimplified>
 std::vector<Scalar> perturbed_values(const Mesh& mesh,
                                      const ReebGraph& graph,

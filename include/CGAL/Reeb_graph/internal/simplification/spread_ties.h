@@ -78,9 +78,9 @@ std::map<Scalar, Tied_saddles<Scalar>> find_tied_saddles(const scalar_fields::We
   return tied_saddles;
 }
 
-// Tells these saddles apart from the vertices tied with them, by values between this one and the next larger one: those of
-// the value that come before the first saddle keep it, and those between two saddles have one value. The order of all
-// vertices, and so the graph, stays the same.
+// Tells these saddles apart from the vertices tied with them, by values between this one and the next larger one: those
+// of the value that come before the first saddle keep it, and those between two saddles have one value. The order of
+// all vertices, and so the graph, stays the same.
 template <class Scalar>
 std::vector<Scalar> spread_ties(const std::vector<Scalar>& values,
                                 const std::map<Scalar, Tied_saddles<Scalar>>& tied_saddles)

@@ -61,8 +61,8 @@ auto join_chains(const ReebGraph& graph,
   return chains;
 }
 
-// Replaces the content of `simplified` by what is left of `graph`. Nodes keep their order; arcs are sorted by lower node,
-// upper node, and the first arc that they have been made of.
+// Replaces the content of `simplified` by what is left of `graph`. Nodes keep their order; arcs are sorted by lower
+// node, upper node, and the first arc that they have been made of.
 template <class ReebGraph>
 Simplification<ReebGraph> write_simplified_graph(const ReebGraph& graph,
                                                  const Leaf_pruning& pruned,

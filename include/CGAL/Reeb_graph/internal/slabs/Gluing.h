@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Joins the arcs of the slabs where they end and begin at the same contour of a bounding level. An arc of the surface can pass any
-// number of slabs. (The paper, Section 5.3.)
+// Joins the arcs of the slabs where they end and begin at the same contour of a bounding level. An arc of the surface
+// can pass any number of slabs. (The paper, Section 5.3.)
 template <class Complex>
 class Gluing
 {

@@ -27,9 +27,9 @@ namespace internal {
 struct Slab_tag;
 typedef Index_of<Slab_tag> Slab_index;
 
-// The part of the surface between two bounding levels, or all of it. It is no copy: it has the numbers of the slabs in which
-// all vertices are, and its own critical vertices. Its nodes are these, followed by the contours of its lower level and
-// those of its upper level.
+// The part of the surface between two bounding levels, or all of it. It is no copy: it has the numbers of the slabs in
+// which all vertices are, and its own critical vertices. Its nodes are these, followed by the contours of its lower
+// level and those of its upper level.
 template <class Complex>
 class Slab
 {
@@ -58,8 +58,8 @@ public:
   const Complex& complex() const { return *complex_; }
   const Swept_vertices& critical_vertices() const { return *critical_vertices_; }
 
-  // Throws the error of an order of the vertices that contradicts itself, which has shown at an end of the arc, as far as
-  // it has any.
+  // Throws the error of an order of the vertices that contradicts itself, which has shown at an end of the arc, as far
+  // as it has any.
   [[noreturn]] void throw_contradiction_near(const Slab_arc& arc) const
   {
     const Slab_node node = !is_contour(arc.lower) ? arc.lower : (!is_contour(arc.upper) ? arc.upper : Slab_node(0));
