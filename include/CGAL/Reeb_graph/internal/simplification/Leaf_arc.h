@@ -19,6 +19,12 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+// The nodes of an arc.
+struct Pruned_arc
+{
+  Index lower, upper;
+};
+
 // A leaf arc that could be removed.
 template <class Weight>
 struct Weighted_leaf_arc

@@ -23,12 +23,6 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The nodes of an arc.
-struct Pruned_arc
-{
-  Index lower, upper;
-};
-
 // Removes leaf arcs from a graph, the one of least measure first; of equal ones the one whose leaf has the lower
 // number. What is removed is taken up by the saddle at which it was. A node that is left with one arc below and one
 // above is taken up by these two, which become one arc. An arc is not removed if it is the only one on its side of the
