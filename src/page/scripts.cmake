@@ -1,0 +1,15 @@
+# The scripts of the page in the order in which they follow each other in it.
+set(reeb_graph_page_scripts
+    colors.js
+    data.js
+    contours.js
+    bands.js
+    tubes.js
+    graphs.js
+    scales.js
+    shaders.js
+    scene.js
+    drawing.js
+    page.js)
+# What of three.js goes before them, from its folder.
+set(reeb_graph_page_three_scripts build/three.min.js examples/js/controls/OrbitControls.js)
