@@ -51,6 +51,7 @@ int main(int argc, char* argv[])
     std::vector<decltype(augmentation)::Contour> contours;
     CGAL::Reeb_graph::loop_contours(graph, augmentation, std::back_inserter(contours));
     std::vector<std::vector<Kernel::Point_3>> polylines;
+    polylines.reserve(contours.size());
     for(const auto& contour : contours)
       polylines.push_back(CGAL::Reeb_graph::polyline_of_contour(mesh, augmentation, contour));
     CGAL::Reeb_graph::write_polylines("handles.polylines.txt", polylines);

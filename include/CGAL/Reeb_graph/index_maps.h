@@ -29,7 +29,7 @@ namespace Reeb_graph {
 template <class FaceListGraph>
 auto make_vertex_index_map(const FaceListGraph& mesh)
 {
-  const auto map = get(dynamic_vertex_property_t<std::size_t>(), mesh);
+  auto map = get(dynamic_vertex_property_t<std::size_t>(), mesh);
   std::size_t number = 0;
   for(const auto v : CGAL::make_range(vertices(mesh)))
     put(map, v, number++);
@@ -43,7 +43,7 @@ auto make_vertex_index_map(const FaceListGraph& mesh)
 template <class FaceListGraph>
 auto make_halfedge_index_map(const FaceListGraph& mesh)
 {
-  const auto map = get(dynamic_halfedge_property_t<std::size_t>(), mesh);
+  auto map = get(dynamic_halfedge_property_t<std::size_t>(), mesh);
   std::size_t number = 0;
   for(const auto h : CGAL::make_range(halfedges(mesh)))
     put(map, h, number++);

@@ -85,7 +85,7 @@ private:
   {
     template <class Graph, class PositionOf, class ComponentOf>
     Copy(const Graph& graph, const PositionOf& position_of, const ComponentOf& component_of)
-      : mesh(),
+      : mesh(), // NOLINT(readability-redundant-member-init): clang asks for it before the maps
         positions(mesh.add_property_map<Mesh::Vertex_index, Position>("v:position", no_position).first),
         components(mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first)
     {
