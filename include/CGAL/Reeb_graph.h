@@ -24,6 +24,7 @@
 #include <CGAL/Reeb_graph/IO/read_graphml.h>
 #include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/Vertex_locations.h>
+#include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/Reeb_graph/index_maps.h>

@@ -13,7 +13,8 @@ set(rooms_below_augmentation ${rooms_below_output})
 set(rooms_below_scalar_fields base mesh)
 set(rooms_below_simplification base mesh scalar_fields)
 set(rooms_below_curves base mesh scalar_fields simplification)
-set(rooms ${stages} augmentation scalar_fields simplification curves)
+set(rooms_below_embedding base mesh)
+set(rooms ${stages} augmentation embedding scalar_fields simplification curves)
 
 # the public headers that the stages may include: small ones, which include none of the others
 set(small_headers exceptions.h options.h Node_kind.h Critical_vertex_counts.h)
@@ -64,7 +65,7 @@ foreach(header IN LISTS headers)
   else()
     # a public header that is not on top
     set(room public)
-    set(rooms_below_public ${stages} augmentation)
+    set(rooms_below_public ${stages} augmentation embedding)
   endif()
   foreach(included IN LISTS included_headers)
     check_include(${header} ${room} ${included})

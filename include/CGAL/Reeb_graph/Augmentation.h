@@ -66,6 +66,10 @@ class Augmentation
   typedef internal::Graph_on_mesh<FaceListGraph, ReebGraph, Traits> Graph_on_mesh;
 
 public:
+  /// the mesh
+  typedef FaceListGraph Mesh;
+  /// the graph
+  typedef ReebGraph Graph;
   /// a scalar value
   typedef typename Traits::Scalar Scalar;
   /// a vertex of the mesh
@@ -122,6 +126,17 @@ public:
                const NamedParameters& = parameters::default_values()) = delete;
 #endif
 
+  /// returns the mesh.
+  const Mesh& mesh() const { return on_mesh_.mesh(); }
+  /// returns the graph.
+  const Graph& graph() const { return on_mesh_.graph(); }
+
+  /// returns the value of the vertex `v` as that of a contour: as a `double`, NaN if the values of the field are no
+  /// numbers.
+  ///
+  /// \exception Unknown_vertex_error if the mesh has no such vertex
+  double value(vertex_descriptor v) const { return on_mesh_.value(checked_number(v)); }
+
   /// \brief returns the contour of an arc at a place between its ends.
   ///
   /// The values along the arc are parametrized linearly, `t` = 0 at the lower node and `t` = 1 at the upper one. The
@@ -167,6 +182,23 @@ public:
     if(!levels_.is_alive_at(arc, value))
       throw Level_error();
     return contours_.trace(arc, levels_.at_value(value));
+  }
+
+  /// \brief returns the contour of an arc at the level just below a vertex, of which the contour need not be near.
+  ///
+  /// It takes the same time as `contour()`. Just below the upper node of the arc, it is one of the critical set of that.
+  ///
+  /// \exception Level_error if the arc has no contour at that level: its lower node must be lower, and its upper node
+  ///            must not be lower than `v`; if ties are contracted, in value
+  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
+  /// \exception Unknown_vertex_error if the mesh has no vertex `v`
+  Contour contour_below(arc_descriptor arc, vertex_descriptor v) const
+  {
+    internal::check_is_arc(on_mesh_.graph(), arc);
+    const internal::Vertex_index number = checked_number(v);
+    if(!levels_.is_alive_below(arc, number))
+      throw Level_error();
+    return contours_.trace(arc, levels_.below_vertex(number));
   }
 
   /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
@@ -286,6 +318,14 @@ private:
     internal::check_nodes(on_mesh_);
     internal::check_arcs(on_mesh_, ties_);
     progress.report_end();
+  }
+
+  internal::Vertex_index checked_number(vertex_descriptor v) const
+  {
+    const internal::Vertex_index number = on_mesh_.number(v);
+    if(!on_mesh_.is_vertex(number, v))
+      throw Unknown_vertex_error();
+    return number;
   }
 
   void check_place(arc_descriptor arc, double t) const

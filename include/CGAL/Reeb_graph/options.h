@@ -69,6 +69,16 @@ enum class Borders
   MAKE_LEVEL ///< they go on with the field that `make_borders_level()` makes; old vertices keep their values in the map
 };
 
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief where `embed()` puts the arcs of a graph.
+enum class Embedding_manner
+{
+  CENTROIDS,  ///< through the centroids of contours: inside of the surface where that is a tube
+  ON_SURFACE, ///< on the surface, ascending: along the chain of the arc
+  STRAIGHT    ///< straight from node to node
+};
+
 } // namespace Reeb_graph
 } // namespace CGAL
 

@@ -57,14 +57,22 @@ public:
     return !order_.is_higher(on_mesh_.lower_vertex(arc), value) && order_.is_higher(on_mesh_.upper_vertex(arc), value);
   }
 
+  // Whether the level just below the vertex crosses the arc.
+  bool is_alive_below(arc_descriptor arc, Vertex_index v) const
+  {
+    const Is_below is_below = below_vertex(v).is_below;
+    return is_below(on_mesh_.lower_vertex(arc)) && !is_below(on_mesh_.upper_vertex(arc));
+  }
+
   Level at_value(const Scalar& value) const
   {
     return {Is_below::above_value(order_, value), on_mesh_.conversion().to_double(value)};
   }
 
-  Level below_node(node_descriptor node) const
+  Level below_node(node_descriptor node) const { return below_vertex(on_mesh_.node_vertex(node)); }
+
+  Level below_vertex(Vertex_index v) const
   {
-    const Vertex_index v = on_mesh_.node_vertex(node);
     return {are_ties_contracted_ ? Is_below::below_value(order_, on_mesh_.scalar(v))
                                  : Is_below::below_vertex(order_, v),
             on_mesh_.value(v)};

@@ -1,0 +1,243 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_EMBED_H
+#define CGAL_REEB_GRAPH_EMBED_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/IO/polylines.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/embedding/Centroid_polylines.h>
+#include <CGAL/Reeb_graph/internal/embedding/Surface_polylines.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/options.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphEmbedding
+///
+/// \brief a Reeb graph in space: what `embed()` returns.
+///
+/// \tparam Point_ the type of the points
+template <class Point_>
+struct Embedding
+{
+  typedef Point_ Point; ///< a point
+
+  /// the point of each node, by its descriptor
+  std::vector<Point> node_points;
+
+  /// the polyline of each arc, in the order of `edges(graph)`: from the point of its lower node to that of its upper
+  /// node, both included
+  std::vector<std::vector<Point>> arc_polylines;
+
+  /// the value of the field for each point of `arc_polylines`, in weakly ascending order if the values of the field
+  /// are numbers in their own order. It is that of the contour or of the place on the surface that the point stands
+  /// for, and NaN if the values of the field are no numbers
+  std::vector<std::vector<double>> arc_values;
+};
+
+namespace internal {
+
+template <class Augmentation>
+std::vector<typename Augmentation::arc_descriptor> arcs_of(const Augmentation& augmentation)
+{
+  const auto arcs = edges(augmentation.graph());
+  return std::vector<typename Augmentation::arc_descriptor>(arcs.first, arcs.second);
+}
+
+template <class Result, class Augmentation, class PointMap>
+void embed_nodes_at_vertices(const Augmentation& augmentation, const PointMap& point_map, Result& result)
+{
+  const auto& graph = augmentation.graph();
+  for(const auto node : CGAL::make_range(vertices(graph)))
+    result.node_points.push_back(get(point_map, graph[node].vertex));
+}
+
+template <class Result, class Augmentation>
+void embed_straight(const Augmentation& augmentation, Result& result)
+{
+  const auto& graph = augmentation.graph();
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const auto lower = source(arc, graph), upper = target(arc, graph);
+    result.arc_polylines.push_back({result.node_points[lower], result.node_points[upper]});
+    result.arc_values.push_back({augmentation.value(graph[lower].vertex), augmentation.value(graph[upper].vertex)});
+  }
+}
+
+template <class ConcurrencyTag, class Result, class Augmentation, class PointMap, class NamedParameters>
+void embed_on_surface(const Augmentation& augmentation,
+                      const PointMap& point_map,
+                      const NamedParameters& np,
+                      Result& result)
+{
+  const Surface_polylines<Augmentation, PointMap, NamedParameters> polylines(augmentation, point_map, np);
+  const auto arcs = arcs_of(augmentation);
+  result.arc_polylines.resize(arcs.size());
+  result.arc_values.resize(arcs.size());
+  for_each_index<ConcurrencyTag>(arcs.size(), [&](std::size_t i) {
+    auto line = polylines(arcs[i]);
+    result.arc_polylines[i] = std::move(line.points);
+    result.arc_values[i] = std::move(line.values);
+  });
+}
+
+template <class ConcurrencyTag, class Result, class Augmentation, class PointMap, class NamedParameters>
+void embed_at_centroids(const Augmentation& augmentation,
+                        const PointMap& point_map,
+                        const NamedParameters& np,
+                        Result& result)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef typename Result::Point Point;
+  typedef Centroid_polylines<Augmentation, PointMap, NamedParameters> Centroids;
+  const auto& graph = augmentation.graph();
+  const Centroids centroids(augmentation, point_map, np);
+  const std::size_t number_of_contours =
+    choose_parameter(get_parameter(np, internal::number_of_contours), std::size_t(12));
+  const std::size_t number_of_smoothing_steps =
+    choose_parameter(get_parameter(np, internal::number_of_smoothing_steps), std::size_t(0));
+  const auto parametrization_map = get_parameter(np, internal::parametrization_map);
+  const auto contour_at = [&](const auto arc, double t) {
+    if constexpr(is_given<decltype(parametrization_map)>)
+      return augmentation.contour(arc, t, parametrization_map);
+    else
+      return augmentation.contour(arc, t);
+  };
+
+  for_each_index<ConcurrencyTag>(result.node_points.size(),
+                                 [&](std::size_t i) { result.node_points[i] = centroids.node_point(i); });
+  const auto arcs = arcs_of(augmentation);
+  std::vector<typename Centroids::Places> places(arcs.size());
+  for_each_index<ConcurrencyTag>(
+    arcs.size(), [&](std::size_t i) { places[i] = centroids.places(arcs[i], number_of_contours, contour_at); });
+  separate_parallel_arcs(graph, places);
+  embed_straight(augmentation, result);
+  for(std::size_t i = 0; i != arcs.size(); ++i)
+  {
+    std::vector<Coordinates>& line = places[i].centroids;
+    line.insert(line.begin(), coordinates_of(result.arc_polylines[i].front()));
+    line.push_back(coordinates_of(result.arc_polylines[i].back()));
+    smooth(line, number_of_smoothing_steps);
+    std::vector<Point> inner_points;
+    for(std::size_t j = 1; j + 1 < line.size(); ++j)
+      inner_points.push_back(make_point<Point>(line[j]));
+    auto& polyline = result.arc_polylines[i];
+    auto& values = result.arc_values[i];
+    polyline.insert(polyline.begin() + 1, inner_points.begin(), inner_points.end());
+    values.insert(values.begin() + 1, places[i].values.begin(), places[i].values.end());
+  }
+}
+
+} // namespace internal
+
+/// \ingroup PkgReebGraphEmbedding
+///
+/// \brief puts a Reeb graph into space: finds a point for each node, and for each arc a polyline from node to node.
+///
+/// The polylines begin and end exactly at the points of the nodes. In the manner `CENTROIDS` a node with arcs above and
+/// below is at the centroid of the contours just below it, a leaf at its vertex, or in the middle of the border loop or
+/// of the tied vertices around it. In the other manners each node is at its vertex.
+///
+/// - `CENTROIDS`: the polyline of an arc leads through the centroids, by length, of `number_of_contours` contours, at
+///   equal steps of the field. Arcs from the same node to the same node that have the same line, as a tube inside of a
+///   round tube, are moved halfway to the surface. It takes time proportional to the lengths of these contours and of
+///   those just below the nodes.
+/// - `ON_SURFACE`: the polyline follows the chain of the arc. Where that passes by the upper node, or by a node that
+///   has been removed, it goes on along the contour just below that, the shorter way. It stays on the surface, and its
+///   values ascend, and stay the same on this part of a contour. It takes time proportional to the lengths of the
+///   chains and of these contours.
+/// - `STRAIGHT`: two points; parallel arcs have the same ones.
+///
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether arcs are embedded
+///         in parallel; the point map and `parametrization_map` are then read by several threads
+///
+/// \param augmentation the way from the graph to the mesh, whose points are those of a three-dimensional kernel
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{embedding_manner}
+///     \cgalParamDescription{where the arcs are}
+///     \cgalParamType{`Reeb_graph::Embedding_manner`}
+///     \cgalParamDefault{`Embedding_manner::CENTROIDS`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_contours}
+///     \cgalParamDescription{for `CENTROIDS`: how many contours of an arc its polyline leads through; 0 gives straight
+///                           lines}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{12}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_smoothing_steps}
+///     \cgalParamDescription{for `CENTROIDS`: how many times each inner point of a polyline is replaced by the mean of
+///                           itself and of the middle of its neighbors}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{parametrization_map}
+///     \cgalParamDescription{for `CENTROIDS`: another field, whose differences along the chain of the arc are the steps
+///                           between contours, as for `Augmentation::contour()`; that takes time proportional to the
+///                           length of the chain for each contour}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type, and a value type that
+///                    can be converted to `double`}
+///     \cgalParamDefault{equal steps of the field itself}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns an `Embedding` with the type of the points of the mesh.
+///
+/// \exception Graph_mismatch_error if the chain of an arc does not lead to its contours
+/// \exception Non_finite_scalar_error if a value of `parametrization_map` along a chain is infinite or NaN
+template <class ConcurrencyTag = Sequential_tag,
+          class FaceListGraph,
+          class ScalarMap,
+          class ReebGraph,
+          class Traits,
+          class NamedParameters = parameters::Default_named_parameters>
+auto embed(const Augmentation<FaceListGraph, ScalarMap, ReebGraph, Traits>& augmentation,
+           const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const auto point_map = internal::choose_point_map(augmentation.mesh(), np);
+  Embedding<internal::Point_of_mesh<FaceListGraph, NamedParameters>> result;
+  internal::embed_nodes_at_vertices(augmentation, point_map, result);
+  switch(choose_parameter(get_parameter(np, internal::embedding_manner), Embedding_manner::CENTROIDS))
+  {
+  case Embedding_manner::CENTROIDS:
+    internal::embed_at_centroids<ConcurrencyTag>(augmentation, point_map, np, result);
+    break;
+  case Embedding_manner::ON_SURFACE:
+    internal::embed_on_surface<ConcurrencyTag>(augmentation, point_map, np, result);
+    break;
+  case Embedding_manner::STRAIGHT: internal::embed_straight(augmentation, result); break;
+  }
+  return result;
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_EMBED_H

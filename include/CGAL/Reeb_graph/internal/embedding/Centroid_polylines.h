@@ -1,0 +1,174 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_EMBEDDING_CENTROID_POLYLINES_H
+#define CGAL_REEB_GRAPH_INTERNAL_EMBEDDING_CENTROID_POLYLINES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/embedding/Centroid.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The nodes and arcs of a graph at the centroids of contours.
+template <class Augmentation, class PointMap, class NamedParameters>
+class Centroid_polylines
+{
+  typedef typename Augmentation::Contour Contour;
+  typedef typename Augmentation::arc_descriptor arc_descriptor;
+  typedef typename Augmentation::node_descriptor node_descriptor;
+  typedef typename boost::property_traits<PointMap>::value_type Point;
+
+public:
+  // The places along an arc, without its ends, and for each one the value there and a point of the contour itself.
+  struct Places
+  {
+    std::vector<Coordinates> centroids;
+    std::vector<Coordinates> contour_points;
+    std::vector<double> values;
+    double size = 0; // the length of the longest contour
+  };
+
+  Centroid_polylines(const Augmentation& augmentation, const PointMap& point_map, const NamedParameters& np)
+    : augmentation_(augmentation),
+      graph_(augmentation.graph()),
+      point_map_(point_map),
+      np_(np)
+  {}
+
+  // A node with arcs above and below is at the centroid of the contours that meet there, a leaf at its vertex, or in the
+  // middle of the border loop or of the tied vertices that it stands for.
+  Point node_point(node_descriptor node) const
+  {
+    const bool is_minimum = in_degree(node, graph_) == 0, is_maximum = out_degree(node, graph_) == 0;
+    Centroid centroid;
+    if(is_minimum || is_maximum)
+      add_ends(augmentation_.critical_set(node), centroid);
+    else
+    {
+      for(const arc_descriptor arc : CGAL::make_range(in_edges(node, graph_)))
+        add_contour(augmentation_.contour_below(arc, graph_[node].vertex), centroid);
+    }
+    return centroid.is_of_length_zero() ? Point(get(point_map_, graph_[node].vertex)) : make_point<Point>(centroid());
+  }
+
+  // `contour_at` is called with the arc and a place between 0 and 1.
+  template <class ContourAt>
+  Places places(arc_descriptor arc, std::size_t number_of_contours, const ContourAt& contour_at) const
+  {
+    Places result;
+    for(std::size_t i = 1; i <= number_of_contours; ++i)
+    {
+      const double t = static_cast<double>(i) / static_cast<double>(number_of_contours + 1);
+      const Contour contour = contour_at(arc, t);
+      const std::vector<Point> points = points_of(contour);
+      Centroid centroid;
+      centroid.add_curve(points, contour.is_closed);
+      result.centroids.push_back(centroid());
+      result.contour_points.push_back(coordinates_of(points[contour.is_closed ? 0 : points.size() / 2]));
+      result.values.push_back(contour.value);
+      result.size = (std::max)(result.size, centroid.length());
+    }
+    return result;
+  }
+
+private:
+  template <class CriticalSet>
+  void add_ends(const CriticalSet& critical_set, Centroid& centroid) const
+  {
+    std::vector<Point> border;
+    for(const auto h : critical_set.border_loop)
+      border.push_back(get(point_map_, source(h, augmentation_.mesh())));
+    centroid.add_curve(border, true);
+    if(!centroid.is_of_length_zero())
+      return;
+    for(const auto* contours : {&critical_set.lower_contours, &critical_set.upper_contours})
+      for(const Contour& contour : *contours)
+        add_contour(contour, centroid);
+  }
+
+  void add_contour(const Contour& contour, Centroid& centroid) const
+  {
+    centroid.add_curve(points_of(contour), contour.is_closed);
+  }
+
+  std::vector<Point> points_of(const Contour& contour) const
+  {
+    std::vector<Point> points;
+    points.reserve(contour.halfedges.size());
+    augmentation_.points_of_contour(contour, std::back_inserter(points), np_);
+    return points;
+  }
+
+  const Augmentation& augmentation_;
+  const typename Augmentation::Graph& graph_;
+  const PointMap& point_map_;
+  const NamedParameters& np_;
+};
+
+// Whether the two sides of a loop look like one line, as those of a round tube inside of another one.
+template <class Places>
+bool do_coincide(const Places& a, const Places& b)
+{
+  const double small = 1e-3 * (std::max)(a.size, b.size);
+  return std::equal(a.centroids.begin(), a.centroids.end(), b.centroids.begin(), b.centroids.end(),
+                    [&](const Coordinates& p, const Coordinates& q) { return distance(p, q) <= small; });
+}
+
+// Moves those arcs halfway to their contours that lead from the same node to the same node along the same line.
+template <class Graph, class Places>
+void separate_parallel_arcs(const Graph& graph, std::vector<Places>& places)
+{
+  std::vector<std::pair<std::pair<std::size_t, std::size_t>, std::size_t>> arcs; // by their ends
+  for(const auto arc : CGAL::make_range(edges(graph)))
+    arcs.push_back({{source(arc, graph), target(arc, graph)}, arcs.size()});
+  std::sort(arcs.begin(), arcs.end());
+  std::vector<bool> is_moved(places.size(), false);
+  for(auto first = arcs.begin(), last = first; first != arcs.end(); first = last)
+  {
+    last = std::find_if(first, arcs.end(), [&](const auto& arc) { return arc.first != first->first; });
+    for(auto i = first; i != last; ++i)
+      for(auto j = first; j != i; ++j)
+        if(do_coincide(places[i->second], places[j->second]))
+          is_moved[i->second] = is_moved[j->second] = true;
+  }
+  for(std::size_t i = 0; i != places.size(); ++i)
+  {
+    for(std::size_t j = 0; is_moved[i] && j != places[i].centroids.size(); ++j)
+      places[i].centroids[j] = mix(0.5, places[i].centroids[j], places[i].contour_points[j]);
+  }
+}
+
+// Replaces each inner point by the mean of itself and the middle of its neighbors, as many times as given.
+inline void smooth(std::vector<Coordinates>& points, std::size_t number_of_steps)
+{
+  for(std::size_t step = 0; step != number_of_steps; ++step)
+  {
+    const std::vector<Coordinates> old = points;
+    for(std::size_t i = 1; i + 1 < points.size(); ++i)
+      points[i] = mix(0.5, old[i], mix(0.5, old[i - 1], old[i + 1]));
+  }
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_EMBEDDING_CENTROID_POLYLINES_H
