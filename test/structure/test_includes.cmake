@@ -14,7 +14,8 @@ set(rooms_below_scalar_fields base mesh)
 set(rooms_below_simplification base mesh scalar_fields)
 set(rooms_below_curves base mesh scalar_fields simplification)
 set(rooms_below_embedding base mesh)
-set(rooms ${stages} augmentation embedding scalar_fields simplification curves)
+set(rooms_below_drawing base output simplification)
+set(rooms ${stages} augmentation embedding scalar_fields simplification curves drawing)
 
 # the public headers that the stages may include: small ones, which include none of the others
 set(small_headers exceptions.h options.h Node_kind.h Critical_vertex_counts.h)
@@ -22,6 +23,8 @@ set(small_headers exceptions.h options.h Node_kind.h Critical_vertex_counts.h)
 set(room_of_fields scalar_fields)
 set(room_of_simplification simplification)
 set(room_of_curves curves)
+# the public headers outside of these folders that belong to a room on top
+set(headers_of_drawing CGAL/Reeb_graph/plane_layout.h CGAL/Reeb_graph/IO/svg.h)
 # the public folder that is not on top
 set(room_of_IO public)
 
@@ -62,6 +65,8 @@ foreach(header IN LISTS headers)
     endif()
   elseif(header MATCHES "^CGAL/Reeb_graph/(fields|simplification|curves)/")
     set(room ${room_of_${CMAKE_MATCH_1}})
+  elseif(header IN_LIST headers_of_drawing)
+    set(room drawing)
   else()
     # a public header that is not on top
     set(room public)

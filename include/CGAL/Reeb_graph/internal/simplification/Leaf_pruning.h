@@ -62,12 +62,14 @@ public:
   }
 
   // `measure(leaf arc)` is a number, `can_be_removed(leaf arc)` whether it may be, `is_small(measure)` whether an arc
-  // of that measure is to be removed, and `goes_on(number of leaves)` whether there are still so many leaves.
-  template <class Measure, class CanBeRemoved, class IsSmall, class GoesOn>
+  // of that measure is to be removed, and `goes_on(number of leaves)` whether there are still so many leaves. Before an
+  // arc is removed, `visit(leaf)` is called.
+  template <class Measure, class CanBeRemoved, class IsSmall, class GoesOn, class Visit>
   void operator()(const Measure& measure,
                   const CanBeRemoved& can_be_removed,
                   const IsSmall& is_small,
-                  const GoesOn& goes_on)
+                  const GoesOn& goes_on,
+                  const Visit& visit)
   {
     Leaf_queue queue(number_of_nodes_);
     const auto consider = [&](Index node) {
@@ -93,8 +95,20 @@ public:
     for(Index leaf = queue.pop(); leaf != no_index && goes_on(number_of_leaves_); leaf = queue.pop())
     {
       if(is_left(leaf) && is_leaf(leaf) && is_branch(leaf))
+      {
+        visit(leaf);
         remove(leaf, consider);
+      }
     }
+  }
+
+  template <class Measure, class CanBeRemoved, class IsSmall, class GoesOn>
+  void operator()(const Measure& measure,
+                  const CanBeRemoved& can_be_removed,
+                  const IsSmall& is_small,
+                  const GoesOn& goes_on)
+  {
+    operator()(measure, can_be_removed, is_small, goes_on, [](Index) {});
   }
 
   // Removes an arc that is not the only one on its side of either end. It is taken up by another place. Nodes that are

@@ -1,0 +1,191 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_DRAWING_BRANCH_ORDER_H
+#define CGAL_REEB_GRAPH_INTERNAL_DRAWING_BRANCH_ORDER_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/drawing/Branch_tree.h>
+#include <CGAL/Reeb_graph/internal/drawing/Skyline.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// On which side of its parent each branch lies, and the order of all branches of a component from the left to the right.
+// A branch is led to its parent at the height of the node there. It crosses another one that lies between the two, and
+// that itself or what is attached to it reaches over that height. So of two branches at one side, one has to be further
+// out than the other, or they exclude each other and go to different sides.
+class Branch_order
+{
+public:
+  Branch_order(const Branch_tree& tree, const std::vector<double>& heights)
+    : tree_(tree),
+      extents_(tree.branches.size()),
+      sides_(tree.branches.size(), 0),
+      children_(tree.branches.size())
+  {
+    for(const Drawn_branch& branch : tree.branches)
+      extents_[number_of(branch)] = own_extent(branch, heights);
+    own_extents_ = extents_;
+    for(Index branch = 0; branch != size(); ++branch)
+    {
+      const Index parent = tree.branches[branch].parent;
+      if(parent == no_index)
+        continue;
+      extents_[parent].extend(extents_[branch]);
+      children_[parent].push_back(branch);
+    }
+    for(Index branch = size(); branch-- != 0;)
+      place_children(branch);
+  }
+
+  // Of a branch, from node to node.
+  const Height_range& own_extent(Index branch) const { return own_extents_[branch]; }
+  // Of all that is attached to a branch as well.
+  const Height_range& extent(Index branch) const { return extents_[branch]; }
+  // -1 if it lies on the left of its parent, 1 on the right, 0 for a trunk.
+  int side(Index branch) const { return sides_[branch]; }
+
+  // A trunk with all that is attached to it, from the left to the right.
+  std::vector<Index> branches_of_trunk(Index trunk) const
+  {
+    std::vector<Index> order;
+    std::vector<std::pair<Index, bool>> stack = {{trunk, false}}; // whether its children have been looked at
+    while(!stack.empty())
+    {
+      const auto [branch, is_open] = stack.back();
+      stack.pop_back();
+      if(is_open)
+      {
+        order.push_back(branch);
+        continue;
+      }
+      // children are sorted from the left to the right
+      const std::vector<Index>& children = children_[branch];
+      std::size_t i = children.size();
+      for(; i != 0 && sides_[children[i - 1]] > 0; --i)
+        stack.emplace_back(children[i - 1], false);
+      stack.emplace_back(branch, true);
+      for(; i != 0; --i)
+        stack.emplace_back(children[i - 1], false);
+    }
+    return order;
+  }
+
+private:
+  // So many of the largest branches at each side of one are compared with the other ones.
+  static constexpr std::size_t most_compared = 64;
+
+  Index size() const { return static_cast<Index>(tree_.branches.size()); }
+  Index number_of(const Drawn_branch& branch) const { return static_cast<Index>(&branch - tree_.branches.data()); }
+
+  static Height_range own_extent(const Drawn_branch& branch, const std::vector<double>& heights)
+  {
+    return {heights[branch.lower], heights[branch.upper]};
+  }
+
+  // Calls visit(height) where a branch is led to others.
+  template <class Visit>
+  void for_each_port(Index branch, const Visit& visit) const
+  {
+    const Drawn_branch& drawn = tree_.branches[branch];
+    if(drawn.is_lower_attached)
+      visit(own_extents_[branch].low);
+    if(drawn.is_upper_attached || drawn.is_closing)
+      visit(own_extents_[branch].high);
+  }
+
+  // Whether a branch, and what is attached to it, would be crossed by the other one if it were nearer to the parent.
+  bool blocks(Index branch, Index other) const
+  {
+    bool is_blocking = false;
+    for_each_port(other, [&](double height) { is_blocking |= extents_[branch].has_inside(height); });
+    return is_blocking;
+  }
+
+  void place_children(Index parent)
+  {
+    std::vector<Index>& children = children_[parent];
+    const auto length = [&](Index branch) { return extents_[branch].high - extents_[branch].low; };
+    std::sort(children.begin(), children.end(),
+              [&](Index a, Index b) { return length(a) != length(b) ? length(a) > length(b) : a < b; });
+    const int outward = sides_[parent] == 0 ? 1 : sides_[parent];
+    std::array<std::vector<Index>, 2> placed; // outward, inward
+    std::array<double, 2> loads = {0, 0};
+    for(const Index child : children)
+    {
+      std::array<std::size_t, 2> crossings = {0, 0};
+      for(int side : {0, 1})
+      {
+        const std::size_t compared = (std::min)(placed[side].size(), most_compared);
+        for(std::size_t i = 0; i != compared; ++i)
+          crossings[side] += blocks(child, placed[side][i]) && blocks(placed[side][i], child) ? 1 : 0;
+      }
+      for_each_port(parent, [&](double height) { crossings[1] += extents_[child].has_inside(height) ? 1 : 0; });
+      const bool is_inward =
+        crossings[0] != crossings[1] ? crossings[1] < crossings[0] : sides_[parent] == 0 && loads[1] < loads[0];
+      placed[is_inward].push_back(child);
+      loads[is_inward] += length(child);
+      sides_[child] = is_inward ? -outward : outward;
+    }
+    for(std::vector<Index>& side : placed)
+      sort_from_inside(side);
+    std::vector<Index>& left = placed[outward > 0 ? 1 : 0];
+    std::reverse(left.begin(), left.end());
+    children = left;
+    const std::vector<Index>& right = placed[outward > 0 ? 0 : 1];
+    children.insert(children.end(), right.begin(), right.end());
+  }
+
+  // Of branches at one side that go up, the highest is the innermost one, of those that go down the lowest. The two
+  // rows are merged so that none blocks what comes later, where that can be.
+  void sort_from_inside(std::vector<Index>& branches) const
+  {
+    const auto goes_up = [&](Index branch) { return tree_.branches[branch].is_lower_attached; };
+    const auto middle = std::stable_partition(branches.begin(), branches.end(), goes_up);
+    std::sort(branches.begin(), middle, [&](Index a, Index b) {
+      const Height_range &first = own_extents_[a], &second = own_extents_[b];
+      return first.low != second.low              ? first.low > second.low
+           : extents_[a].high != extents_[b].high ? extents_[a].high < extents_[b].high
+                                                  : a < b;
+    });
+    std::sort(middle, branches.end(), [&](Index a, Index b) {
+      const Height_range &first = own_extents_[a], &second = own_extents_[b];
+      return first.high != second.high          ? first.high < second.high
+           : extents_[a].low != extents_[b].low ? extents_[a].low > extents_[b].low
+                                                : a < b;
+    });
+    std::vector<Index> merged;
+    auto up = branches.begin(), down = middle;
+    while(up != middle && down != branches.end())
+      merged.push_back(blocks(*up, *down) ? *down++ : *up++);
+    merged.insert(merged.end(), up, middle);
+    merged.insert(merged.end(), down, branches.end());
+    branches = std::move(merged);
+  }
+
+  const Branch_tree& tree_;
+  std::vector<Height_range> extents_, own_extents_;
+  std::vector<int> sides_;
+  std::vector<std::vector<Index>> children_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_DRAWING_BRANCH_ORDER_H

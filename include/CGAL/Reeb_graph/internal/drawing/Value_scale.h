@@ -1,0 +1,72 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_DRAWING_VALUE_SCALE_H
+#define CGAL_REEB_GRAPH_INTERNAL_DRAWING_VALUE_SCALE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The values that are drawn, and their heights from 0 to 1. An infinite value is drawn as a finite one, a tenth of the
+// range of the finite ones beyond them.
+class Value_scale
+{
+public:
+  explicit Value_scale(const std::vector<double>& values)
+  {
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    bool has_lowest = false, has_highest = false; // infinite values
+    for(const double value : values)
+    {
+      if(std::isfinite(value))
+      {
+        lowest = (std::min)(lowest, value);
+        highest = (std::max)(highest, value);
+      }
+      else
+        (value < 0 ? has_lowest : has_highest) = true;
+    }
+    if(lowest > highest)
+      lowest = highest = 0;
+    // halves, as the range of finite values can be too large for a number
+    const double range = highest / 2 - lowest / 2, beyond = range > 0 ? range / 5 : 1;
+    constexpr double limit = (std::numeric_limits<double>::max)();
+    lowest_ = has_lowest ? (std::max)(lowest - beyond, -limit) : lowest;
+    highest_ = has_highest ? (std::min)(highest + beyond, limit) : highest;
+  }
+
+  double lowest() const { return lowest_; }
+  double highest() const { return highest_; }
+
+  double finite_value(double value) const { return (std::clamp)(value, lowest_, highest_); }
+
+  double height(double value) const
+  {
+    const double range = highest_ / 2 - lowest_ / 2;
+    return range > 0 ? (std::clamp)((finite_value(value) / 2 - lowest_ / 2) / range, 0., 1.) : 0.5;
+  }
+
+  double value(double height) const { return (1 - height) * lowest_ + height * highest_; }
+
+private:
+  double lowest_, highest_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_DRAWING_VALUE_SCALE_H

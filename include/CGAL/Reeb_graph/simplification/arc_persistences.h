@@ -1,0 +1,91 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SIMPLIFICATION_ARC_PERSISTENCES_H
+#define CGAL_REEB_GRAPH_SIMPLIFICATION_ARC_PERSISTENCES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/graph_topology.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/internal/simplification/Arc_removal.h>
+#include <CGAL/Reeb_graph/internal/simplification/persistence.h>
+#include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphSimplification
+///
+/// \brief returns for each arc how long it stays while a Reeb graph is simplified: the persistence of the branch or of
+/// the loop with which it is removed.
+///
+/// Branches and loops are removed as `simplify()` does it with `parameters::cancel_loops(true)`, but the less persistent
+/// first, so that what is removed only grows. If a graph has no loops, the simplified graph for a threshold consists of
+/// the arcs with at least this persistence. If it has, this holds for graphs that are simplified step by step, each one
+/// from that of the last threshold: `simplify()` looks at a loop after all branches below the threshold are gone, and
+/// can keep another one of two branches that compete.
+///
+/// With \f$ n \f$ nodes and arcs and \f$ l \f$ loops of different persistence, the time is
+/// \f$ O((l + 1)\, n \log n) \f$.
+///
+/// \tparam ReebGraph the type `Graph` of the traits class, or another bidirectional graph with `std::size_t` as vertex
+///         descriptor
+///
+/// \param graph a Reeb graph, computed with any named parameters; `CGAL::to_double()` has to take its values
+///
+/// \returns a number for each arc, in the order of `edges(graph)` and in units of the field. Arcs that stay for any
+/// threshold have the difference between the highest and the lowest value of their connected component.
+///
+/// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
+template <class ReebGraph>
+std::vector<double> arc_persistences(const ReebGraph& graph)
+{
+  std::vector<double> persistences;
+  if constexpr(internal::Plain_reeb_graph<ReebGraph>::value)
+  {
+    const std::size_t number_of_nodes = num_vertices(graph);
+    const std::vector<internal::Leaf_pruning::Arc> arcs = internal::read_arcs(graph);
+    std::vector<double> values;
+    values.reserve(number_of_nodes);
+    for(std::size_t node = 0; node != number_of_nodes; ++node)
+      values.push_back(internal::node_value(graph, node));
+    persistences = internal::Arc_removal(arcs, values)();
+
+    std::vector<std::size_t> components(number_of_nodes), lowest(number_of_nodes, number_of_nodes),
+      highest(number_of_nodes);
+    number_components(
+      graph, boost::make_iterator_property_map(components.begin(), boost::typed_identity_property_map<std::size_t>()));
+    for(std::size_t node = 0; node != number_of_nodes; ++node)
+    {
+      const std::size_t component = components[node];
+      highest[component] = node;
+      if(lowest[component] == number_of_nodes)
+        lowest[component] = node;
+    }
+    for(std::size_t i = 0; i != arcs.size(); ++i)
+    {
+      const std::size_t component = components[arcs[i].lower];
+      if(persistences[i] < 0)
+        persistences[i] = internal::persistence(values[lowest[component]], values[highest[component]]);
+    }
+  }
+  return persistences;
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_SIMPLIFICATION_ARC_PERSISTENCES_H
