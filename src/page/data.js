@@ -1,2 +1,70 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+/* exported readPageData */
+
+// The data that the program has put into the page.
+
+// Numbers in base64 of little-endian bytes, as all browsers' machines have them.
+function decodeNumbers(text, NumberArray) {
+  const characters = atob(text);
+  const bytes = new Uint8Array(characters.length);
+  for (let i = 0; i < bytes.length; ++i)
+    bytes[i] = characters.charCodeAt(i);
+  return new NumberArray(bytes.buffer);
+}
+
+function decodePolyline(polyline) {
+  return {points: decodeNumbers(polyline.points, Float32Array), isClosed: polyline.is_closed};
+}
+
+function decodeContour(contour) {
+  return Object.assign(decodePolyline(contour), {t: contour.t, value: contour.value});
+}
+
+function decodeArc(arc) {
+  return Object.assign({}, arc, {contours: arc.contours ? arc.contours.map(decodeContour) : null});
+}
+
+function decodeSurface(surface) {
+  return {
+    facesOfInput: surface.faces_of_input,
+    isDecimated: surface.is_decimated,
+    positions: decodeNumbers(surface.positions, Float32Array),
+    values: decodeNumbers(surface.values, Float64Array),
+    triangles: decodeNumbers(surface.triangles, Uint32Array),
+    vertexArcs: decodeNumbers(surface.vertex_arcs, Int32Array),
+    facePatches: surface.face_patches ? decodeNumbers(surface.face_patches, Int32Array) : null
+  };
+}
+
+// The smallest and the largest of many numbers.
+function rangeOf(numbers) {
+  let low = Infinity, high = -Infinity;
+  for (let i = 0; i < numbers.length; ++i) {
+    low = Math.min(low, numbers[i]);
+    high = Math.max(high, numbers[i]);
+  }
+  return low <= high ? {low, high} : {low: 0, high: 1};
+}
+
+function readPageData(text) {
+  const data = JSON.parse(text);
+  if (data.version !== 1)
+    throw new Error("This page cannot read data of version " + data.version + ".");
+  const surface = decodeSurface(data.surface);
+  const nodeValues = data.graph.nodes.map(node => node.value);
+  return {
+    title: data.title,
+    generator: data.generator,
+    field: data.field,
+    surface,
+    range: rangeOf(nodeValues.concat(Object.values(rangeOf(surface.values)))),
+    graph: {nodes: data.graph.nodes, arcs: data.graph.arcs.map(decodeArc)},
+    levels: data.levels,
+    curves: data.curves.map(decodePolyline)
+  };
+}

@@ -1,2 +1,164 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+/* global makePlaneScale, niceTicks, formatNumber, kindColors, toHex */
+/* exported Drawing, makeNodeShape */
+
+// The drawing of the graph in the plane, with an axis of values.
+
+function makeSvg(name, attributes, parent, text) {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
+  Object.keys(attributes).forEach(key => element.setAttribute(key, attributes[key]));
+  if (text !== undefined)
+    element.textContent = text;
+  if (parent)
+    parent.appendChild(element);
+  return element;
+}
+
+// Kinds differ in shape as well as in colour.
+function makeNodeShape(kind, x, y, r, parent) {
+  const polygon = corners => makeSvg("polygon", {
+    points: corners.map(([dx, dy]) => (x + r * dx).toFixed(2) + "," + (y + r * dy).toFixed(2)).join(" ")
+  }, parent);
+  const shapes = {
+    minimum: () => polygon([[-1.15, -0.85], [1.15, -0.85], [0, 1.15]]),
+    maximum: () => polygon([[-1.15, 0.85], [1.15, 0.85], [0, -1.15]]),
+    "degree-two": () => polygon([[-0.75, -0.75], [0.75, -0.75], [0.75, 0.75], [-0.75, 0.75]]),
+    isolated: () => polygon([[0, -1.2], [1.2, 0], [0, 1.2], [-1.2, 0]])
+  };
+  const shape = shapes[kind] ? shapes[kind]() : makeSvg("circle", {cx: x, cy: y, r}, parent);
+  shape.setAttribute("fill", toHex(kindColors[kind] || kindColors.isolated));
+  shape.setAttribute("class", "node");
+  return shape;
+}
+
+class Drawing {
+  // `on` has what is called: point(target or null), keep(target or null), and drag(arc, value).
+  constructor(container, data, on) {
+    this.container = container;
+    this.data = data;
+    this.on = on;
+    this.dragged = null;
+    this.lit = null;
+    container.addEventListener("pointermove", event => this.movePointer(event));
+    container.addEventListener("pointerleave", () => this.dragged === null && on.point(null));
+    container.addEventListener("pointerdown", event => this.pressPointer(event));
+    ["pointerup", "pointercancel"].forEach(name => container.addEventListener(name, () => {
+      this.dragged = null;
+    }));
+  }
+
+  show(view, arcColors, frame) {
+    this.view = view;
+    this.scale = makePlaneScale(view, this.data.range, frame);
+    const {width, height} = this.scale;
+    const svg = makeSvg("svg", {width, height, viewBox: "0 0 " + width + " " + height, "aria-hidden": "true"});
+    this.drawAxis(svg);
+    const arcs = makeSvg("g", {class: "arcs"}, svg), areas = makeSvg("g", {class: "areas"}, svg);
+    this.arcPaths = view.arcs.map((arc, i) => {
+      const d = this.pathOf(arc.plane);
+      makeSvg("path", {d, class: "area", "data-arc": i}, areas);
+      return makeSvg("path", {d, class: "arc", "data-arc": i}, arcs);
+    });
+    this.marker = makeSvg("circle", {class: "marker", r: this.scale.nodeRadius + 1, visibility: "hidden"}, svg);
+    const nodes = makeSvg("g", {class: "nodes"}, svg);
+    this.nodeShapes = view.nodes.map((node, i) => {
+      const shape = makeNodeShape(node.kind, this.scale.x(node.column), this.scale.y(node.value),
+                                  this.scale.nodeRadius, nodes);
+      shape.setAttribute("data-node", i);
+      return shape;
+    });
+    this.container.replaceChildren(svg);
+    this.setArcColors(arcColors);
+    this.setLit(null);
+  }
+
+  drawAxis(svg) {
+    const {width, height, margin, y} = this.scale;
+    const {low, high} = this.data.range;
+    const axis = makeSvg("g", {class: "axis"}, svg);
+    niceTicks(low, high, Math.max(2, Math.floor(height / 60))).forEach(tick => {
+      makeSvg("line", {x1: margin.left - 8, x2: width - 4, y1: y(tick), y2: y(tick)}, axis);
+      makeSvg("text", {x: margin.left - 12, y: y(tick) + 4, "text-anchor": "end"}, axis, formatNumber(tick));
+    });
+  }
+
+  pathOf(plane) {
+    let d = "";
+    for (let i = 0; i < plane.length; i += 2)
+      d += (i ? "L" : "M") + this.scale.x(plane[i]).toFixed(2) + " " + this.scale.y(plane[i + 1]).toFixed(2);
+    return d;
+  }
+
+  // Colours of arcs, or null for that of the text.
+  setArcColors(colors) {
+    this.arcPaths.forEach((path, i) => {
+      path.style.stroke = colors ? toHex(colors[i]) : "";
+    });
+  }
+
+  setLit(target) {
+    this.lit = target;
+    this.container.classList.toggle("has_lit", target !== null && target.arc !== undefined);
+    this.arcPaths.forEach((path, i) => path.classList.toggle("lit", target !== null && target.arc === i));
+    this.nodeShapes.forEach((shape, i) => {
+      const arc = target !== null && target.arc !== undefined ? this.view.arcs[target.arc] : null;
+      const isEnd = arc !== null && (arc.source === i || arc.target === i);
+      shape.classList.toggle("lit", isEnd || (target !== null && target.node === i));
+    });
+  }
+
+  // The mark of the contour on its arc, or none.
+  setMarker(arc, value) {
+    this.marker.setAttribute("visibility", arc === null ? "hidden" : "visible");
+    if (arc === null)
+      return;
+    const [x, y] = this.pointAt(arc, value);
+    this.marker.setAttribute("cx", x);
+    this.marker.setAttribute("cy", y);
+  }
+
+  pointAt(arc, value) {
+    return [this.scale.x(this.view.column(arc, value)), this.scale.y(value)];
+  }
+
+  // Scrolls so far that an arc is seen.
+  reveal(arc) {
+    const frame = this.container.parentElement;
+    const [x] = this.pointAt(arc, this.view.value(arc, 0.5));
+    if (x < frame.scrollLeft + 30 || x > frame.scrollLeft + frame.clientWidth - 30)
+      frame.scrollLeft = x - frame.clientWidth / 2;
+  }
+
+  targetOf(event) {
+    const data = event.target.dataset || {};
+    if (data.arc !== undefined)
+      return {arc: Number(data.arc)};
+    return data.node === undefined ? null : {node: Number(data.node)};
+  }
+
+  valueAt(event) {
+    return this.scale.value(event.clientY - this.container.getBoundingClientRect().top);
+  }
+
+  movePointer(event) {
+    if (this.dragged !== null)
+      this.on.drag(this.dragged, this.valueAt(event));
+    else if (event.pointerType !== "touch")
+      this.on.point(this.targetOf(event));
+  }
+
+  pressPointer(event) {
+    const target = this.targetOf(event);
+    this.on.keep(target);
+    if (target === null || target.arc === undefined)
+      return;
+    this.dragged = target.arc;
+    this.on.drag(target.arc, this.valueAt(event));
+    this.container.setPointerCapture(event.pointerId);
+  }
+}

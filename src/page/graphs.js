@@ -1,2 +1,163 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+/* global Halfedges, levelAtPlace, levelAboveValue, traceContour */
+/* exported GraphView, makeContourTracer, describeKind */
+
+// The graph at a level of simplification: its nodes and arcs, what they stand for, and the ways along it.
+class GraphView {
+  constructor(data, number) {
+    const level = data.levels[number];
+    const graph = level.graph || data.graph;
+    this.number = number;
+    this.threshold = level.threshold;
+    this.nodes = graph.nodes;
+    this.arcs = graph.arcs.map((arc, i) => Object.assign({parts: [i]}, arc));
+    this.arcsAbove = this.nodes.map(() => []);
+    this.arcsBelow = this.nodes.map(() => []);
+    this.arcs.forEach((arc, i) => {
+      this.arcsAbove[arc.source].push(i);
+      this.arcsBelow[arc.target].push(i);
+    });
+    this.placeOfGivenArc = level.arcs;
+    this.placeOfGivenNode = makePlacesOfNodes(data.graph, level.arcs, this);
+  }
+
+  // The number of an arc for which the given arc or, with numbers beyond those of arcs, the given node stands, or that
+  // of a node as -1 - number.
+  placeOf(given) {
+    const numberOfArcs = this.placeOfGivenArc.length;
+    return given < numberOfArcs ? this.placeOfGivenArc[given] : this.placeOfGivenNode[given - numberOfArcs];
+  }
+
+  value(arc, t) {
+    const low = this.lower(arc).value, high = this.upper(arc).value;
+    return low + t * (high - low);
+  }
+
+  lower(arc) {
+    return this.nodes[this.arcs[arc].source];
+  }
+
+  upper(arc) {
+    return this.nodes[this.arcs[arc].target];
+  }
+
+  // The horizontal place of an arc at a value, in columns.
+  column(arc, value) {
+    const plane = this.arcs[arc].plane;
+    for (let i = 2; i < plane.length; i += 2) {
+      if (plane[i + 1] >= value) {
+        const share = (value - plane[i - 1]) / (plane[i + 1] - plane[i - 1]);
+        return plane[i - 2] + (isFinite(share) ? Math.max(share, 0) : 0) * (plane[i] - plane[i - 2]);
+      }
+    }
+    return plane[plane.length - 2];
+  }
+
+  middleColumn(arc) {
+    return this.column(arc, this.value(arc, 0.5));
+  }
+
+  // Arcs that share an end with each arc.
+  neighbors() {
+    return this.arcs.map((arc, i) => {
+      const around = [arc.source, arc.target].map(node => this.arcsAbove[node].concat(this.arcsBelow[node]));
+      return Array.from(new Set(around[0].concat(around[1]))).filter(j => j !== i);
+    });
+  }
+
+  // The arc above or below an arc whose middle is nearest to it, or the arc itself at an end of the graph.
+  along(arc, isUpwards) {
+    const beyond = isUpwards ? this.arcsAbove[this.arcs[arc].target] : this.arcsBelow[this.arcs[arc].source];
+    const distance = other => Math.abs(this.middleColumn(other) - this.middleColumn(arc));
+    return beyond.reduce((best, other) => best === arc || distance(other) < distance(best) ? other : best, arc);
+  }
+
+  // The next arc to the right or to the left among those that have values in common with an arc.
+  beside(arc, isRight) {
+    const low = this.lower(arc).value, high = this.upper(arc).value;
+    const position = other => {
+      const from = Math.max(low, this.lower(other).value), to = Math.min(high, this.upper(other).value);
+      return from <= to ? this.column(other, (from + to) / 2) - this.column(arc, (from + to) / 2) : NaN;
+    };
+    let best = arc, bestDistance = Infinity;
+    this.arcs.forEach((_, other) => {
+      const ahead = isRight ? position(other) : -position(other);
+      const distance = ahead > 0 || (ahead === 0 && (other > arc) === isRight) ? ahead : Infinity;
+      if (other !== arc && distance < bestDistance) {
+        best = other;
+        bestDistance = distance;
+      }
+    });
+    return best;
+  }
+
+  // The next or the previous arc by number.
+  next(arc, step) {
+    return (arc + step + this.arcs.length) % this.arcs.length;
+  }
+}
+
+// What the given nodes belong to: nodes that are left keep themselves, other ones are where their arcs are.
+function makePlacesOfNodes(given, placeOfGivenArc, view) {
+  const numbers = new Map(view.nodes.map((node, i) => [node.vertex, i]));
+  const places = given.nodes.map(node => numbers.has(node.vertex) ? -1 - numbers.get(node.vertex) : null);
+  given.arcs.forEach((arc, i) => [arc.source, arc.target].forEach(node => {
+    if (places[node] === null)
+      places[node] = placeOfGivenArc[i];
+  }));
+  return places.map(place => place === null ? -1 : place);
+}
+
+// The part of an arc that has a value: the first given arc, from below, that ends above it.
+function partAt(given, parts, value) {
+  const isAlive = part => given.nodes[given.arcs[part].source].value <= value
+    && value < given.nodes[given.arcs[part].target].value;
+  const alive = parts.find(isAlive);
+  return alive === undefined ? parts[parts.length - 1] : alive;
+}
+
+function nearest(contours, distance) {
+  return contours.reduce((best, contour) => distance(contour) < distance(best) ? contour : best);
+}
+
+// A function that gives the contour of an arc of a view at a place between its ends, or null: traced on the surface, or
+// the nearest of those that the program has found where the surface is decimated.
+function makeContourTracer(data) {
+  let halfedges = null;
+  const trace = (chain, level) => {
+    halfedges = halfedges || new Halfedges(data.surface.triangles, data.surface.values.length);
+    return traceContour(data.surface, halfedges, chain, level);
+  };
+  return (view, arc, t) => {
+    const value = view.value(arc, t), parts = view.arcs[arc].parts;
+    const isWhole = parts.length === 1 && view.number === 0;
+    const part = data.graph.arcs[isWhole ? parts[0] : partAt(data.graph, parts, value)];
+    if (!part)
+      return null;
+    if (part.contours)
+      return part.contours.length > 0 ? nearest(part.contours, contour => Math.abs(contour.value - value)) : null;
+    if (!part.chain)
+      return null;
+    return trace(part.chain, isWhole
+      ? levelAtPlace(data.surface.values, part.chain, view.lower(arc).value, view.upper(arc).value, t)
+      : levelAboveValue(data.surface.values, value));
+  };
+}
+
+// What happens at a node, in words.
+function describeKind(node, numberBelow, numberAbove) {
+  switch (node.kind) {
+    case "minimum": return "a piece begins";
+    case "maximum": return "a piece ends";
+    case "saddle":
+      return numberBelow > 1 && numberAbove > 1 ? numberBelow + " pieces meet and part into " + numberAbove
+        : numberBelow > 1 ? numberBelow + " pieces join" : "a piece splits into " + numberAbove;
+    case "isolated": return "a piece of one point";
+    default: return "a piece goes on";
+  }
+}

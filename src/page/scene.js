@@ -1,2 +1,429 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+/* global THREE, shaders, viridis, buildTubes, makeBands, findPose, cornerNormals */
+/* exported Scene */
+
+// The view in space: the surface, the graph in it, curves and a contour. It is drawn when something has changed only.
+
+const coloringNumbers = {field: 0, arcs: 1, patches: 2};
+const unlit = 127, lit = 255, dimmed = 0;
+
+// A table of colours with an alpha each, 256 to a row.
+class ColorTable {
+  constructor(size) {
+    this.size = size;
+    this.rows = Math.max(1, Math.ceil(size / 256));
+    this.bytes = new Uint8Array(4 * 256 * this.rows).fill(unlit);
+    this.texture = new THREE.DataTexture(this.bytes, 256, this.rows, THREE.RGBAFormat);
+    this.texture.magFilter = this.texture.minFilter = THREE.NearestFilter;
+    this.texture.needsUpdate = true;
+  }
+
+  setColor(i, color) {
+    color.forEach((x, channel) => {
+      this.bytes[4 * i + channel] = Math.round(255 * x);
+    });
+    this.texture.needsUpdate = true;
+  }
+
+  // light(i) gives what alpha says.
+  setLight(light) {
+    for (let i = 0; i < this.size; ++i)
+      this.bytes[4 * i + 3] = light(i);
+    this.texture.needsUpdate = true;
+  }
+}
+
+function makeFieldColors() {
+  const table = new ColorTable(256);
+  for (let i = 0; i < 256; ++i)
+    table.setColor(i, viridis(i / 255));
+  table.texture.magFilter = table.texture.minFilter = THREE.LinearFilter;
+  return table.texture;
+}
+
+function makeMaterial(vertexShader, fragmentShader, uniforms, options) {
+  return new THREE.ShaderMaterial(Object.assign({vertexShader, fragmentShader, uniforms, side: THREE.DoubleSide},
+                                                options));
+}
+
+class Scene {
+  constructor(canvas, data) {
+    this.canvas = canvas;
+    this.data = data;
+    this.renderer = new THREE.WebGLRenderer({canvas, alpha: true, antialias: true, preserveDrawingBuffer: true});
+    this.scene = new THREE.Scene();
+    this.numberScene = new THREE.Scene();
+    this.numberTarget = new THREE.WebGLRenderTarget(1, 1, {
+      minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter, generateMipmaps: false
+    });
+    this.areNumbersOld = true;
+    this.isDrawingRequested = false;
+    this.drawings = 0;
+    this.pose = findPose(data.surface.positions, data.surface.values);
+    this.fieldColors = makeFieldColors();
+    this.dimColor = new THREE.Color(0.7, 0.7, 0.7);
+    this.outline = new THREE.Color(0.1, 0.1, 0.1);
+    this.layers = {graph: true, curves: true};
+    this.makeSurface();
+    this.makeCurves();
+    this.makeCamera();
+  }
+
+  normalizedValue(value) {
+    const {low, high} = this.data.range;
+    return high > low ? (value - low) / (high - low) : 0.5;
+  }
+
+  makeSurface() {
+    const {surface, graph} = this.data;
+    const {triangles, positions, values, facePatches} = surface;
+    const {places, ends} = makeBands(surface, graph);
+    const corners = triangles.length;
+    const arrays = {
+      position: new Float32Array(3 * corners), value: new Float32Array(corners), bands: new Float32Array(3 * corners),
+      ends: new Float32Array(2 * corners), patch: new Float32Array(corners)
+    };
+    const clamped = x => Math.min(Math.max(this.normalizedValue(x), -1), 2);
+    const center = this.pose.center;
+    for (let corner = 0; corner < corners; ++corner) {
+      const face = Math.floor(corner / 3), v = triangles[corner];
+      for (let i = 0; i < 3; ++i) {
+        arrays.position[3 * corner + i] = positions[3 * v + i] - center[i];
+        arrays.bands[3 * corner + i] = places[3 * face + i];
+      }
+      arrays.value[corner] = this.normalizedValue(values[v]);
+      arrays.ends[2 * corner] = clamped(ends[2 * face]);
+      arrays.ends[2 * corner + 1] = clamped(ends[2 * face + 1]);
+      arrays.patch[corner] = facePatches ? facePatches[face] : 0;
+    }
+    const geometry = new THREE.BufferGeometry();
+    const sizes = {position: 3, value: 1, bands: 3, ends: 2, patch: 1};
+    Object.keys(arrays).forEach(name =>
+      geometry.setAttribute(name, new THREE.BufferAttribute(arrays[name], sizes[name])));
+    geometry.setAttribute("normal", new THREE.BufferAttribute(cornerNormals(positions, triangles), 4, true));
+    this.placeTable = new ColorTable(graph.arcs.length + graph.nodes.length);
+    this.patchTable = new ColorTable(facePatches ? facePatches.reduce((a, b) => Math.max(a, b), 0) + 1 : 1);
+    this.surfaceUniforms = {
+      coloring: {value: 0}, opacity: {value: 1}, levelLines: {value: 0}, dimColor: {value: this.dimColor},
+      fieldColors: {value: this.fieldColors},
+      placeColors: {value: this.placeTable.texture}, placeRows: {value: this.placeTable.rows},
+      patchColors: {value: this.patchTable.texture}, patchRows: {value: this.patchTable.rows}
+    };
+    // The depth comes first, so that of a see-through surface the nearest layer is seen only.
+    const offset = {polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1};
+    const depth = makeMaterial(shaders.surfaceVertex, shaders.surfaceNumberFragment, {},
+                               Object.assign({colorWrite: false, transparent: true}, offset));
+    const color = makeMaterial(shaders.surfaceVertex, shaders.surfaceFragment, this.surfaceUniforms, Object.assign(
+      {transparent: true, depthWrite: false, extensions: {derivatives: true}}, offset));
+    const number = makeMaterial(shaders.surfaceVertex, shaders.surfaceNumberFragment, {}, {});
+    this.surfaceLayers = [depth, color].map((material, i) => this.add(this.scene, geometry, material, 10 + i));
+    this.add(this.numberScene, geometry, number, 0);
+  }
+
+  add(scene, geometry, material, order, Kind = THREE.Mesh) {
+    const object = new Kind(geometry, material);
+    object.renderOrder = order;
+    object.frustumCulled = false;
+    scene.add(object);
+    return object;
+  }
+
+  remove(objects) {
+    objects.forEach(({scene, object}) => {
+      scene.remove(object);
+      object.geometry.dispose();
+      object.material.dispose();
+    });
+  }
+
+  tubeGeometry(polylines, radius, sides, value) {
+    const center = this.pose.center;
+    const centered = polylines.map(polyline => Object.assign({}, polyline, {
+      points: Array.from(polyline.points, (x, i) => x - center[i % 3])
+    }));
+    const tubes = buildTubes(centered, radius, sides);
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(tubes.positions, 3));
+    geometry.setAttribute("normal", new THREE.BufferAttribute(tubes.normals, 3));
+    geometry.setAttribute("number", new THREE.BufferAttribute(tubes.ids, 1));
+    const values = tubes.ids.map((id, i) => this.normalizedValue(value(id, tubes.places[i])));
+    geometry.setAttribute("value", new THREE.BufferAttribute(values, 1));
+    geometry.setIndex(new THREE.BufferAttribute(tubes.triangles, 1));
+    return geometry;
+  }
+
+  tubeMaterial(table, options) {
+    return makeMaterial(shaders.tubeVertex, shaders.tubeFragment, {
+      isValueShown: {value: 0}, fieldColors: {value: this.fieldColors}, colors: {value: table.texture},
+      rows: {value: table.rows}, dimColor: {value: this.dimColor}, inflation: {value: 0}, alpha: {value: 1}
+    }, options);
+  }
+
+  makeCurves() {
+    this.curves = [];
+    this.curveTable = new ColorTable(1);
+    const polylines = this.data.curves.map(curve => Object.assign({id: 0}, curve));
+    if (polylines.length > 0) {
+      const geometry = this.tubeGeometry(polylines, 0.0032 * this.pose.size, 6, () => 0);
+      this.curves.push(this.add(this.scene, geometry, this.tubeMaterial(this.curveTable, {}), 0));
+    }
+    this.contourTable = new ColorTable(1);
+    this.contour = [];
+  }
+
+  makeCamera() {
+    this.camera = new THREE.PerspectiveCamera(32, 1, 0.01 * this.pose.size, 20 * this.pose.size);
+    this.camera.up.set(...this.pose.up);
+    this.controls = new THREE.OrbitControls(this.camera, this.canvas);
+    this.controls.enableKeys = false;
+    this.controls.screenSpacePanning = true;
+    this.controls.minDistance = 0.05 * this.pose.size;
+    this.controls.maxDistance = 8 * this.pose.size;
+    this.controls.addEventListener("change", () => this.requestDrawing());
+    this.resetCamera();
+  }
+
+  resetCamera() {
+    const narrow = Math.min(1, this.camera.aspect);
+    const distance = 0.56 * this.pose.size / Math.tan(Math.PI * 16 / 180) / narrow;
+    this.controls.target.set(0, 0, 0);
+    this.camera.position.set(...this.pose.towardsEye.map(x => distance * x));
+    this.controls.update();
+    this.requestDrawing();
+  }
+
+  // Turns the view to the right and upwards, by angles.
+  turn(right, upwards) {
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    offset.applyAxisAngle(this.camera.up, -right);
+    const axis = new THREE.Vector3().crossVectors(this.camera.up, offset).normalize();
+    const angle = offset.angleTo(this.camera.up);
+    offset.applyAxisAngle(axis, Math.min(Math.max(angle - upwards, 0.02), Math.PI - 0.02) - angle);
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.controls.update();
+  }
+
+  zoom(factor) {
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    offset.setLength(Math.min(Math.max(offset.length() / factor, this.controls.minDistance), this.controls.maxDistance));
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.controls.update();
+  }
+
+  // Moves the view by fractions of what is seen.
+  move(right, upwards) {
+    const reach = 0.5 * this.camera.position.distanceTo(this.controls.target);
+    const step = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 0).multiplyScalar(right * reach);
+    step.add(new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 1).multiplyScalar(upwards * reach));
+    this.camera.position.add(step);
+    this.controls.target.add(step);
+    this.controls.update();
+  }
+
+  resize(width, height) {
+    this.width = Math.max(1, Math.floor(width));
+    this.height = Math.max(1, Math.floor(height));
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
+    this.renderer.setSize(this.width, this.height, false);
+    this.numberTarget.setSize(this.width, this.height);
+    const wasNarrow = Math.min(1, this.camera.aspect);
+    this.camera.aspect = this.width / this.height;
+    this.camera.updateProjectionMatrix();
+    this.zoom(Math.min(1, this.camera.aspect) / wasNarrow);
+    this.requestDrawing();
+  }
+
+  // Shows the graph of a view, whose arcs have these colours; nodes are coloured by `nodeColor(node)`.
+  setView(view, arcColors, nodeColor) {
+    this.remove(this.graph || []);
+    this.view = view;
+    this.arcTable = new ColorTable(view.arcs.length);
+    this.arcColors = arcColors;
+    this.nodeTable = new ColorTable(view.nodes.length);
+    view.nodes.forEach((node, i) => this.nodeTable.setColor(i, nodeColor(node)));
+    for (let place = 0; place < this.placeTable.size; ++place) {
+      const arc = view.placeOf(place);
+      this.placeTable.setColor(place, arc >= 0 ? arcColors[arc] : [0.6, 0.6, 0.6]);
+    }
+    const polylines = view.arcs.map((arc, id) => ({points: arc.polyline, isClosed: false, id}));
+    const many = Math.max(0.4, Math.min(1, 6 / Math.sqrt(view.arcs.length)));
+    this.tubeRadius = 0.0075 * many * this.pose.size;
+    const tubes = this.tubeGeometry(polylines, this.tubeRadius, 8, (arc, t) => view.value(arc, t));
+    const tubeMaterial = this.tubeMaterial(this.arcTable, {});
+    const nodes = this.nodeGeometry(view);
+    const nodeUniforms = {
+      colors: {value: this.nodeTable.texture}, rows: {value: this.nodeTable.rows},
+      size: {value: (8 + 8 * many) * this.renderer.getPixelRatio()}, outline: {value: this.outline}, firstNumber: {value: 0}
+    };
+    const nodeMaterial = makeMaterial(shaders.nodeVertex, shaders.nodeFragment, nodeUniforms, {});
+    const firstArc = this.placeTable.size + 1, firstNode = firstArc + view.arcs.length;
+    const tubeNumbers = makeMaterial(shaders.tubeVertex, shaders.tubeNumberFragment,
+                                     {inflation: {value: 0.6 * this.tubeRadius}, firstNumber: {value: firstArc}}, {});
+    const nodeNumbers = makeMaterial(shaders.nodeVertex, shaders.nodeNumberFragment,
+                                     Object.assign({}, nodeUniforms, {firstNumber: {value: firstNode}}), {});
+    const parts = [[this.scene, tubes, tubeMaterial, 0, THREE.Mesh], [this.scene, nodes, nodeMaterial, 1, THREE.Points],
+                   [this.numberScene, tubes, tubeNumbers, 20, THREE.Mesh],
+                   [this.numberScene, nodes, nodeNumbers, 21, THREE.Points]];
+    this.graph = parts.map(([scene, geometry, material, order, Kind]) =>
+      ({scene, object: this.add(scene, geometry, material, order, Kind)}));
+    // What is pointed at is the graph rather than the surface before it.
+    this.graph[2].object.onBeforeRender = renderer => renderer.clearDepth();
+    this.nodeUniforms = nodeUniforms;
+    this.setTubeColors();
+    this.setLayers(this.layers);
+    this.setLit(null);
+  }
+
+  nodeGeometry(view) {
+    const geometry = new THREE.BufferGeometry(), center = this.pose.center;
+    const points = [].concat(...view.nodes.map(node => node.point.map((x, i) => x - center[i])));
+    geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(points), 3));
+    const numbers = new Float32Array(view.nodes.map((_, i) => i));
+    geometry.setAttribute("number", new THREE.BufferAttribute(numbers, 1));
+    return geometry;
+  }
+
+  setTubeColors() {
+    const isByArcs = this.coloring === "arcs";
+    this.view.arcs.forEach((_, i) => this.arcTable.setColor(i, isByArcs ? this.arcColors[i] : this.lineColor));
+    this.requestDrawing();
+  }
+
+  setColoring(coloring) {
+    this.coloring = coloring;
+    this.surfaceUniforms.coloring.value = coloringNumbers[coloring];
+    if (this.view)
+      this.setTubeColors();
+    this.requestDrawing();
+  }
+
+  setPatchColors(colors) {
+    colors.forEach((color, i) => i < this.patchTable.size && this.patchTable.setColor(i, color));
+    this.requestDrawing();
+  }
+
+  // The colours that go with the background of the page.
+  setTheme(theme) {
+    this.lineColor = theme.line;
+    this.dimColor.setRGB(...theme.dim);
+    this.outline.setRGB(...theme.outline);
+    this.curveTable.setColor(0, theme.curve);
+    this.contourTable.setColor(0, theme.contour);
+    if (this.view)
+      this.setTubeColors();
+    this.requestDrawing();
+  }
+
+  setOpacity(opacity) {
+    this.surfaceUniforms.opacity.value = opacity;
+    this.surfaceLayers.forEach(layer => {
+      layer.visible = opacity > 0;
+    });
+    this.requestDrawing();
+  }
+
+  setLevelLines(count) {
+    this.surfaceUniforms.levelLines.value = count;
+    this.requestDrawing();
+  }
+
+  setLayers(layers) {
+    this.layers = layers;
+    (this.graph || []).forEach(({object}) => {
+      object.visible = layers.graph;
+    });
+    this.curves.forEach(object => {
+      object.visible = layers.curves;
+    });
+    this.requestDrawing();
+  }
+
+  // Lights an arc {arc} or a node {node} and dims the rest, or nothing.
+  setLit(target) {
+    const isArcLit = target !== null && target.arc !== undefined;
+    const light = arc => isArcLit ? (arc === target.arc ? lit : dimmed) : unlit;
+    this.placeTable.setLight(place => light(this.view.placeOf(place)));
+    this.arcTable.setLight(light);
+    const ends = isArcLit ? [this.view.arcs[target.arc].source, this.view.arcs[target.arc].target] : [];
+    this.nodeTable.setLight(node => ends.includes(node) || (target && target.node === node) ? lit : unlit);
+    this.requestDrawing();
+  }
+
+  setContour(contour) {
+    this.remove(this.contour);
+    this.contour = [];
+    if (contour) {
+      const geometry = this.tubeGeometry([Object.assign({id: 0}, contour)], 0.0055 * this.pose.size, 8, () => 0);
+      const hidden = this.tubeMaterial(this.contourTable, {depthTest: false, depthWrite: false, transparent: true});
+      hidden.uniforms.alpha.value = 0.35;
+      const seen = this.tubeMaterial(this.contourTable, {transparent: true});
+      this.contour = [hidden, seen].map((material, i) =>
+        ({scene: this.scene, object: this.add(this.scene, geometry, material, 12 + i)}));
+    }
+    this.requestDrawing();
+  }
+
+  requestDrawing() {
+    this.areNumbersOld = true;
+    if (this.isDrawingRequested)
+      return;
+    this.isDrawingRequested = true;
+    requestAnimationFrame(() => {
+      this.isDrawingRequested = false;
+      this.draw();
+    });
+  }
+
+  draw() {
+    if (!this.width)
+      return;
+    ++this.drawings;
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  // What is at a place of the canvas, in pixels of the page: {arc}, {node}, or null.
+  pick(x, y) {
+    if (!this.width || x < 0 || y < 0 || x >= this.width || y >= this.height)
+      return null;
+    const isGraphSeen = this.layers.graph && this.surfaceUniforms.opacity.value < 0.97;
+    if (this.areNumbersOld) {
+      this.graph.slice(2).forEach(({object}) => {
+        object.visible = isGraphSeen;
+      });
+      const color = this.renderer.getClearColor().clone(), alpha = this.renderer.getClearAlpha();
+      this.renderer.setRenderTarget(this.numberTarget);
+      this.renderer.setClearColor(0, 0);
+      this.renderer.clear();
+      this.renderer.render(this.numberScene, this.camera);
+      this.renderer.setRenderTarget(null);
+      this.renderer.setClearColor(color, alpha);
+      this.areNumbersOld = false;
+    }
+    const pixel = new Uint8Array(4);
+    this.renderer.readRenderTargetPixels(this.numberTarget, Math.floor(x), this.height - 1 - Math.floor(y), 1, 1, pixel);
+    return this.targetOfNumber(65536 * pixel[0] + 256 * pixel[1] + pixel[2]);
+  }
+
+  targetOfNumber(number) {
+    if (number === 0)
+      return null;
+    let place = number - 1;
+    if (place < this.placeTable.size) {
+      place = this.view.placeOf(place);
+      return place >= 0 ? {arc: place} : {node: -1 - place};
+    }
+    place -= this.placeTable.size;
+    return place < this.view.arcs.length ? {arc: place} : {node: place - this.view.arcs.length};
+  }
+
+  // Where a point of the data is on the canvas, in pixels of the page.
+  project(point) {
+    const projected = new THREE.Vector3(...point.map((x, i) => x - this.pose.center[i])).project(this.camera);
+    return [(projected.x + 1) / 2 * this.width, (1 - projected.y) / 2 * this.height];
+  }
+}

@@ -7,6 +7,7 @@ set(reeb_graph_page_scripts
     tubes.js
     graphs.js
     scales.js
+    poses.js
     shaders.js
     scene.js
     drawing.js

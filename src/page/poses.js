@@ -1,0 +1,107 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+/* global cross, dot, normalized, rangeOf */
+/* exported findPose, cornerNormals */
+
+// How a surface is looked at: where it is, which way is up, and its normals.
+
+// The directions are tried in which the field rises most, if it is nearly a height; otherwise the axis that goes with it.
+function findUp(positions, values) {
+  const count = values.length, means = [0, 0, 0, 0];
+  for (let v = 0; v < count; ++v) {
+    for (let i = 0; i < 3; ++i)
+      means[i] += positions[3 * v + i] / count;
+    means[3] += values[v] / count;
+  }
+  // Covariances of the coordinates, and with the field.
+  const c = [[0, 0, 0], [0, 0, 0], [0, 0, 0]], b = [0, 0, 0];
+  let variance = 0;
+  for (let v = 0; v < count; ++v) {
+    const p = [0, 1, 2].map(i => positions[3 * v + i] - means[i]), f = values[v] - means[3];
+    for (let i = 0; i < 3; ++i) {
+      for (let j = 0; j < 3; ++j)
+        c[i][j] += p[i] * p[j];
+      b[i] += p[i] * f;
+    }
+    variance += f * f;
+  }
+  // The gradient of the linear function nearest to the field, by Cramer's rule.
+  const determinant = dot(c[0], cross(c[1], c[2]));
+  const gradient = [0, 1, 2].map(i => dot(b, cross(c[(i + 1) % 3], c[(i + 2) % 3])) / determinant);
+  const isLinear = gradient.every(isFinite) && dot(gradient, b) > 0.9 * variance && variance > 0;
+  if (isLinear)
+    return normalized(gradient);
+  const correlations = [0, 1, 2].map(i => b[i] / Math.sqrt(c[i][i] * variance) || 0);
+  const best = correlations.reduce((k, x, i) => Math.abs(x) > Math.abs(correlations[k]) ? i : k, 0);
+  const axis = Math.abs(correlations[best]) > 0.3 ? best : 2;
+  return [0, 1, 2].map(i => i === axis ? (correlations[axis] < -0.3 ? -1 : 1) : 0);
+}
+
+// The horizontal direction in which the surface is thinnest: from there most of it is seen.
+function findThinDirection(positions, up) {
+  const first = normalized(cross(up, Math.abs(up[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0])), second = cross(up, first);
+  let best = first, least = Infinity;
+  const step = 3 * Math.max(1, Math.floor(positions.length / 3 / 5000));
+  for (let k = 0; k < 36; ++k) {
+    const angle = Math.PI * k / 36;
+    const direction = first.map((x, i) => Math.cos(angle) * x + Math.sin(angle) * second[i]);
+    let low = Infinity, high = -Infinity;
+    for (let j = 0; j < positions.length; j += step) {
+      const x = direction[0] * positions[j] + direction[1] * positions[j + 1] + direction[2] * positions[j + 2];
+      low = Math.min(low, x);
+      high = Math.max(high, x);
+    }
+    if (high - low < 0.999 * least) {
+      least = high - low;
+      best = direction;
+    }
+  }
+  return best;
+}
+
+// The center and size (of the diagonal) of the surface, which way is up, and from where it is looked at.
+function findPose(positions, values) {
+  const ranges = [0, 1, 2].map(i => rangeOf(positions.filter((_, j) => j % 3 === i)));
+  const up = findUp(positions, values);
+  const thin = findThinDirection(positions, up), side = cross(up, thin);
+  const turn = 0.42, lift = 0.24;
+  const towardsEye = normalized([0, 1, 2].map(i =>
+    Math.cos(lift) * (Math.cos(turn) * thin[i] + Math.sin(turn) * side[i]) + Math.sin(lift) * up[i]));
+  return {
+    center: ranges.map(range => (range.low + range.high) / 2),
+    size: Math.sqrt(ranges.reduce((sum, range) => sum + Math.pow(range.high - range.low, 2), 0)) || 1,
+    up, towardsEye
+  };
+}
+
+// The normals of the corners of all triangles as four bytes each: smooth, except across sharp edges.
+function cornerNormals(positions, triangles) {
+  const smooth = new Float64Array(positions.length), flat = new Float64Array(triangles.length);
+  for (let k = 0; k < triangles.length; k += 3) {
+    const [a, b, c] = [0, 1, 2].map(i => 3 * triangles[k + i]);
+    const ux = positions[b] - positions[a], uy = positions[b + 1] - positions[a + 1];
+    const uz = positions[b + 2] - positions[a + 2], vx = positions[c] - positions[a];
+    const vy = positions[c + 1] - positions[a + 1], vz = positions[c + 2] - positions[a + 2];
+    const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    for (let i = 0; i < 3; ++i) {
+      flat[k + i] = normal[i];
+      smooth[a + i] += normal[i];
+      smooth[b + i] += normal[i];
+      smooth[c + i] += normal[i];
+    }
+  }
+  const normals = new Int8Array(4 * triangles.length);
+  for (let k = 0; k < triangles.length; ++k) {
+    const face = k - k % 3;
+    const f = normalized([flat[face], flat[face + 1], flat[face + 2]]);
+    const v = 3 * triangles[k], s = normalized([smooth[v], smooth[v + 1], smooth[v + 2]]);
+    const n = dot(f, s) > 0.6 ? s : f;
+    for (let i = 0; i < 3; ++i)
+      normals[4 * k + i] = Math.round(127 * n[i]);
+  }
+  return normals;
+}
