@@ -65,6 +65,12 @@ void add_field_option(CLI::App& command, Input_options& options)
     ->check(CLI::Validator([](const std::string& name) { return name.empty() ? "it is empty" : ""; }, ""));
 }
 
+void add_page_options(CLI::App& command, std::string& page_path, std::string& unit)
+{
+  command.add_option("--html", page_path, "Write a page to this file, .html, that shows the graph on the surface");
+  command.add_option("--unit", unit, "The unit of the field, which the page writes behind values");
+}
+
 void add_threads_option(CLI::App& command, std::size_t& number_of_threads)
 {
   command.add_option("--threads", number_of_threads, "Work with this many threads, by default one per core")
@@ -131,6 +137,7 @@ void add_compute_command(CLI::App& app, Compute_options& options)
     "--pairs", options.pairs_path,
     "Write the pairs of extended persistence of the given graph to this file, .csv, or .pers for GUDHI");
   command->add_option("--diagram", options.diagram_path, "Draw the persistence diagram of the given graph, .svg");
+  add_page_options(*command, options.page_path, options.unit);
   add_simplification_options(*command, options.simplification);
   command->add_option("--simplified-scalars", options.simplified_scalars_path,
                       "With --simplify or --leaves: write a field that has the simplified graph to this file");
@@ -202,6 +209,7 @@ void add_curves_command(CLI::App& app, Curves_options& options)
                       "a property and as colours of the faces");
   command->add_option("--patches", options.patches_path,
                       "Write to this file, for each face of the cut mesh on a line, the number of its patch");
+  add_page_options(*command, options.page_path, options.unit);
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
   command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_curves(options); }); });

@@ -29,6 +29,8 @@ struct Compute_options
   std::string pairs_path;
   std::string diagram_path;
   std::string simplified_scalars_path;
+  std::string page_path;
+  std::string unit; // of the field, for what is drawn
   bool is_report_json = false;
   std::optional<bool> is_table_wanted; // by default that of a graph of few arcs
 };
@@ -48,6 +50,8 @@ struct Curves_options
   std::string curves_path; // empty if they are not written
   std::string cut_mesh_path;
   std::string patches_path;
+  std::string page_path;
+  std::string unit; // of the field, for what is drawn
   bool is_report_json = false;
   std::size_t number_of_threads = 0; // 0: one per core
 };

@@ -20,6 +20,7 @@
 #include "output/output_file.h"
 #include "output/pairs_output.h"
 #include "output/report_output.h"
+#include "page/page_output.h"
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 
@@ -39,8 +40,10 @@ void check(const Compute_options& options)
     check_pairs_format(options.pairs_path);
   if(!options.diagram_path.empty())
     check_diagram_format(options.diagram_path);
+  if(!options.page_path.empty())
+    check_page(options.page_path);
   check_distinct_paths({options.graph_path, options.vertex_arcs_path, options.pairs_path, options.diagram_path,
-                        options.simplified_scalars_path});
+                        options.simplified_scalars_path, options.page_path});
   check_simplification_options(options.simplification);
   if(options.simplified_scalars_path.empty())
     return;
@@ -99,6 +102,20 @@ void write_graph_file(const Compute_options& options, const Graph& graph, const 
   report.seconds.emplace_back("output", stopwatch.seconds());
 }
 
+void write_page_file(const Compute_options& options,
+                     const Simplified_graph& graph,
+                     const Surface& surface,
+                     Scalar_map scalar_map,
+                     Report& report)
+{
+  if(options.page_path.empty())
+    return;
+  const Stopwatch stopwatch;
+  write_page(options.page_path, {graph.augmentation(surface, scalar_map, options.graph), scalar_map,
+                                 page_labels(options.input, options.unit)});
+  report.seconds.emplace_back("page", stopwatch.seconds());
+}
+
 void write_simplified_field(const Compute_options& options,
                             Surface& surface,
                             Scalar_map scalar_map,
@@ -146,6 +163,7 @@ void run_compute(const Compute_options& options)
   write_pairs_and_diagram(options, given, surface, threshold, report);
   write_vertex_arcs_and_table(options, graph, surface, scalar_map, report);
   write_graph_file(options, graph.result(), surface, report);
+  write_page_file(options, graph, surface, scalar_map, report);
   if(options.is_report_json)
     write_json(std::cout, report);
   else

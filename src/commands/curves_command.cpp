@@ -8,6 +8,8 @@
 
 #include "base/stopwatch.h"
 #include "commands/commands.h"
+#include "computation/analysis.h"
+#include "computation/augmentation.h"
 #include "computation/curves.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
@@ -18,6 +20,7 @@
 #include "output/output_file.h"
 #include "output/polylines_output.h"
 #include "output/report_output.h"
+#include "page/page_output.h"
 
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 
@@ -89,6 +92,22 @@ void write_files(const Curves_options& options, const Surface& surface, const Cu
     write_patches(options.patches_path, surface, result.patch_map);
 }
 
+// The page shows the graph of the field on the cut mesh.
+void write_page_file(const Curves_options& options,
+                     const Surface& surface,
+                     Scalar_map scalar_map,
+                     const Cut_result& result,
+                     Curves_report& report)
+{
+  if(options.page_path.empty())
+    return;
+  const Stopwatch stopwatch;
+  const Graph graph = compute_graph(surface, scalar_map, Graph_options());
+  write_page(options.page_path, {Augmentation(surface, scalar_map, graph), scalar_map,
+                                 page_labels(options.input, options.unit), result.patch_map, result.polylines});
+  report.add_seconds("page", stopwatch.seconds());
+}
+
 Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& options)
 {
   try
@@ -109,7 +128,9 @@ void run_curves(const Curves_options& options)
   check_formats(options);
   check_simplification_options(options.simplification);
   check_simplification_of_field(options.simplification);
-  check_distinct_paths({options.curves_path, options.cut_mesh_path, options.patches_path});
+  if(!options.page_path.empty())
+    check_page(options.page_path);
+  check_distinct_paths({options.curves_path, options.cut_mesh_path, options.patches_path, options.page_path});
   Curves_report report;
   Surface surface = read_surface(options.input, report);
   Input_options input = options.input;
@@ -129,6 +150,7 @@ void run_curves(const Curves_options& options)
   const Stopwatch output_stopwatch;
   write_files(options, surface, result);
   report.add_seconds("output", output_stopwatch.seconds());
+  write_page_file(options, surface, scalar_map, result, report);
   report.curves = result.polylines.size();
   report.patches = result.number_of_patches;
   report.border_changes = result.border_changes;

@@ -21,15 +21,6 @@
 
 namespace reeb_graph_program {
 namespace {
-Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options)
-{
-  Graph graph;
-  Progress_bar progress_bar("graph");
-  CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(surface, scalar_map, graph,
-                                                            named_parameters(options).callback(std::ref(progress_bar)));
-  return graph;
-}
-
 std::vector<Polyline> contour_of_arc(const Surface& surface,
                                      const Graph& graph,
                                      const Augmentation& augmentation,
@@ -52,6 +43,15 @@ std::vector<Polyline> contours_at_level(const Surface& surface, const Augmentati
 }
 
 } // namespace
+
+Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options)
+{
+  Graph graph;
+  Progress_bar progress_bar("graph");
+  CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(surface, scalar_map, graph,
+                                                            named_parameters(options).callback(std::ref(progress_bar)));
+  return graph;
+}
 
 Vertex_locations locate_vertices(const Augmentation& augmentation)
 {

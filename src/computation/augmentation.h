@@ -21,6 +21,9 @@
 namespace reeb_graph_program {
 typedef Augmentation::Vertex_locations Vertex_locations;
 
+// Without a report of the stages.
+Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options);
+
 // The places are numbered as in the graph files.
 Vertex_locations locate_vertices(const Augmentation& augmentation);
 

@@ -1,0 +1,97 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "page/display_surface.h"
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace reeb_graph_program {
+namespace {
+double largest_extent(const CGAL::Bbox_3& box)
+{
+  return (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+}
+
+void add_vertex(const Page_subject& subject,
+                const Page_frame& frame,
+                const Vertex_locations& locations,
+                Surface::Vertex_index v,
+                Display_surface& result)
+{
+  for(int i = 0; i != 3; ++i)
+    result.positions.push_back(static_cast<float>(subject.surface().point(v)[i] - frame.origin[i]));
+  result.values.push_back(subject.scalar_map[v]);
+  const std::size_t place = locations.index(v), number_of_nodes = num_vertices(subject.graph());
+  result.vertex_arcs.push_back(place < number_of_nodes ? -1 - static_cast<std::int32_t>(place)
+                                                       : static_cast<std::int32_t>(place - number_of_nodes));
+}
+
+} // namespace
+
+Page_frame::Page_frame(const Surface& surface)
+{
+  constexpr double largest_coordinate = 1e30;
+  for(const Surface::Vertex_index v : surface.vertices())
+    for(int i = 0; i != 3; ++i)
+      if(!(std::abs(surface.point(v)[i]) <= largest_coordinate))
+        throw std::runtime_error("a page shows no coordinates beyond 1e30");
+  if(surface.number_of_vertices() == 0)
+    return;
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(surface);
+  const double size = largest_extent(box);
+  constexpr double far_away = 10; // sizes
+  for(int i = 0; i != 3; ++i)
+    if((std::max)(std::abs(box.min(i)), std::abs(box.max(i))) > far_away * size)
+    {
+      origin = {(box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2};
+      break;
+    }
+  if(size > 0)
+    digits = std::pow(10., 7 - std::floor(std::log10(size)));
+}
+
+std::array<double, 3> Page_frame::coordinates(const Point& point) const
+{
+  std::array<double, 3> result;
+  for(int i = 0; i != 3; ++i)
+  {
+    const double rounded = std::round((point[i] - origin[i]) * digits) / digits;
+    result[i] = std::isfinite(rounded) ? rounded : point[i] - origin[i];
+  }
+  return result;
+}
+
+Display_surface display_surface(const Page_subject& subject, const Page_frame& frame, const Vertex_locations& locations)
+{
+  const Surface& surface = subject.surface();
+  Display_surface result;
+  result.new_numbers.resize(surface.number_of_vertices() + surface.number_of_removed_vertices());
+  std::uint32_t number = 0;
+  for(const Surface::Vertex_index v : surface.vertices())
+  {
+    result.new_numbers[v.idx()] = number++;
+    add_vertex(subject, frame, locations, v, result);
+  }
+  for(const Surface::Face_index f : surface.faces())
+    for(const Surface::Vertex_index v : surface.vertices_around_face(surface.halfedge(f)))
+      result.triangles.push_back(result.new_numbers[v.idx()]);
+  if(subject.patch_map)
+  {
+    result.face_patches.emplace();
+    for(const Surface::Face_index f : surface.faces())
+      result.face_patches->push_back((*subject.patch_map)[f]);
+  }
+  return result;
+}
+
+} // namespace reeb_graph_program

@@ -1,0 +1,55 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_DISPLAY_SURFACE_H
+#define CGAL_REEB_GRAPH_SRC_DISPLAY_SURFACE_H
+
+#include "base/surface.h"
+#include "computation/augmentation.h"
+#include "page/page_data.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace reeb_graph_program {
+// The place and the size of the picture.
+struct Page_frame
+{
+  // Throws std::runtime_error if a coordinate is infinite, NaN, or of a size that no picture has.
+  explicit Page_frame(const Surface& surface);
+
+  // The coordinates of a point in the page, with digits for a millionth of the size.
+  std::array<double, 3> coordinates(const Point& point) const;
+
+  // The centre of the surface where the coordinates have too few digits in single precision, else 0.
+  std::array<double, 3> origin = {0, 0, 0};
+  double digits = 1; // a power of ten: the coordinates are rounded to multiples of its inverse
+};
+
+// The surface as the page shows it.
+struct Display_surface
+{
+  std::vector<float> positions;          // three for each vertex
+  std::vector<double> values;            // of the field
+  std::vector<std::uint32_t> triangles;  // three vertices for each face
+  std::vector<std::int32_t> vertex_arcs; // the number of an arc, or -1 - that of a node
+  std::optional<std::vector<std::int32_t>> face_patches;
+  bool is_decimated = false;
+  std::vector<std::uint32_t> new_numbers; // of the vertices by their indices; empty if the surface is decimated
+};
+
+Display_surface display_surface(const Page_subject& subject,
+                                const Page_frame& frame,
+                                const Vertex_locations& locations);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_DISPLAY_SURFACE_H

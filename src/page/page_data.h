@@ -1,0 +1,61 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_PAGE_DATA_H
+#define CGAL_REEB_GRAPH_SRC_PAGE_DATA_H
+
+#include "base/options.h"
+#include "base/surface.h"
+#include "computation/augmentation.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reeb_graph_program {
+// The names of what a page shows.
+struct Page_labels
+{
+  std::string title;
+  std::string field_name;
+  std::string unit; // of the field; may be empty
+};
+
+// The title is the name of the file of the mesh.
+Page_labels page_labels(const Input_options& input, const std::string& unit);
+
+// What a page shows: a graph on its surface, with patches and curves if there are any.
+struct Page_subject
+{
+  const Augmentation& augmentation; // the way from the graph to the surface
+  Scalar_map scalar_map;
+  Page_labels labels;
+  std::optional<Patch_map> patch_map = std::nullopt;
+  std::vector<Polyline> curves = {};
+
+  const Surface& surface() const { return augmentation.mesh(); }
+  const Graph& graph() const { return augmentation.graph(); }
+};
+
+// The data of the page, which its script src/page/data.js reads.
+//
+// Arrays of numbers that belong to the surface are base64 codes of little-endian numbers. All points are relative to
+// surface.origin. A number that JSON does not have is one of the strings "Infinity", "-Infinity" and "NaN", for which
+// JavaScript's Number() returns it; field.lowest and field.highest are always finite, with room for infinite values,
+// and so are the heights in the plane.
+//
+// A chain is a sequence of vertices, of which each pair of neighbours is an ascending edge, but where a chain consists of
+// several pieces. For any level that an arc crosses, the edge to start its contour at leads from the last vertex of the
+// chain that is below the level to the vertex that follows.
+nlohmann::ordered_json page_data(const Page_subject& subject);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_PAGE_DATA_H

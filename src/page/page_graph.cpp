@@ -1,0 +1,151 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "page/page_graph.h"
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace reeb_graph_program {
+namespace {
+// Stand-ins until the layout is there.
+struct Plane_layout
+{
+  std::vector<double> node_positions;
+  std::vector<std::vector<std::array<double, 2>>> arc_polylines;
+};
+
+Plane_layout lay_out_in_plane(const Graph& graph)
+{
+  Plane_layout layout;
+  for(const auto node : CGAL::make_range(vertices(graph)))
+    layout.node_positions.push_back(static_cast<double>(node % 5));
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const auto lower = source(arc, graph), upper = target(arc, graph);
+    layout.arc_polylines.push_back(
+      {{layout.node_positions[lower], graph[lower].value}, {layout.node_positions[upper], graph[upper].value}});
+  }
+  return layout;
+}
+
+std::vector<double> arc_persistences(const Graph& graph)
+{
+  std::vector<double> persistences;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+    persistences.push_back(graph[target(arc, graph)].value - graph[source(arc, graph)].value);
+  return persistences;
+}
+
+nlohmann::ordered_json page_node(const Graph& graph,
+                                 std::size_t node,
+                                 const Point& point,
+                                 double column,
+                                 const Page_frame& frame)
+{
+  nlohmann::ordered_json json;
+  json["value"] = number_or_string(graph[node].value);
+  json["kind"] = to_string(graph[node].kind);
+  json["vertex"] = graph[node].vertex.idx();
+  json["point"] = frame.coordinates(point);
+  json["column"] = column;
+  return json;
+}
+
+nlohmann::ordered_json flat_polyline(const Polyline& polyline, const Page_frame& frame)
+{
+  auto json = nlohmann::ordered_json::array();
+  for(const Point& point : polyline)
+    for(const double coordinate : frame.coordinates(point))
+      json.push_back(coordinate);
+  return json;
+}
+
+nlohmann::ordered_json flat_drawing(const std::vector<std::array<double, 2>>& drawing, const Drawn_values& drawn_values)
+{
+  auto json = nlohmann::ordered_json::array();
+  for(const auto& [column, value] : drawing)
+  {
+    json.push_back(column);
+    json.push_back(drawn_values(value));
+  }
+  return json;
+}
+
+} // namespace
+
+Drawn_values::Drawn_values(const Surface& surface, Scalar_map scalar_map)
+{
+  double finite_lowest = std::numeric_limits<double>::infinity(), finite_highest = -finite_lowest;
+  bool is_any_low = false, is_any_high = false;
+  for(const Surface::Vertex_index v : surface.vertices())
+  {
+    const double value = scalar_map[v];
+    if(std::isfinite(value))
+    {
+      finite_lowest = (std::min)(finite_lowest, value);
+      finite_highest = (std::max)(finite_highest, value);
+    }
+    else
+      (value < 0 ? is_any_low : is_any_high) = true;
+  }
+  if(finite_lowest > finite_highest)
+    return;
+  // In halves, as the range of finite values can be infinite.
+  const double half_range = finite_highest / 2 - finite_lowest / 2;
+  const double margin = half_range > 0 ? half_range / 5 : 1;
+  constexpr double largest = (std::numeric_limits<double>::max)();
+  lowest = is_any_low ? (std::max)(finite_lowest - margin, -largest) : finite_lowest;
+  highest = is_any_high ? (std::min)(finite_highest + margin, largest) : finite_highest;
+}
+
+double Drawn_values::operator()(double value) const { return std::clamp(value, lowest, highest); }
+
+nlohmann::ordered_json number_or_string(double number)
+{
+  if(std::isfinite(number))
+    return number;
+  return std::isnan(number) ? "NaN" : number > 0 ? "Infinity" : "-Infinity";
+}
+
+nlohmann::ordered_json page_graph(const Embedded_graph& embedded,
+                                  const Page_frame& frame,
+                                  const Drawn_values& drawn_values)
+{
+  const Graph& graph = embedded.graph;
+  const Plane_layout layout = lay_out_in_plane(graph);
+  const std::vector<double> persistences = arc_persistences(graph);
+  auto nodes = nlohmann::ordered_json::array();
+  for(const auto node : CGAL::make_range(vertices(graph)))
+    nodes.push_back(page_node(graph, node, embedded.node_points[node], layout.node_positions[node], frame));
+  auto arcs = nlohmann::ordered_json::array();
+  for(std::size_t i = 0; i != num_edges(graph); ++i)
+  {
+    const Arc_row& row = embedded.arc_rows[i];
+    nlohmann::ordered_json arc;
+    arc["source"] = row.lower_node;
+    arc["target"] = row.upper_node;
+    arc["polyline"] = flat_polyline(embedded.arc_polylines[i], frame);
+    arc["plane"] = flat_drawing(layout.arc_polylines[i], drawn_values);
+    arc["persistence"] = number_or_string(persistences[i]);
+    arc["length"] = number_or_string(row.length);
+    arc["area"] = number_or_string(row.area);
+    arc["vertices"] = row.vertices;
+    arcs.push_back(std::move(arc));
+  }
+  return {{"nodes", std::move(nodes)}, {"arcs", std::move(arcs)}};
+}
+
+} // namespace reeb_graph_program

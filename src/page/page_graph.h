@@ -1,0 +1,50 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_PAGE_GRAPH_H
+#define CGAL_REEB_GRAPH_SRC_PAGE_GRAPH_H
+
+#include "base/report.h"
+#include "base/surface.h"
+#include "page/display_surface.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <vector>
+
+namespace reeb_graph_program {
+// A graph in space, with what is told of its arcs.
+struct Embedded_graph
+{
+  Graph graph;
+  std::vector<Point> node_points;
+  std::vector<Polyline> arc_polylines; // from the lower node to the upper one
+  std::vector<Arc_row> arc_rows;
+};
+
+// The values of the field as the page draws them: infinite ones where they still fit.
+struct Drawn_values
+{
+  explicit Drawn_values(const Surface& surface, Scalar_map scalar_map);
+
+  double operator()(double value) const;
+
+  double lowest = 0, highest = 1; // of what is drawn
+};
+
+// A number, or a string where JSON has none.
+nlohmann::ordered_json number_or_string(double number);
+
+// The nodes and arcs, without what leads from arcs to the surface.
+nlohmann::ordered_json page_graph(const Embedded_graph& embedded,
+                                  const Page_frame& frame,
+                                  const Drawn_values& drawn_values);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_PAGE_GRAPH_H

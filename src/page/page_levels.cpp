@@ -1,0 +1,181 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "page/page_levels.h"
+
+#include "computation/simplification.h"
+
+#include <CGAL/Reeb_graph/simplification/simplify.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace reeb_graph_program {
+namespace {
+typedef CGAL::Reeb_graph::Simplification<Graph> Simplification;
+
+constexpr std::size_t largest_number_of_levels = 32;
+constexpr std::size_t number_of_all_last_levels = 20; // of so many of the largest thresholds, none is left out
+
+// The thresholds from which on something more is removed, ascending.
+std::vector<double> thresholds(const Graph& graph)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> result;
+  for(const Persistence_pair& pair : find_persistence_pairs(graph))
+  {
+    const double persistence = CGAL::Reeb_graph::persistence(graph, pair);
+    if(pair.kind != CGAL::Reeb_graph::Persistence_pair_kind::MINIMUM_MAXIMUM && persistence < infinity)
+      result.push_back(std::nextafter(persistence, infinity));
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+// All of the last ones, and of those before, whose graphs have more arcs, ever fewer.
+std::vector<double> choose(const std::vector<double>& candidates)
+{
+  if(candidates.size() < largest_number_of_levels)
+    return candidates;
+  const std::size_t number_before = candidates.size() - number_of_all_last_levels;
+  const std::size_t number_of_chosen = largest_number_of_levels - 1 - number_of_all_last_levels;
+  std::vector<double> chosen(candidates.begin() + static_cast<std::ptrdiff_t>(number_before), candidates.end());
+  for(std::size_t i = 1; i <= number_of_chosen; ++i)
+  {
+    const double share = std::pow(double(number_before), double(i) / double(number_of_chosen));
+    chosen.push_back(candidates[number_before - (std::min)(static_cast<std::size_t>(share), number_before)]);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  return chosen;
+}
+
+// For each arc of a simplified graph, the given arcs that it consists of, by the chains.
+std::vector<std::vector<std::size_t>> parts_of_arcs(const Graph& given, const Graph& simplified)
+{
+  std::map<Surface::Halfedge_index, std::pair<std::size_t, std::size_t>> arc_and_length_by_start;
+  std::size_t number = 0;
+  for(const auto arc : CGAL::make_range(edges(given)))
+    arc_and_length_by_start[given[arc].chain.front()] = {number++, given[arc].chain.size()};
+  std::vector<std::vector<std::size_t>> parts;
+  for(const auto arc : CGAL::make_range(edges(simplified)))
+  {
+    parts.emplace_back();
+    const auto& chain = simplified[arc].chain;
+    for(std::size_t i = 0; i < chain.size();)
+    {
+      const auto [part, length] = arc_and_length_by_start.at(chain[i]);
+      parts.back().push_back(part);
+      i += length;
+    }
+  }
+  return parts;
+}
+
+// What the simplified arcs consist of, and all that they have taken up.
+Embedded_graph simplified_embedding(const Embedded_graph& given,
+                                    Graph simplified,
+                                    const Simplification& simplification,
+                                    const std::vector<std::vector<std::size_t>>& parts)
+{
+  Embedded_graph result;
+  result.node_points.resize(num_vertices(simplified));
+  for(const auto node : CGAL::make_range(vertices(given.graph)))
+  {
+    const std::size_t place = simplification.index_of_node(node);
+    if(place < num_vertices(simplified) && simplified[place].vertex == given.graph[node].vertex)
+      result.node_points[place] = given.node_points[node];
+  }
+  for(const auto arc : CGAL::make_range(edges(simplified)))
+  {
+    const std::size_t lower = source(arc, simplified), upper = target(arc, simplified);
+    Arc_row row = {lower, upper, simplified[lower].value, simplified[upper].value, 0, 0, 0};
+    Polyline polyline;
+    for(const std::size_t part : parts[result.arc_rows.size()])
+    {
+      const Polyline& more = given.arc_polylines[part];
+      polyline.insert(polyline.end(), more.begin() + (polyline.empty() ? 0 : 1), more.end());
+      row.length += given.arc_rows[part].length;
+    }
+    result.arc_polylines.push_back(std::move(polyline));
+    result.arc_rows.push_back(row);
+  }
+  for(std::size_t i = 0; i != given.arc_rows.size(); ++i)
+  {
+    const std::size_t place = simplification.index_of_arc(i);
+    if(place < num_vertices(simplified))
+      continue;
+    Arc_row& row = result.arc_rows[place - num_vertices(simplified)];
+    row.area += given.arc_rows[i].area;
+    row.vertices += given.arc_rows[i].vertices;
+  }
+  result.graph = std::move(simplified);
+  return result;
+}
+
+nlohmann::ordered_json page_level(const Embedded_graph& given,
+                                  double threshold,
+                                  Graph simplified,
+                                  const Simplification& simplification,
+                                  const Page_frame& frame,
+                                  const Drawn_values& drawn_values)
+{
+  const std::size_t number_of_nodes = num_vertices(simplified);
+  nlohmann::ordered_json level;
+  level["threshold"] = threshold;
+  auto& new_arcs = level["arcs"] = nlohmann::ordered_json::array();
+  for(std::size_t i = 0; i != given.arc_rows.size(); ++i)
+  {
+    const std::size_t place = simplification.index_of_arc(i);
+    new_arcs.push_back(place < number_of_nodes ? -1 - static_cast<std::ptrdiff_t>(place)
+                                               : static_cast<std::ptrdiff_t>(place - number_of_nodes));
+  }
+  const auto parts = parts_of_arcs(given.graph, simplified);
+  level["graph"] =
+    page_graph(simplified_embedding(given, std::move(simplified), simplification, parts), frame, drawn_values);
+  for(std::size_t i = 0; i != parts.size(); ++i)
+    level["graph"]["arcs"][i]["parts"] = parts[i];
+  return level;
+}
+
+} // namespace
+
+nlohmann::ordered_json page_levels(const Embedded_graph& given,
+                                   const Page_frame& frame,
+                                   const Drawn_values& drawn_values)
+{
+  nlohmann::ordered_json first;
+  first["threshold"] = 0;
+  auto& arcs = first["arcs"] = nlohmann::ordered_json::array();
+  for(std::size_t i = 0; i != given.arc_rows.size(); ++i)
+    arcs.push_back(i);
+  auto levels = nlohmann::ordered_json::array({first});
+  std::size_t last_number_of_arcs = num_edges(given.graph);
+  for(const double threshold : choose(thresholds(given.graph)))
+  {
+    Graph simplified;
+    const Simplification simplification =
+      CGAL::Reeb_graph::simplify(given.graph, threshold, simplified, CGAL::parameters::cancel_loops(true));
+    if(num_edges(simplified) == last_number_of_arcs)
+      continue;
+    last_number_of_arcs = num_edges(simplified);
+    levels.push_back(page_level(given, threshold, std::move(simplified), simplification, frame, drawn_values));
+  }
+  return levels;
+}
+
+} // namespace reeb_graph_program

@@ -1,0 +1,25 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_PAGE_LEVELS_H
+#define CGAL_REEB_GRAPH_SRC_PAGE_LEVELS_H
+
+#include "page/page_graph.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace reeb_graph_program {
+// The graph, and simplified graphs for thresholds that ascend, loops cancelled: all there are if they are few, else
+// those of the largest thresholds, and some of the others.
+nlohmann::ordered_json page_levels(const Embedded_graph& given,
+                                   const Page_frame& frame,
+                                   const Drawn_values& drawn_values);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_PAGE_LEVELS_H

@@ -1,0 +1,94 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "page/page_output.h"
+
+#include "output/output_file.h"
+#include "page/page_template.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace reeb_graph_program {
+namespace {
+// Where the text has one of the characters, it is replaced by what stands for it.
+std::string escape(std::string_view text, std::initializer_list<std::pair<char, std::string_view>> replacements)
+{
+  std::string escaped;
+  escaped.reserve(text.size());
+  for(const char character : text)
+  {
+    const auto replacement = std::find_if(replacements.begin(), replacements.end(),
+                                          [&](const auto& candidate) { return candidate.first == character; });
+    if(replacement == replacements.end())
+      escaped += character;
+    else
+      escaped += replacement->second;
+  }
+  return escaped;
+}
+
+// Bytes that are no UTF-8, as a file name can have, are replaced. JSON has < within strings only, and a script without
+// any cannot be ended by them.
+std::string script_text(const nlohmann::ordered_json& data)
+{
+  return escape(data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace), {{'<', "\\u003c"}});
+}
+
+std::string html_text(const nlohmann::ordered_json& string)
+{
+  // As JSON, it has been made UTF-8.
+  const std::string text = string.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return escape(nlohmann::json::parse(text).get<std::string>(), {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}});
+}
+
+// Writes the page up to the marker and what stands for it, and returns what follows.
+std::string_view write_up_to(std::ostream& stream,
+                             std::string_view page,
+                             std::string_view marker,
+                             std::string_view replacement)
+{
+  const std::size_t position = (std::min)(page.find(marker), page.size());
+  stream << page.substr(0, position);
+  if(position == page.size())
+    return {};
+  stream << replacement;
+  return page.substr(position + marker.size());
+}
+
+} // namespace
+
+bool is_page_available() { return !page_template().empty(); }
+
+void check_page(const std::filesystem::path& path)
+{
+  if(!is_page_available())
+    throw std::runtime_error(
+      "this program has been built without the page: install three.js, Debian's package libjs-three, or name its "
+      "folder by the CMake variable CGAL_REEB_GRAPH_THREE_JS_DIR, and build the program again");
+  if(path.extension() != ".html")
+    throw std::runtime_error(path.string() + ": the file name of a page ends in .html");
+}
+
+void write_page(const std::filesystem::path& path, const Page_subject& subject)
+{
+  const nlohmann::ordered_json data = page_data(subject);
+  const std::string text = script_text(data);
+  write_file(path, [&](std::ostream& stream) {
+    const std::string_view body = write_up_to(stream, page_template(), "<!-- title -->", html_text(data["title"]));
+    stream << write_up_to(stream, body, "<!-- data -->", text);
+  });
+}
+
+} // namespace reeb_graph_program
