@@ -1,0 +1,423 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "computed_graphs.h"
+#include "curve_samples.h"
+
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/embed.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/mpl/list.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// Graphs in space: where the polylines of arcs are, in each manner.
+
+using namespace computed_graphs;
+using CGAL::Reeb_graph::embed;
+using CGAL::Reeb_graph::Embedding_manner;
+using curve_samples::Sample;
+using mesh_builders::Point;
+using mesh_builders::Polyhedron;
+using mesh_builders::Surface_mesh;
+
+typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
+typedef boost::mpl::list<int, float, CGAL::Exact_rational> Other_scalars;
+typedef CGAL::Simple_cartesian<CGAL::Exact_rational> Exact_kernel;
+typedef std::vector<Point> Polyline;
+
+namespace {
+// A mesh and its graph, simplified for some seeds.
+template <class Mesh_>
+struct Embedded_sample
+{
+  typedef Mesh_ Mesh;
+  typedef graph_checks::Scalar_map_of<Mesh> Scalar_map;
+  typedef graph_checks::Graph_of<Mesh> Graph;
+
+  explicit Embedded_sample(const Sample& sample, std::size_t seed = 0)
+    : settings(settings_of_seed(seed)),
+      mesh(make_mesh<Mesh>(sample.soup)),
+      scalar_map(CGAL::Reeb_graph::make_scalar_map(mesh, sample.values)),
+      graph(compute_graph(seed)),
+      augmentation(mesh, scalar_map, graph, named_parameters(settings))
+  {}
+
+  auto embedded(Embedding_manner manner) const
+  {
+    return embed(augmentation, CGAL::parameters::embedding_manner(manner));
+  }
+
+  const Settings settings;
+  const Mesh mesh;
+  const Scalar_map scalar_map;
+  const Graph graph;
+  const CGAL::Reeb_graph::Augmentation<Mesh, Scalar_map> augmentation;
+
+private:
+  Graph compute_graph(std::size_t seed) const
+  {
+    Graph given = compute<CGAL::Sequential_tag>(mesh, scalar_map, settings), simplified;
+    if(seed % 3 != 2)
+      return given;
+    const double threshold = static_cast<double>(seed % 13);
+    if(seed % 2 == 0) // Loops are cancelled in graphs without zero steps only where ties are broken.
+      CGAL::Reeb_graph::simplify(given, threshold, simplified, CGAL::parameters::cancel_loops(true));
+    else
+      CGAL::Reeb_graph::simplify(given, threshold, simplified);
+    return simplified;
+  }
+};
+
+template <class Mesh, class Test>
+void for_each_sample(std::size_t number_of_seeds, const Test& test)
+{
+  for(std::size_t seed = 0; seed < number_of_seeds; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+  test(Embedded_sample<Mesh>(curve_samples::any_sample(seed), seed));
+}
+
+// What holds in each manner: the ends of polylines, and values that do not fall.
+template <class S, class Embedding>
+std::string fault_of_ends_and_values(const S& s, const Embedding& embedding)
+{
+  if(embedding.node_points.size() != num_vertices(s.graph) || embedding.arc_polylines.size() != num_edges(s.graph)
+     || embedding.arc_values.size() != num_edges(s.graph))
+    return "the numbers are wrong";
+  std::size_t i = 0;
+  for(const auto arc : CGAL::make_range(edges(s.graph)))
+  {
+    const auto lower = source(arc, s.graph), upper = target(arc, s.graph);
+    const auto& polyline = embedding.arc_polylines[i];
+    const auto& values = embedding.arc_values[i++];
+    if(polyline.size() < 2 || polyline.size() != values.size())
+      return "a polyline has a wrong number of points";
+    if(polyline.front() != embedding.node_points[lower] || polyline.back() != embedding.node_points[upper])
+      return "a polyline does not end at its nodes";
+    if(values.front() != s.graph[lower].value || values.back() != s.graph[upper].value)
+      return "a polyline has not the values of its nodes";
+    if(!std::is_sorted(values.begin(), values.end()))
+      return "values fall";
+    for(const auto& point : polyline)
+      if(!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z()))
+        return "a point is not finite";
+  }
+  return "";
+}
+
+double distance_of(const Point& a, const Point& b) { return std::sqrt(CGAL::squared_distance(a, b)); }
+
+// The triangles that a point lies in the border of, as one with this value.
+template <class S>
+std::set<typename boost::graph_traits<typename S::Mesh>::face_descriptor> faces_at(const S& s,
+                                                                                   const Point& point,
+                                                                                   double value)
+{
+  std::set<typename boost::graph_traits<typename S::Mesh>::face_descriptor> result;
+  const auto point_map = get(CGAL::vertex_point, s.mesh);
+  for(const auto h : halfedges(s.mesh))
+  {
+    const auto u = source(h, s.mesh), v = target(h, s.mesh);
+    const Point a = get(point_map, u), b = get(point_map, v);
+    const double length = distance_of(a, b), t = distance_of(a, point) / length;
+    const double value_there = (1 - t) * get(s.scalar_map, u) + t * get(s.scalar_map, v);
+    const bool is_value_right = !std::isfinite(value_there) || std::abs(value_there - value) < 1e-6;
+    if(t <= 1 + 1e-9 && distance_of(a + t * (b - a), point) < 1e-7 * length && is_value_right)
+    {
+      for(const auto side : {h, opposite(h, s.mesh)})
+        if(!is_border(side, s.mesh))
+          result.insert(face(side, s.mesh));
+    }
+  }
+  return result;
+}
+
+template <class S, class Embedding>
+std::string fault_on_surface(const S& s, const Embedding& embedding)
+{
+  for(std::size_t i = 0; i < embedding.arc_polylines.size(); ++i)
+  {
+    auto last = faces_at(s, embedding.arc_polylines[i][0], embedding.arc_values[i][0]);
+    for(std::size_t j = 1; j < embedding.arc_polylines[i].size(); ++j)
+    {
+      const auto next = faces_at(s, embedding.arc_polylines[i][j], embedding.arc_values[i][j]);
+      if(std::none_of(next.begin(), next.end(), [&](const auto f) { return last.count(f) != 0; }))
+        return "polyline " + std::to_string(i) + " leaves the surface before point " + std::to_string(j);
+      last = next;
+    }
+  }
+  return "";
+}
+
+template <class Graph>
+std::size_t number_of_equal_parallel_arcs(const Graph& graph, const std::vector<Polyline>& polylines)
+{
+  std::size_t result = 0;
+  const std::vector<typename boost::graph_traits<Graph>::edge_descriptor> arcs(edges(graph).first, edges(graph).second);
+  for(std::size_t i = 0; i < arcs.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      if(source(arcs[i], graph) == source(arcs[j], graph) && target(arcs[i], graph) == target(arcs[j], graph))
+        result += polylines[i] == polylines[j];
+  return result;
+}
+
+// The sum of the squared turns of a polyline: what smoothing makes less.
+double roughness(const Polyline& polyline)
+{
+  double result = 0;
+  for(std::size_t i = 1; i + 1 < polyline.size(); ++i)
+    result += ((polyline[i + 1] - polyline[i]) - (polyline[i] - polyline[i - 1])).squared_length();
+  return result;
+}
+
+// A torus of which the circles around the axis z have heights: two round tubes, one inside of the other.
+Sample upright_torus()
+{
+  constexpr std::size_t around = 24, along = 16;
+  Sample sample;
+  const auto number = [&](std::size_t i, std::size_t j) { return i % around * along + j % along; };
+  for(std::size_t i = 0; i < around; ++i)
+    for(std::size_t j = 0; j < along; ++j)
+    {
+      const double a = 2 * CGAL_PI * i / around, b = 2 * CGAL_PI * j / along, radius = 3 + std::cos(b);
+      sample.soup.points.push_back({radius * std::cos(a), radius * std::sin(a), std::sin(b)});
+      sample.values.push_back(std::sin(b));
+      sample.soup.triangles.push_back({number(i, j), number(i + 1, j), number(i + 1, j + 1)});
+      sample.soup.triangles.push_back({number(i, j), number(i + 1, j + 1), number(i, j + 1)});
+    }
+  return sample;
+}
+
+Sample with_heights_as_values(Sample sample)
+{
+  for(std::size_t v = 0; v < sample.values.size(); ++v)
+    sample.values[v] = sample.soup.points[v][2];
+  return sample;
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(polylines_end_at_the_nodes_and_values_do_not_fall, Mesh, Meshes)
+{
+  for_each_sample<Mesh>(600, [](const auto& s) {
+    for(const auto manner : {Embedding_manner::CENTROIDS, Embedding_manner::ON_SURFACE, Embedding_manner::STRAIGHT})
+      BOOST_TEST(fault_of_ends_and_values(s, s.embedded(manner)) == "");
+  });
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(polylines_on_the_surface_stay_there, Mesh, Meshes)
+{
+  for_each_sample<Mesh>(300, [](const auto& s) {
+    const auto embedding = s.embedded(Embedding_manner::ON_SURFACE);
+    BOOST_TEST(fault_on_surface(s, embedding) == "");
+    for(const auto node : CGAL::make_range(vertices(s.graph)))
+      BOOST_TEST(embedding.node_points[node] == get(get(CGAL::vertex_point, s.mesh), s.graph[node].vertex));
+  });
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(sides_of_a_loop_differ, Mesh, Meshes)
+{
+  for_each_sample<Mesh>(600, [](const auto& s) {
+    for(const auto manner : {Embedding_manner::CENTROIDS, Embedding_manner::ON_SURFACE})
+      BOOST_TEST(number_of_equal_parallel_arcs(s.graph, s.embedded(manner).arc_polylines) == 0u);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(a_tube_inside_of_another_one_has_a_line_of_its_own)
+{
+  const Embedded_sample<Surface_mesh> s(upright_torus(), 1);
+  BOOST_TEST((s.settings.ties == Ties::CONTRACT));
+  const auto embedding = s.embedded(Embedding_manner::CENTROIDS);
+  BOOST_REQUIRE(embedding.arc_polylines.size() == 2u);
+  const std::size_t middle = embedding.arc_polylines[0].size() / 2;
+  BOOST_TEST(distance_of(embedding.arc_polylines[0][middle], embedding.arc_polylines[1][middle]) > 0.5);
+}
+
+// The centroid of a contour is as high as the contour.
+BOOST_AUTO_TEST_CASE_TEMPLATE(centroids_are_in_the_planes_of_contours, Mesh, Meshes)
+{
+  for(unsigned genus = 0; genus < 4; ++genus)
+    BOOST_TEST_CONTEXT("genus " << genus)
+    {
+      const Embedded_sample<Mesh> s(with_heights_as_values(curve_samples::smooth_sample(genus, 600, 0)));
+      const auto embedding = s.embedded(Embedding_manner::CENTROIDS);
+      BOOST_TEST(fault_of_ends_and_values(s, embedding) == "");
+      double error = 0;
+      for(std::size_t i = 0; i < embedding.arc_polylines.size(); ++i)
+        for(std::size_t j = 0; j < embedding.arc_polylines[i].size(); ++j)
+          error = (std::max)(error, std::abs(embedding.arc_polylines[i][j].z() - embedding.arc_values[i][j]));
+      BOOST_TEST(error < 1e-9);
+    }
+}
+
+// Triangles that are cut into smaller ones do not move a centroid.
+BOOST_AUTO_TEST_CASE(centroids_are_those_of_the_lines)
+{
+  Sample sample;
+  sample.soup.points = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 4}};
+  sample.soup.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  for(const auto& p : sample.soup.points)
+    sample.values.push_back(p[2]);
+  Sample finer = sample; // One of the edges that contours cross has a triangle more on each of its sides.
+  finer.soup.points.push_back({4, 0, 2});
+  finer.values.push_back(2);
+  finer.soup.triangles = {{0, 2, 1}, {0, 1, 4}, {0, 4, 3}, {1, 2, 4}, {4, 2, 3}, {2, 0, 3}};
+  const auto polyline = [](const Sample& given) {
+    const auto embedding = Embedded_sample<Surface_mesh>(given, 1).embedded(Embedding_manner::CENTROIDS);
+    BOOST_REQUIRE(embedding.arc_polylines.size() == 1u);
+    return embedding.arc_polylines[0];
+  };
+  const Polyline coarse = polyline(sample), fine = polyline(finer);
+  BOOST_REQUIRE(coarse.size() == fine.size());
+  for(std::size_t i = 1; i + 1 < coarse.size(); ++i)
+    BOOST_TEST(distance_of(coarse[i], fine[i]) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(contours_are_at_equal_steps, Mesh, Meshes)
+{
+  for_each_sample<Mesh>(60, [](const auto& s) {
+    std::vector<double> numbers(num_vertices(s.mesh));
+    for(std::size_t v = 0; v < numbers.size(); ++v)
+      numbers[v] = static_cast<double>(v * v % 7);
+    const auto constant_map = CGAL::Reeb_graph::make_scalar_map(s.mesh, std::vector<double>(numbers.size(), 1));
+    const auto other_map = CGAL::Reeb_graph::make_scalar_map(s.mesh, numbers);
+    const auto np = CGAL::parameters::number_of_contours(3);
+    const auto equal = embed(s.augmentation, np);
+    const auto constant = embed(s.augmentation, CGAL::parameters::parametrization_map(constant_map, np));
+    const auto other = embed(s.augmentation, CGAL::parameters::parametrization_map(other_map, np));
+    BOOST_TEST((constant.arc_values == equal.arc_values));
+    std::size_t i = 0;
+    for(const auto arc : CGAL::make_range(edges(s.graph)))
+    {
+      BOOST_REQUIRE(equal.arc_values[i].size() == 5u);
+      for(std::size_t j = 1; j <= 3; ++j)
+      {
+        const double t = static_cast<double>(j) / 4;
+        BOOST_TEST(equal.arc_values[i][j] == s.augmentation.contour(arc, t).value);
+        BOOST_TEST(other.arc_values[i][j] == s.augmentation.contour(arc, t, other_map).value);
+      }
+      ++i;
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(smoothing_leaves_ends_and_makes_lines_less_rough, Mesh, Meshes)
+{
+  const Embedded_sample<Mesh> s(curve_samples::smooth_sample(2, 1000, 0));
+  const auto rough = s.embedded(Embedding_manner::CENTROIDS);
+  const auto smooth = embed(s.augmentation, CGAL::parameters::number_of_smoothing_steps(5));
+  BOOST_TEST(fault_of_ends_and_values(s, smooth) == "");
+  for(std::size_t i = 0; i < rough.arc_polylines.size(); ++i)
+    BOOST_TEST(roughness(smooth.arc_polylines[i]) < roughness(rough.arc_polylines[i]));
+  const auto without_contours =
+    embed(s.augmentation, CGAL::parameters::number_of_contours(0, CGAL::parameters::number_of_smoothing_steps(1)));
+  for(const Polyline& polyline : without_contours.arc_polylines)
+    BOOST_TEST(polyline.size() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(the_same_in_parallel)
+{
+  const Embedded_sample<Surface_mesh> s(curve_samples::smooth_sample(2, 3000, 1));
+  for(const auto manner : {Embedding_manner::CENTROIDS, Embedding_manner::ON_SURFACE})
+  {
+    const auto np = CGAL::parameters::embedding_manner(manner);
+    const auto parallel = embed<CGAL::Parallel_if_available_tag>(s.augmentation, np),
+               sequential = embed(s.augmentation, np);
+    BOOST_TEST((parallel.node_points == sequential.node_points));
+    BOOST_TEST((parallel.arc_polylines == sequential.arc_polylines));
+  }
+}
+
+// Values that are no doubles, and points other than those of the mesh.
+BOOST_AUTO_TEST_CASE_TEMPLATE(other_scalars_and_points, Scalar, Other_scalars)
+{
+  const Sample sample = curve_samples::smooth_sample(1, 300, 1);
+  const auto mesh = make_mesh<Surface_mesh>(sample.soup);
+  const auto scalar_map =
+    CGAL::Reeb_graph::make_scalar_map(mesh, std::vector<Scalar>(sample.values.begin(), sample.values.end()));
+  typename CGAL::Reeb_graph_traits<Surface_mesh, std::remove_const_t<decltype(scalar_map)>>::Graph graph;
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+  const CGAL::Reeb_graph::Augmentation augmentation(mesh, scalar_map, graph);
+  const auto point_map =
+    boost::make_function_property_map<Surface_mesh::Vertex_index>([&](Surface_mesh::Vertex_index v) {
+      const Point p = mesh.point(v);
+      return Exact_kernel::Point_3(p.x() + 10, p.y(), p.z());
+    });
+  for(const auto manner : {Embedding_manner::CENTROIDS, Embedding_manner::ON_SURFACE, Embedding_manner::STRAIGHT})
+  {
+    const auto np = CGAL::parameters::embedding_manner(manner);
+    const auto embedding = embed(augmentation, np);
+    const auto moved =
+      embed(augmentation, CGAL::parameters::embedding_manner(manner, CGAL::parameters::vertex_point_map(point_map)));
+    BOOST_REQUIRE(embedding.arc_polylines.size() == num_edges(graph));
+    std::size_t i = 0;
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      BOOST_TEST(embedding.arc_values[i].front() == CGAL::to_double(graph[source(arc, graph)].value));
+      BOOST_TEST(std::is_sorted(embedding.arc_values[i].begin(), embedding.arc_values[i].end()));
+      BOOST_REQUIRE(embedding.arc_polylines[i].size() == moved.arc_polylines[i].size());
+      double error = 0;
+      for(std::size_t j = 0; j < embedding.arc_polylines[i].size(); ++j)
+      {
+        const Point p = embedding.arc_polylines[i][j];
+        const auto q = moved.arc_polylines[i][j];
+        error = (std::max)({error, std::abs(p.x() + 10 - CGAL::to_double(q.x())),
+                            std::abs(p.y() - CGAL::to_double(q.y())), std::abs(p.z() - CGAL::to_double(q.z()))});
+      }
+      BOOST_TEST(error < 1e-9);
+      ++i;
+    }
+  }
+}
+
+// The contour just below a vertex is the one that is left when all lower vertices are swept.
+BOOST_AUTO_TEST_CASE_TEMPLATE(contours_below_vertices, Mesh, Meshes)
+{
+  for_each_sample<Mesh>(120, [](const auto& s) {
+    for(const auto arc : CGAL::make_range(edges(s.graph)))
+    {
+      const auto lower = s.graph[source(arc, s.graph)].vertex, upper = s.graph[target(arc, s.graph)].vertex;
+      const auto critical_set = s.augmentation.critical_set(target(arc, s.graph));
+      const auto& contours = critical_set.lower_contours;
+      const auto same = std::find_if(contours.begin(), contours.end(), [&](const auto& c) { return c.arc == arc; });
+      BOOST_REQUIRE((same != contours.end()));
+      const auto contour = s.augmentation.contour_below(arc, upper);
+      BOOST_TEST((contour.halfedges == same->halfedges));
+      BOOST_TEST(contour.value == s.augmentation.value(upper));
+      BOOST_CHECK_THROW(s.augmentation.contour_below(arc, lower), CGAL::Reeb_graph::Level_error);
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(errors)
+{
+  const Embedded_sample<Surface_mesh> s(curve_samples::smooth_sample(0, 100, 0));
+  const auto arc = *edges(s.graph).first;
+  const Surface_mesh::Vertex_index unknown(100000);
+  BOOST_CHECK_THROW(s.augmentation.value(unknown), CGAL::Reeb_graph::Unknown_vertex_error);
+  BOOST_CHECK_THROW(s.augmentation.contour_below(arc, unknown), CGAL::Reeb_graph::Unknown_vertex_error);
+  const auto infinite_map = CGAL::Reeb_graph::make_scalar_map(
+    s.mesh, std::vector<double>(num_vertices(s.mesh), std::numeric_limits<double>::infinity()));
+  BOOST_CHECK_THROW(embed(s.augmentation, CGAL::parameters::parametrization_map(infinite_map)),
+                    CGAL::Reeb_graph::Non_finite_scalar_error);
+}
