@@ -390,23 +390,53 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(other_scalars_and_points, Scalar, Other_scalars)
   }
 }
 
-// The contour just below a vertex is the one that is left when all lower vertices are swept.
-BOOST_AUTO_TEST_CASE_TEMPLATE(contours_below_vertices, Mesh, Meshes)
+// The contours next to the vertices of nodes are those of critical sets.
+BOOST_AUTO_TEST_CASE_TEMPLATE(contours_next_to_vertices, Mesh, Meshes)
 {
   for_each_sample<Mesh>(120, [](const auto& s) {
-    for(const auto arc : CGAL::make_range(edges(s.graph)))
+    for(const auto node : CGAL::make_range(vertices(s.graph)))
     {
-      const auto lower = s.graph[source(arc, s.graph)].vertex, upper = s.graph[target(arc, s.graph)].vertex;
-      const auto critical_set = s.augmentation.critical_set(target(arc, s.graph));
-      const auto& contours = critical_set.lower_contours;
-      const auto same = std::find_if(contours.begin(), contours.end(), [&](const auto& c) { return c.arc == arc; });
-      BOOST_REQUIRE((same != contours.end()));
-      const auto contour = s.augmentation.contour_below(arc, upper);
-      BOOST_TEST((contour.halfedges == same->halfedges));
-      BOOST_TEST(contour.value == s.augmentation.value(upper));
-      BOOST_CHECK_THROW(s.augmentation.contour_below(arc, lower), CGAL::Reeb_graph::Level_error);
+      const auto vertex = s.graph[node].vertex;
+      const auto critical_set = s.augmentation.critical_set(node);
+      for(const auto& expected : critical_set.lower_contours)
+      {
+        BOOST_TEST((s.augmentation.contour_below(expected.arc, vertex).halfedges == expected.halfedges));
+        BOOST_TEST(s.augmentation.contour_below(expected.arc, vertex).value == s.augmentation.value(vertex));
+        BOOST_CHECK_THROW(s.augmentation.contour_above(expected.arc, vertex), CGAL::Reeb_graph::Level_error);
+      }
+      for(const auto& expected : critical_set.upper_contours)
+      {
+        BOOST_TEST((s.augmentation.contour_above(expected.arc, vertex).halfedges == expected.halfedges));
+        BOOST_TEST(s.augmentation.contour_above(expected.arc, vertex).value == s.augmentation.value(vertex));
+        BOOST_CHECK_THROW(s.augmentation.contour_below(expected.arc, vertex), CGAL::Reeb_graph::Level_error);
+      }
     }
   });
+}
+
+// A tube whose ends are levels is its axis, from the middle of one border to that of the other one.
+BOOST_AUTO_TEST_CASE(a_tube_is_its_axis)
+{
+  constexpr std::size_t around = 20, along = 5;
+  Sample sample;
+  const auto number = [&](std::size_t i, std::size_t j) { return j * around + i % around; };
+  for(std::size_t j = 0; j < along; ++j)
+    for(std::size_t i = 0; i < around; ++i)
+    {
+      const double angle = 2 * CGAL_PI * static_cast<double>(i) / around;
+      sample.soup.points.push_back({std::cos(angle), std::sin(angle), static_cast<double>(j)});
+      sample.values.push_back(static_cast<double>(j));
+      if(j + 1 == along)
+        continue;
+      sample.soup.triangles.push_back({number(i, j), number(i + 1, j), number(i + 1, j + 1)});
+      sample.soup.triangles.push_back({number(i, j), number(i + 1, j + 1), number(i, j + 1)});
+    }
+  const Embedded_sample<Surface_mesh> s(sample, 1);
+  const auto embedding = s.embedded(Embedding_manner::CENTROIDS);
+  BOOST_REQUIRE(embedding.arc_polylines.size() == 1u);
+  for(const Point& point : embedding.arc_polylines[0])
+    BOOST_TEST(std::hypot(point.x(), point.y()) < 1e-9);
+  BOOST_TEST(embedding.node_points[1].z() == along - 1, boost::test_tools::tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(errors)

@@ -184,21 +184,30 @@ public:
     return contours_.trace(arc, levels_.at_value(value));
   }
 
-  /// \brief returns the contour of an arc at the level just below a vertex, of which the contour need not be near.
+  /// \brief returns the contour of an arc at the level just below a vertex, which the contour need not be near.
   ///
   /// It takes the same time as `contour()`. Just below the upper node of the arc, it is one of the critical set of that.
   ///
-  /// \exception Level_error if the arc has no contour at that level: its lower node must be lower, and its upper node
-  ///            must not be lower than `v`; if ties are contracted, in value
+  /// \exception Level_error if the arc has no contour at that level: its lower node must be lower than `v`, and its
+  ///            upper node must not be; if ties are contracted, in value
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
   /// \exception Unknown_vertex_error if the mesh has no vertex `v`
   Contour contour_below(arc_descriptor arc, vertex_descriptor v) const
   {
-    internal::check_is_arc(on_mesh_.graph(), arc);
-    const internal::Vertex_index number = checked_number(v);
-    if(!levels_.is_alive_below(arc, number))
-      throw Level_error();
-    return contours_.trace(arc, levels_.below_vertex(number));
+    return contour_at(arc, levels_.below_vertex(checked_number(v)));
+  }
+
+  /// \brief returns the contour of an arc at the level just above a vertex, which the contour need not be near.
+  ///
+  /// It takes the same time as `contour()`. Just above the lower node of the arc, it is one of the critical set of that.
+  ///
+  /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher than `v`, and
+  ///            its upper node must be; if ties are contracted, in value
+  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
+  /// \exception Unknown_vertex_error if the mesh has no vertex `v`
+  Contour contour_above(arc_descriptor arc, vertex_descriptor v) const
+  {
+    return contour_at(arc, levels_.above_vertex(checked_number(v)));
   }
 
   /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
@@ -318,6 +327,15 @@ private:
     internal::check_nodes(on_mesh_);
     internal::check_arcs(on_mesh_, ties_);
     progress.report_end();
+  }
+
+  template <class Level>
+  Contour contour_at(arc_descriptor arc, const Level& level) const
+  {
+    internal::check_is_arc(on_mesh_.graph(), arc);
+    if(!levels_.is_alive_at(arc, level))
+      throw Level_error();
+    return contours_.trace(arc, level);
   }
 
   internal::Vertex_index checked_number(vertex_descriptor v) const

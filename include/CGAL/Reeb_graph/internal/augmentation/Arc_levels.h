@@ -57,10 +57,10 @@ public:
     return !order_.is_higher(on_mesh_.lower_vertex(arc), value) && order_.is_higher(on_mesh_.upper_vertex(arc), value);
   }
 
-  // Whether the level just below the vertex crosses the arc.
-  bool is_alive_below(arc_descriptor arc, Vertex_index v) const
+  // Whether the level crosses the arc.
+  bool is_alive_at(arc_descriptor arc, const Level& level) const
   {
-    const Is_below is_below = below_vertex(v).is_below;
+    const Is_below& is_below = level.is_below;
     return is_below(on_mesh_.lower_vertex(arc)) && !is_below(on_mesh_.upper_vertex(arc));
   }
 
@@ -79,6 +79,13 @@ public:
   }
 
   Level above_node(node_descriptor node) const { return above_vertex(on_mesh_.node_vertex(node)); }
+
+  Level above_vertex(Vertex_index v) const
+  {
+    return {are_ties_contracted_ ? Is_below::above_value(order_, on_mesh_.scalar(v))
+                                 : Is_below::above_vertex(order_, v),
+            on_mesh_.value(v)};
+  }
 
   // The level at the fraction t of the values along the arc.
   Level at_parameter(arc_descriptor arc, double t) const
@@ -120,13 +127,6 @@ public:
   }
 
 private:
-  Level above_vertex(Vertex_index v) const
-  {
-    return {are_ties_contracted_ ? Is_below::above_value(order_, on_mesh_.scalar(v))
-                                 : Is_below::above_vertex(order_, v),
-            on_mesh_.value(v)};
-  }
-
   // The level of the value, if that is inside the arc. If it has been rounded up to the upper end, it is the last level
   // of lower values; if values do not tell, because they are tied or infinite, it is next to a vertex of the chain.
   // With another order than that of numbers, values can fall along an arc.

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/embedding/Centroid.h>
+#include <CGAL/Reeb_graph/internal/embedding/Leaf_borders.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -34,6 +35,7 @@ class Centroid_polylines
   typedef typename Augmentation::Contour Contour;
   typedef typename Augmentation::arc_descriptor arc_descriptor;
   typedef typename Augmentation::node_descriptor node_descriptor;
+  typedef typename Augmentation::vertex_descriptor vertex_descriptor;
   typedef typename boost::property_traits<PointMap>::value_type Point;
 
 public:
@@ -50,6 +52,7 @@ public:
     : augmentation_(augmentation),
       graph_(augmentation.graph()),
       point_map_(point_map),
+      leaf_borders_(augmentation, point_map),
       np_(np)
   {}
 
@@ -57,16 +60,18 @@ public:
   // middle of the border loop or of the tied vertices that it stands for.
   Point node_point(node_descriptor node) const
   {
+    const vertex_descriptor vertex = graph_[node].vertex;
     const bool is_minimum = in_degree(node, graph_) == 0, is_maximum = out_degree(node, graph_) == 0;
-    Centroid centroid;
-    if(is_minimum || is_maximum)
-      add_ends(augmentation_.critical_set(node), centroid);
-    else
+    Centroid centroid = is_minimum || is_maximum ? leaf_borders_.centroid(vertex) : Centroid();
+    if(centroid.is_of_length_zero())
     {
       for(const arc_descriptor arc : CGAL::make_range(in_edges(node, graph_)))
-        add_contour(augmentation_.contour_below(arc, graph_[node].vertex), centroid);
+        add_contour(augmentation_.contour_below(arc, vertex), centroid);
+      if(is_minimum)
+        for(const arc_descriptor arc : CGAL::make_range(out_edges(node, graph_)))
+          add_contour(augmentation_.contour_above(arc, vertex), centroid);
     }
-    return centroid.is_of_length_zero() ? Point(get(point_map_, graph_[node].vertex)) : make_point<Point>(centroid());
+    return centroid.is_of_length_zero() ? Point(get(point_map_, vertex)) : make_point<Point>(centroid());
   }
 
   // `contour_at` is called with the arc and a place between 0 and 1.
@@ -90,20 +95,6 @@ public:
   }
 
 private:
-  template <class CriticalSet>
-  void add_ends(const CriticalSet& critical_set, Centroid& centroid) const
-  {
-    std::vector<Point> border;
-    for(const auto h : critical_set.border_loop)
-      border.push_back(get(point_map_, source(h, augmentation_.mesh())));
-    centroid.add_curve(border, true);
-    if(!centroid.is_of_length_zero())
-      return;
-    for(const auto* contours : {&critical_set.lower_contours, &critical_set.upper_contours})
-      for(const Contour& contour : *contours)
-        add_contour(contour, centroid);
-  }
-
   void add_contour(const Contour& contour, Centroid& centroid) const
   {
     centroid.add_curve(points_of(contour), contour.is_closed);
@@ -120,6 +111,7 @@ private:
   const Augmentation& augmentation_;
   const typename Augmentation::Graph& graph_;
   const PointMap& point_map_;
+  const Leaf_borders<Augmentation, PointMap> leaf_borders_;
   const NamedParameters& np_;
 };
 
