@@ -56,8 +56,9 @@ class Drawing {
     this.view = view;
     this.scale = makePlaneScale(view, this.data.range, frame);
     const {width, height} = this.scale;
-    const svg = makeSvg("svg", {width, height, viewBox: "0 0 " + width + " " + height, "aria-hidden": "true"});
-    this.drawAxis(svg);
+    const svg = makeSvg("svg", {width, height, "aria-hidden": "true"});
+    const axis = makeSvg("svg", {width: this.scale.margin.left, height, class: "axis", "aria-hidden": "true"});
+    this.drawAxis(axis, svg);
     const arcs = makeSvg("g", {class: "arcs"}, svg), areas = makeSvg("g", {class: "areas"}, svg);
     this.arcPaths = view.arcs.map((arc, i) => {
       const d = this.pathOf(arc.plane);
@@ -72,17 +73,17 @@ class Drawing {
       shape.setAttribute("data-node", i);
       return shape;
     });
-    this.container.replaceChildren(svg);
+    this.container.replaceChildren(axis, svg);
     this.setArcColors(arcColors);
     this.setLit(null);
   }
 
-  drawAxis(svg) {
+  drawAxis(axis, svg) {
     const {width, height, margin, y} = this.scale;
     const {low, high} = this.data.range;
-    const axis = makeSvg("g", {class: "axis"}, svg);
+    const lines = makeSvg("g", {class: "axis"}, svg);
     niceTicks(low, high, Math.max(2, Math.floor(height / 60))).forEach(tick => {
-      makeSvg("line", {x1: margin.left - 8, x2: width - 4, y1: y(tick), y2: y(tick)}, axis);
+      makeSvg("line", {x1: margin.left - 8, x2: width - 4, y1: y(tick), y2: y(tick)}, lines);
       makeSvg("text", {x: margin.left - 12, y: y(tick) + 4, "text-anchor": "end"}, axis, formatNumber(tick));
     });
   }
@@ -130,7 +131,7 @@ class Drawing {
   reveal(arc) {
     const frame = this.container.parentElement;
     const [x] = this.pointAt(arc, this.view.value(arc, 0.5));
-    if (x < frame.scrollLeft + 30 || x > frame.scrollLeft + frame.clientWidth - 30)
+    if (x < frame.scrollLeft + this.scale.margin.left + 20 || x > frame.scrollLeft + frame.clientWidth - 30)
       frame.scrollLeft = x - frame.clientWidth / 2;
   }
 

@@ -152,12 +152,12 @@ function makeContourTracer(data) {
 // What happens at a node, in words.
 function describeKind(node, numberBelow, numberAbove) {
   switch (node.kind) {
-    case "minimum": return "a piece begins";
-    case "maximum": return "a piece ends";
+    case "minimum": return "a contour begins";
+    case "maximum": return "a contour ends";
+    case "isolated": return "is a point alone";
     case "saddle":
-      return numberBelow > 1 && numberAbove > 1 ? numberBelow + " pieces meet and part into " + numberAbove
-        : numberBelow > 1 ? numberBelow + " pieces join" : "a piece splits into " + numberAbove;
-    case "isolated": return "a piece of one point";
-    default: return "a piece goes on";
+      return numberBelow > 1 && numberAbove > 1 ? numberBelow + " contours meet and part into " + numberAbove
+        : numberBelow > 1 ? numberBelow + " contours join" : "a contour splits into " + numberAbove;
+    default: return "a contour goes on";
   }
 }

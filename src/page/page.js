@@ -166,19 +166,17 @@ class Page {
     first.append(" of the graph. ");
     addElement(first, "b", "A node");
     first.append(" is where contours begin, join, split or end.");
-    if (this.loops > 0) {
-      addElement(text, "p", this.loops === 1 ? "The loop of the graph goes around a hole through the surface."
-        : "The " + this.loops + " loops of the graph go around holes through the surface.");
-    }
-    addElement(text, "p", "Point at an arc, here or there, to see its piece; click to keep it, and move its contour.",
-               "hint");
+    if (this.loops > 0)
+      addElement(text, "p", "A loop goes around a handle or hole of the surface: here " + this.loops + ".");
+    addElement(text, "p", "Point at an arc, here or there, to see its piece; click to keep it, and move its contour."
+      + (this.view.arcs.length > 40 && this.data.levels.length > 1 ? " Simplify to see what matters most." : ""), "hint");
   }
 
   showFactsOfArc(text, number) {
     const {view} = this, arc = view.arcs[number];
     element("facts_heading").textContent = "Arc " + number;
-    addElement(text, "p", "One piece of the surface: " + this.tellEnd(view.arcs[number].source) + " below, and "
-      + this.tellEnd(view.arcs[number].target) + " above.");
+    addElement(text, "p", "One piece of the surface. At its lower end " + this.tellEnd(arc.source)
+      + ", at its upper end " + this.tellEnd(arc.target) + ".");
     const list = addElement(text, "dl", "");
     const add = (name, value) => {
       addElement(list, "dt", name);
@@ -204,8 +202,7 @@ class Page {
   showFactsOfNode(text, number) {
     const {view} = this, node = view.nodes[number];
     element("facts_heading").textContent = "Node " + number + ": " + node.kind;
-    const what = this.tellEnd(number);
-    addElement(text, "p", "Here " + what + ".");
+    addElement(text, "p", "Here " + this.tellEnd(number) + ".");
     const list = addElement(text, "dl", "");
     const add = (name, value) => {
       addElement(list, "dt", name);
@@ -328,7 +325,7 @@ class Page {
   showDrawing() {
     const frame = element("drawing_frame");
     this.drawing.show(this.view, this.state.coloring === "arcs" ? this.arcColors : null,
-                      {width: frame.clientWidth, height: frame.clientHeight - (frame.offsetHeight - frame.clientHeight)});
+                      {width: frame.clientWidth, height: frame.clientHeight});
     this.showTarget();
   }
 

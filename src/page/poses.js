@@ -5,11 +5,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
 /* global cross, dot, normalized, rangeOf */
-/* exported findPose, cornerNormals */
+/* exported findPose, distanceToSeeAll, cornerNormals */
 
 // How a surface is looked at: where it is, which way is up, and its normals.
 
-// The directions are tried in which the field rises most, if it is nearly a height; otherwise the axis that goes with it.
+// The direction in which the field rises, if it is nearly a height; otherwise the axis that goes with it.
 function findUp(positions, values) {
   const count = values.length, means = [0, 0, 0, 0];
   for (let v = 0; v < count; ++v) {
@@ -76,6 +76,21 @@ function findPose(positions, values) {
     size: Math.sqrt(ranges.reduce((sum, range) => sum + Math.pow(range.high - range.low, 2), 0)) || 1,
     up, towardsEye
   };
+}
+
+// How far from its center an eye has to be that sees the whole surface, with a vertical field of view in degrees.
+function distanceToSeeAll(positions, pose, fieldOfView, aspect) {
+  const {center, towardsEye, up, size} = pose;
+  const right = normalized(cross(up, towardsEye)), top = cross(towardsEye, right);
+  const slope = 0.9 * Math.tan(fieldOfView * Math.PI / 360);
+  let distance = 0.1 * size;
+  const step = 3 * Math.max(1, Math.floor(positions.length / 3 / 20000));
+  for (let j = 0; j < positions.length; j += step) {
+    const p = [0, 1, 2].map(i => positions[j + i] - center[i]);
+    const reach = Math.max(Math.abs(dot(p, top)), Math.abs(dot(p, right)) / aspect);
+    distance = Math.max(distance, dot(p, towardsEye) + reach / slope);
+  }
+  return distance;
 }
 
 // The normals of the corners of all triangles as four bytes each: smooth, except across sharp edges.

@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-/* global THREE, shaders, viridis, buildTubes, makeBands, findPose, cornerNormals */
+/* global THREE, shaders, viridis, buildTubes, makeBands, findPose, distanceToSeeAll,
+   cornerNormals */
 /* exported Scene */
 
 // The view in space: the surface, the graph in it, curves and a contour. It is drawn when something has changed only.
@@ -184,16 +185,21 @@ class Scene {
     this.controls.screenSpacePanning = true;
     this.controls.minDistance = 0.05 * this.pose.size;
     this.controls.maxDistance = 8 * this.pose.size;
-    this.controls.addEventListener("change", () => this.requestDrawing());
+    this.controls.addEventListener("change", () => {
+      this.isCameraMoved = true;
+      this.requestDrawing();
+    });
     this.resetCamera();
   }
 
   resetCamera() {
-    const narrow = Math.min(1, this.camera.aspect);
-    const distance = 0.56 * this.pose.size / Math.tan(Math.PI * 16 / 180) / narrow;
+    const {towardsEye, up} = this.pose;
+    const distance = distanceToSeeAll(this.data.surface.positions, this.pose, this.camera.fov, this.camera.aspect);
     this.controls.target.set(0, 0, 0);
-    this.camera.position.set(...this.pose.towardsEye.map(x => distance * x));
+    this.camera.up.set(...up);
+    this.camera.position.set(...towardsEye.map(x => distance * x));
     this.controls.update();
+    this.isCameraMoved = false;
     this.requestDrawing();
   }
 
@@ -234,7 +240,10 @@ class Scene {
     const wasNarrow = Math.min(1, this.camera.aspect);
     this.camera.aspect = this.width / this.height;
     this.camera.updateProjectionMatrix();
-    this.zoom(Math.min(1, this.camera.aspect) / wasNarrow);
+    if (this.isCameraMoved)
+      this.zoom(Math.min(1, this.camera.aspect) / wasNarrow);
+    else
+      this.resetCamera();
     this.requestDrawing();
   }
 
@@ -258,7 +267,7 @@ class Scene {
     const nodes = this.nodeGeometry(view);
     const nodeUniforms = {
       colors: {value: this.nodeTable.texture}, rows: {value: this.nodeTable.rows},
-      size: {value: (8 + 8 * many) * this.renderer.getPixelRatio()}, outline: {value: this.outline}, firstNumber: {value: 0}
+      size: {value: (5 + 10 * many) * this.renderer.getPixelRatio()}, outline: {value: this.outline}, firstNumber: {value: 0}
     };
     const nodeMaterial = makeMaterial(shaders.nodeVertex, shaders.nodeFragment, nodeUniforms, {});
     const firstArc = this.placeTable.size + 1, firstNode = firstArc + view.arcs.length;
