@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-/* exported readPageData */
+/* exported readPageData, rangeOf */
 
 // The data that the program has put into the page.
 
@@ -25,8 +25,19 @@ function decodeContour(contour) {
   return Object.assign(decodePolyline(contour), {t: contour.t, value: contour.value});
 }
 
-function decodeArc(arc) {
-  return Object.assign({}, arc, {contours: arc.contours ? arc.contours.map(decodeContour) : null});
+// JSON has no infinite numbers: they are written as text.
+function decodeGraph(graph) {
+  return {
+    nodes: graph.nodes.map(node => Object.assign({}, node, {value: Number(node.value)})),
+    arcs: graph.arcs.map(arc => Object.assign({}, arc, {
+      persistence: Number(arc.persistence), length: Number(arc.length), area: Number(arc.area),
+      contours: arc.contours ? arc.contours.map(decodeContour) : null
+    }))
+  };
+}
+
+function decodeLevel(level) {
+  return Object.assign({}, level, {graph: level.graph ? decodeGraph(level.graph) : null});
 }
 
 function decodeSurface(surface) {
@@ -56,15 +67,15 @@ function readPageData(text) {
   if (data.version !== 1)
     throw new Error("This page cannot read data of version " + data.version + ".");
   const surface = decodeSurface(data.surface);
-  const nodeValues = data.graph.nodes.map(node => node.value);
   return {
     title: data.title,
     generator: data.generator,
     field: data.field,
     surface,
-    range: rangeOf(nodeValues.concat(Object.values(rangeOf(surface.values)))),
-    graph: {nodes: data.graph.nodes, arcs: data.graph.arcs.map(decodeArc)},
-    levels: data.levels,
+    // The values that are drawn, which are finite.
+    range: {low: data.field.lowest, high: data.field.highest},
+    graph: decodeGraph(data.graph),
+    levels: data.levels.map(decodeLevel),
     curves: data.curves.map(decodePolyline)
   };
 }

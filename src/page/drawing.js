@@ -68,7 +68,7 @@ class Drawing {
     this.marker = makeSvg("circle", {class: "marker", r: this.scale.nodeRadius + 1, visibility: "hidden"}, svg);
     const nodes = makeSvg("g", {class: "nodes"}, svg);
     this.nodeShapes = view.nodes.map((node, i) => {
-      const shape = makeNodeShape(node.kind, this.scale.x(node.column), this.scale.y(node.value),
+      const shape = makeNodeShape(node.kind, this.scale.x(node.column), this.scale.y(this.drawnValue(node.value)),
                                   this.scale.nodeRadius, nodes);
       shape.setAttribute("data-node", i);
       return shape;
@@ -86,6 +86,10 @@ class Drawing {
       makeSvg("line", {x1: margin.left - 8, x2: width - 4, y1: y(tick), y2: y(tick)}, lines);
       makeSvg("text", {x: margin.left - 12, y: y(tick) + 4, "text-anchor": "end"}, axis, formatNumber(tick));
     });
+  }
+
+  drawnValue(value) {
+    return Math.min(Math.max(value, this.data.range.low), this.data.range.high);
   }
 
   pathOf(plane) {
@@ -124,7 +128,7 @@ class Drawing {
   }
 
   pointAt(arc, value) {
-    return [this.scale.x(this.view.column(arc, value)), this.scale.y(value)];
+    return [this.scale.x(this.view.column(arc, value)), this.scale.y(this.drawnValue(value))];
   }
 
   // Scrolls so far that an arc is seen.

@@ -168,8 +168,9 @@ class Page {
     first.append(" is where contours begin, join, split or end.");
     if (this.loops > 0)
       addElement(text, "p", "A loop goes around a handle or hole of the surface: here " + this.loops + ".");
+    const canSimplify = this.view.arcs.length > 40 && this.data.levels.length > 1;
     addElement(text, "p", "Point at an arc, here or there, to see its piece; click to keep it, and move its contour."
-      + (this.view.arcs.length > 40 && this.data.levels.length > 1 ? " Simplify to see what matters most." : ""), "hint");
+      + (canSimplify ? " Simplify to see what matters most." : ""), "hint");
   }
 
   showFactsOfArc(text, number) {
@@ -275,7 +276,7 @@ class Page {
   }
 
   setPlace(place) {
-    this.state.place = Math.min(Math.max(place, 0.01), 0.99);
+    this.state.place = isFinite(place) ? Math.min(Math.max(place, 0.01), 0.99) : 0.5;
     element("place").value = this.state.place;
     this.showContour();
   }

@@ -23,8 +23,10 @@ function niceTicks(low, high, count) {
 
 // A number with about four digits.
 function formatNumber(x) {
-  if (x === null || x === undefined || !isFinite(x))
+  if (x === null || x === undefined || isNaN(x))
     return "–";
+  if (!isFinite(x))
+    return x < 0 ? "−∞" : "∞";
   const magnitude = Math.abs(x);
   const text = magnitude !== 0 && (magnitude < 1e-3 || magnitude >= 1e7) ? x.toExponential(3)
     : magnitude >= 1000 ? x.toFixed(0) : x.toPrecision(4);

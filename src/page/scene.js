@@ -75,9 +75,14 @@ class Scene {
     this.makeCamera();
   }
 
+  // Between 0 and 1 for the values that are drawn; what is beyond is cut to a little more.
   normalizedValue(value) {
     const {low, high} = this.data.range;
-    return high > low ? (value - low) / (high - low) : 0.5;
+    return high > low ? Math.min(Math.max((value - low) / (high - low), -0.01), 1.01) : 0.5;
+  }
+
+  endOfBand(value) {
+    return value === Infinity ? 2 : this.normalizedValue(value);
   }
 
   makeSurface() {
@@ -89,7 +94,6 @@ class Scene {
       position: new Float32Array(3 * corners), value: new Float32Array(corners), bands: new Float32Array(3 * corners),
       ends: new Float32Array(2 * corners), patch: new Float32Array(corners)
     };
-    const clamped = x => Math.min(Math.max(this.normalizedValue(x), -1), 2);
     const center = this.pose.center;
     for (let corner = 0; corner < corners; ++corner) {
       const face = Math.floor(corner / 3), v = triangles[corner];
@@ -98,8 +102,8 @@ class Scene {
         arrays.bands[3 * corner + i] = places[3 * face + i];
       }
       arrays.value[corner] = this.normalizedValue(values[v]);
-      arrays.ends[2 * corner] = clamped(ends[2 * face]);
-      arrays.ends[2 * corner + 1] = clamped(ends[2 * face + 1]);
+      arrays.ends[2 * corner] = this.endOfBand(ends[2 * face]);
+      arrays.ends[2 * corner + 1] = this.endOfBand(ends[2 * face + 1]);
       arrays.patch[corner] = facePatches ? facePatches[face] : 0;
     }
     const geometry = new THREE.BufferGeometry();
@@ -216,7 +220,8 @@ class Scene {
 
   zoom(factor) {
     const offset = this.camera.position.clone().sub(this.controls.target);
-    offset.setLength(Math.min(Math.max(offset.length() / factor, this.controls.minDistance), this.controls.maxDistance));
+    const {minDistance, maxDistance} = this.controls;
+    offset.setLength(Math.min(Math.max(offset.length() / factor, minDistance), maxDistance));
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
   }
@@ -259,33 +264,40 @@ class Scene {
       const arc = view.placeOf(place);
       this.placeTable.setColor(place, arc >= 0 ? arcColors[arc] : [0.6, 0.6, 0.6]);
     }
-    const polylines = view.arcs.map((arc, id) => ({points: arc.polyline, isClosed: false, id}));
-    const many = Math.max(0.4, Math.min(1, 6 / Math.sqrt(view.arcs.length)));
-    this.tubeRadius = 0.0075 * many * this.pose.size;
-    const tubes = this.tubeGeometry(polylines, this.tubeRadius, 8, (arc, t) => view.value(arc, t));
-    const tubeMaterial = this.tubeMaterial(this.arcTable, {});
-    const nodes = this.nodeGeometry(view);
-    const nodeUniforms = {
-      colors: {value: this.nodeTable.texture}, rows: {value: this.nodeTable.rows},
-      size: {value: (5 + 10 * many) * this.renderer.getPixelRatio()}, outline: {value: this.outline}, firstNumber: {value: 0}
-    };
-    const nodeMaterial = makeMaterial(shaders.nodeVertex, shaders.nodeFragment, nodeUniforms, {});
-    const firstArc = this.placeTable.size + 1, firstNode = firstArc + view.arcs.length;
-    const tubeNumbers = makeMaterial(shaders.tubeVertex, shaders.tubeNumberFragment,
-                                     {inflation: {value: 0.6 * this.tubeRadius}, firstNumber: {value: firstArc}}, {});
-    const nodeNumbers = makeMaterial(shaders.nodeVertex, shaders.nodeNumberFragment,
-                                     Object.assign({}, nodeUniforms, {firstNumber: {value: firstNode}}), {});
-    const parts = [[this.scene, tubes, tubeMaterial, 0, THREE.Mesh], [this.scene, nodes, nodeMaterial, 1, THREE.Points],
-                   [this.numberScene, tubes, tubeNumbers, 20, THREE.Mesh],
-                   [this.numberScene, nodes, nodeNumbers, 21, THREE.Points]];
-    this.graph = parts.map(([scene, geometry, material, order, Kind]) =>
-      ({scene, object: this.add(scene, geometry, material, order, Kind)}));
-    // What is pointed at is the graph rather than the surface before it.
-    this.graph[2].object.onBeforeRender = renderer => renderer.clearDepth();
-    this.nodeUniforms = nodeUniforms;
+    this.graph = this.makeGraph();
     this.setTubeColors();
     this.setLayers(this.layers);
     this.setLit(null);
+  }
+
+  // The tubes and the nodes of the graph, to be seen and to be pointed at. Those of large graphs are thinner.
+  makeGraph() {
+    const {view} = this;
+    const thickness = Math.max(0.4, Math.min(1, 6 / Math.sqrt(view.arcs.length)));
+    const radius = 0.0075 * thickness * this.pose.size;
+    const polylines = view.arcs.map((arc, id) => ({points: arc.polyline, isClosed: false, id}));
+    const tubes = this.tubeGeometry(polylines, radius, 8, (arc, t) => view.value(arc, t));
+    const nodes = this.nodeGeometry(view);
+    const nodeUniforms = {
+      colors: {value: this.nodeTable.texture}, rows: {value: this.nodeTable.rows},
+      size: {value: (5 + 10 * thickness) * this.renderer.getPixelRatio()}, outline: {value: this.outline}
+    };
+    const firstArc = this.placeTable.size + 1, firstNode = firstArc + view.arcs.length;
+    const tubeNumbers = makeMaterial(shaders.tubeVertex, shaders.tubeNumberFragment,
+                                     {inflation: {value: 0.6 * radius}, firstNumber: {value: firstArc}}, {});
+    const nodeNumbers = makeMaterial(shaders.nodeVertex, shaders.nodeNumberFragment,
+                                     Object.assign({}, nodeUniforms, {firstNumber: {value: firstNode}}), {});
+    const nodeMaterial = makeMaterial(shaders.nodeVertex, shaders.nodeFragment, nodeUniforms, {});
+    const parts = [
+      [this.scene, tubes, this.tubeMaterial(this.arcTable, {}), 0, THREE.Mesh],
+      [this.scene, nodes, nodeMaterial, 1, THREE.Points],
+      [this.numberScene, tubes, tubeNumbers, 20, THREE.Mesh],
+      [this.numberScene, nodes, nodeNumbers, 21, THREE.Points]
+    ].map(([scene, geometry, material, order, Kind]) =>
+      ({scene, object: this.add(scene, geometry, material, order, Kind)}));
+    // What is pointed at is the graph rather than the surface before it.
+    parts[2].object.onBeforeRender = renderer => renderer.clearDepth();
+    return parts;
   }
 
   nodeGeometry(view) {
@@ -414,7 +426,8 @@ class Scene {
       this.areNumbersOld = false;
     }
     const pixel = new Uint8Array(4);
-    this.renderer.readRenderTargetPixels(this.numberTarget, Math.floor(x), this.height - 1 - Math.floor(y), 1, 1, pixel);
+    const row = this.height - 1 - Math.floor(y);
+    this.renderer.readRenderTargetPixels(this.numberTarget, Math.floor(x), row, 1, 1, pixel);
     return this.targetOfNumber(65536 * pixel[0] + 256 * pixel[1] + pixel[2]);
   }
 
