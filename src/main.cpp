@@ -130,7 +130,8 @@ void add_compute_command(CLI::App& app, Compute_options& options)
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
   add_graph_options(*command, options.graph);
-  command->add_option("--graph", options.graph_path, "Write the graph to this file, .graphml or .dot");
+  command->add_option("--graph", options.graph_path,
+                      "Write the graph to this file, .graphml or .dot, or draw it, .svg");
   command->add_option("--vertex-arcs", options.vertex_arcs_path,
                       "Write to this file, for each vertex on a line, the arc or node of the graph that it belongs to");
   command->add_option(

@@ -22,6 +22,7 @@
 #include <CGAL/Reeb_graph/IO/graphviz.h>
 #include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/IO/read_graphml.h>
+#include <CGAL/Reeb_graph/IO/svg.h>
 #include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/embed.h>

@@ -10,6 +10,8 @@
 
 #include "output/output_file.h"
 
+#include <CGAL/Reeb_graph/internal/drawing/round_ticks.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -70,16 +72,7 @@ public:
   double x(double value) const { return left + size * (value - lowest_) / (highest_ - lowest_); }
   double y(double value) const { return top + size - size * (value - lowest_) / (highest_ - lowest_); }
 
-  // At least four round numbers, in steps of 1, 2, or 5 times a power of ten.
-  std::vector<double> ticks() const
-  {
-    const double largest_step = (highest_ - lowest_) / 4, power = std::pow(10, std::floor(std::log10(largest_step)));
-    const double step = power * (largest_step >= 5 * power ? 5 : largest_step >= 2 * power ? 2 : 1);
-    std::vector<double> ticks;
-    for(double i = std::ceil(lowest_ / step); i * step <= highest_ && ticks.size() < 20; ++i)
-      ticks.push_back(i == 0 ? 0 : i * step);
-    return ticks;
-  }
+  std::vector<double> ticks() const { return CGAL::Reeb_graph::internal::round_ticks(lowest_, highest_, 4); }
 
 private:
   double lowest_ = 0, highest_ = 1;

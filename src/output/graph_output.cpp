@@ -11,14 +11,15 @@
 #include "output/output_file.h"
 
 #include <CGAL/Reeb_graph/IO.h>
+#include <CGAL/Reeb_graph/IO/svg.h>
 
 #include <stdexcept>
 
 namespace reeb_graph_program {
 void check_graph_format(const std::filesystem::path& path)
 {
-  if(path.extension() != ".graphml" && path.extension() != ".dot")
-    throw std::runtime_error(path.string() + ": the file name of a graph ends in .graphml or .dot");
+  if(path.extension() != ".graphml" && path.extension() != ".dot" && path.extension() != ".svg")
+    throw std::runtime_error(path.string() + ": the file name of a graph ends in .graphml, .dot, or .svg");
 }
 
 void write_graph(const std::filesystem::path& path, const Graph& graph, const Surface& surface)
@@ -28,6 +29,8 @@ void write_graph(const std::filesystem::path& path, const Graph& graph, const Su
   write_file(path, [&](std::ostream& stream) {
     if(path.extension() == ".graphml")
       CGAL::Reeb_graph::write_graphml(stream, graph, vertex_index_map);
+    else if(path.extension() == ".svg")
+      CGAL::Reeb_graph::write_svg(stream, graph, CGAL::parameters::vertex_index_map(vertex_index_map));
     else
       CGAL::Reeb_graph::write_graphviz(stream, graph, vertex_index_map);
   });

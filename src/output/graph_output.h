@@ -16,7 +16,7 @@
 #include <filesystem>
 
 namespace reeb_graph_program {
-// Throws std::runtime_error if the extension is neither .graphml nor .dot.
+// Throws std::runtime_error if the extension is none of .graphml, .dot, and .svg.
 void check_graph_format(const std::filesystem::path& path);
 
 void write_graph(const std::filesystem::path& path, const Graph& graph, const Surface& surface);

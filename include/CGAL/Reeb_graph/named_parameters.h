@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/options.h>
 
 #include <cstddef>
+#include <string>
 
 // The named parameters of graphs, fields and simplification; their documentation is in the list
 // `PkgReebGraphNamedParameters`.
@@ -31,6 +32,8 @@ CGAL_REEB_GRAPH_NAMED_PARAMETER(embedding_manner, Reeb_graph::Embedding_manner)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_contours, std::size_t)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_smoothing_steps, std::size_t)
 CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(parametrization_map)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(field_name, std::string)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(field_unit, std::string)
 CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(branch_measure)
 CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(piece_weights)
 CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(simplification)

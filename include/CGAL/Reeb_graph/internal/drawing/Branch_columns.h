@@ -63,9 +63,17 @@ public:
 
   double operator[](Index branch) const { return columns_[branch]; }
 
+  // The distance to the next branch on the way to its parent: short ones lie closer.
+  double width(Index branch) const
+  {
+    constexpr double short_length = 1. / 40;
+    const Height_range& extent = order_.extent(branch);
+    return extent.high - extent.low < short_length ? 0.5 : 1;
+  }
+
 private:
   static constexpr double gap_of_components = 1.5; // in columns
-  static constexpr double gap_of_ends = 1. / 48;   // in a column, of the whole height
+  static constexpr double gap_of_ends = 1. / 60;   // in a column, of the whole height
 
   static Height_range widened(const Height_range& range) { return {range.low - gap_of_ends, range.high + gap_of_ends}; }
 
@@ -101,7 +109,7 @@ private:
     for(const Index branch : branches)
     {
       const Height_range range = taken_heights(branch);
-      const double column = inner.highest(range) + 1;
+      const double column = inner.highest(range) + width(branch);
       inner.raise(range, column);
       columns_[branch] = side * column;
     }

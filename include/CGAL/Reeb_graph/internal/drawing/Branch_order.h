@@ -35,6 +35,7 @@ public:
   Branch_order(const Branch_tree& tree, const std::vector<double>& heights)
     : tree_(tree),
       extents_(tree.branches.size()),
+      sizes_(tree.branches.size(), 1),
       sides_(tree.branches.size(), 0),
       children_(tree.branches.size())
   {
@@ -47,6 +48,7 @@ public:
       if(parent == no_index)
         continue;
       extents_[parent].extend(extents_[branch]);
+      sizes_[parent] += sizes_[branch];
       children_[parent].push_back(branch);
     }
     for(Index branch = size(); branch-- != 0;)
@@ -125,7 +127,7 @@ private:
               [&](Index a, Index b) { return length(a) != length(b) ? length(a) > length(b) : a < b; });
     const int outward = sides_[parent] == 0 ? 1 : sides_[parent];
     std::array<std::vector<Index>, 2> placed; // outward, inward
-    std::array<double, 2> loads = {0, 0};
+    std::array<Load, 2> loads = {};
     for(const Index child : children)
     {
       std::array<std::size_t, 2> crossings = {0, 0};
@@ -136,10 +138,11 @@ private:
           crossings[side] += blocks(child, placed[side][i]) && blocks(placed[side][i], child) ? 1 : 0;
       }
       for_each_port(parent, [&](double height) { crossings[1] += extents_[child].has_inside(height) ? 1 : 0; });
-      const bool is_inward =
-        crossings[0] != crossings[1] ? crossings[1] < crossings[0] : sides_[parent] == 0 && loads[1] < loads[0];
+      const bool is_inward = crossings[0] != crossings[1]
+                             ? crossings[1] < crossings[0]
+                             : sides_[parent] == 0 && load(loads[1], child) < load(loads[0], child);
       placed[is_inward].push_back(child);
-      loads[is_inward] += length(child);
+      add_load(child, loads[is_inward]);
       sides_[child] = is_inward ? -outward : outward;
     }
     for(std::vector<Index>& side : placed)
@@ -149,6 +152,32 @@ private:
     children = left;
     const std::vector<Index>& right = placed[outward > 0 ? 0 : 1];
     children.insert(children.end(), right.begin(), right.end());
+  }
+
+  // About how many branches one side of a trunk has, in equal parts of its height.
+  typedef std::array<Index, 32> Load;
+
+  // Calls visit(part) for the parts of the height that a branch and what is attached to it take.
+  template <class Visit>
+  void for_each_part(Index branch, const Visit& visit) const
+  {
+    const auto part = [](double height) {
+      return static_cast<std::size_t>((std::clamp)(height * Load().size(), 0., Load().size() - 1.));
+    };
+    for(std::size_t i = part(extents_[branch].low); i <= part(extents_[branch].high); ++i)
+      visit(i);
+  }
+
+  Index load(const Load& loads, Index branch) const
+  {
+    Index highest = 0;
+    for_each_part(branch, [&](std::size_t part) { highest = (std::max)(highest, loads[part]); });
+    return highest;
+  }
+
+  void add_load(Index branch, Load& loads) const
+  {
+    for_each_part(branch, [&](std::size_t part) { loads[part] += sizes_[branch]; });
   }
 
   // Of branches at one side that go up, the highest is the innermost one, of those that go down the lowest. The two
@@ -180,6 +209,7 @@ private:
 
   const Branch_tree& tree_;
   std::vector<Height_range> extents_, own_extents_;
+  std::vector<Index> sizes_; // how many branches each and what is attached to it are
   std::vector<int> sides_;
   std::vector<std::vector<Index>> children_;
 };

@@ -30,15 +30,19 @@ typedef std::array<double, 2> Plane_point; // column and height
 
 // The curve by which an arc goes from a node at `from` to a point at `to` in another column: sideways first, and then
 // in a rounded corner to the vertical. It rises by so little on the way that it stays below `next_height`.
-inline void add_corner(Plane_point from, Plane_point to, double next_height, std::vector<Plane_point>& curve)
+inline void add_corner(Plane_point from,
+                       Plane_point to,
+                       double largest_radius,
+                       double next_height,
+                       std::vector<Plane_point>& curve)
 {
   constexpr int steps = 8;
   constexpr double right_angle = 1.57079632679489661923;
   const double distance = to[0] - from[0], height = to[1] - from[1];
-  const double radius = std::copysign((std::min)(1., std::abs(distance)), distance);
-  const bool is_far = std::abs(distance) > 1;
-  const double rise =
-    is_far ? std::copysign((std::min)(0.2 * std::abs(height), 0.5 * std::abs(next_height - from[1])), height) : 0;
+  const bool is_far = std::abs(distance) > largest_radius;
+  const double radius = is_far ? std::copysign(largest_radius, distance) : distance;
+  const double largest_rise = (std::min)(0.2 * std::abs(height), 0.5 * std::abs(next_height - from[1]));
+  const double rise = is_far ? std::copysign(largest_rise, height) : 0;
   curve.push_back(from);
   for(int i = is_far ? 0 : 1; i != steps; ++i)
   {
@@ -71,11 +75,7 @@ public:
     {
       const Drawn_branch& drawn = tree_.branches[branch];
       for(std::size_t i = drawn.first_arc; i != drawn.end_of_arcs; ++i)
-      {
-        const bool is_led_below = i == drawn.first_arc && drawn.is_lower_attached;
-        const bool is_led_above = i + 1 == drawn.end_of_arcs && (drawn.is_upper_attached || drawn.is_closing);
-        curves_[tree_.arcs[i]] = curve(arcs[tree_.arcs[i]], columns[branch], is_led_below, is_led_above);
-      }
+        curves_[tree_.arcs[i]] = curve(arcs[tree_.arcs[i]], columns[branch], columns.width(branch));
     }
   }
 
@@ -109,35 +109,26 @@ private:
     end_run();
   }
 
-  std::vector<Plane_point> curve(const Leaf_pruning::Arc& arc,
-                                 double column,
-                                 bool is_led_below,
-                                 bool is_led_above) const
+  // The curve of an arc that is vertical in a column, with corners where its nodes are not in this column.
+  std::vector<Plane_point> curve(const Leaf_pruning::Arc& arc, double column, double radius) const
   {
     const Plane_point lower = {positions_[arc.lower], heights_[arc.lower]};
     const Plane_point upper = {positions_[arc.upper], heights_[arc.upper]};
-    if(!is_led_below && !is_led_above)
-      return {lower, upper};
-    const double height = (std::min)((upper[1] - lower[1]) / (is_led_below && is_led_above ? 2 : 1), corner_height);
+    const bool is_bent_below = lower[0] != column, is_bent_above = upper[0] != column;
+    const double height = (std::min)((upper[1] - lower[1]) / (is_bent_below && is_bent_above ? 2 : 1), corner_height);
     const auto next = std::upper_bound(sorted_heights_.begin(), sorted_heights_.end(), lower[1]);
     const auto last = std::lower_bound(sorted_heights_.begin(), sorted_heights_.end(), upper[1]);
-    std::vector<Plane_point> result;
-    if(is_led_below)
-      add_corner(lower, {is_led_above ? column : upper[0], lower[1] + height},
-                 next == sorted_heights_.end() ? lower[1] : *next, result);
-    else
-      result.push_back(lower);
-    if(is_led_above)
-    {
-      std::vector<Plane_point> downwards;
-      add_corner(upper, {is_led_below ? column : lower[0], upper[1] - height},
-                 last == sorted_heights_.begin() ? upper[1] : *(last - 1), downwards);
-      result.insert(result.end(), downwards.rbegin(), downwards.rend());
-    }
-    else
-      result.push_back(upper);
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
+    std::vector<Plane_point> points = {lower}, points_from_above = {upper};
+    if(is_bent_below)
+      add_corner(lower, {column, lower[1] + height}, radius, next == sorted_heights_.end() ? lower[1] : *next, points);
+    if(is_bent_above)
+      add_corner(upper, {column, upper[1] - height}, radius, last == sorted_heights_.begin() ? upper[1] : *(last - 1),
+                 points_from_above);
+    points.insert(points.end(), points_from_above.rbegin(), points_from_above.rend());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if(points.size() == 1)
+      points.push_back(upper);
+    return points;
   }
 
   const std::vector<double>& heights_;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,12 +45,17 @@ public:
     // halves, as the range of finite values can be too large for a number
     const double range = highest / 2 - lowest / 2, beyond = range > 0 ? range / 5 : 1;
     constexpr double limit = (std::numeric_limits<double>::max)();
+    lowest_finite_ = lowest;
+    highest_finite_ = highest;
     lowest_ = has_lowest ? (std::max)(lowest - beyond, -limit) : lowest;
     highest_ = has_highest ? (std::min)(highest + beyond, limit) : highest;
   }
 
   double lowest() const { return lowest_; }
   double highest() const { return highest_; }
+
+  // The range of the finite values.
+  std::pair<double, double> finite_range() const { return {lowest_finite_, highest_finite_}; }
 
   double finite_value(double value) const { return (std::clamp)(value, lowest_, highest_); }
 
@@ -62,7 +68,7 @@ public:
   double value(double height) const { return (1 - height) * lowest_ + height * highest_; }
 
 private:
-  double lowest_, highest_;
+  double lowest_, highest_, lowest_finite_, highest_finite_;
 };
 
 } // namespace internal

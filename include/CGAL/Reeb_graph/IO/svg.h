@@ -1,0 +1,150 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_IO_SVG_H
+#define CGAL_REEB_GRAPH_IO_SVG_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/graph_topology.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/drawing/Svg_drawing.h>
+#include <CGAL/Reeb_graph/internal/output/files.h>
+#include <CGAL/Reeb_graph/internal/output/number_text.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/plane_layout.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// A number and what it counts.
+inline std::string counted(std::size_t number, const std::string& name)
+{
+  return std::to_string(number) + ' ' + name + (number == 1 ? "" : "s");
+}
+
+} // namespace internal
+
+/// \ingroup PkgReebGraphDrawing
+///
+/// \brief draws a Reeb graph as a picture in the format SVG, which web browsers show and vector graphics programs edit.
+///
+/// The height of a node is its value, as the axis tells; see `lay_out_in_plane()` for where nodes and arcs lie. The
+/// colours and shapes of the nodes tell their kinds, colours that people with colour blindness can tell apart. Nodes are
+/// labelled with `n` and their number, and in a small graph with their value, arcs with their number in the order of
+/// `edges(graph)`, where there is room: no label lies on another one, on a node, or on an arc. All of it is told where
+/// the pointer rests on a node or an arc. There is no script in the file. Equal graphs give equal files.
+///
+/// \tparam ReebGraph the type `Graph` of a model of `ReebGraphTraits`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param out the stream; whether writing succeeded is seen by its state
+/// \param graph a Reeb graph, computed with any named parameters; `CGAL::to_double()` has to take its values
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{field_name}
+///     \cgalParamDescription{what the values are, in UTF-8, for the axis}
+///     \cgalParamType{`std::string`}
+///     \cgalParamDefault{`"value"`}
+///     \cgalParamExtra{use the functions `parameters::field_name()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{field_unit}
+///     \cgalParamDescription{the unit of the values, in UTF-8, for the axis}
+///     \cgalParamType{`std::string`}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{use the functions `parameters::field_unit()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_index_map}
+///     \cgalParamDescription{a property map that associates an index with each vertex of the mesh: that of a node is
+///                           told where the pointer rests on it}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an integer
+///                    type as value type}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
+template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
+void write_svg(std::ostream& out, const ReebGraph& graph, const NamedParameters& np = parameters::default_values())
+{
+  if constexpr(internal::Augmented_reeb_graph<ReebGraph>::value)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    const std::string name = choose_parameter(get_parameter(np, internal::field_name), std::string("value"));
+    const std::string unit = choose_parameter(get_parameter(np, internal::field_unit), std::string());
+    const auto vertex_index_map = get_parameter(np, internal_np::vertex_index);
+    const auto value_text = [&](std::size_t node) {
+      return internal::to_short_string(CGAL::to_double(graph[node].value));
+    };
+    constexpr std::size_t few_nodes = 40;
+
+    Plane_layout layout = lay_out_in_plane(graph);
+    std::vector<internal::Drawn_node> nodes;
+    for(std::size_t node = 0; node != num_vertices(graph); ++node)
+    {
+      const std::string number = std::to_string(node), value = value_text(node);
+      std::string title = "node " + number + ": " + to_string(graph[node].kind) + "\n" + name + ' ' + value
+                        + (unit.empty() ? "" : ' ' + unit);
+      if constexpr(internal::is_given<decltype(vertex_index_map)>)
+        title += "\nvertex " + std::to_string(get(vertex_index_map, graph[node].vertex));
+      nodes.push_back({layout.node_positions[node], CGAL::to_double(graph[node].value), graph[node].kind,
+                       'n' + number
+                         + (num_vertices(graph) > few_nodes
+                              ? ""
+                              : ": " + internal::to_string_with_precision(CGAL::to_double(graph[node].value), 4)),
+                       title});
+    }
+    std::vector<internal::Drawn_arc> arcs;
+    for(auto range = edges(graph); range.first != range.second; ++range.first)
+    {
+      const std::size_t lower = source(*range.first, graph), upper = target(*range.first, graph);
+      const std::string number = std::to_string(arcs.size());
+      arcs.push_back({std::move(layout.arc_polylines[arcs.size()]), number,
+                      "arc " + number + ": from node " + std::to_string(lower) + " to node " + std::to_string(upper)
+                        + "\n" + name + " from " + value_text(lower) + " to " + value_text(upper)
+                        + (unit.empty() ? "" : ' ' + unit)});
+    }
+    const std::string description = internal::counted(num_vertices(graph), "node") + ", "
+                                  + internal::counted(num_edges(graph), "arc") + ", "
+                                  + internal::counted(number_of_loops(graph), "loop") + ", "
+                                  + internal::counted(number_of_components(graph), "component");
+    internal::Svg_drawing(std::move(nodes), std::move(arcs), unit.empty() ? name : name + " [" + unit + "]")
+      .write(out, "Reeb graph", description);
+  }
+}
+
+/// \ingroup PkgReebGraphDrawing
+///
+/// \brief draws a Reeb graph to a file in the format SVG, as to a stream.
+///
+/// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
+/// \exception Reeb_graph::File_error if the file cannot be written
+template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
+void write_svg(const std::string& filename,
+               const ReebGraph& graph,
+               const NamedParameters& np = parameters::default_values())
+{
+  internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_svg(out, graph, np); });
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_IO_SVG_H

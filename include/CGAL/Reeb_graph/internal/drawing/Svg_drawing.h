@@ -1,0 +1,262 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_DRAWING_SVG_DRAWING_H
+#define CGAL_REEB_GRAPH_INTERNAL_DRAWING_SVG_DRAWING_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Node_kind.h>
+#include <CGAL/Reeb_graph/internal/drawing/Occupied_plane.h>
+#include <CGAL/Reeb_graph/internal/drawing/Svg_elements.h>
+#include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
+#include <CGAL/Reeb_graph/internal/drawing/round_ticks.h>
+#include <CGAL/Reeb_graph/internal/output/number_text.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// A graph that is to be drawn.
+struct Drawn_node
+{
+  double position, value; // in columns
+  Node_kind kind;
+  std::string label, title;
+};
+
+struct Drawn_arc
+{
+  std::vector<std::array<double, 2>> points; // positions and values
+  std::string label, title;
+};
+
+// Draws a graph: an axis with its grid, arcs, nodes, labels where there is room for them, and a legend.
+class Svg_drawing
+{
+public:
+  Svg_drawing(std::vector<Drawn_node> nodes, std::vector<Drawn_arc> arcs, std::string axis_title)
+    : nodes_(std::move(nodes)),
+      arcs_(std::move(arcs)),
+      axis_title_(std::move(axis_title)),
+      scale_(values())
+  {
+    double columns = 0;
+    for(const Drawn_node& node : nodes_)
+      columns = (std::max)(columns, node.position);
+    for(const Drawn_arc& arc : arcs_)
+    {
+      for(const std::array<double, 2>& point : arc.points)
+        columns = (std::max)(columns, point[0]);
+    }
+    const double size = static_cast<double>(nodes_.size());
+    height_ = (std::clamp)(360 + 26 * std::sqrt(size), 420., 1400.);
+    column_width_ = (std::clamp)(1100 / (columns + 1), 16., 56.);
+    radius_ = column_width_ < 30 ? 4 : 5.5;
+    width_ = (std::max)(120., column_width_ * (columns + 1));
+    indent_ = (width_ - column_width_ * columns) / 2;
+    for(Drawn_arc& arc : arcs_)
+    {
+      for(std::array<double, 2>& point : arc.points)
+        point = {x(point[0]), y(point[1])};
+    }
+  }
+
+  void write(std::ostream& out, const std::string& title, const std::string& description) const
+  {
+    const double width = left_ + width_ + right_, height = top_ + height_ + bottom_;
+    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""
+        << pixels(width) << "\" height=\"" << pixels(height) << "\" viewBox=\"0 0 " << pixels(width) << ' '
+        << pixels(height) << "\" role=\"img\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\""
+        << pixels(Svg_text::size) << "\">\n<title>" << escape_xml(title) << "</title>\n<desc>"
+        << escape_xml(description) << "</desc>\n<rect fill=\"white\" width=\"" << pixels(width) << "\" height=\""
+        << pixels(height) << "\"/>\n";
+    write_axis(out);
+    out << "<g id=\"arcs\" fill=\"none\" stroke=\"#455a64\" stroke-width=\"" << (radius_ < 5 ? "1.3" : "1.8")
+        << "\" stroke-linejoin=\"round\">\n";
+    for(const Drawn_arc& arc : arcs_)
+      write_polyline(out, arc.points, arc.title);
+    out << "</g>\n<g id=\"nodes\" stroke=\"#263238\" stroke-width=\".18\">\n";
+    for(const Drawn_node& node : nodes_)
+      write_node_shape(out, style_of(node.kind), x(node.position), y(node.value), radius_, node.title);
+    out << "</g>\n";
+    write_labels(out);
+    write_legend(out, description);
+    out << "</svg>\n";
+  }
+
+private:
+  static constexpr double left_ = 84, right_ = 150, top_ = 24, bottom_ = 24; // around the drawing
+
+  std::vector<double> values() const
+  {
+    std::vector<double> values;
+    for(const Drawn_node& node : nodes_)
+      values.push_back(node.value);
+    return values;
+  }
+
+  double x(double position) const { return left_ + indent_ + column_width_ * position; }
+  double y(double value) const { return top_ + height_ * (1 - scale_.height(value)); }
+
+  static const Node_style& style_of(Node_kind kind)
+  {
+    return *std::find_if(node_styles.begin(), node_styles.end() - 1,
+                         [&](const Node_style& style) { return style.kind == kind; });
+  }
+
+  void write_axis(std::ostream& out) const
+  {
+    const auto [lowest, highest] = scale_.finite_range();
+    const std::vector<double> ticks = round_ticks(lowest, highest, static_cast<int>(height_ / 100));
+    const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1;
+    const double largest = (std::max)(std::abs(lowest), std::abs(highest));
+    const int digits = (std::clamp)(static_cast<int>(std::ceil(std::log10((std::max)(largest / step, 1.)))) + 1, 6, 17);
+    std::vector<std::pair<double, std::string>> marks;
+    for(const double tick : ticks)
+      marks.emplace_back(tick, to_string_with_precision(tick, digits));
+    if(scale_.lowest() < lowest)
+      marks.emplace_back(scale_.lowest(), "-\xe2\x88\x9e");
+    if(scale_.highest() > highest)
+      marks.emplace_back(scale_.highest(), "\xe2\x88\x9e");
+
+    out << "<g id=\"grid\" stroke=\"#e3e8ea\">\n";
+    for(const auto& mark : marks)
+      out << "<path d=\"M" << pixels(left_) << ' ' << pixels(y(mark.first)) << 'h' << pixels(width_) << "\"/>\n";
+    out << "</g>\n<path stroke=\"#90a4ae\" d=\"M" << pixels(left_) << ' ' << pixels(top_ - 8) << 'V'
+        << pixels(top_ + height_ + 8) << "\"/>\n<g id=\"ticks\" fill=\"#455a64\">\n";
+    for(const auto& mark : marks)
+      Svg_text{mark.second, left_ - 8, y(mark.first), Svg_text::END}.write(out);
+    out << "</g>\n<text id=\"axis\" text-anchor=\"middle\" fill=\"#263238\" transform=\"translate(18 "
+        << pixels(top_ + height_ / 2) << ") rotate(-90)\">" << escape_xml(axis_title_) << "</text>\n";
+  }
+
+  void write_legend(std::ostream& out, const std::string& description) const
+  {
+    const double x = left_ + width_ + 24;
+    double y = top_ + 4;
+    out << "<g id=\"legend\" fill=\"#263238\">\n";
+    for(const Node_style& style : node_styles)
+    {
+      const auto number =
+        std::count_if(nodes_.begin(), nodes_.end(), [&](const Drawn_node& node) { return node.kind == style.kind; });
+      if(number == 0)
+        continue;
+      out << "<path stroke=\"#263238\" stroke-width=\".18\" fill=\"" << style.colour << "\" transform=\"translate("
+          << pixels(x) << ' ' << pixels(y) << ") scale(5.5)\" d=\"M0 0" << style.shape << "\"/>\n";
+      Svg_text{to_string(style.kind) + " (" + std::to_string(number) + ")", x + 14, y, Svg_text::START}.write(out);
+      y += 20;
+    }
+    y += 4;
+    for(std::size_t begin = 0; begin < description.size();)
+    {
+      const std::size_t end = (std::min)(description.find(", ", begin), description.size());
+      Svg_text{description.substr(begin, end - begin), x - 6, y, Svg_text::START}.write(out);
+      y += 16;
+      begin = end + 2;
+    }
+    out << "</g>\n";
+  }
+
+  // The taller the arcs at a node, the earlier is its label placed; then those of the arcs.
+  void write_labels(std::ostream& out) const
+  {
+    Occupied_plane plane({left_ + 2, 2, left_ + width_ + 16, top_ + height_ + bottom_ - 2});
+    for(const Drawn_node& node : nodes_)
+    {
+      const double x0 = x(node.position), y0 = y(node.value), reach = 1.2 * radius_;
+      plane.add({x0 - reach, y0 - reach, x0 + reach, y0 + reach});
+    }
+    for(const Drawn_arc& arc : arcs_)
+    {
+      for(std::size_t i = 1; i < arc.points.size(); ++i)
+        plane.add_line(arc.points[i - 1], arc.points[i], 3);
+    }
+    const auto place = [&](const std::vector<Svg_text>& candidates) {
+      const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                      [&](const Svg_text& text) { return plane.is_free(text.box()); });
+      if(found == candidates.end())
+        return;
+      plane.add(found->box());
+      found->write(out);
+    };
+    out << "<g id=\"node_labels\" fill=\"#263238\">\n";
+    for(const std::size_t node : nodes_by_importance())
+      place(places_of_label(nodes_[node]));
+    out << "</g>\n<g id=\"arc_labels\" fill=\"#78909c\" font-style=\"italic\">\n";
+    for(const Drawn_arc& arc : arcs_)
+      place(places_of_label(arc));
+    out << "</g>\n";
+  }
+
+  std::vector<std::size_t> nodes_by_importance() const
+  {
+    std::vector<std::size_t> order(nodes_.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    return order;
+  }
+
+  std::vector<Svg_text> places_of_label(const Drawn_node& node) const
+  {
+    const double x0 = x(node.position), y0 = y(node.value), d = radius_ + 3, line = 0.55 * Svg_text::size + radius_ + 2;
+    const std::string& text = node.label;
+    return {{text, x0 + d, y0, Svg_text::START},
+            {text, x0 - d, y0, Svg_text::END},
+            {text, x0 + d, y0 - line + 4, Svg_text::START},
+            {text, x0 + d, y0 + line - 4, Svg_text::START},
+            {text, x0 - d, y0 - line + 4, Svg_text::END},
+            {text, x0 - d, y0 + line - 4, Svg_text::END},
+            {text, x0, y0 - line, Svg_text::MIDDLE},
+            {text, x0, y0 + line, Svg_text::MIDDLE}};
+  }
+
+  // Beside the middle of the longest straight part.
+  static std::vector<Svg_text> places_of_label(const Drawn_arc& arc)
+  {
+    std::size_t longest = 0;
+    const auto length = [&](std::size_t i) {
+      return std::hypot(arc.points[i + 1][0] - arc.points[i][0], arc.points[i + 1][1] - arc.points[i][1]);
+    };
+    for(std::size_t i = 0; i + 1 < arc.points.size(); ++i)
+    {
+      if(length(i) > length(longest))
+        longest = i;
+    }
+    std::vector<Svg_text> places;
+    const auto &from = arc.points[longest], &to = arc.points[longest + 1];
+    for(const double t : {0.5, 0.35, 0.65, 0.2, 0.8})
+    {
+      const double x0 = from[0] + t * (to[0] - from[0]), y0 = from[1] + t * (to[1] - from[1]);
+      places.push_back({arc.label, x0 + 4, y0, Svg_text::START});
+      places.push_back({arc.label, x0 - 4, y0, Svg_text::END});
+    }
+    return places;
+  }
+
+  std::vector<Drawn_node> nodes_;
+  std::vector<Drawn_arc> arcs_; // their points in pixels
+  std::string axis_title_;
+  Value_scale scale_;
+  double width_, height_, column_width_, indent_, radius_; // in pixels
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_DRAWING_SVG_DRAWING_H
