@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/Embedding.h>
 #include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
@@ -30,29 +31,6 @@
 namespace CGAL {
 namespace Reeb_graph {
 
-/// \ingroup PkgReebGraphEmbedding
-///
-/// \brief a Reeb graph in space: what `embed()` returns.
-///
-/// \tparam Point_ the type of the points
-template <class Point_>
-struct Embedding
-{
-  typedef Point_ Point; ///< a point
-
-  /// the point of each node, by its descriptor
-  std::vector<Point> node_points;
-
-  /// the polyline of each arc, in the order of `edges(graph)`: from the point of its lower node to that of its upper
-  /// node, both included
-  std::vector<std::vector<Point>> arc_polylines;
-
-  /// the value of the field for each point of `arc_polylines`, in weakly ascending order if the values of the field
-  /// are numbers in their own order. It is that of the contour or of the place on the surface that the point stands
-  /// for, and NaN if the values of the field are no numbers
-  std::vector<std::vector<double>> arc_values;
-};
-
 namespace internal {
 
 template <class Augmentation>
@@ -67,7 +45,10 @@ void embed_nodes_at_vertices(const Augmentation& augmentation, const PointMap& p
 {
   const auto& graph = augmentation.graph();
   for(const auto node : CGAL::make_range(vertices(graph)))
+  {
     result.node_points.push_back(get(point_map, graph[node].vertex));
+    result.node_values.push_back(augmentation.value(graph[node].vertex));
+  }
 }
 
 template <class Result, class Augmentation>
@@ -78,7 +59,7 @@ void embed_straight(const Augmentation& augmentation, Result& result)
   {
     const auto lower = source(arc, graph), upper = target(arc, graph);
     result.arc_polylines.push_back({result.node_points[lower], result.node_points[upper]});
-    result.arc_values.push_back({augmentation.value(graph[lower].vertex), augmentation.value(graph[upper].vertex)});
+    result.arc_values.push_back({result.node_values[lower], result.node_values[upper]});
   }
 }
 
@@ -178,18 +159,21 @@ void embed_at_centroids(const Augmentation& augmentation,
 ///     \cgalParamDescription{where the arcs are}
 ///     \cgalParamType{`Reeb_graph::Embedding_manner`}
 ///     \cgalParamDefault{`Embedding_manner::CENTROIDS`}
+///     \cgalParamExtra{use the functions `parameters::embedding_manner()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_contours}
 ///     \cgalParamDescription{for `CENTROIDS`: how many contours of an arc its polyline leads through; 0 gives straight
 ///                           lines}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{12}
+///     \cgalParamExtra{use the functions `parameters::number_of_contours()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_smoothing_steps}
 ///     \cgalParamDescription{for `CENTROIDS`: how many times each inner point of a polyline is replaced by the mean of
 ///                           itself and of the middle of its neighbors}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
+///     \cgalParamExtra{use the functions `parameters::number_of_smoothing_steps()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parametrization_map}
 ///     \cgalParamDescription{for `CENTROIDS`: another field, whose differences along the chain of the arc are the steps
@@ -198,6 +182,7 @@ void embed_at_centroids(const Augmentation& augmentation,
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type, and a value type that
 ///                    can be converted to `double`}
 ///     \cgalParamDefault{equal steps of the field itself}
+///     \cgalParamExtra{use the functions `parameters::parametrization_map()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{the points of the vertices}

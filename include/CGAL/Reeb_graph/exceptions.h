@@ -174,6 +174,16 @@ public:
   {}
 };
 
+/// \brief thrown if there is not one number of an attribute for each arc, vertex, or face.
+class Attribute_count_error : public Error
+{
+public:
+  /// constructs the exception from the name of the attribute, and how many numbers there are and should be.
+  Attribute_count_error(const std::string& name, std::size_t given, std::size_t needed)
+    : Error("the attribute " + name + " has " + std::to_string(given) + " numbers instead of " + std::to_string(needed))
+  {}
+};
+
 /// \brief thrown for a mesh of more than 2<sup>32</sup> - 2 vertices, halfedges or corners of faces.
 class Mesh_size_error : public Error
 {

@@ -1,0 +1,76 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_IO_ATTRIBUTES_H
+#define CGAL_REEB_GRAPH_IO_ATTRIBUTES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphIO
+///
+/// \brief numbers that are written to a file with a name: one for each arc, vertex, or face.
+struct Attribute
+{
+  std::string name; ///< the name, in files a column or an array
+
+  /// the numbers, in the order of `edges(graph)`, `vertices(mesh)`, or `faces(mesh)`
+  std::variant<std::vector<double>, std::vector<std::int64_t>> numbers;
+};
+
+namespace internal {
+
+inline std::size_t size_of(const Attribute& attribute)
+{
+  return std::visit([](const auto& numbers) { return numbers.size(); }, attribute.numbers);
+}
+
+inline void check_attributes(const std::vector<Attribute>& attributes, std::size_t size)
+{
+  for(const Attribute& attribute : attributes)
+    if(size_of(attribute) != size)
+      throw Attribute_count_error(attribute.name, size_of(attribute), size);
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+CGAL_REEB_GRAPH_NAMED_PARAMETER(arc_attributes, std::vector<Reeb_graph::Attribute>)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(vertex_attributes, std::vector<Reeb_graph::Attribute>)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(face_attributes, std::vector<Reeb_graph::Attribute>)
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The attributes of a named parameter, which have to be as many as things.
+template <class Parameter>
+std::vector<Attribute> checked_attributes(const Parameter& parameter, std::size_t size)
+{
+  const std::vector<Attribute> attributes = parameters::choose_parameter(parameter, std::vector<Attribute>());
+  check_attributes(attributes, size);
+  return attributes;
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_IO_ATTRIBUTES_H

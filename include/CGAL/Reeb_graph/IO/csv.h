@@ -1,0 +1,156 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_IO_CSV_H
+#define CGAL_REEB_GRAPH_IO_CSV_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/IO/attributes.h>
+#include <CGAL/Reeb_graph/Node_kind.h>
+#include <CGAL/Reeb_graph/internal/output/files.h>
+#include <CGAL/Reeb_graph/internal/output/number_text.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// A field of a CSV file, in quotes if it needs them.
+inline std::string csv_of(const std::string& text)
+{
+  if(text.find_first_of(",\"\r\n") == std::string::npos)
+    return text;
+  std::string result = "\"";
+  for(const char c : text)
+    result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + '"';
+}
+
+} // namespace internal
+
+/// \ingroup PkgReebGraphIO
+///
+/// \brief writes the nodes of a Reeb graph in space as a table of comma-separated values, with a header line: their
+/// numbers `node`, the indices `vertex` of their mesh vertices, `value`, `kind`, the coordinates `x`, `y`, `z`, and how
+/// many arcs there are below and above, `arcs_below` and `arcs_above`.
+///
+/// Numbers have all digits; they can be `inf` and `nan`.
+///
+/// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
+/// \tparam Embedding an instance of `Reeb_graph::Embedding`
+/// \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an
+///         integer type as value type
+///
+/// \param out the stream; whether writing succeeded is seen by its state
+/// \param graph the Reeb graph
+/// \param embedding what `embed()` has returned for it
+/// \param vertex_index_map the index of each vertex of the mesh
+template <class Graph, class Embedding, class VertexIndexMap>
+void write_nodes_csv(std::ostream& out, const Graph& graph, const Embedding& embedding, VertexIndexMap vertex_index_map)
+{
+  using internal::to_round_trip_string;
+  out << "node,vertex,value,kind,x,y,z,arcs_below,arcs_above\n";
+  for(const auto node : CGAL::make_range(vertices(graph)))
+  {
+    const auto& point = embedding.node_points[node];
+    out << node << ',' << std::to_string(get(vertex_index_map, graph[node].vertex)) << ','
+        << to_round_trip_string(embedding.node_values[node]) << ',' << graph[node].kind << ','
+        << to_round_trip_string(CGAL::to_double(point.x())) << ',' << to_round_trip_string(CGAL::to_double(point.y()))
+        << ',' << to_round_trip_string(CGAL::to_double(point.z())) << ',' << in_degree(node, graph) << ','
+        << out_degree(node, graph) << '\n';
+  }
+}
+
+/// \ingroup PkgReebGraphIO
+///
+/// \brief writes the arcs of a Reeb graph in space as a table of comma-separated values, with a header line: their
+/// numbers `arc`, the numbers `source` and `target` of their lower and upper nodes, the values `lower_value` and
+/// `upper_value` of these, and the `arc_attributes` by their names.
+///
+/// Numbers have all digits; they can be `inf` and `nan`.
+///
+/// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
+/// \tparam Embedding an instance of `Reeb_graph::Embedding`
+///
+/// \param out the stream; whether writing succeeded is seen by its state
+/// \param graph the Reeb graph
+/// \param embedding what `embed()` has returned for it
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `arc_attributes`, as for `write_vtp()`
+///
+/// \exception Attribute_count_error if an attribute has not one number for each arc
+template <class Graph, class Embedding, class NamedParameters = parameters::Default_named_parameters>
+void write_arcs_csv(std::ostream& out,
+                    const Graph& graph,
+                    const Embedding& embedding,
+                    const NamedParameters& np = parameters::default_values())
+{
+  using internal::to_round_trip_string;
+  const std::vector<Attribute> attributes =
+    internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
+  out << "arc,source,target,lower_value,upper_value";
+  for(const Attribute& attribute : attributes)
+    out << ',' << internal::csv_of(attribute.name);
+  out << '\n';
+  std::size_t i = 0;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const auto lower = source(arc, graph), upper = target(arc, graph);
+    out << i << ',' << lower << ',' << upper << ',' << to_round_trip_string(embedding.node_values[lower]) << ','
+        << to_round_trip_string(embedding.node_values[upper]);
+    for(const Attribute& attribute : attributes)
+      std::visit([&](const auto& numbers) { out << ',' << to_round_trip_string(numbers[i]); }, attribute.numbers);
+    out << '\n';
+    ++i;
+  }
+}
+
+/// \ingroup PkgReebGraphIO
+///
+/// \brief writes the two tables of a Reeb graph in space to files.
+///
+/// \param nodes_filename the file of `write_nodes_csv()`
+/// \param arcs_filename the file of `write_arcs_csv()`
+/// \param graph the Reeb graph
+/// \param embedding what `embed()` has returned for it
+/// \param vertex_index_map the index of each vertex of the mesh
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `arc_attributes`, as for `write_vtp()`
+///
+/// \exception File_error if a file cannot be written
+/// \exception Attribute_count_error if an attribute has not one number for each arc
+template <class Graph,
+          class Embedding,
+          class VertexIndexMap,
+          class NamedParameters = parameters::Default_named_parameters>
+void write_csv(const std::string& nodes_filename,
+               const std::string& arcs_filename,
+               const Graph& graph,
+               const Embedding& embedding,
+               VertexIndexMap vertex_index_map,
+               const NamedParameters& np = parameters::default_values())
+{
+  internal::write_file(
+    nodes_filename, [&](std::ostream& out) { Reeb_graph::write_nodes_csv(out, graph, embedding, vertex_index_map); });
+  internal::write_file(arcs_filename,
+                       [&](std::ostream& out) { Reeb_graph::write_arcs_csv(out, graph, embedding, np); });
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_IO_CSV_H

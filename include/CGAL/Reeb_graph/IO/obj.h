@@ -1,0 +1,83 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_IO_OBJ_H
+#define CGAL_REEB_GRAPH_IO_OBJ_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/output/files.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <ostream>
+#include <string>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphIO
+///
+/// \brief writes a Reeb graph in space in the format OBJ of Wavefront: the nodes as points `p`, and the arcs as lines
+/// `l`, each in a group of its own, `node_0` and so on, `arc_0` and so on.
+///
+/// The points of the nodes come first, in their order; numbers have all digits.
+///
+/// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
+/// \tparam Embedding an instance of `Reeb_graph::Embedding`
+///
+/// \param out the stream; whether writing succeeded is seen by its state
+/// \param graph the Reeb graph
+/// \param embedding what `embed()` has returned for it
+template <class Graph, class Embedding>
+void write_obj(std::ostream& out, const Graph& graph, const Embedding& embedding)
+{
+  const auto precision = out.precision(std::numeric_limits<double>::max_digits10);
+  const auto write_point = [&](const auto& point) {
+    out << "v " << CGAL::to_double(point.x()) << ' ' << CGAL::to_double(point.y()) << ' ' << CGAL::to_double(point.z())
+        << '\n';
+  };
+  for(const auto& point : embedding.node_points)
+    write_point(point);
+  for(const auto& polyline : embedding.arc_polylines)
+    for(std::size_t j = 1; j + 1 < polyline.size(); ++j)
+      write_point(polyline[j]);
+  for(const auto node : CGAL::make_range(vertices(graph)))
+    out << "g node_" << node << "\np " << node + 1 << '\n';
+  std::size_t arc_number = 0, last_point = num_vertices(graph);
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    out << "g arc_" << arc_number << "\nl " << source(arc, graph) + 1;
+    for(std::size_t j = 1; j + 1 < embedding.arc_polylines[arc_number].size(); ++j)
+      out << ' ' << ++last_point;
+    out << ' ' << target(arc, graph) + 1 << '\n';
+    ++arc_number;
+  }
+  out.precision(precision);
+}
+
+/// \ingroup PkgReebGraphIO
+///
+/// \brief writes a Reeb graph in space to a file `.obj`. The stream is as above.
+///
+/// \exception File_error if the file cannot be written
+template <class Graph, class Embedding>
+void write_obj(const std::string& filename, const Graph& graph, const Embedding& embedding)
+{
+  internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_obj(out, graph, embedding); });
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_IO_OBJ_H

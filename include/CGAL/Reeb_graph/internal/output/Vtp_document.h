@@ -1,0 +1,136 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_OUTPUT_VTP_DOCUMENT_H
+#define CGAL_REEB_GRAPH_INTERNAL_OUTPUT_VTP_DOCUMENT_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+#include <boost/endian/conversion.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+inline void write_base64(std::ostream& out, std::vector<unsigned char> bytes)
+{
+  using boost::archive::iterators::base64_from_binary;
+  using boost::archive::iterators::transform_width;
+  typedef base64_from_binary<transform_width<std::vector<unsigned char>::const_iterator, 6, 8>> Digits;
+  const std::size_t padding = (3 - bytes.size() % 3) % 3;
+  const std::size_t number_of_digits = (4 * bytes.size() + 2) / 3;
+  bytes.resize(bytes.size() + padding, 0);
+  std::copy_n(Digits(bytes.cbegin()), number_of_digits, std::ostreambuf_iterator<char>(out));
+  out << std::string(padding, '=');
+}
+
+// An XML file of VTK for points, and cells on them: vertices, lines, and polygons, in this order. Arrays are written as
+// base64 codes, which other than decimal numbers can be infinite or NaN.
+class Vtp_document
+{
+public:
+  // Cells are sequences of numbers of points.
+  struct Cells
+  {
+    std::vector<std::int64_t> points, ends; // all points, and where each cell ends
+
+    void add_point(std::size_t point) { points.push_back(static_cast<std::int64_t>(point)); }
+    void end_cell() { ends.push_back(static_cast<std::int64_t>(points.size())); }
+  };
+
+  Vtp_document(std::ostream& out,
+               std::size_t number_of_points,
+               const Cells& vertices,
+               const Cells& lines,
+               const Cells& polygons)
+    : out_(out)
+  {
+    const bool is_little = boost::endian::order::native == boost::endian::order::little;
+    out_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\""
+         << (is_little ? "LittleEndian" : "BigEndian")
+         << "\" header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\"" << number_of_points
+         << "\" NumberOfVerts=\"" << vertices.ends.size() << "\" NumberOfLines=\"" << lines.ends.size()
+         << "\" NumberOfStrips=\"0\" NumberOfPolys=\"" << polygons.ends.size() << "\">\n";
+    write_cells("Verts", vertices);
+    write_cells("Lines", lines);
+    write_cells("Polys", polygons);
+  }
+  ~Vtp_document() { out_ << "</Piece>\n</PolyData>\n</VTKFile>\n"; }
+  Vtp_document(const Vtp_document&) = delete;
+  Vtp_document& operator=(const Vtp_document&) = delete;
+
+  // Calls write_arrays() between the tags.
+  template <class WriteArrays>
+  void write_section(const std::string& tag, const std::string& active_array, const WriteArrays& write_arrays)
+  {
+    out_ << '<' << tag;
+    if(!active_array.empty())
+      out_ << " Scalars=\"" << escape(active_array) << '"';
+    out_ << ">\n";
+    write_arrays();
+    out_ << "</" << tag << ">\n";
+  }
+
+  template <class Number>
+  void write_array(const std::string& name, const std::vector<Number>& numbers, std::size_t number_of_components = 1)
+  {
+    out_ << "<DataArray type=\"" << type_name<Number>() << "\" Name=\"" << escape(name) << "\" NumberOfComponents=\""
+         << number_of_components << "\" format=\"binary\">\n";
+    const std::uint64_t size = numbers.size() * sizeof(Number);
+    std::vector<unsigned char> bytes(sizeof size + size);
+    std::memcpy(bytes.data(), &size, sizeof size);
+    if(size != 0)
+      std::memcpy(bytes.data() + sizeof size, numbers.data(), size);
+    write_base64(out_, std::move(bytes));
+    out_ << "\n</DataArray>\n";
+  }
+
+private:
+  void write_cells(const std::string& tag, const Cells& cells)
+  {
+    write_section(tag, "", [&] {
+      write_array("connectivity", cells.points);
+      write_array("offsets", cells.ends);
+    });
+  }
+
+  template <class Number>
+  static std::string type_name()
+  {
+    const std::string kind = std::is_floating_point_v<Number> ? "Float" : std::is_signed_v<Number> ? "Int" : "UInt";
+    return kind + std::to_string(8 * sizeof(Number));
+  }
+
+  static std::string escape(const std::string& text)
+  {
+    std::string result;
+    for(const char c : text)
+      result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+    return result;
+  }
+
+  std::ostream& out_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_OUTPUT_VTP_DOCUMENT_H
