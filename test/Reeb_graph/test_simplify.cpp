@@ -13,6 +13,7 @@
 #include "random_graphs.h"
 #include "simplification_oracle.h"
 
+#include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
@@ -357,4 +358,60 @@ BOOST_AUTO_TEST_CASE(bad_input)
   const auto map = simplify(graph, 1, result);
   BOOST_CHECK_THROW(map[4], Unknown_node_error);
   BOOST_CHECK_THROW(map.location_of_arc(3), Unknown_arc_error);
+}
+
+BOOST_AUTO_TEST_CASE(the_arcs_of_a_simplified_tree_are_those_of_enough_persistence)
+{
+  for(std::size_t seed = 0; seed < 500; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      Graph tree = random_graphs::random_sparse_graph(2 + random.below(40), 0, random);
+      set_random_values(tree, random);
+      const std::vector<double> persistences = CGAL::Reeb_graph::arc_persistences(tree);
+      BOOST_REQUIRE(persistences.size() == num_edges(tree));
+      const double range = tree[num_vertices(tree) - 1].value - tree[0].value;
+      for(double threshold = 0; threshold <= range; ++threshold)
+      {
+        const Graph result = simplified(tree, threshold);
+        std::vector<bool> is_left(persistences.size(), false);
+        for(auto arcs = edges(result); arcs.first != arcs.second; ++arcs.first)
+          for(const std::size_t arc : result[*arcs.first].chain)
+            is_left[arc] = true;
+        for(std::size_t arc = 0; arc < persistences.size(); ++arc)
+          BOOST_TEST(is_left[arc] == (persistences[arc] >= threshold));
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(one_side_of_a_loop_has_its_persistence)
+{
+  // a loop from 1 to 5, a leaf arc at one of its sides, and an isolated node
+  const Graph graph = random_graphs::make_graph(8, {{0, 1}, {1, 2}, {1, 5}, {2, 3}, {2, 5}, {5, 6}});
+  const std::vector<double> persistences = CGAL::Reeb_graph::arc_persistences(graph);
+  BOOST_REQUIRE(persistences.size() == 6u);
+  for(const std::size_t arc : {0, 5})
+    BOOST_TEST(persistences[arc] == 6);
+  BOOST_TEST(persistences[3] == 1);
+  BOOST_TEST(persistences[1] == persistences[4]);
+  BOOST_TEST((std::min)(persistences[1], persistences[2]) == 4);
+  BOOST_TEST((std::max)(persistences[1], persistences[2]) == 6);
+}
+
+BOOST_AUTO_TEST_CASE(arcs_of_any_graph_have_a_persistence_within_its_range)
+{
+  for(std::size_t seed = 0; seed < 500; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      const Graph graph = random_graph_with_values(seed, random);
+      std::size_t number = 0;
+      const std::vector<double> persistences = CGAL::Reeb_graph::arc_persistences(graph);
+      for(auto arcs = edges(graph); arcs.first != arcs.second; ++arcs.first, ++number)
+      {
+        BOOST_TEST(persistences[number] >= 0);
+        BOOST_TEST(persistences[number] <= graph[num_vertices(graph) - 1].value - graph[0].value);
+      }
+      BOOST_TEST(number == persistences.size());
+    }
 }

@@ -80,11 +80,14 @@ Plane_layout lay_out_in_plane(const ReebGraph& graph)
     layout.arc_polylines = drawing.curves();
     for(std::size_t i = 0; i != arcs.size(); ++i)
     {
-      const double lowest = scale.finite_value(values[arcs[i].lower]);
+      double lowest = scale.finite_value(values[arcs[i].lower]);
       const double highest = scale.finite_value(values[arcs[i].upper]);
-      for(std::array<double, 2>& point : layout.arc_polylines[i])
-        point[1] = (std::clamp)(scale.value(point[1]), lowest, highest);
       layout.arc_polylines[i].front()[1] = lowest;
+      for(std::size_t k = 1; k != layout.arc_polylines[i].size(); ++k)
+      {
+        double& value = layout.arc_polylines[i][k][1];
+        value = lowest = (std::clamp)(scale.value(value), lowest, highest); // rounded values could descend
+      }
       layout.arc_polylines[i].back()[1] = highest;
     }
   }

@@ -126,7 +126,7 @@ private:
       const Height_range range = taken_heights(*branch);
       const double bound = outer.highest(range);
       if(order_.side(*branch) == -side && bound != far_out)
-        columns_[*branch] = side * (-bound - 1);
+        columns_[*branch] = side * (std::max)(side * columns_[*branch], -bound - 1);
       outer.raise(range, -side * columns_[*branch]);
     }
   }

@@ -200,8 +200,19 @@ private:
     });
     std::vector<Index> merged;
     auto up = branches.begin(), down = middle;
+    // whether a branch blocks one of the other row that has not been taken yet
+    const auto blocks_down = [&](Index branch) {
+      const auto next = std::upper_bound(down, branches.end(), extents_[branch].low,
+                                         [&](double height, Index other) { return height < own_extents_[other].high; });
+      return next != branches.end() && own_extents_[*next].high < extents_[branch].high;
+    };
+    const auto blocks_up = [&](Index branch) {
+      const auto next = std::upper_bound(up, middle, extents_[branch].high,
+                                         [&](double height, Index other) { return height > own_extents_[other].low; });
+      return next != middle && own_extents_[*next].low > extents_[branch].low;
+    };
     while(up != middle && down != branches.end())
-      merged.push_back(blocks(*up, *down) ? *down++ : *up++);
+      merged.push_back(blocks_down(*up) && (blocks(*up, *down) || !blocks_up(*down)) ? *down++ : *up++);
     merged.insert(merged.end(), up, middle);
     merged.insert(merged.end(), down, branches.end());
     branches = std::move(merged);

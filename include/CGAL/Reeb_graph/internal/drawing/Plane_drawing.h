@@ -29,11 +29,12 @@ namespace internal {
 typedef std::array<double, 2> Plane_point; // column and height
 
 // The curve by which an arc goes from a node at `from` to a point at `to` in another column: sideways first, and then
-// in a rounded corner to the vertical. It rises by so little on the way that it stays below `next_height`.
+// in a rounded corner to the vertical. On the way it rises by a small part of `gap`, the less the farther it goes, so
+// that arcs that go on at other columns do not meet it.
 inline void add_corner(Plane_point from,
                        Plane_point to,
                        double largest_radius,
-                       double next_height,
+                       double gap,
                        std::vector<Plane_point>& curve)
 {
   constexpr int steps = 8;
@@ -41,8 +42,7 @@ inline void add_corner(Plane_point from,
   const double distance = to[0] - from[0], height = to[1] - from[1];
   const bool is_far = std::abs(distance) > largest_radius;
   const double radius = is_far ? std::copysign(largest_radius, distance) : distance;
-  const double largest_rise = (std::min)(0.2 * std::abs(height), 0.5 * std::abs(next_height - from[1]));
-  const double rise = is_far ? std::copysign(largest_rise, height) : 0;
+  const double rise = is_far ? std::copysign(0.1 * gap / (1 + std::abs(distance)), height) : 0;
   curve.push_back(from);
   for(int i = is_far ? 0 : 1; i != steps; ++i)
   {
@@ -91,7 +91,7 @@ private:
   {
     std::vector<Index> run;
     const auto end_run = [&] {
-      const double size = static_cast<double>(run.size()) - 1, width = (std::min)(0.8, 0.3 * size);
+      const double size = static_cast<double>(run.size()) - 1, width = (std::min)(0.4, 0.2 * size);
       for(std::size_t i = 0; i != run.size() && size > 0; ++i)
         positions_[run[i]] += width * (static_cast<double>(i) / size - 0.5);
       run.clear();
@@ -109,6 +109,18 @@ private:
     end_run();
   }
 
+  // The distances of a height to the next ones that nodes have.
+  double gap_above(double height) const
+  {
+    const auto next = std::upper_bound(sorted_heights_.begin(), sorted_heights_.end(), height);
+    return next == sorted_heights_.end() ? 0 : *next - height;
+  }
+  double gap_below(double height) const
+  {
+    const auto next = std::lower_bound(sorted_heights_.begin(), sorted_heights_.end(), height);
+    return next == sorted_heights_.begin() ? 0 : height - *(next - 1);
+  }
+
   // The curve of an arc that is vertical in a column, with corners where its nodes are not in this column.
   std::vector<Plane_point> curve(const Leaf_pruning::Arc& arc, double column, double radius) const
   {
@@ -116,13 +128,11 @@ private:
     const Plane_point upper = {positions_[arc.upper], heights_[arc.upper]};
     const bool is_bent_below = lower[0] != column, is_bent_above = upper[0] != column;
     const double height = (std::min)((upper[1] - lower[1]) / (is_bent_below && is_bent_above ? 2 : 1), corner_height);
-    const auto next = std::upper_bound(sorted_heights_.begin(), sorted_heights_.end(), lower[1]);
-    const auto last = std::lower_bound(sorted_heights_.begin(), sorted_heights_.end(), upper[1]);
     std::vector<Plane_point> points = {lower}, points_from_above = {upper};
     if(is_bent_below)
-      add_corner(lower, {column, lower[1] + height}, radius, next == sorted_heights_.end() ? lower[1] : *next, points);
+      add_corner(lower, {column, lower[1] + height}, radius, (std::min)(gap_above(lower[1]), corner_height), points);
     if(is_bent_above)
-      add_corner(upper, {column, upper[1] - height}, radius, last == sorted_heights_.begin() ? upper[1] : *(last - 1),
+      add_corner(upper, {column, upper[1] - height}, radius, (std::min)(gap_below(upper[1]), corner_height),
                  points_from_above);
     points.insert(points.end(), points_from_above.rbegin(), points_from_above.rend());
     points.erase(std::unique(points.begin(), points.end()), points.end());
