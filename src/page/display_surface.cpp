@@ -8,8 +8,11 @@
 
 #include "page/display_surface.h"
 
+#include "page/decimate.h"
+
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,18 +25,42 @@ double largest_extent(const CGAL::Bbox_3& box)
   return (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
 }
 
-void add_vertex(const Page_subject& subject,
-                const Page_frame& frame,
-                const Vertex_locations& locations,
-                Surface::Vertex_index v,
-                Display_surface& result)
+// The place of a vertex in the graph as the page writes it.
+std::int32_t page_place(std::size_t place, std::size_t number_of_nodes)
 {
-  for(int i = 0; i != 3; ++i)
-    result.positions.push_back(static_cast<float>(subject.surface().point(v)[i] - frame.origin[i]));
-  result.values.push_back(subject.scalar_map[v]);
-  const std::size_t place = locations.index(v), number_of_nodes = num_vertices(subject.graph());
-  result.vertex_arcs.push_back(place < number_of_nodes ? -1 - static_cast<std::int32_t>(place)
-                                                       : static_cast<std::int32_t>(place - number_of_nodes));
+  return place < number_of_nodes ? -1 - static_cast<std::int32_t>(place)
+                                 : static_cast<std::int32_t>(place - number_of_nodes);
+}
+
+// Shows a surface, each vertex of which stands for one of the given surface.
+template <class OriginMap>
+Display_surface show(const Page_subject& subject,
+                     const Page_frame& frame,
+                     const Vertex_locations& locations,
+                     const Surface& surface,
+                     OriginMap origin,
+                     const std::optional<Patch_map>& patch_map)
+{
+  Display_surface result;
+  result.new_numbers.resize(surface.number_of_vertices() + surface.number_of_removed_vertices());
+  for(const Surface::Vertex_index v : surface.vertices())
+  {
+    result.new_numbers[v.idx()] = static_cast<std::uint32_t>(result.values.size());
+    for(int i = 0; i != 3; ++i)
+      result.positions.push_back(static_cast<float>(surface.point(v)[i] - frame.origin[i]));
+    result.values.push_back(subject.scalar_map[origin(v)]);
+    result.vertex_arcs.push_back(page_place(locations.index(origin(v)), num_vertices(subject.graph())));
+  }
+  for(const Surface::Face_index f : surface.faces())
+    for(const Surface::Vertex_index v : surface.vertices_around_face(surface.halfedge(f)))
+      result.triangles.push_back(result.new_numbers[v.idx()]);
+  if(patch_map)
+  {
+    result.face_patches.emplace();
+    for(const Surface::Face_index f : surface.faces())
+      result.face_patches->push_back((*patch_map)[f]);
+  }
+  return result;
 }
 
 } // namespace
@@ -73,24 +100,20 @@ std::array<double, 3> Page_frame::coordinates(const Point& point) const
 
 Display_surface display_surface(const Page_subject& subject, const Page_frame& frame, const Vertex_locations& locations)
 {
+  constexpr std::size_t largest_number_of_faces = 200000;
   const Surface& surface = subject.surface();
-  Display_surface result;
-  result.new_numbers.resize(surface.number_of_vertices() + surface.number_of_removed_vertices());
-  std::uint32_t number = 0;
-  for(const Surface::Vertex_index v : surface.vertices())
-  {
-    result.new_numbers[v.idx()] = number++;
-    add_vertex(subject, frame, locations, v, result);
-  }
-  for(const Surface::Face_index f : surface.faces())
-    for(const Surface::Vertex_index v : surface.vertices_around_face(surface.halfedge(f)))
-      result.triangles.push_back(result.new_numbers[v.idx()]);
-  if(subject.patch_map)
-  {
-    result.face_patches.emplace();
-    for(const Surface::Face_index f : surface.faces())
-      result.face_patches->push_back((*subject.patch_map)[f]);
-  }
+  if(surface.number_of_faces() <= largest_number_of_faces)
+    return show(
+      subject, frame, locations, surface, [](const Surface::Vertex_index v) { return v; }, subject.patch_map);
+  std::vector<Surface::Vertex_index> node_vertices;
+  for(const auto node : CGAL::make_range(vertices(subject.graph())))
+    node_vertices.push_back(subject.graph()[node].vertex);
+  const Decimated_surface decimated = decimate(surface, largest_number_of_faces, node_vertices, subject.patch_map);
+  Display_surface result = show(
+    subject, frame, locations, decimated.surface,
+    [&](const Surface::Vertex_index v) { return decimated.origin_map[v]; }, decimated.patch_map);
+  result.is_decimated = true;
+  result.new_numbers.clear();
   return result;
 }
 

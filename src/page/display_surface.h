@@ -46,6 +46,7 @@ struct Display_surface
   std::vector<std::uint32_t> new_numbers; // of the vertices by their indices; empty if the surface is decimated
 };
 
+// A surface of more than 200000 faces is decimated.
 Display_surface display_surface(const Page_subject& subject,
                                 const Page_frame& frame,
                                 const Vertex_locations& locations);

@@ -13,11 +13,14 @@
 #include "page/page_graph.h"
 #include "page/page_levels.h"
 
+#include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <utility>
@@ -65,15 +68,55 @@ nlohmann::ordered_json page_chain(const Surface& surface,
   return json;
 }
 
-// What leads from arcs to the surface.
-void add_chains(const Page_subject& subject, const Display_surface& surface, nlohmann::ordered_json& graph)
+void add_chains(const Page_subject& subject, const Display_surface& surface, nlohmann::ordered_json& arcs)
 {
   std::size_t number = 0;
   for(const auto arc : CGAL::make_range(edges(subject.graph())))
   {
-    nlohmann::ordered_json& json = graph["arcs"][number++];
+    nlohmann::ordered_json& json = arcs[number++];
     json["chain"] = page_chain(subject.surface(), subject.graph()[arc].chain, surface.new_numbers);
     json["contours"] = nullptr;
+  }
+}
+
+// A polyline with at most so many points, of which the first one is not repeated at the end.
+nlohmann::ordered_json page_polyline(const Polyline& polyline, std::size_t number_of_points, const Page_frame& frame)
+{
+  const bool is_closed = polyline.size() > 1 && polyline.front() == polyline.back();
+  const std::size_t size = polyline.size() - (is_closed ? 1 : 0);
+  const std::size_t step = (size + number_of_points - 1) / (std::max<std::size_t>)(number_of_points, 1);
+  std::vector<float> coordinates;
+  for(std::size_t i = 0; i < size; i += step)
+  {
+    const bool is_end_next = !is_closed && i + step >= size; // the ends of an open one stay
+    for(const double coordinate : frame.coordinates(polyline[is_end_next ? size - 1 : i]))
+      coordinates.push_back(static_cast<float>(coordinate));
+  }
+  return {{"points", base64(coordinates)}, {"is_closed", is_closed}};
+}
+
+// Contours of the whole surface, as the page cannot trace any on a decimated one.
+void add_contours(const Page_subject& subject, const Page_frame& frame, nlohmann::ordered_json& arcs)
+{
+  constexpr std::size_t number_of_points = 300, number_of_all_points = 1000000, largest_number_of_contours = 16;
+  const std::size_t number_of_contours = std::clamp<std::size_t>(
+    number_of_all_points / number_of_points / (std::max<std::size_t>)(arcs.size(), 1), 1, largest_number_of_contours);
+  std::size_t number = 0;
+  for(const auto arc : CGAL::make_range(edges(subject.graph())))
+  {
+    nlohmann::ordered_json& json = arcs[number++];
+    json["chain"] = nullptr;
+    auto& contours = json["contours"] = nlohmann::ordered_json::array();
+    for(std::size_t i = 0; i != number_of_contours; ++i)
+    {
+      const double t = (double(i) + 0.5) / double(number_of_contours);
+      const auto contour = subject.augmentation.contour(arc, t);
+      const Polyline polyline = CGAL::Reeb_graph::polyline_of_contour(subject.surface(), subject.augmentation, contour);
+      nlohmann::ordered_json points = page_polyline(polyline, number_of_points, frame);
+      points["t"] = t;
+      points["value"] = number_or_string(contour.value);
+      contours.push_back(std::move(points));
+    }
   }
 }
 
@@ -81,14 +124,7 @@ nlohmann::ordered_json page_curves(const std::vector<Polyline>& curves, const Pa
 {
   auto json = nlohmann::ordered_json::array();
   for(const Polyline& curve : curves)
-  {
-    const bool is_closed = curve.size() > 1 && curve.front() == curve.back();
-    std::vector<float> coordinates;
-    for(std::size_t i = 0; i + (is_closed ? 1 : 0) < curve.size(); ++i)
-      for(const double coordinate : frame.coordinates(curve[i]))
-        coordinates.push_back(static_cast<float>(coordinate));
-    json.push_back({{"points", base64(coordinates)}, {"is_closed", is_closed}});
-  }
+    json.push_back(page_polyline(curve, curve.size(), frame));
   return json;
 }
 
@@ -121,7 +157,10 @@ nlohmann::ordered_json page_data(const Page_subject& subject)
                    {"highest", drawn_values.highest}};
   data["surface"] = page_surface(subject, surface, frame);
   data["graph"] = page_graph(embedded, frame, drawn_values);
-  add_chains(subject, surface, data["graph"]);
+  if(surface.is_decimated)
+    add_contours(subject, frame, data["graph"]["arcs"]);
+  else
+    add_chains(subject, surface, data["graph"]["arcs"]);
   data["levels"] = page_levels(embedded, frame, drawn_values);
   data["curves"] = page_curves(subject.curves, frame);
   return data;

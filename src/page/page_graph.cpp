@@ -8,6 +8,8 @@
 
 #include "page/page_graph.h"
 
+#include <CGAL/Reeb_graph/plane_layout.h>
+#include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <nlohmann/json.hpp>
@@ -20,35 +22,6 @@
 
 namespace reeb_graph_program {
 namespace {
-// Stand-ins until the layout is there.
-struct Plane_layout
-{
-  std::vector<double> node_positions;
-  std::vector<std::vector<std::array<double, 2>>> arc_polylines;
-};
-
-Plane_layout lay_out_in_plane(const Graph& graph)
-{
-  Plane_layout layout;
-  for(const auto node : CGAL::make_range(vertices(graph)))
-    layout.node_positions.push_back(static_cast<double>(node % 5));
-  for(const auto arc : CGAL::make_range(edges(graph)))
-  {
-    const auto lower = source(arc, graph), upper = target(arc, graph);
-    layout.arc_polylines.push_back(
-      {{layout.node_positions[lower], graph[lower].value}, {layout.node_positions[upper], graph[upper].value}});
-  }
-  return layout;
-}
-
-std::vector<double> arc_persistences(const Graph& graph)
-{
-  std::vector<double> persistences;
-  for(const auto arc : CGAL::make_range(edges(graph)))
-    persistences.push_back(graph[target(arc, graph)].value - graph[source(arc, graph)].value);
-  return persistences;
-}
-
 nlohmann::ordered_json page_node(const Graph& graph,
                                  std::size_t node,
                                  const Point& point,
@@ -125,8 +98,8 @@ nlohmann::ordered_json page_graph(const Embedded_graph& embedded,
                                   const Drawn_values& drawn_values)
 {
   const Graph& graph = embedded.graph;
-  const Plane_layout layout = lay_out_in_plane(graph);
-  const std::vector<double> persistences = arc_persistences(graph);
+  const CGAL::Reeb_graph::Plane_layout layout = CGAL::Reeb_graph::lay_out_in_plane(graph);
+  const std::vector<double> persistences = CGAL::Reeb_graph::arc_persistences(graph);
   auto nodes = nlohmann::ordered_json::array();
   for(const auto node : CGAL::make_range(vertices(graph)))
     nodes.push_back(page_node(graph, node, embedded.node_points[node], layout.node_positions[node], frame));

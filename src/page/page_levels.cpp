@@ -8,8 +8,8 @@
 
 #include "page/page_levels.h"
 
-#include "computation/simplification.h"
-
+#include <CGAL/Reeb_graph/simplification/Simplification.h>
+#include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -30,20 +31,15 @@ typedef CGAL::Reeb_graph::Simplification<Graph> Simplification;
 constexpr std::size_t largest_number_of_levels = 32;
 constexpr std::size_t number_of_all_last_levels = 20; // of so many of the largest thresholds, none is left out
 
-// The thresholds from which on something more is removed, ascending.
+// The thresholds from which on arcs are removed, ascending.
 std::vector<double> thresholds(const Graph& graph)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::vector<double> result;
-  for(const Persistence_pair& pair : find_persistence_pairs(graph))
-  {
-    const double persistence = CGAL::Reeb_graph::persistence(graph, pair);
-    if(pair.kind != CGAL::Reeb_graph::Persistence_pair_kind::MINIMUM_MAXIMUM && persistence < infinity)
-      result.push_back(std::nextafter(persistence, infinity));
-  }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
+  std::set<double> result;
+  for(const double persistence : CGAL::Reeb_graph::arc_persistences(graph))
+    if(persistence < (std::numeric_limits<double>::max)())
+      result.insert(std::nextafter(persistence, infinity));
+  return std::vector<double>(result.begin(), result.end());
 }
 
 // All of the last ones, and of those before, whose graphs have more arcs, ever fewer.

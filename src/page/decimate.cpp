@@ -1,0 +1,128 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "page/decimate.h"
+
+#include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+
+#include <utility>
+
+namespace SMS = CGAL::Surface_mesh_simplification;
+
+namespace reeb_graph_program {
+namespace {
+typedef Surface::Property_map<Surface::Vertex_index, bool> Kept_map;
+
+// Puts what an edge becomes at that one of its ends that has to stay, and keeps an edge if both have to.
+struct End_placement
+{
+  // The type of the result is that of the policies of CGAL, which depends on its version.
+  template <class Profile>
+  auto operator()(const Profile& profile) const
+  {
+    decltype(SMS::Midpoint_placement<Surface>()(profile)) result;
+    if(!is_kept[profile.v0()] || !is_kept[profile.v1()])
+      result = is_kept[profile.v0()] ? profile.p0() : profile.p1();
+    return result;
+  }
+
+  Kept_map is_kept;
+};
+
+// Lets the vertex that an edge becomes stand for the end that it is put at.
+struct Origin_visitor : SMS::Edge_collapse_visitor_base<Surface>
+{
+  Origin_visitor(Kept_map is_kept, Origin_map origin_map) : is_kept_(is_kept), origin_map_(origin_map) {}
+
+  template <class Profile, class Placement>
+  void OnCollapsing(const Profile& profile, const Placement& placement)
+  {
+    if(!placement)
+      return;
+    const Surface::Vertex_index end = is_kept_[profile.v0()] ? profile.v0() : profile.v1();
+    is_end_kept_ = is_kept_[end];
+    origin_ = origin_map_[end];
+  }
+
+  template <class Profile>
+  void OnCollapsed(const Profile&, Surface::Vertex_index v)
+  {
+    is_kept_[v] = is_end_kept_;
+    origin_map_[v] = origin_;
+  }
+
+private:
+  Kept_map is_kept_;
+  Origin_map origin_map_;
+  bool is_end_kept_ = false;
+  Surface::Vertex_index origin_;
+};
+
+// Stops when so many faces are left: a collapse that removes two faces removes three edges.
+struct Face_count_stop
+{
+  template <class Cost, class Profile>
+  bool operator()(const Cost&, const Profile&, std::size_t initial_edge_count, std::size_t current_edge_count) const
+  {
+    return 2 * (initial_edge_count - current_edge_count) >= 3 * number_of_faces_to_remove;
+  }
+
+  std::size_t number_of_faces_to_remove;
+};
+
+void keep_borders(const Surface& surface, const std::optional<Patch_map>& patch_map, Kept_map is_kept)
+{
+  for(const Surface::Edge_index e : surface.edges())
+  {
+    const Surface::Halfedge_index h = surface.halfedge(e);
+    if(surface.is_border(e)
+       || (patch_map && (*patch_map)[surface.face(h)] != (*patch_map)[surface.face(surface.opposite(h))]))
+      is_kept[surface.source(h)] = is_kept[surface.target(h)] = true;
+  }
+}
+
+} // namespace
+
+Decimated_surface decimate(const Surface& surface,
+                           std::size_t number_of_faces,
+                           const std::vector<Surface::Vertex_index>& vertices_to_keep,
+                           const std::optional<Patch_map>& patch_map)
+{
+  Decimated_surface result;
+  Surface& copy = result.surface = surface;
+  result.origin_map = copy.add_property_map<Surface::Vertex_index, Surface::Vertex_index>("v:origin").first;
+  const Kept_map is_kept = copy.add_property_map<Surface::Vertex_index, bool>("v:is_kept", false).first;
+  for(const Surface::Vertex_index v : copy.vertices())
+    result.origin_map[v] = v;
+  for(const Surface::Vertex_index v : vertices_to_keep)
+    is_kept[v] = true;
+  keep_borders(surface, patch_map, is_kept);
+  if(patch_map)
+  {
+    result.patch_map = copy.add_property_map<Surface::Face_index, int>("f:shown_patch").first;
+    for(const Surface::Face_index f : copy.faces())
+      (*result.patch_map)[f] = (*patch_map)[f];
+  }
+  if(copy.number_of_faces() > number_of_faces)
+  {
+    const Origin_visitor visitor(is_kept, result.origin_map);
+    SMS::edge_collapse(copy, Face_count_stop{copy.number_of_faces() - number_of_faces},
+                       CGAL::parameters::get_cost(SMS::Edge_length_cost<Surface>())
+                         .get_placement(End_placement{is_kept})
+                         .filter(SMS::Bounded_normal_change_filter<>())
+                         .visitor(visitor));
+  }
+  copy.collect_garbage();
+  return result;
+}
+
+} // namespace reeb_graph_program
