@@ -103,16 +103,17 @@ void write_graph_file(const Compute_options& options, const Graph& graph, const 
 }
 
 void write_page_file(const Compute_options& options,
-                     const Simplified_graph& graph,
+                     const Graph& given,
                      const Surface& surface,
                      Scalar_map scalar_map,
+                     double threshold,
                      Report& report)
 {
   if(options.page_path.empty())
     return;
   const Stopwatch stopwatch;
-  write_page(options.page_path, {graph.augmentation(surface, scalar_map, options.graph), scalar_map,
-                                 page_labels(options.input, options.unit)});
+  write_page(options.page_path, {surface, scalar_map, given, options.graph, page_labels(options.input, options.unit),
+                                 options.simplification, threshold});
   report.seconds.emplace_back("page", stopwatch.seconds());
 }
 
@@ -163,7 +164,7 @@ void run_compute(const Compute_options& options)
   write_pairs_and_diagram(options, given, surface, threshold, report);
   write_vertex_arcs_and_table(options, graph, surface, scalar_map, report);
   write_graph_file(options, graph.result(), surface, report);
-  write_page_file(options, graph, surface, scalar_map, report);
+  write_page_file(options, given, surface, scalar_map, threshold, report);
   if(options.is_report_json)
     write_json(std::cout, report);
   else

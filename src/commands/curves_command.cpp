@@ -103,8 +103,10 @@ void write_page_file(const Curves_options& options,
     return;
   const Stopwatch stopwatch;
   const Graph graph = compute_graph(surface, scalar_map, Graph_options());
-  write_page(options.page_path, {Augmentation(surface, scalar_map, graph), scalar_map,
-                                 page_labels(options.input, options.unit), result.patch_map, result.polylines});
+  Page_request request = {surface, scalar_map, graph, Graph_options(), page_labels(options.input, options.unit)};
+  request.patch_map = result.patch_map;
+  request.curves = result.polylines;
+  write_page(options.page_path, request);
   report.add_seconds("page", stopwatch.seconds());
 }
 

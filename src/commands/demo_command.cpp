@@ -15,6 +15,7 @@
 #include "output/mesh_output.h"
 #include "output/output_file.h"
 #include "output/report_output.h"
+#include "page/page_output.h"
 
 #include <spawn.h>
 #include <sys/wait.h>
@@ -96,9 +97,20 @@ void run_demo(const Demo_options& options)
   write_graph(folder / "graph.dot", graph, surface);
   const bool is_drawn = draw_graph(folder / "graph.dot", folder / "graph.svg");
 
+  if(is_page_available())
+  {
+    write_page(folder / "page.html",
+               {surface, scalar_map, graph, Graph_options(), {"surface.off", "tilted height", ""}});
+    std::cout << "Open this page in a web browser to see the surface and its Reeb graph:\n\n  "
+              << fs::absolute(folder / "page.html").lexically_normal().string() << "\n\n";
+  }
+
   std::cout << "The Reeb graph of a tilted height field on a generated surface of genus " << genus << ":\n\n";
   write_text(std::cout, report);
   std::cout << "\nEach handle of the surface is a loop of the graph. Files in " << folder.string() << ":\n\n"
+            << (is_page_available()
+                  ? "  page.html             the surface and the graph, to turn, to point at, and to send\n"
+                  : "")
             << (is_drawn ? "  graph.svg             the graph, drawn: open it in a web browser\n" : "")
             << "  surface_coloured.ply  the surface, blue where low and red where high: open it in MeshLab or Blender\n"
                "  graph.dot             the graph for Graphviz, drawn by: dot -Tsvg graph.dot -o graph.svg\n"

@@ -31,7 +31,7 @@ struct Page_labels
 // The title is the name of the file of the mesh.
 Page_labels page_labels(const Input_options& input, const std::string& unit);
 
-// What a page shows: a graph on its surface, with patches and curves if there are any.
+// What the data of a page are made of: a graph on its surface, with patches and curves if there are any.
 struct Page_subject
 {
   const Augmentation& augmentation; // the way from the graph to the surface
@@ -50,6 +50,8 @@ struct Page_subject
 // surface.origin. A number that JSON does not have is one of the strings "Infinity", "-Infinity" and "NaN", for which
 // JavaScript's Number() returns it; field.lowest and field.highest are always finite, with room for infinite values,
 // and so are the heights in the plane.
+//
+// The graph is told from the one that was asked for by is_simplified; arcs_of_input counts the arcs of that.
 //
 // A chain is a sequence of vertices, of which each pair of neighbours is an ascending edge, but where a chain consists of
 // several pieces. For any level that an arc crosses, the edge to start its contour at leads from the last vertex of the

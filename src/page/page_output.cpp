@@ -8,17 +8,29 @@
 
 #include "page/page_output.h"
 
+#include "computation/augmentation.h"
+#include "computation/simplification.h"
 #include "output/output_file.h"
 #include "page/page_template.h"
+
+#include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
 #include <iterator>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
+
+namespace fs = std::filesystem;
 
 namespace reeb_graph_program {
 namespace {
@@ -37,6 +49,26 @@ std::string escape(std::string_view text, std::initializer_list<std::pair<char, 
       escaped += replacement->second;
   }
   return escaped;
+}
+
+// The threshold of persistence at which a graph that is too large for a page has become small enough.
+std::optional<double> threshold_for_page(const Graph& given, const Graph& wanted, double least_threshold)
+{
+  constexpr std::size_t largest_number_of_arcs = 2000;
+  if(num_edges(wanted) <= largest_number_of_arcs)
+    return std::nullopt;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> candidates;
+  for(const Persistence_pair& pair : find_persistence_pairs(given))
+    candidates.push_back((std::max)(std::nextafter(CGAL::Reeb_graph::persistence(given, pair), infinity),
+                                    std::isfinite(least_threshold) ? least_threshold : 0));
+  std::sort(candidates.begin(), candidates.end());
+  const auto are_too_many_left = [&](double threshold) {
+    Graph simplified;
+    CGAL::Reeb_graph::simplify(given, threshold, simplified, CGAL::parameters::cancel_loops(true));
+    return num_edges(simplified) > largest_number_of_arcs;
+  };
+  return *std::partition_point(candidates.begin(), std::prev(candidates.end()), are_too_many_left);
 }
 
 // Bytes that are no UTF-8, as a file name can have, are replaced. JSON has < within strings only, and a script without
@@ -71,7 +103,7 @@ std::string_view write_up_to(std::ostream& stream,
 
 bool is_page_available() { return !page_template().empty(); }
 
-void check_page(const std::filesystem::path& path)
+void check_page(const fs::path& path)
 {
   if(!is_page_available())
     throw std::runtime_error(
@@ -81,9 +113,25 @@ void check_page(const std::filesystem::path& path)
     throw std::runtime_error(path.string() + ": the file name of a page ends in .html");
 }
 
-void write_page(const std::filesystem::path& path, const Page_subject& subject)
+void write_page(const fs::path& path, const Page_request& request)
 {
-  const nlohmann::ordered_json data = page_data(subject);
+  const Simplified_graph wanted(request.graph, request.simplification, request.threshold);
+  const std::optional<double> threshold = threshold_for_page(request.graph, wanted.result(), request.threshold);
+  Simplification_options smaller = request.simplification;
+  if(threshold)
+  {
+    smaller.threshold = {*threshold, false};
+    smaller.number_of_leaves.reset();
+    smaller.are_loops_cancelled = true;
+  }
+  const Simplified_graph shown(request.graph, smaller, threshold.value_or(request.threshold));
+  const Augmentation augmentation = shown.augmentation(request.surface, request.scalar_map, request.graph_options);
+  nlohmann::ordered_json data =
+    page_data({augmentation, request.scalar_map, request.labels, request.patch_map, request.curves});
+  data["graph"]["is_simplified"] = threshold.has_value();
+  data["graph"]["arcs_of_input"] = num_edges(wanted.result());
+  data["graph"]["threshold"] = threshold.value_or(0);
+
   const std::string text = script_text(data);
   write_file(path, [&](std::ostream& stream) {
     const std::string_view body = write_up_to(stream, page_template(), "<!-- title -->", html_text(data["title"]));

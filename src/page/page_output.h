@@ -9,9 +9,13 @@
 #ifndef CGAL_REEB_GRAPH_SRC_PAGE_OUTPUT_H
 #define CGAL_REEB_GRAPH_SRC_PAGE_OUTPUT_H
 
+#include "base/options.h"
+#include "base/surface.h"
 #include "page/page_data.h"
 
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 namespace reeb_graph_program {
 // Whether the program has been built with the page.
@@ -20,8 +24,23 @@ bool is_page_available();
 // Throws std::runtime_error, which tells how to get the page, if there is none, or if the path is no .html file.
 void check_page(const std::filesystem::path& path);
 
-// Writes a page that shows the graph on its surface, in one file.
-void write_page(const std::filesystem::path& path, const Page_subject& subject);
+// What a page is written of.
+struct Page_request
+{
+  const Surface& surface;
+  Scalar_map scalar_map;
+  const Graph& graph; // as it has been computed, with these options
+  Graph_options graph_options;
+  Page_labels labels;
+  Simplification_options simplification = {};
+  double threshold = 0; // that of threshold_in_units()
+  std::optional<Patch_map> patch_map = std::nullopt;
+  std::vector<Polyline> curves = {};
+};
+
+// Writes a page that shows the simplified graph on its surface, in one file. A graph of more than 2000 arcs is simplified
+// until no more are left.
+void write_page(const std::filesystem::path& path, const Page_request& request);
 
 } // namespace reeb_graph_program
 
