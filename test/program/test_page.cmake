@@ -57,7 +57,7 @@ file(WRITE ${FOLDER}/parts.off "OFF\n7 2 0\n1e6 0 0\n1000001 0 1\n1e6 1 1\n10000
 file(WRITE ${FOLDER}/infinite.txt "-inf\n1\n2\n0.5\n1.5\ninf\n3\n")
 expect_success(compute parts.off --scalars infinite.txt --vertex-arcs arcs.txt --html page.html)
 expect_page(page parts.off mesh=parts.off vertex_arcs=arcs.txt field.name="infinite" graph.nodes.0.value=-Infinity
-            graph.nodes.2.value=Infinity graph.nodes.length=5 graph.arcs.length=2 graph.arcs.0.persistence="Infinity")
+            graph.nodes.4.value=Infinity graph.nodes.length=5 graph.arcs.length=2 graph.arcs.0.persistence="Infinity")
 file(WRITE ${FOLDER}/constant.txt "7\n7\n7\n7\n7\n7\n7\n")
 foreach(ties perturb contract)
   expect_success(compute parts.off --scalars constant.txt --ties ${ties} --vertex-arcs arcs.txt --html page.html)
