@@ -98,7 +98,7 @@ void write_graph_file(const Compute_options& options, const Graph& graph, const 
   if(options.graph_path.empty())
     return;
   const Stopwatch stopwatch;
-  write_graph(options.graph_path, graph, surface);
+  write_graph(options.graph_path, graph, surface, field_label(options.input, options.unit));
   report.seconds.emplace_back("output", stopwatch.seconds());
 }
 
@@ -112,8 +112,9 @@ void write_page_file(const Compute_options& options,
   if(options.page_path.empty())
     return;
   const Stopwatch stopwatch;
-  write_page(options.page_path, {surface, scalar_map, given, options.graph, page_labels(options.input, options.unit),
-                                 options.simplification, threshold});
+  write_page(options.page_path, {surface, scalar_map, given, options.graph,
+                                 std::filesystem::path(options.input.mesh_path).filename().string(),
+                                 field_label(options.input, options.unit), options.simplification, threshold});
   report.seconds.emplace_back("page", stopwatch.seconds());
 }
 

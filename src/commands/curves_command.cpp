@@ -103,7 +103,12 @@ void write_page_file(const Curves_options& options,
     return;
   const Stopwatch stopwatch;
   const Graph graph = compute_graph(surface, scalar_map, Graph_options());
-  Page_request request = {surface, scalar_map, graph, Graph_options(), page_labels(options.input, options.unit)};
+  Page_request request = {surface,
+                          scalar_map,
+                          graph,
+                          Graph_options(),
+                          std::filesystem::path(options.input.mesh_path).filename().string(),
+                          field_label(options.input, options.unit)};
   request.patch_map = result.patch_map;
   request.curves = result.polylines;
   write_page(options.page_path, request);

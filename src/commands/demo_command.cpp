@@ -93,14 +93,14 @@ void run_demo(const Demo_options& options)
   write_surface(folder / "surface.off", surface);
   write_scalars(folder / "scalars.txt", surface, scalar_map);
   write_coloured_surface(folder / "surface_coloured.ply", surface, scalar_map);
-  write_graph(folder / "graph.graphml", graph, surface);
-  write_graph(folder / "graph.dot", graph, surface);
+  const Field_label field_label = {"tilted height", ""};
+  write_graph(folder / "graph.graphml", graph, surface, field_label);
+  write_graph(folder / "graph.dot", graph, surface, field_label);
   const bool is_drawn = draw_graph(folder / "graph.dot", folder / "graph.svg");
 
   if(is_page_available())
   {
-    write_page(folder / "page.html",
-               {surface, scalar_map, graph, Graph_options(), {"surface.off", "tilted height", ""}});
+    write_page(folder / "page.html", {surface, scalar_map, graph, Graph_options(), "surface.off", field_label});
     std::cout << "Open this page in a web browser to see the surface and its Reeb graph:\n\n  "
               << fs::absolute(folder / "page.html").lexically_normal().string() << "\n\n";
   }

@@ -13,6 +13,7 @@
 #include "input/mesh_input.h"
 #include "input/scalar_input.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,14 @@ Scalar_map add_field(const Input_options& options, Surface& surface, Work_report
     report.add_seconds("field", field_stopwatch.seconds());
   }
   return scalar_map;
+}
+
+Field_label field_label(const Input_options& options, const std::string& unit)
+{
+  if(!options.field.empty())
+    return {options.field, unit};
+  const bool is_column_named = options.column.find_first_not_of("0123456789") != std::string::npos;
+  return {is_column_named ? options.column : std::filesystem::path(options.scalars_path).stem().string(), unit};
 }
 
 } // namespace reeb_graph_program

@@ -9,14 +9,20 @@
 #ifndef CGAL_REEB_GRAPH_SRC_FIELD_INPUT_H
 #define CGAL_REEB_GRAPH_SRC_FIELD_INPUT_H
 
+#include "base/Field_label.h"
 #include "base/options.h"
 #include "base/report.h"
 #include "base/surface.h"
+
+#include <string>
 
 namespace reeb_graph_program {
 // Reads the mesh, and the field if it is a property of its vertices. Throws Input_error, and std::runtime_error if the
 // options do not fit together. The time goes into the report.
 Surface read_surface(const Input_options& options, Work_report& report);
+
+// How the field is called in the input: by its name, or by that of its column or file.
+Field_label field_label(const Input_options& options, const std::string& unit);
 
 // Adds the field to the surface that has been read, and tells the report what it took. Throws Input_error,
 // std::runtime_error, and the exceptions of the library.

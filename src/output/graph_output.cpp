@@ -22,7 +22,10 @@ void check_graph_format(const std::filesystem::path& path)
     throw std::runtime_error(path.string() + ": the file name of a graph ends in .graphml, .dot, or .svg");
 }
 
-void write_graph(const std::filesystem::path& path, const Graph& graph, const Surface& surface)
+void write_graph(const std::filesystem::path& path,
+                 const Graph& graph,
+                 const Surface& surface,
+                 const Field_label& field_label)
 {
   check_graph_format(path);
   const auto vertex_index_map = get(boost::vertex_index, surface);
@@ -30,7 +33,11 @@ void write_graph(const std::filesystem::path& path, const Graph& graph, const Su
     if(path.extension() == ".graphml")
       CGAL::Reeb_graph::write_graphml(stream, graph, vertex_index_map);
     else if(path.extension() == ".svg")
-      CGAL::Reeb_graph::write_svg(stream, graph, CGAL::parameters::vertex_index_map(vertex_index_map));
+      CGAL::Reeb_graph::write_svg(
+        stream, graph,
+        CGAL::parameters::field_name(
+          field_label.name,
+          CGAL::parameters::field_unit(field_label.unit, CGAL::parameters::vertex_index_map(vertex_index_map))));
     else
       CGAL::Reeb_graph::write_graphviz(stream, graph, vertex_index_map);
   });

@@ -9,6 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_GRAPH_OUTPUT_H
 #define CGAL_REEB_GRAPH_SRC_GRAPH_OUTPUT_H
 
+#include "base/Field_label.h"
 #include "base/surface.h"
 #include "computation/augmentation.h"
 
@@ -19,7 +20,11 @@ namespace reeb_graph_program {
 // Throws std::runtime_error if the extension is none of .graphml, .dot, and .svg.
 void check_graph_format(const std::filesystem::path& path);
 
-void write_graph(const std::filesystem::path& path, const Graph& graph, const Surface& surface);
+// The label is that of the axis of a drawing.
+void write_graph(const std::filesystem::path& path,
+                 const Graph& graph,
+                 const Surface& surface,
+                 const Field_label& field_label);
 
 // Writes for each vertex, on a line of its own, the node or the arc that it belongs to, by their numbers in the graph
 // files. `places` are those of locate_vertices().

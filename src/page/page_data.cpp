@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <utility>
 
 namespace reeb_graph_program {
@@ -130,15 +129,6 @@ nlohmann::ordered_json page_curves(const std::vector<Polyline>& curves, const Pa
 
 } // namespace
 
-Page_labels page_labels(const Input_options& input, const std::string& unit)
-{
-  const std::string file_name = std::filesystem::path(input.mesh_path).filename().string();
-  if(!input.field.empty())
-    return {file_name, input.field, unit};
-  const bool is_column_named = input.column.find_first_not_of("0123456789") != std::string::npos;
-  return {file_name, is_column_named ? input.column : std::filesystem::path(input.scalars_path).stem().string(), unit};
-}
-
 nlohmann::ordered_json page_data(const Page_subject& subject)
 {
   const Page_frame frame(subject.surface());
@@ -149,10 +139,10 @@ nlohmann::ordered_json page_data(const Page_subject& subject)
 
   nlohmann::ordered_json data;
   data["version"] = 1;
-  data["title"] = subject.labels.title;
+  data["title"] = subject.title;
   data["generator"] = "reeb_graph " REEB_GRAPH_VERSION;
-  data["field"] = {{"name", subject.labels.field_name},
-                   {"unit", subject.labels.unit},
+  data["field"] = {{"name", subject.field_label.name},
+                   {"unit", subject.field_label.unit},
                    {"lowest", drawn_values.lowest},
                    {"highest", drawn_values.highest}};
   data["surface"] = page_surface(subject, surface, frame);

@@ -9,7 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_PAGE_DATA_H
 #define CGAL_REEB_GRAPH_SRC_PAGE_DATA_H
 
-#include "base/options.h"
+#include "base/Field_label.h"
 #include "base/surface.h"
 #include "computation/augmentation.h"
 
@@ -20,23 +20,13 @@
 #include <vector>
 
 namespace reeb_graph_program {
-// The names of what a page shows.
-struct Page_labels
-{
-  std::string title;
-  std::string field_name;
-  std::string unit; // of the field; may be empty
-};
-
-// The title is the name of the file of the mesh.
-Page_labels page_labels(const Input_options& input, const std::string& unit);
-
 // What the data of a page are made of: a graph on its surface, with patches and curves if there are any.
 struct Page_subject
 {
   const Augmentation& augmentation; // the way from the graph to the surface
   Scalar_map scalar_map;
-  Page_labels labels;
+  std::string title;
+  Field_label field_label;
   std::optional<Patch_map> patch_map = std::nullopt;
   std::vector<Polyline> curves = {};
 

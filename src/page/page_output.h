@@ -9,6 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_PAGE_OUTPUT_H
 #define CGAL_REEB_GRAPH_SRC_PAGE_OUTPUT_H
 
+#include "base/Field_label.h"
 #include "base/options.h"
 #include "base/surface.h"
 #include "page/page_data.h"
@@ -31,7 +32,8 @@ struct Page_request
   Scalar_map scalar_map;
   const Graph& graph; // as it has been computed, with these options
   Graph_options graph_options;
-  Page_labels labels;
+  std::string title;
+  Field_label field_label;
   Simplification_options simplification = {};
   double threshold = 0; // that of threshold_in_units()
   std::optional<Patch_map> patch_map = std::nullopt;
