@@ -45,7 +45,7 @@ G simplified(const G& graph, double threshold)
 }
 
 template <class G>
-std::size_t number_of_loops(const G& graph)
+std::size_t count_loops(const G& graph)
 {
   const auto pairs = persistence_oracle::found_pairs(graph);
   return std::count_if(pairs.begin(), pairs.end(),
@@ -146,12 +146,12 @@ BOOST_AUTO_TEST_CASE(simplified_graphs_keep_loops_and_have_no_node_that_is_passe
     {
       Random random(seed);
       const Graph graph = random_graph_with_values(seed, random);
-      const std::size_t loops = number_of_loops(graph);
+      const std::size_t loops = count_loops(graph);
       std::size_t last_number = num_vertices(graph) + 1;
       for(const double threshold : {0., 2., 5., 20., infinity})
       {
         const Graph result = simplified(graph, threshold);
-        BOOST_TEST(number_of_loops(result) == loops);
+        BOOST_TEST(count_loops(result) == loops);
         BOOST_TEST(!has_degree_two_node(result));
         BOOST_TEST(num_vertices(result) <= last_number);
         last_number = num_vertices(result);
@@ -265,12 +265,12 @@ BOOST_AUTO_TEST_CASE(small_loops_are_removed_on_request)
   Graph graph = random_graphs::make_graph(8, {{0, 1}, {1, 2}, {1, 4}, {2, 3}, {2, 4}, {4, 5}, {5, 6}, {5, 6}, {6, 7}});
   Graph result;
   CGAL::Reeb_graph::simplify(graph, 2, result, parameters::cancel_loops(true));
-  BOOST_TEST(number_of_loops(result) == 1u); // 1-4 is 3 long
+  BOOST_TEST(count_loops(result) == 1u); // 1-4 is 3 long
   CGAL::Reeb_graph::simplify(graph, 4, result, parameters::cancel_loops(true));
-  BOOST_TEST(number_of_loops(result) == 0u);
+  BOOST_TEST(count_loops(result) == 0u);
   BOOST_TEST(num_vertices(result) == 2u);
   CGAL::Reeb_graph::simplify(graph, 4, result);
-  BOOST_TEST(number_of_loops(result) == 2u);
+  BOOST_TEST(count_loops(result) == 2u);
 }
 
 // A loop stays only if arcs that stay leave both of its sides; those of the loops that stay keep their pairs.
@@ -299,7 +299,7 @@ BOOST_AUTO_TEST_CASE(cancelled_loops_of_random_graphs)
           else
             ++number_of_left;
         }
-      number_of_cancelled += number_of_loops(graph) - number_of_loops(result);
+      number_of_cancelled += count_loops(graph) - count_loops(result);
       std::sort(expected.begin(), expected.end());
       std::sort(found.begin(), found.end());
       BOOST_TEST(found == expected, boost::test_tools::per_element());
