@@ -44,6 +44,7 @@ function decodeSurface(surface) {
   return {
     facesOfInput: surface.faces_of_input,
     isDecimated: surface.is_decimated,
+    origin: surface.origin, // of all coordinates in the page
     positions: decodeNumbers(surface.positions, Float32Array),
     values: decodeNumbers(surface.values, Float64Array),
     triangles: decodeNumbers(surface.triangles, Uint32Array),

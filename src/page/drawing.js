@@ -57,7 +57,7 @@ class Drawing {
     this.scale = makePlaneScale(view, this.data.range, frame);
     const {width, height} = this.scale;
     const svg = makeSvg("svg", {width, height, "aria-hidden": "true"});
-    const axis = makeSvg("svg", {width: this.scale.margin.left, height, class: "axis", "aria-hidden": "true"});
+    const axis = makeSvg("svg", {width: this.scale.margin.left - 12, height, class: "axis", "aria-hidden": "true"});
     this.drawAxis(axis, svg);
     const arcs = makeSvg("g", {class: "arcs"}, svg), areas = makeSvg("g", {class: "areas"}, svg);
     this.arcPaths = view.arcs.map((arc, i) => {
@@ -83,8 +83,8 @@ class Drawing {
     const {low, high} = this.data.range;
     const lines = makeSvg("g", {class: "axis"}, svg);
     niceTicks(low, high, Math.max(2, Math.floor(height / 60))).forEach(tick => {
-      makeSvg("line", {x1: margin.left - 8, x2: width - 4, y1: y(tick), y2: y(tick)}, lines);
-      makeSvg("text", {x: margin.left - 12, y: y(tick) + 4, "text-anchor": "end"}, axis, formatNumber(tick));
+      makeSvg("line", {x1: margin.left - 15, x2: width - 4, y1: y(tick), y2: y(tick)}, lines);
+      makeSvg("text", {x: margin.left - 20, y: y(tick) + 4, "text-anchor": "end"}, axis, formatNumber(tick));
     });
   }
 

@@ -269,7 +269,7 @@ class Page {
     const {low, high} = this.data.range;
     this.barMarker.hidden = arc === null;
     this.barMarker.style.bottom = (high > low ? 100 * (value - low) / (high - low) : 50) + "%";
-    const text = arc === null ? "(choose an arc)" : "at " + formatValue(value, this.unit);
+    const text = arc === null ? "choose an arc" : "at " + formatValue(value, this.unit);
     element("place_output").textContent = text;
     element("place").setAttribute("aria-valuetext", text);
     this.showFacts(target);
@@ -314,9 +314,9 @@ class Page {
       this.scene.setView(view, this.arcColors, node => kindColors[node.kind] || kindColors.isolated);
     this.showSummary();
     this.showDrawing();
-    const text = level === 0 ? "(all " + plural(view.arcs.length, "arc") + ")"
-      : "below " + formatValue(view.threshold, this.unit) + " (" + plural(view.arcs.length, "arc") + " of "
-        + data.graph.arcs.length + ")";
+    const text = level === 0 ? "all " + plural(view.arcs.length, "arc")
+      : view.arcs.length + " of " + plural(data.graph.arcs.length, "arc") + ", below "
+        + formatValue(view.threshold, this.unit) + " left out";
     element("level").value = level;
     element("level_output").textContent = text;
     element("level").setAttribute("aria-valuetext", text);

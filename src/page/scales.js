@@ -40,7 +40,7 @@ function formatValue(x, unit) {
 
 // From columns and values to the pixels of a drawing that is at least as large as its frame.
 function makePlaneScale(view, range, frame) {
-  const margin = {left: 64, right: 22, top: 18, bottom: 18};
+  const margin = {left: 70, right: 22, top: 18, bottom: 18};
   let low = Infinity, high = -Infinity;
   const add = column => {
     low = Math.min(low, column);

@@ -274,13 +274,14 @@ class Scene {
   makeGraph() {
     const {view} = this;
     const thickness = Math.max(0.4, Math.min(1, 6 / Math.sqrt(view.arcs.length)));
-    const radius = 0.0075 * thickness * this.pose.size;
+    const radius = 0.006 * thickness * this.pose.size;
     const polylines = view.arcs.map((arc, id) => ({points: arc.polyline, isClosed: false, id}));
     const tubes = this.tubeGeometry(polylines, radius, 8, (arc, t) => view.value(arc, t));
     const nodes = this.nodeGeometry(view);
     const nodeUniforms = {
       colors: {value: this.nodeTable.texture}, rows: {value: this.nodeTable.rows},
-      size: {value: (5 + 10 * thickness) * this.renderer.getPixelRatio()}, outline: {value: this.outline}
+      size: {value: (5 + 10 * thickness) * this.renderer.getPixelRatio()}, outline: {value: this.outline},
+      tubeRadius: {value: radius}
     };
     const firstArc = this.placeTable.size + 1, firstNode = firstArc + view.arcs.length;
     const tubeNumbers = makeMaterial(shaders.tubeVertex, shaders.tubeNumberFragment,

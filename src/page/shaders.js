@@ -144,13 +144,17 @@ const shaders = {
     uniform sampler2D colors;
     uniform float rows;
     uniform float size;
+    uniform float tubeRadius;
     varying float vNumber;
     varying vec4 vColor;
     ${shaderParts.texel}
     void main() {
       vNumber = number;
       vColor = texel(colors, number, rows);
-      gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+      vec4 eye = modelViewMatrix * vec4(position, 1.0);
+      // Nodes are before the tubes that end at them.
+      eye.xyz *= max(0.1, 1.0 - 1.5 * tubeRadius / length(eye.xyz));
+      gl_Position = projectionMatrix * eye;
       gl_PointSize = size * (vColor.a > 0.75 ? 1.45 : 1.0);
     }`,
   nodeFragment: `
