@@ -1,0 +1,444 @@
+# Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+#
+# This file is part of the CGAL-style package Reeb_graph.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+"""The page in Chromium: what is seen, pointed at, and reached by keys and touch.
+
+Usage: test_page_in_browser.py PROGRAM FOLDER
+"""
+
+import json
+import math
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+SKIPPED = 77
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+except ImportError:
+    print("python3-selenium is not installed: skipped")
+    sys.exit(SKIPPED)
+
+program = pathlib.Path(sys.argv[1]).resolve()
+folder = pathlib.Path(sys.argv[2]).resolve()
+browser = None
+
+
+def start_browser():
+    chromium, driver = shutil.which("chromium"), shutil.which("chromedriver")
+    if not chromium or not driver:
+        print("Chromium and chromium-driver are not installed: skipped")
+        sys.exit(SKIPPED)
+    options = webdriver.ChromeOptions()
+    options.binary_location = chromium
+    for argument in ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--use-gl=angle",
+                     "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-background-networking"]:
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service(driver), options=options)
+
+
+# Meshes and pages
+
+
+def write_torus(name, rows, columns):
+    """A torus that stands upright, with bumps, so that it has a few more extrema."""
+    lines = [f"OFF\n{rows * columns} {2 * rows * columns} 0"]
+    for i in range(rows):
+        for j in range(columns):
+            a, b = 2 * math.pi * i / rows, 2 * math.pi * j / columns
+            radius = 1 + 0.15 * math.sin(5 * a) * math.cos(3 * b)
+            r = 3 + radius * math.cos(b)
+            lines.append(f"{r * math.cos(a)} {radius * math.sin(b)} {r * math.sin(a) + 0.3 * math.cos(a)}")
+    for i in range(rows):
+        for j in range(columns):
+            p, q = i * columns, (i + 1) % rows * columns
+            k = (j + 1) % columns
+            lines.append(f"3 {p + j} {q + j} {q + k}\n3 {p + j} {q + k} {p + k}")
+    (folder / name).write_text("\n".join(lines) + "\n")
+
+
+def run(*arguments):
+    subprocess.run([program, *map(str, arguments)], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+
+
+def load(name, width=1300, height=800):
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                            {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+    browser.get((folder / name).as_uri())
+    wait_for_drawing()
+
+
+def data_of_page():
+    return json.loads(browser.execute_script("return document.getElementById('reeb-graph-data').textContent"))
+
+
+# What the page shows
+
+
+def state():
+    return browser.execute_script("return window.reebGraphPage.state()")
+
+
+def wait_for_drawing():
+    browser.execute_async_script(
+        "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 0)))")
+
+
+def picture():
+    """The colours of a grid of pixels of the canvas, without those that let the page through."""
+    wait_for_drawing()
+    return browser.execute_script("""
+        const source = document.getElementById('canvas'), copy = document.createElement('canvas');
+        copy.width = 200; copy.height = 150;
+        const context = copy.getContext('2d', {willReadFrequently: true});
+        context.drawImage(source, 0, 0, 200, 150);
+        const pixels = context.getImageData(0, 0, 200, 150).data, colors = [];
+        for (let i = 0; i < pixels.length; i += 4)
+          colors.push(pixels[i + 3] < 16 ? -1 : (pixels[i] << 16) + (pixels[i + 1] << 8) + pixels[i + 2]);
+        return colors;""")
+
+
+def difference(first, second):
+    return sum(a != b for a, b in zip(first, second))
+
+
+def in_drawing(arc, t):
+    return browser.execute_script("return window.reebGraphPage.whereInDrawing(arguments[0], arguments[1])", arc, t)
+
+
+def on_canvas(point):
+    return browser.execute_script("return window.reebGraphPage.whereOnCanvas(arguments[0])", list(point))
+
+
+def mouse(kind, x, y, buttons=0):
+    browser.execute_cdp_cmd("Input.dispatchMouseEvent", {
+        "type": kind, "x": x, "y": y, "button": "left" if kind != "mouseMoved" else "none", "buttons": buttons,
+        "clickCount": 1})
+    wait_for_drawing()
+
+
+def click(x, y):
+    mouse("mouseMoved", x, y)
+    mouse("mousePressed", x, y, 1)
+    mouse("mouseReleased", x, y)
+
+
+def touch(kind, *points):
+    browser.execute_cdp_cmd("Input.dispatchTouchEvent", {
+        "type": kind, "touchPoints": [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)]})
+    wait_for_drawing()
+
+
+def press(*keys):
+    ActionChains(browser, duration=0).send_keys(*keys).perform()
+    wait_for_drawing()
+
+
+def focus(identifier):
+    browser.execute_script("document.getElementById(arguments[0]).focus()", identifier)
+
+
+def middle(arc):
+    polyline = arc["polyline"]
+    i = len(polyline) // 3 // 2
+    return polyline[3 * i:3 * i + 3]
+
+
+def longest_arc(data):
+    nodes, arcs = data["graph"]["nodes"], data["graph"]["arcs"]
+    return max(range(len(arcs)),
+               key=lambda k: nodes[arcs[k]["target"]]["value"] - nodes[arcs[k]["source"]]["value"])
+
+
+# Tests. Each is given the data of the page of the torus, which is open.
+
+
+def test_canvas_is_drawn(data):
+    pixels = picture()
+    assert len(set(pixels)) > 200, "colours"
+    covered = sum(pixel >= 0 for pixel in pixels) / len(pixels)
+    assert 0.1 < covered < 0.95, covered
+    drawings = state()["drawings"]
+    time.sleep(0.3)
+    assert state()["drawings"] == drawings, "it is drawn though nothing changes"
+
+
+def test_pointing_in_the_plane_lights_the_piece(data):
+    arc = longest_arc(data)
+    mouse("mouseMoved", 2, 2)
+    before = picture()
+    mouse("mouseMoved", *in_drawing(arc, 0.4))
+    assert state()["pointed"] == {"arc": arc}, (state()["pointed"], arc)
+    assert difference(before, picture()) > 1000
+    assert f"Arc {arc}" in browser.find_element(By.ID, "facts").text
+    assert browser.find_elements(By.CSS_SELECTOR, f"path.arc.lit[data-arc='{arc}']")
+    mouse("mouseMoved", 2, 2)
+    assert state()["pointed"] is None and difference(before, picture()) < 30
+
+
+def test_pointing_in_space(data):
+    arcs, nodes = data["graph"]["arcs"], data["graph"]["nodes"]
+    found = 0
+    for number, arc in enumerate(arcs):
+        mouse("mouseMoved", *on_canvas(middle(arc)))
+        pointed = state()["pointed"]
+        assert pointed is not None
+        found += pointed == {"arc": number}
+    assert 2 * found > len(arcs), f"{found} of {len(arcs)} arcs"
+    # The surface itself: just below its top is the arc that ends there.
+    browser.execute_script("""const opacity = document.getElementById('opacity');
+                              opacity.value = 1; opacity.dispatchEvent(new Event('input'))""")
+    top = max(range(len(nodes)), key=lambda i: nodes[i]["value"])
+    vertex = nodes[top]["vertex"]
+    x, y = on_canvas(browser.execute_script("""
+        const bytes = Uint8Array.from(atob(arguments[0]), c => c.charCodeAt(0));
+        return Array.from(new Float32Array(bytes.buffer).slice(3 * arguments[1], 3 * arguments[1] + 3))""",
+                                            data["surface"]["positions"], vertex))
+    mouse("mouseMoved", x, y + 5)
+    assert state()["pointed"] == {"arc": next(i for i, arc in enumerate(arcs) if arc["target"] == top)}
+    browser.execute_script("""const opacity = document.getElementById('opacity');
+                              opacity.value = 0.55; opacity.dispatchEvent(new Event('input'))""")
+    mouse("mouseMoved", 2, 2)
+
+
+def contour_of_program(arc, t):
+    run("contour", "torus.off", "--field", "z", "--arc", arc, "--t", repr(t), "--output", "contour.polylines.txt")
+    return [float(x) for x in (folder / "contour.polylines.txt").read_text().split()[1:]]
+
+
+def assert_contour_is_that_of_the_program():
+    shown = state()
+    expected = contour_of_program(shown["contour"]["arc"], shown["place"])
+    points = shown["contour"]["points"] + (shown["contour"]["points"][:3] if shown["contour"]["isClosed"] else [])
+    assert len(points) == len(expected)
+    assert max(abs(a - b) for a, b in zip(points, expected)) < 1e-5
+
+
+def test_slider_moves_the_contour(data):
+    arc = longest_arc(data)
+    click(*in_drawing(arc, 0.5))
+    assert state()["kept"] == {"arc": arc}
+    mouse("mouseMoved", 2, 2)
+    before = picture()
+    focus("place")
+    press(Keys.ARROW_RIGHT * 7)
+    assert abs(state()["place"] - 0.57) < 0.02
+    assert_contour_is_that_of_the_program()
+    assert difference(before, picture()) > 20
+    press(Keys.HOME)
+    assert_contour_is_that_of_the_program()
+
+
+def test_dragging_moves_the_contour(data):
+    arc = longest_arc(data)
+    mouse("mouseMoved", *in_drawing(arc, 0.6))
+    mouse("mousePressed", *in_drawing(arc, 0.6), 1)
+    mouse("mouseMoved", *in_drawing(arc, 0.3), 1)
+    mouse("mouseReleased", *in_drawing(arc, 0.3))
+    assert abs(state()["place"] - 0.3) < 0.02 and state()["kept"] == {"arc": arc}
+    assert_contour_is_that_of_the_program()
+    mouse("mouseMoved", 2, 2)
+    press(Keys.ESCAPE)
+    assert state()["kept"] is None and state()["contour"] is None
+
+
+def test_turning_is_not_choosing(data):
+    x, y = on_canvas(middle(data["graph"]["arcs"][longest_arc(data)]))
+    eye = state()["eye"]
+    mouse("mouseMoved", x, y)
+    mouse("mousePressed", x, y, 1)
+    mouse("mouseMoved", x + 60, y + 10, 1)
+    mouse("mouseReleased", x + 60, y + 10)
+    assert state()["kept"] is None and state()["eye"] != eye
+    browser.find_element(By.ID, "reset_view").click()
+    wait_for_drawing()
+    assert max(abs(a - b) for a, b in zip(state()["eye"], eye)) < 1e-6
+
+
+def test_keys_reach_everything(data):
+    focus("drawing")
+    press(Keys.ENTER)
+    reached = set()
+    for _ in data["graph"]["arcs"]:
+        press("n")
+        reached.add(state()["kept"]["arc"])
+        assert f"Arc {state()['kept']['arc']} of" in browser.find_element(By.ID, "announcement").get_attribute(
+            "textContent")
+    assert reached == set(range(len(data["graph"]["arcs"])))
+    arcs = data["graph"]["arcs"]
+    for key, shared in [(Keys.ARROW_UP, ("target", "source")), (Keys.ARROW_DOWN, ("source", "target"))]:
+        for _ in range(3):
+            before = state()["kept"]["arc"]
+            press(key)
+            after = state()["kept"]["arc"]
+            assert after == before or arcs[before][shared[0]] == arcs[after][shared[1]]
+    place = state()["place"]
+    press(Keys.PAGE_UP)
+    assert abs(state()["place"] - place - 0.05) < 1e-6
+    browser.execute_script("document.activeElement.blur(); window.getSelection().removeAllRanges()")
+    focused = set()
+    for _ in range(16):
+        press(Keys.TAB)
+        focused.add(browser.execute_script("return document.activeElement.id || document.activeElement.name"
+                                           " || document.activeElement.localName"))
+    wanted = {"canvas", "zoom_in", "zoom_out", "reset_view", "drawing", "coloring", "opacity", "place", "level",
+              "show_graph", "show_levels", "summary"}
+    assert wanted <= focused, wanted - focused
+    focus("canvas")
+    for key in [Keys.ARROW_LEFT, Keys.ARROW_UP, "+", Keys.SHIFT + Keys.ARROW_RIGHT]:
+        eye = state()["eye"]
+        press(key)
+        ActionChains(browser, duration=0).key_up(Keys.SHIFT).perform()
+        assert state()["eye"] != eye, key
+    press("0")
+    press(Keys.ESCAPE)
+    assert state()["kept"] is None
+
+
+def test_switches_change_colors(data):
+    before = picture()
+    browser.find_element(By.CSS_SELECTOR, "input[value=arcs]").click()
+    assert state()["coloring"] == "arcs" and difference(before, picture()) > 1000
+    browser.find_element(By.CSS_SELECTOR, "input[value=field]").click()
+    assert difference(before, picture()) < 30
+    for identifier in ["show_levels", "show_graph"]:
+        browser.find_element(By.ID, identifier).click()
+        assert difference(before, picture()) > 100, identifier
+        browser.find_element(By.ID, identifier).click()
+
+
+def test_slider_simplifies(data):
+    focus("level")
+    press(Keys.END)
+    simplified = state()
+    assert simplified["arcs"] < len(data["graph"]["arcs"])
+    assert len(browser.find_elements(By.CSS_SELECTOR, "path.arc")) == simplified["arcs"]
+    assert simplified["threshold"] == data["levels"][-1]["threshold"]
+    click(*in_drawing(0, 0.5))
+    assert state()["kept"] == {"arc": 0} and len(state()["contour"]["points"]) >= 9
+    focus("level")
+    press(Keys.HOME)
+    assert state()["arcs"] == len(data["graph"]["arcs"])
+
+
+def test_touch(data):
+    arc = longest_arc(data)
+    browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 2})
+    touch("touchStart", in_drawing(arc, 0.5))
+    touch("touchMove", in_drawing(arc, 0.7))
+    touch("touchEnd")
+    assert state()["kept"] == {"arc": arc} and abs(state()["place"] - 0.7) < 0.02
+    press(Keys.ESCAPE)
+    place = on_canvas(middle(data["graph"]["arcs"][arc]))
+    touch("touchStart", place)
+    touch("touchEnd")
+    assert state()["kept"] is not None
+    left, top = browser.execute_script("const r = document.getElementById('canvas').getBoundingClientRect();"
+                                       "return [r.left + r.width / 2, r.top + r.height / 2]")
+    eye = state()["eye"]
+    touch("touchStart", (left, top))
+    touch("touchMove", (left + 50, top))
+    touch("touchEnd")
+    turned = state()["eye"]
+    assert turned != eye and abs(math.hypot(*turned) - math.hypot(*eye)) < 1e-6
+    touch("touchStart", (left - 20, top), (left + 20, top))
+    touch("touchMove", (left - 60, top), (left + 60, top))
+    touch("touchEnd")
+    assert math.hypot(*state()["eye"]) < 0.8 * math.hypot(*turned)
+    browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
+
+
+def test_narrow_dark_and_still(data):
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [
+        {"name": "prefers-color-scheme", "value": "dark"}, {"name": "prefers-reduced-motion", "value": "reduce"}]})
+    load("torus.html", 390, 800)
+    width, canvas, drawing, background, duration = browser.execute_script("""
+        return [document.documentElement.scrollWidth,
+                document.getElementById('canvas').getBoundingClientRect().bottom,
+                document.getElementById('drawing').getBoundingClientRect().top,
+                getComputedStyle(document.body).backgroundColor,
+                getComputedStyle(document.querySelector('path.arc')).transitionDuration]""")
+    assert width <= 390 and drawing >= canvas
+    assert max(int(x) for x in background[4:-1].split(",")) < 60
+    assert duration == "0s"
+    assert len(set(picture())) > 200
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+
+
+def test_patches_and_curves():
+    run("curves", "torus.off", "--field", "z", "--type", "branch", "--html", "curves.html", "--unit", "mm")
+    load("curves.html")
+    assert state()["coloring"] == "patches"
+    before = picture()
+    browser.find_element(By.ID, "show_curves").click()
+    assert difference(before, picture()) > 50
+    browser.find_element(By.CSS_SELECTOR, "input[value=field]").click()
+    assert difference(before, picture()) > 1000
+    assert "mm" in browser.find_element(By.ID, "color_bar").text
+
+
+def test_large_surface():
+    write_torus("large.off", 500, 500)
+    run("compute", "large.off", "--field", "z", "--html", "large.html")
+    start = time.monotonic()
+    load("large.html")
+    pixels = picture()
+    seconds = time.monotonic() - start
+    print(f"500,000 faces: {seconds:.1f} s")
+    assert seconds < 10 and len(set(pixels)) > 200
+    data = data_of_page()
+    notice = browser.find_element(By.ID, "notice").text
+    assert ("of 500,000 triangles" in notice) == data["surface"]["is_decimated"]
+    arc = longest_arc(data)
+    click(*in_drawing(arc, 0.5))
+    contour = state()["contour"]
+    assert contour["arc"] == arc and len(contour["points"]) > 30
+    start = time.monotonic()
+    for i in range(5):
+        mouse("mouseMoved", 300 + 20 * i, 350)
+    print(f"pointing: {(time.monotonic() - start) / 5:.2f} s")
+
+
+def assert_no_complaint(name):
+    messages = [entry["message"] for entry in browser.get_log("browser")]
+    assert not messages, f"{name}: {messages}"
+    resources = browser.execute_script("return performance.getEntriesByType('resource').map(entry => entry.name)")
+    assert all(resource.startswith("data:") for resource in resources), resources
+    assert not browser.find_element(By.ID, "failure").is_displayed()
+
+
+def test_all():
+    write_torus("torus.off", 48, 24)
+    run("compute", "torus.off", "--field", "z", "--html", "torus.html", "--unit", "mm")
+    load("torus.html")
+    data = data_of_page()
+    for test in [test_canvas_is_drawn, test_pointing_in_the_plane_lights_the_piece, test_pointing_in_space,
+                 test_slider_moves_the_contour, test_dragging_moves_the_contour, test_turning_is_not_choosing,
+                 test_keys_reach_everything, test_switches_change_colors, test_slider_simplifies, test_touch,
+                 test_narrow_dark_and_still]:
+        test(data)
+        assert_no_complaint(test.__name__)
+        print(f"ok: {test.__name__}")
+    for test in [test_patches_and_curves, test_large_surface]:
+        test()
+        assert_no_complaint(test.__name__)
+        print(f"ok: {test.__name__}")
+
+
+folder.mkdir(parents=True, exist_ok=True)
+browser = start_browser()
+try:
+    browser.set_script_timeout(60)
+    test_all()
+finally:
+    browser.quit()
