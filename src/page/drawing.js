@@ -43,10 +43,12 @@ class Drawing {
     this.data = data;
     this.on = on;
     this.dragged = null;
-    this.lit = null;
+    this.pressed = null;
     container.addEventListener("pointermove", event => this.movePointer(event));
     container.addEventListener("pointerleave", () => this.dragged === null && on.point(null));
     container.addEventListener("pointerdown", event => this.pressPointer(event));
+    // Scrolling by touch begins beside the graph too, and is no click.
+    container.addEventListener("click", () => this.pressed === null && on.keep(null));
     ["pointerup", "pointercancel"].forEach(name => container.addEventListener(name, () => {
       this.dragged = null;
     }));
@@ -107,7 +109,6 @@ class Drawing {
   }
 
   setLit(target) {
-    this.lit = target;
     this.container.classList.toggle("has_lit", target !== null && target.arc !== undefined);
     this.arcPaths.forEach((path, i) => path.classList.toggle("lit", target !== null && target.arc === i));
     this.nodeShapes.forEach((shape, i) => {
@@ -158,12 +159,14 @@ class Drawing {
   }
 
   pressPointer(event) {
-    const target = this.targetOf(event);
-    this.on.keep(target);
-    if (target === null || target.arc === undefined)
+    this.pressed = this.targetOf(event);
+    if (this.pressed === null)
       return;
-    this.dragged = target.arc;
-    this.on.drag(target.arc, this.valueAt(event));
+    this.on.keep(this.pressed);
+    if (this.pressed.arc === undefined)
+      return;
+    this.dragged = this.pressed.arc;
+    this.on.drag(this.dragged, this.valueAt(event));
     this.container.setPointerCapture(event.pointerId);
   }
 }

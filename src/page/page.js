@@ -219,11 +219,17 @@ class Page {
     element("announcement").textContent = text;
   }
 
-  announceArc(number) {
+  tellArc(number) {
     const {view} = this, arc = view.arcs[number];
-    this.announce("Arc " + number + " of " + view.arcs.length + ", from a " + view.lower(number).kind + " at "
+    return "Arc " + number + " of " + view.arcs.length + ", from a " + view.lower(number).kind + " at "
       + formatValue(view.lower(number).value, this.unit) + " to a " + view.upper(number).kind + " at "
-      + formatValue(view.upper(number).value, this.unit) + ", " + plural(arc.vertices, "vertex", "vertices"));
+      + formatValue(view.upper(number).value, this.unit) + ", " + plural(arc.vertices, "vertex", "vertices");
+  }
+
+  tellNode(number) {
+    const node = this.view.nodes[number];
+    return "Node " + number + ", a " + node.kind + " at " + formatValue(node.value, this.unit) + ": here "
+      + this.tellEnd(number);
   }
 
   // What is shown
@@ -237,20 +243,25 @@ class Page {
   }
 
   keep(target) {
-    this.state.kept = target !== null && target.arc !== undefined ? target : null;
+    this.state.kept = target;
     this.state.pointed = null;
     this.showTarget();
-    if (this.state.kept)
-      this.announceArc(this.state.kept.arc);
+    if (target !== null)
+      this.announce(target.arc === undefined ? this.tellNode(target.node) : this.tellArc(target.arc));
   }
 
   get target() {
     return this.state.pointed || this.state.kept;
   }
 
+  get keptArc() {
+    const {kept} = this.state;
+    return kept !== null && kept.arc !== undefined ? kept.arc : null;
+  }
+
   showTarget() {
     const {target} = this;
-    element("place").disabled = this.state.kept === null;
+    element("place").disabled = this.keptArc === null;
     if (this.scene)
       this.scene.setLit(target);
     this.drawing.setLit(target);
@@ -306,17 +317,21 @@ class Page {
 
   setLevel(level) {
     const {state, data} = this;
+    const parts = this.keptArc === null ? [] : this.view.arcs[this.keptArc].parts;
     state.level = level;
     state.pointed = state.kept = null;
     const {view} = this;
+    const places = parts.map(part => view.placeOf(part)).filter(place => place >= 0);
+    if (places.length > 0)
+      state.kept = {arc: places[0]};
     this.arcColors = distinctColors(view.neighbors());
     if (this.scene)
       this.scene.setView(view, this.arcColors, node => kindColors[node.kind] || kindColors.isolated);
     this.showSummary();
     this.showDrawing();
     const text = level === 0 ? "all " + plural(view.arcs.length, "arc")
-      : view.arcs.length + " of " + plural(data.graph.arcs.length, "arc") + ", below "
-        + formatValue(view.threshold, this.unit) + " left out";
+      : view.arcs.length + " of " + plural(data.graph.arcs.length, "arc") + ", ≥ "
+        + formatValue(view.threshold, this.unit);
     element("level").value = level;
     element("level_output").textContent = text;
     element("level").setAttribute("aria-valuetext", text);
@@ -430,11 +445,12 @@ class Page {
     if (view.arcs.length === 0)
       return {};
     const walk = step => () => {
-      const arc = this.state.kept === null ? 0 : step(this.state.kept.arc);
+      const arc = this.state.kept === null ? 0 : step(this.keptArc === null ? this.arcAt(this.state.kept.node)
+                                                                            : this.keptArc);
       this.keep({arc});
       this.drawing.reveal(arc);
     };
-    const slide = step => () => this.state.kept && this.setPlace(this.state.place + step);
+    const slide = step => () => this.keptArc !== null && this.setPlace(this.state.place + step);
     const zoomKeys = this.scene ? this.keysOfView(false) : {};
     return {
       ArrowUp: walk(arc => view.along(arc, true)), ArrowDown: walk(arc => view.along(arc, false)),
@@ -445,6 +461,10 @@ class Page {
       Enter: () => this.target && this.keep(this.target),
       "+": zoomKeys["+"], "-": zoomKeys["-"]
     };
+  }
+
+  arcAt(node) {
+    return this.view.arcsAbove[node].concat(this.view.arcsBelow[node], 0)[0];
   }
 
   setUpTheme() {

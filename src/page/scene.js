@@ -380,7 +380,7 @@ class Scene {
     this.remove(this.contour);
     this.contour = [];
     if (contour) {
-      const geometry = this.tubeGeometry([Object.assign({id: 0}, contour)], 0.0055 * this.pose.size, 8, () => 0);
+      const geometry = this.tubeGeometry([Object.assign({id: 0}, contour)], 0.0042 * this.pose.size, 8, () => 0);
       const hidden = this.tubeMaterial(this.contourTable, {depthTest: false, depthWrite: false, transparent: true});
       hidden.uniforms.alpha.value = 0.35;
       const seen = this.tubeMaterial(this.contourTable, {transparent: true});
