@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -168,11 +169,12 @@ private:
       visit(i);
   }
 
-  Index load(const Load& loads, Index branch) const
+  // What decides between two sides: the load where the branch would be, and then the load of all parts.
+  std::pair<Index, std::size_t> load(const Load& loads, Index branch) const
   {
     Index highest = 0;
     for_each_part(branch, [&](std::size_t part) { highest = (std::max)(highest, loads[part]); });
-    return highest;
+    return {highest, std::accumulate(loads.begin(), loads.end(), std::size_t(0))};
   }
 
   void add_load(Index branch, Load& loads) const

@@ -68,7 +68,10 @@ public:
     height_ = (std::clamp)(360 + 26 * std::sqrt(size), 420., 1400.);
     column_width_ = (std::clamp)(1100 / (columns + 1), 16., 56.);
     radius_ = column_width_ < 30 ? 4 : 5.5;
-    width_ = (std::max)(120., column_width_ * (columns + 1));
+    std::size_t longest_label = 0;
+    for(const Drawn_node& node : nodes_)
+      longest_label = (std::max)(longest_label, node.label.size());
+    width_ = column_width_ * (columns + 1) + 2 * Svg_text::width(longest_label);
     indent_ = (width_ - column_width_ * columns) / 2;
     for(Drawn_arc& arc : arcs_)
     {
@@ -101,7 +104,7 @@ public:
   }
 
 private:
-  static constexpr double left_ = 84, right_ = 150, top_ = 24, bottom_ = 24; // around the drawing
+  static constexpr double left_ = 84, right_ = 140, top_ = 24, bottom_ = 24; // around the drawing
 
   std::vector<double> values() const
   {
@@ -176,7 +179,7 @@ private:
   // The taller the arcs at a node, the earlier is its label placed; then those of the arcs.
   void write_labels(std::ostream& out) const
   {
-    Occupied_plane plane({left_ + 2, 2, left_ + width_ + 16, top_ + height_ + bottom_ - 2});
+    Occupied_plane plane({left_ + 2, 2, left_ + width_ + 10, top_ + height_ + bottom_ - 2});
     for(const Drawn_node& node : nodes_)
     {
       const double x0 = x(node.position), y0 = y(node.value), reach = 1.2 * radius_;
