@@ -9,6 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "computed_graphs.h"
+#include "generated_surfaces/standing_figure.h"
 #include "random_graphs.h"
 
 #include <CGAL/Reeb_graph/IO/svg.h>
@@ -404,4 +405,31 @@ BOOST_AUTO_TEST_CASE(arcs_that_do_not_ascend_cannot_be_drawn)
   std::ostringstream stream;
   BOOST_CHECK_THROW(CGAL::Reeb_graph::write_svg(stream, graph), CGAL::Reeb_graph::Arc_direction_error);
   BOOST_CHECK_THROW(CGAL::Reeb_graph::write_svg("missing/graph.svg", Graph(1)), CGAL::Reeb_graph::File_error);
+}
+
+BOOST_AUTO_TEST_CASE(the_figure_of_the_demo_has_limbs_and_a_handle)
+{
+  const auto surface = make_mesh<mesh_builders::Surface_mesh>(generated_surfaces::standing_figure(10000));
+  BOOST_TEST(CGAL::is_closed(surface));
+  BOOST_TEST(CGAL::is_valid_polygon_mesh(surface));
+  BOOST_TEST(surface.number_of_vertices() + surface.number_of_faces() == surface.number_of_edges()); // genus 1
+  BOOST_TEST(surface.number_of_vertices() > 9000u);
+  BOOST_TEST(surface.number_of_vertices() < 11000u);
+  std::vector<double> heights;
+  for(const auto v : surface.vertices())
+    heights.push_back(surface.point(v).z());
+  const auto graph = graph_checks::compute(surface, heights);
+  BOOST_TEST(CGAL::Reeb_graph::number_of_components(graph) == 1u);
+  BOOST_TEST(CGAL::Reeb_graph::number_of_loops(graph) == 1u);
+  std::size_t minima = 0, maxima = 0;
+  for(std::size_t node = 0; node < num_vertices(graph); ++node)
+  {
+    minima += in_degree(node, graph) == 0 ? 1 : 0;
+    maxima += out_degree(node, graph) == 0 ? 1 : 0;
+  }
+  BOOST_TEST(minima == 2u); // the feet
+  BOOST_TEST(maxima == 3u); // the head, the fingers, and the thumb
+  test_layout(graph);
+  BOOST_TEST(number_of_crossings(CGAL::Reeb_graph::lay_out_in_plane(graph)) == 0u);
+  test_drawing(graph);
 }
