@@ -10,10 +10,14 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #else
 #include <stdexcept>
 #endif
+
+#include <exception>
+#include <vector>
 
 namespace reeb_graph_program {
 void run_with_threads(std::size_t number_of_threads, const std::function<void()>& work)
@@ -28,6 +32,38 @@ void run_with_threads(std::size_t number_of_threads, const std::function<void()>
   if(number_of_threads > 1)
     throw std::runtime_error("the program has been built without TBB: --threads can only be 1");
   work();
+#endif
+}
+
+std::size_t number_of_threads()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+#else
+  return 1;
+#endif
+}
+
+void run_tasks(std::size_t number_of_tasks, const std::function<void(std::size_t)>& task)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  std::vector<std::exception_ptr> errors(number_of_tasks);
+  tbb::parallel_for(std::size_t(0), number_of_tasks, [&](std::size_t i) {
+    try
+    {
+      task(i);
+    }
+    catch(...)
+    {
+      errors[i] = std::current_exception();
+    }
+  });
+  for(const std::exception_ptr& error : errors)
+    if(error)
+      std::rethrow_exception(error);
+#else
+  for(std::size_t i = 0; i < number_of_tasks; ++i)
+    task(i);
 #endif
 }
 

@@ -12,7 +12,7 @@
 #include "base/stopwatch.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <cstddef>
@@ -52,14 +52,13 @@ private:
   Stopwatch stopwatch_;
 };
 
-Surface_counts count_surface(const Surface& surface, std::size_t number_of_isolated_vertices)
+Surface_counts count_surface(const Surface& surface, const Graph& graph, std::size_t number_of_isolated_vertices)
 {
   Surface_counts counts;
   counts.vertices = surface.number_of_vertices();
   counts.edges = surface.number_of_edges();
   counts.faces = surface.number_of_faces();
-  const auto component_map = get(CGAL::dynamic_face_property_t<std::size_t>(), surface);
-  counts.components = PMP::connected_components(surface, component_map) + number_of_isolated_vertices;
+  counts.components = CGAL::Reeb_graph::number_of_components(graph); // as many as the surface has
   counts.border_loops = PMP::number_of_borders(surface);
   counts.euler_characteristic = static_cast<long>(counts.vertices + counts.faces) - static_cast<long>(counts.edges);
   if(counts.components == 1 && number_of_isolated_vertices == 0)
@@ -94,7 +93,7 @@ Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Grap
 
 void count_all(const Surface& surface, const Graph& graph, Report& report)
 {
-  report.surface = count_surface(surface, report.critical_vertices.isolated);
+  report.surface = count_surface(surface, graph, report.critical_vertices.isolated);
   report.graph = count_graph(graph, report.surface.components);
   if(report.surface.genus && report.surface.border_loops == 0)
     report.graph.hidden_handles = *report.surface.genus - static_cast<long>(report.graph.loops);

@@ -8,6 +8,7 @@
 
 #include "input/mesh_input.h"
 
+#include "input/assemble_surface.h"
 #include "input/input_error.h"
 #include "input/mesh_formats.h"
 #include "input/text_input.h"
@@ -56,26 +57,41 @@ void check_points(const std::string& path, const std::vector<Point>& points)
       throw Input_error(path, "vertex " + std::to_string(i) + " has a coordinate that is not a finite number");
 }
 
+// The first vertex at two corners, none if there is none.
+std::optional<Corner> find_repeated_vertex(Polygons::Polygon polygon, std::vector<Corner>& sorted)
+{
+  if(polygon.size() == 3)
+  {
+    const Corner* const v = polygon.begin();
+    return v[0] == v[1] || v[0] == v[2] ? std::make_optional(v[0])
+         : v[1] == v[2]                 ? std::make_optional(v[1])
+                                        : std::nullopt;
+  }
+  sorted.assign(polygon.begin(), polygon.end());
+  std::sort(sorted.begin(), sorted.end());
+  const auto repeated = std::adjacent_find(sorted.begin(), sorted.end());
+  return repeated == sorted.end() ? std::nullopt : std::make_optional(*repeated);
+}
+
 void check_polygons(const std::string& path, const Polygon_soup& soup, bool are_faces_triangulated)
 {
-  Polygon sorted;
+  const auto fail = [&](std::size_t i, const std::string& message) {
+    throw Input_error(path, "face " + std::to_string(i) + message);
+  };
+  std::vector<Corner> sorted;
   for(std::size_t i = 0; i < soup.polygons.size(); ++i)
   {
-    const Polygon& polygon = soup.polygons[i];
-    const std::string face = "face " + std::to_string(i);
-    for(const std::size_t v : polygon)
+    const Polygons::Polygon polygon = soup.polygons[i];
+    for(const Corner v : polygon)
       if(v >= soup.points.size())
-        throw Input_error(path, face + " has a vertex that does not exist");
+        fail(i, " has a vertex that does not exist");
     if(polygon.size() < 3)
-      throw Input_error(path, face + " has fewer than three vertices");
+      fail(i, " has fewer than three vertices");
     if(polygon.size() > 3 && !are_faces_triangulated)
-      throw Input_error(path, face + " has " + std::to_string(polygon.size())
-                                + " vertices and is not a triangle; --triangulate cuts such faces into triangles");
-    sorted = polygon;
-    std::sort(sorted.begin(), sorted.end());
-    const auto repeated = std::adjacent_find(sorted.begin(), sorted.end());
-    if(repeated != sorted.end())
-      throw Input_error(path, face + " has vertex " + std::to_string(*repeated) + " at two of its corners");
+      fail(i, " has " + std::to_string(polygon.size())
+                + " vertices and is not a triangle; --triangulate cuts such faces into triangles");
+    if(const auto repeated = find_repeated_vertex(polygon, sorted))
+      fail(i, " has vertex " + std::to_string(*repeated) + " at two of its corners");
   }
 }
 
@@ -100,11 +116,44 @@ struct Obstacle_finder : PMP::Default_orientation_visitor
   std::optional<std::string>* obstacle;
 };
 
+// Adds one face after the other, which takes faces whose only gaps at a vertex are borders.
+bool assemble_face_by_face(const Polygon_soup& soup, Surface& surface)
+{
+  surface.clear();
+  for(const Point& point : soup.points)
+    surface.add_vertex(point);
+  std::vector<Surface::Vertex_index> face;
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+  {
+    face.clear();
+    for(const Corner v : soup.polygons[i])
+      face.emplace_back(v);
+    if(CGAL::Euler::add_face(face, surface) == Surface::null_face())
+      return false;
+  }
+  return true;
+}
+
+bool assemble(const Polygon_soup& soup, Surface& surface)
+{
+  return assemble_surface(soup, surface) || assemble_face_by_face(soup, surface);
+}
+
 void orient(const std::string& path, Polygon_soup& soup)
 {
+  std::vector<std::vector<std::size_t>> polygons;
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+    polygons.emplace_back(soup.polygons[i].begin(), soup.polygons[i].end());
   std::optional<std::string> obstacle;
-  if(!PMP::orient_polygon_soup(soup.points, soup.polygons, CGAL::parameters::visitor(Obstacle_finder(obstacle))))
+  if(!PMP::orient_polygon_soup(soup.points, polygons, CGAL::parameters::visitor(Obstacle_finder(obstacle))))
     throw Input_error(path, obstacle.value_or("the surface is not manifold, or not orientable"));
+  soup.polygons = Polygons();
+  for(const std::vector<std::size_t>& polygon : polygons)
+  {
+    for(const std::size_t v : polygon)
+      soup.polygons.add_corner(v);
+    soup.polygons.end_polygon();
+  }
 }
 
 void triangulate(const std::string& path, Surface& surface)
@@ -118,26 +167,6 @@ void triangulate(const std::string& path, Surface& surface)
 } // namespace
 
 bool is_ply_file(const std::string& path) { return lower_case_extension(path) == ".ply"; }
-
-bool assemble(const Polygon_soup& soup, Surface& surface)
-{
-  surface.clear();
-  surface.reserve(static_cast<Surface::size_type>(soup.points.size()),
-                  static_cast<Surface::size_type>(soup.points.size() + soup.polygons.size()),
-                  static_cast<Surface::size_type>(soup.polygons.size()));
-  for(const Point& point : soup.points)
-    surface.add_vertex(point);
-  std::vector<Surface::Vertex_index> face;
-  for(const Polygon& polygon : soup.polygons)
-  {
-    face.clear();
-    for(const std::size_t v : polygon)
-      face.emplace_back(static_cast<Surface::size_type>(v));
-    if(CGAL::Euler::add_face(face, surface) == Surface::null_face())
-      return false;
-  }
-  return true;
-}
 
 Surface read_surface(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property)
 {

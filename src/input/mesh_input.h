@@ -22,9 +22,6 @@ Surface read_surface(const std::string& path, bool are_faces_triangulated, const
 
 bool is_ply_file(const std::string& path);
 
-// Returns false if some face finds its place taken: the faces are not consistently oriented, or not manifold.
-bool assemble(const Polygon_soup& soup, Surface& surface);
-
 } // namespace reeb_graph_program
 
 #endif // CGAL_REEB_GRAPH_SRC_MESH_INPUT_H

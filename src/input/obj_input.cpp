@@ -6,12 +6,16 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "input/File_contents.h"
 #include "input/mesh_formats.h"
+#include "input/text_blocks.h"
 #include "input/text_input.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
@@ -45,45 +49,86 @@ Point read_point(Text_input& input)
   return Point(coordinates[0], coordinates[1], coordinates[2]);
 }
 
-Polygon read_polygon(Text_input& input, std::size_t number_of_earlier)
+// Returns the highest vertex, 0 if there is none.
+std::size_t read_polygon(Text_input& input, std::size_t number_of_earlier, Polygons& polygons)
 {
-  Polygon polygon;
+  std::size_t highest = 0;
   for(std::string_view word = input.word_of_line(); !word.empty(); word = input.word_of_line())
-    polygon.push_back(read_corner(input, word, number_of_earlier));
-  return polygon;
+  {
+    const std::size_t vertex = read_corner(input, word, number_of_earlier);
+    polygons.add_corner(vertex);
+    highest = std::max(highest, vertex);
+  }
+  polygons.end_polygon();
+  return highest;
+}
+
+// Goes to the next line, and returns whether there is one.
+bool next_joined_line(Text_input& input)
+{
+  if(!input.next_line())
+    return false;
+  input.remove_comment('#');
+  input.join_next_line();
+  return true;
+}
+
+std::size_t count_points(Text_input& input)
+{
+  std::size_t number = 0;
+  while(next_joined_line(input))
+    number += input.next_word_of_line() == "v" ? 1 : 0;
+  return number;
+}
+
+// The highest vertex of the faces, and the first line with it.
+struct Highest_vertex
+{
+  std::size_t number = 0, line = 0;
+};
+
+// Reads the file, or the part of it that has so many vertices before it.
+Polygon_soup read_lines(Text_input& input, std::size_t number_before, Highest_vertex& highest_vertex)
+{
+  Polygon_soup soup;
+  while(next_joined_line(input))
+  {
+    const std::string_view keyword = input.word_of_line();
+    if(keyword == "v")
+      soup.points.push_back(read_point(input));
+    else if(keyword == "f")
+    {
+      const std::size_t highest = read_polygon(input, number_before + soup.points.size(), soup.polygons);
+      if(highest > highest_vertex.number)
+        highest_vertex = {highest, input.line_number()};
+    }
+    else if(!keyword.empty() && !is_skipped_keyword(keyword))
+      input.fail(quote(keyword) + " does not begin a line of an OBJ file");
+  }
+  return soup;
 }
 
 } // namespace
 
 Polygon_soup read_obj(const std::string& path)
 {
-  Text_input input(path);
-  Polygon_soup soup;
-  std::size_t highest_vertex = 0, line_of_highest_vertex = 0;
-  while(input.next_line())
-  {
-    input.remove_comment('#');
-    input.join_next_line();
-    const std::string_view keyword = input.word_of_line();
-    if(keyword == "v")
-      soup.points.push_back(read_point(input));
-    else if(keyword == "f")
-    {
-      const Polygon& polygon = soup.polygons.emplace_back(read_polygon(input, soup.points.size()));
-      const auto highest = std::max_element(polygon.begin(), polygon.end());
-      if(highest != polygon.end() && *highest > highest_vertex)
-      {
-        highest_vertex = *highest;
-        line_of_highest_vertex = input.line_number();
-      }
-    }
-    else if(!keyword.empty() && !is_skipped_keyword(keyword))
-      input.fail(quote(keyword) + " does not begin a line of an OBJ file");
-  }
-  if(soup.points.empty() || soup.polygons.empty())
-    input.fail("the file ends, and has no face");
-  if(highest_vertex >= soup.points.size())
-    throw Input_error(path, line_of_highest_vertex, "there is no vertex " + std::to_string(highest_vertex + 1));
+  const File_contents file(path);
+  const Text_blocks blocks(Text_input(path, file.text()));
+  const std::vector<std::size_t> before = blocks.count_before(count_points);
+  std::vector<Polygon_soup> parts(blocks.size());
+  std::vector<Highest_vertex> highest(blocks.size());
+  run_tasks(blocks.size(), [&](std::size_t i) {
+    Text_input block = blocks.input(i);
+    parts[i] = read_lines(block, before[i], highest[i]);
+  });
+  Polygon_soup soup = join(std::move(parts));
+  if(soup.points.empty() || soup.polygons.size() == 0)
+    throw Input_error(path, blocks.number_of_lines(), "the file ends, and has no face");
+  const auto first =
+    std::max_element(highest.begin(), highest.end(),
+                     [](const Highest_vertex& a, const Highest_vertex& b) { return a.number < b.number; });
+  if(first->number >= soup.points.size())
+    throw Input_error(path, first->line, "there is no vertex " + std::to_string(first->number + 1));
   return soup;
 }
 

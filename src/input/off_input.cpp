@@ -6,12 +6,15 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "input/File_contents.h"
 #include "input/mesh_formats.h"
+#include "input/text_blocks.h"
 #include "input/text_input.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
@@ -91,37 +94,58 @@ Point read_point(Text_input& input, std::size_t number_of_coordinates)
   return Point(x / w, y / w, z / w);
 }
 
-Polygon read_polygon(Text_input& input)
+void read_polygon(Text_input& input, Polygons& polygons)
 {
-  Polygon polygon;
-  for(auto size = input.number<std::size_t>(input.word_of_line()); polygon.size() < size;)
-    polygon.push_back(input.number<std::size_t>(input.word_of_line()));
-  return polygon;
+  for(auto size = input.number<std::size_t>(input.word_of_line()); size > 0; --size)
+    polygons.add_corner(input.number<std::size_t>(input.word_of_line()));
+  polygons.end_polygon();
+}
+
+std::size_t count_lines_of_words(Text_input& input)
+{
+  std::size_t number = 0;
+  while(next_line_of_words(input))
+    ++number;
+  return number;
+}
+
+// Reads what is behind the header, or the part of it that has so many vertices and faces before it.
+Polygon_soup read_lines(Text_input& input, const Off_header& header, std::size_t number_before)
+{
+  Polygon_soup soup;
+  for(std::size_t number = number_before; next_line_of_words(input); ++number)
+  {
+    if(number < header.vertices)
+      soup.points.push_back(read_point(input, header.coordinates));
+    else if(number - header.vertices < header.faces)
+      read_polygon(input, soup.polygons);
+    else
+      input.fail("there are more faces than the " + std::to_string(header.faces) + " that the header says");
+    skip_numbers(input);
+  }
+  return soup;
 }
 
 } // namespace
 
 Polygon_soup read_off(const std::string& path)
 {
-  Text_input input(path);
+  const File_contents file(path);
+  Text_input input(path, file.text());
   const Off_header header = read_header(input);
-  Polygon_soup soup;
-  while(soup.points.size() < header.vertices && next_line_of_words(input))
-  {
-    soup.points.push_back(read_point(input, header.coordinates));
-    skip_numbers(input);
-  }
-  while(soup.polygons.size() < header.faces && next_line_of_words(input))
-  {
-    soup.polygons.push_back(read_polygon(input));
-    skip_numbers(input);
-  }
+  const Text_blocks blocks(input);
+  const std::vector<std::size_t> before = blocks.count_before(count_lines_of_words);
+  std::vector<Polygon_soup> parts(blocks.size());
+  run_tasks(blocks.size(), [&](std::size_t i) {
+    Text_input block = blocks.input(i);
+    parts[i] = read_lines(block, header, before[i]);
+  });
+  Polygon_soup soup = join(std::move(parts));
   if(soup.points.size() < header.vertices || soup.polygons.size() < header.faces)
-    input.fail("the file ends after " + std::to_string(soup.points.size()) + " of " + std::to_string(header.vertices)
-               + " vertices and " + std::to_string(soup.polygons.size()) + " of " + std::to_string(header.faces)
-               + " faces");
-  if(next_line_of_words(input))
-    input.fail("there are more faces than the " + std::to_string(header.faces) + " that the header says");
+    throw Input_error(path, blocks.number_of_lines(),
+                      "the file ends after " + std::to_string(soup.points.size()) + " of "
+                        + std::to_string(header.vertices) + " vertices and " + std::to_string(soup.polygons.size())
+                        + " of " + std::to_string(header.faces) + " faces");
   return soup;
 }
 

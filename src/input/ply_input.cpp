@@ -6,6 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "input/File_contents.h"
 #include "input/mesh_formats.h"
 #include "input/ply_header.h"
 #include "input/text_input.h"
@@ -15,7 +16,6 @@
 #include <cctype>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
 #include <optional>
 #include <set>
 #include <string>
@@ -30,82 +30,127 @@ using ply::Format;
 using ply::Property;
 using ply::Type;
 
+std::size_t size_in_bytes(Type type)
+{
+  switch(type)
+  {
+  case Type::INT8:
+  case Type::UINT8: return 1;
+  case Type::INT16:
+  case Type::UINT16: return 2;
+  case Type::INT32:
+  case Type::UINT32:
+  case Type::FLOAT32: return 4;
+  default: return 8;
+  }
+}
+
 // The numbers behind the header.
 class Data
 {
 public:
-  Data(Text_input& input, Format format) : input_(input), format_(format) {}
+  Data(Text_input& input, Format format) : input_(input), bytes_(input.rest()), format_(format)
+  {
+    if(format == Format::ASCII)
+      input.finish_line(); // that of end_header
+  }
 
   // Each number of these types is a double as well.
   double read(Type type)
   {
-    switch(type)
-    {
-    case Type::INT8: return read_integer<std::int8_t>();
-    case Type::UINT8: return read_integer<std::uint8_t>();
-    case Type::INT16: return read_integer<std::int16_t>();
-    case Type::UINT16: return read_integer<std::uint16_t>();
-    case Type::INT32: return read_integer<std::int32_t>();
-    case Type::UINT32: return read_integer<std::uint32_t>();
-    case Type::FLOAT32: return read_number<float>();
-    default: return read_number<double>();
-    }
+    if(format_ == Format::ASCII)
+      return read_word(type);
+    const std::size_t size = size_in_bytes(type);
+    if(bytes_.size() < size)
+      input_.fail("the file ends too early");
+    const char* const first = bytes_.data();
+    bytes_.remove_prefix(size);
+    return is_reversed() ? read_reversed(type, first) : decode(type, first);
   }
 
   // Reads a property: one number, or those of a list.
   void read(const Property& property, std::vector<double>& numbers)
   {
     numbers.clear();
-    const double size = property.is_list() ? read(property.list_size_type) : 1;
-    if(size < 0)
-      input_.fail("the size of a list is negative");
+    const double size = property.is_list() ? read_list_size(property) : 1;
     while(static_cast<double>(numbers.size()) < size)
       numbers.push_back(read(property.type));
   }
 
+  double read_list_size(const Property& property)
+  {
+    const double size = read(property.list_size_type);
+    if(size < 0)
+      input_.fail("the size of a list is negative");
+    return size;
+  }
+
   void check_end()
   {
-    bool is_at_end = true;
-    if(format_ == Format::ASCII)
-      is_at_end = input_.word_of_file().empty();
-    else
-      for(char c = ' '; is_at_end && input_.file().get(c);)
-        is_at_end = std::isspace(static_cast<unsigned char>(c)) != 0;
+    const bool is_at_end = format_ == Format::ASCII ? input_.word_of_file().empty()
+                                                    : std::all_of(bytes_.begin(), bytes_.end(),
+                                                                  [](unsigned char c) { return std::isspace(c) != 0; });
     if(!is_at_end)
       input_.fail("there is more in the file than its header says");
   }
 
 private:
-  template <class Number>
-  double read_integer()
+  double read_word(Type type)
   {
-    return static_cast<double>(read_number<Number>());
+    const std::string_view word = input_.word_of_file();
+    switch(type)
+    {
+    case Type::INT8: return input_.number<std::int8_t>(word);
+    case Type::UINT8: return input_.number<std::uint8_t>(word);
+    case Type::INT16: return input_.number<std::int16_t>(word);
+    case Type::UINT16: return input_.number<std::uint16_t>(word);
+    case Type::INT32: return input_.number<std::int32_t>(word);
+    case Type::UINT32: return input_.number<std::uint32_t>(word);
+    case Type::FLOAT32: return input_.number<float>(word);
+    default: return input_.number<double>(word);
+    }
+  }
+
+  static double decode(Type type, const char* bytes)
+  {
+    switch(type)
+    {
+    case Type::INT8: return decode<std::int8_t>(bytes);
+    case Type::UINT8: return decode<std::uint8_t>(bytes);
+    case Type::INT16: return decode<std::int16_t>(bytes);
+    case Type::UINT16: return decode<std::uint16_t>(bytes);
+    case Type::INT32: return decode<std::int32_t>(bytes);
+    case Type::UINT32: return decode<std::uint32_t>(bytes);
+    case Type::FLOAT32: return decode<float>(bytes);
+    default: return decode<double>(bytes);
+    }
   }
 
   template <class Number>
-  Number read_number()
+  static Number decode(const char* bytes)
   {
-    if(format_ == Format::ASCII)
-      return input_.number<Number>(input_.word_of_file());
-    std::array<char, sizeof(Number)> bytes;
-    if(!input_.file().read(bytes.data(), bytes.size()))
-      input_.fail("the file ends too early");
-    if((format_ == Format::BINARY_BIG_ENDIAN) != is_machine_big_endian())
-      std::reverse(bytes.begin(), bytes.end());
     Number number;
-    std::memcpy(&number, bytes.data(), bytes.size());
+    std::memcpy(&number, bytes, sizeof(Number));
     return number;
   }
+
+  static double read_reversed(Type type, const char* bytes)
+  {
+    std::array<char, sizeof(double)> reversed;
+    std::reverse_copy(bytes, bytes + size_in_bytes(type), reversed.begin());
+    return decode(type, reversed.data());
+  }
+
+  bool is_reversed() const { return (format_ == Format::BINARY_BIG_ENDIAN) != is_machine_big_endian(); }
 
   static bool is_machine_big_endian()
   {
     const std::uint16_t number = 1;
-    char first = 0;
-    std::memcpy(&first, &number, 1);
-    return first == 0;
+    return decode<std::uint8_t>(reinterpret_cast<const char*>(&number)) == 0;
   }
 
   Text_input& input_;
+  std::string_view bytes_; // that have not been read, of a binary file
   Format format_;
 };
 
@@ -140,36 +185,48 @@ void read_points(Text_input& input,
     if(place == element.properties.size() || element.properties[place].is_list())
       input.fail("the vertices have no x, y and z");
   const std::size_t scalar_place = scalar_name.empty() ? 0 : find_scalars(input, element, scalar_name);
-  std::vector<std::vector<double>> numbers(element.properties.size());
+  std::vector<double> numbers(element.properties.size()), list;
   for(std::size_t i = 0; i < element.number; ++i)
   {
     for(std::size_t j = 0; j < numbers.size(); ++j)
-      data.read(element.properties[j], numbers[j]);
-    soup.points.emplace_back(numbers[places[0]][0], numbers[places[1]][0], numbers[places[2]][0]);
+      if(element.properties[j].is_list())
+        data.read(element.properties[j], list);
+      else
+        numbers[j] = data.read(element.properties[j].type);
+    soup.points.emplace_back(numbers[places[0]], numbers[places[1]], numbers[places[2]]);
     if(!scalar_name.empty())
-      soup.scalars.push_back(numbers[scalar_place][0]);
+      soup.scalars.push_back(numbers[scalar_place]);
   }
 }
 
-void read_polygons(Text_input& input, const Element& element, Data& data, std::vector<Polygon>& polygons)
+void read_polygon(Text_input& input, const Property& property, Data& data, Polygons& polygons)
+{
+  const double size = data.read_list_size(property);
+  bool is_any_negative = false;
+  for(double i = 0; i < size; ++i)
+  {
+    const double v = data.read(property.type);
+    is_any_negative = is_any_negative || v < 0;
+    polygons.add_corner(v < 0 ? too_large_corner : static_cast<std::size_t>(v));
+  }
+  if(is_any_negative)
+    input.fail("face " + std::to_string(polygons.size()) + " has a vertex that does not exist");
+  polygons.end_polygon();
+}
+
+void read_polygons(Text_input& input, const Element& element, Data& data, Polygons& polygons)
 {
   const std::size_t place = element.find({"vertex_indices", "vertex_index"});
   if(place == element.properties.size() || !element.properties[place].is_list()
      || !is_integer(element.properties[place].type))
     input.fail("the faces have no list of vertices");
-  std::vector<double> numbers;
+  std::vector<double> ignored;
   for(std::size_t i = 0; i < element.number; ++i)
     for(std::size_t j = 0; j < element.properties.size(); ++j)
-    {
-      data.read(element.properties[j], numbers);
-      if(j != place)
-        continue;
-      if(std::any_of(numbers.begin(), numbers.end(), [](double v) { return v < 0; }))
-        input.fail("face " + std::to_string(polygons.size()) + " has a vertex that does not exist");
-      Polygon& polygon = polygons.emplace_back();
-      std::transform(numbers.begin(), numbers.end(), std::back_inserter(polygon),
-                     [](double v) { return static_cast<std::size_t>(v); });
-    }
+      if(j == place)
+        read_polygon(input, element.properties[j], data, polygons);
+      else
+        data.read(element.properties[j], ignored);
 }
 
 void skip(const Element& element, Data& data)
@@ -236,11 +293,10 @@ void read_vertex_properties(const Element& element,
 
 std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& path, Surface& surface)
 {
-  Text_input input(path);
+  const File_contents file(path);
+  Text_input input(path, file.text());
   const ply::Header header = ply::read_header(input);
   Data data(input, header.format);
-  if(header.format == Format::ASCII)
-    input.finish_line(); // that of end_header
   std::vector<Any_vertex_property> properties;
   for(const Element& element : header.elements)
   {
@@ -257,11 +313,10 @@ std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& p
 
 Polygon_soup read_ply(const std::string& path, const std::string& vertex_property)
 {
-  Text_input input(path);
+  const File_contents file(path);
+  Text_input input(path, file.text());
   const ply::Header header = ply::read_header(input);
   Data data(input, header.format);
-  if(header.format == Format::ASCII)
-    input.finish_line(); // that of end_header
   Polygon_soup soup;
   for(const Element& element : header.elements)
   {

@@ -8,11 +8,12 @@
 
 #include "input/scalar_input.h"
 
+#include "input/File_contents.h"
 #include "input/input_error.h"
+#include "input/text_blocks.h"
 #include "input/text_input.h"
 
 #include <algorithm>
-#include <fstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -21,10 +22,11 @@ namespace reeb_graph_program {
 namespace {
 std::string_view trim(std::string_view text)
 {
-  const char* const blanks = " \t\r\v\f";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+  while(!text.empty() && is_blank(text.front()))
+    text.remove_prefix(1);
+  while(!text.empty() && is_blank(text.back()))
+    text.remove_suffix(1);
+  return text;
 }
 
 double parse_scalar(const std::string& path, std::size_t line, std::string_view text)
@@ -38,39 +40,29 @@ double parse_scalar(const std::string& path, std::size_t line, std::string_view 
   return value;
 }
 
-// Reads the lines of a file that are no comments.
+// Reads the lines of a text that are no comments.
 class Lines
 {
 public:
-  explicit Lines(const std::string& path) : path_(path), file_(path)
-  {
-    if(!file_)
-      throw Input_error(path_, "the file cannot be read");
-  }
+  explicit Lines(Text_input input) : input_(std::move(input)) {}
 
   bool next()
   {
-    while(std::getline(file_, text_))
-    {
-      if(++number_ == 1 && text_.compare(0, 3, "\xEF\xBB\xBF") == 0) // the byte order mark
-        text_.erase(0, 3);
-      if(trim(text_).substr(0, 1) != "#")
+    while(input_.next_line())
+      if(trim(text()).substr(0, 1) != "#")
         return true;
-    }
-    if(file_.bad())
-      throw Input_error(path_, "the file cannot be read");
     return false;
   }
 
-  std::string_view text() const { return text_; }
-  [[noreturn]] void fail(const std::string& message) const { throw Input_error(path_, number_, message); }
+  std::string_view text() const { return input_.line(); }
+  [[noreturn]] void fail(const std::string& message) const { input_.fail(message); }
 
-  double number(std::string_view text) const { return parse_scalar(path_, number_, text); }
+  double number(std::string_view text) const { return parse_scalar(input_.path(), input_.line_number(), text); }
+
+  const Text_input& input() const { return input_; }
 
 private:
-  std::string path_, text_;
-  std::ifstream file_;
-  std::size_t number_ = 0;
+  Text_input input_;
 };
 
 // Says which part of a line is the number: all of it.
@@ -164,24 +156,60 @@ private:
   std::vector<std::string> cells_;
 };
 
-template <class Part_of_line>
-std::vector<double> read_parts(const std::string& path, Part_of_line part, std::size_t number_of_vertices)
+std::size_t count_lines(Text_input& input)
 {
-  Lines lines(path);
-  std::vector<double> scalars;
-  bool is_first = true;
+  Lines lines(input);
+  std::size_t number = 0;
   while(lines.next())
-  {
-    if(std::exchange(is_first, false) && part.is_header(lines))
-      continue;
-    if(scalars.size() < number_of_vertices)
+    ++number;
+  return number;
+}
+
+// Reads the numbers of a text that has so many lines of the file before it.
+template <class Part_of_line>
+std::vector<double> read_lines(Lines lines,
+                               Part_of_line part,
+                               std::size_t number_before,
+                               std::size_t number_of_vertices)
+{
+  std::vector<double> scalars;
+  while(lines.next())
+    if(number_before + scalars.size() < number_of_vertices)
       scalars.push_back(lines.number(part(lines)));
     else if(!trim(lines.text()).empty()) // empty lines at the end only
       lines.fail("more values than the " + std::to_string(number_of_vertices) + " vertices of the mesh");
-  }
+  return scalars;
+}
+
+std::string_view without_byte_order_mark(std::string_view text)
+{
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  return text.substr(text.substr(0, byte_order_mark.size()) == byte_order_mark ? byte_order_mark.size() : 0);
+}
+
+template <class Part_of_line>
+std::vector<double> read_parts(const std::string& path, Part_of_line part, std::size_t number_of_vertices)
+{
+  const File_contents file(path);
+  Text_input input(path, without_byte_order_mark(file.text()));
+  Lines first(input);
+  if(first.next() && part.is_header(first))
+    input = first.input();
+  const Text_blocks blocks(input);
+  const std::vector<std::size_t> before = blocks.count_before(count_lines);
+  std::vector<std::vector<double>> parts(blocks.size());
+  run_tasks(blocks.size(),
+            [&](std::size_t i) { parts[i] = read_lines(Lines(blocks.input(i)), part, before[i], number_of_vertices); });
+  std::vector<double> scalars;
+  for(std::vector<double>& numbers : parts)
+    if(scalars.empty())
+      scalars = std::move(numbers);
+    else
+      scalars.insert(scalars.end(), numbers.begin(), numbers.end());
   if(scalars.size() < number_of_vertices)
-    lines.fail("the file ends after " + std::to_string(scalars.size()) + " values for "
-               + std::to_string(number_of_vertices) + " vertices");
+    throw Input_error(path, blocks.number_of_lines(),
+                      "the file ends after " + std::to_string(scalars.size()) + " values for "
+                        + std::to_string(number_of_vertices) + " vertices");
   return scalars;
 }
 

@@ -6,6 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "input/File_contents.h"
 #include "input/mesh_formats.h"
 #include "input/text_input.h"
 
@@ -14,10 +15,10 @@
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
-#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
@@ -29,27 +30,68 @@ class Corner_collector
 public:
   void add_corner(const Point& point)
   {
-    const auto [place, is_new] = vertices_.emplace(Coordinates{point.x(), point.y(), point.z()}, soup_.points.size());
-    if(is_new)
+    if(2 * soup_.points.size() >= table_.size())
+      grow();
+    Corner& vertex = table_[find(point)];
+    if(vertex == too_large_corner)
+    {
+      vertex = static_cast<Corner>(soup_.points.size());
       soup_.points.push_back(point);
-    polygon_.push_back(place->second);
+    }
+    soup_.polygons.add_corner(vertex);
+    ++number_of_corners_;
   }
 
   void end_facet()
   {
-    soup_.polygons.push_back(polygon_);
-    polygon_.clear();
+    soup_.polygons.end_polygon();
+    number_of_corners_ = 0;
   }
 
-  std::size_t number_of_corners() const { return polygon_.size(); }
+  std::size_t number_of_corners() const { return number_of_corners_; }
   Polygon_soup& soup() { return soup_; }
 
 private:
-  typedef std::array<double, 3> Coordinates;
+  // The bits of a number, the same ones for 0 and -0.
+  static std::uint64_t bits_of(double number)
+  {
+    number += 0.;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &number, sizeof(bits));
+    return bits;
+  }
 
-  std::map<Coordinates, std::size_t> vertices_;
+  static std::uint64_t mix(std::uint64_t seed, double number)
+  {
+    seed = (seed ^ bits_of(number)) * 0x9e3779b97f4a7c15U;
+    return seed ^ (seed >> 32U);
+  }
+
+  // Coordinates that are no numbers, too, are the same as themselves.
+  static bool is_same(const Point& a, const Point& b)
+  {
+    return bits_of(a.x()) == bits_of(b.x()) && bits_of(a.y()) == bits_of(b.y()) && bits_of(a.z()) == bits_of(b.z());
+  }
+
+  // The place of the vertex at the point, or a free one. Linear probing ends, as half of the places are free.
+  std::size_t find(const Point& point) const
+  {
+    std::size_t place = mix(mix(mix(0, point.x()), point.y()), point.z()) & (table_.size() - 1);
+    while(table_[place] != too_large_corner && !is_same(soup_.points[table_[place]], point))
+      place = (place + 1) & (table_.size() - 1);
+    return place;
+  }
+
+  void grow()
+  {
+    table_.assign(std::max<std::size_t>(2 * table_.size(), 1024), too_large_corner); // a power of two
+    for(std::size_t v = 0; v < soup_.points.size(); ++v)
+      table_[find(soup_.points[v])] = static_cast<Corner>(v);
+  }
+
+  std::vector<Corner> table_;
   Polygon_soup soup_;
-  Polygon polygon_;
+  std::size_t number_of_corners_ = 0; // of the facet that has not ended
 };
 
 std::uint32_t little_endian_integer(const char* bytes)
@@ -70,31 +112,23 @@ float little_endian_float(const char* bytes)
 }
 
 // The number of facets if the file is binary: if it has the size that its header says.
-std::optional<std::size_t> number_of_binary_facets(std::ifstream& file)
+std::optional<std::size_t> number_of_binary_facets(std::string_view bytes)
 {
-  std::array<char, header_size> header{};
-  file.seekg(0, std::ios::end);
-  const auto file_size = static_cast<std::size_t>(file.tellg());
-  file.seekg(0);
-  if(file_size < header_size || !file.read(header.data(), header.size()))
+  if(bytes.size() < header_size)
     return std::nullopt;
-  const std::size_t number = little_endian_integer(header.data() + 80);
-  if(file_size != header_size + facet_size * number)
-    return std::nullopt;
-  return number;
+  const std::size_t number = little_endian_integer(bytes.data() + 80);
+  return bytes.size() == header_size + facet_size * number ? std::make_optional(number) : std::nullopt;
 }
 
-Polygon_soup read_binary(Text_input& input, std::size_t number_of_facets)
+Polygon_soup read_binary(std::string_view bytes, std::size_t number_of_facets)
 {
   Corner_collector collector;
-  std::array<char, facet_size> facet{};
   for(std::size_t i = 0; i < number_of_facets; ++i)
   {
-    if(!input.file().read(facet.data(), facet.size()))
-      input.fail("the file ends too early");
+    const char* const facet = bytes.data() + header_size + facet_size * i;
     for(std::size_t corner = 12; corner < 48; corner += 12) // behind the normal
-      collector.add_corner(Point(little_endian_float(&facet[corner]), little_endian_float(&facet[corner + 4]),
-                                 little_endian_float(&facet[corner + 8])));
+      collector.add_corner(Point(little_endian_float(facet + corner), little_endian_float(facet + corner + 4),
+                                 little_endian_float(facet + corner + 8)));
     collector.end_facet();
   }
   return std::move(collector.soup());
@@ -154,11 +188,10 @@ Polygon_soup read_ascii(Text_input& input)
 
 Polygon_soup read_stl(const std::string& path)
 {
-  Text_input input(path);
-  const auto number_of_facets = number_of_binary_facets(input.file());
-  if(number_of_facets)
-    return read_binary(input, *number_of_facets);
-  input.restart();
+  const File_contents file(path);
+  if(const auto number_of_facets = number_of_binary_facets(file.text()))
+    return read_binary(file.text(), *number_of_facets);
+  Text_input input(path, file.text());
   return read_ascii(input);
 }
 

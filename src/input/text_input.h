@@ -18,11 +18,11 @@
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <type_traits>
+#include <utility>
 
 namespace reeb_graph_program {
 // Reads all of a text as a number, whatever the locale.
@@ -37,14 +37,18 @@ std::errc parse_number(std::string_view text, Number& number)
   return error;
 }
 
+// Whether a character stands between words; lines end otherwise.
+inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
 // The next word of a line from `begin` on, empty at the end.
 inline std::string_view next_word(std::string_view line, std::size_t begin)
 {
-  const char* const blanks = " \t\r\v\f";
-  begin = line.find_first_not_of(blanks, begin);
-  if(begin == std::string_view::npos)
-    return {};
-  return line.substr(begin, line.find_first_of(blanks, begin) - begin);
+  while(begin < line.size() && is_blank(line[begin]))
+    ++begin;
+  std::size_t end = begin;
+  while(end < line.size() && !is_blank(line[end]))
+    ++end;
+  return line.substr(begin, end - begin);
 }
 
 inline std::string lower_case_extension(const std::string& path)
@@ -55,32 +59,26 @@ inline std::string lower_case_extension(const std::string& path)
   return extension;
 }
 
-// A text file, read line by line and word by word.
+// A text, read line by line and word by word: that of a file, or a part of it.
 class Text_input
 {
 public:
-  explicit Text_input(const std::string& path) : path_(path), file_(path, std::ios::binary)
-  {
-    if(!file_)
-      throw Input_error(path_, "the file cannot be read");
-  }
+  // `first_line` is the number of lines of the file before the text, which has to outlive this object.
+  Text_input(const std::string& path, std::string_view text, std::size_t first_line = 0)
+    : path_(path),
+      rest_(text),
+      line_number_(first_line)
+  {}
 
   bool next_line()
   {
     position_ = 0;
-    line_.clear();
-    if(!std::getline(file_, line_))
-    {
-      if(file_.bad())
-        fail("the file cannot be read");
-      return false;
-    }
-    ++line_number_;
-    return true;
+    line_ = take_line();
+    return line_.data() != nullptr;
   }
 
   // Leaves out what is behind the character at which comments begin.
-  void remove_comment(char begin) { line_.resize((std::min)(line_.find(begin), line_.size())); }
+  void remove_comment(char begin) { line_ = line_.substr(0, line_.find(begin)); }
 
   // Makes the next line a part of this one if this one ends in a backslash.
   void join_next_line()
@@ -88,19 +86,21 @@ public:
     for(std::size_t last = line_.find_last_not_of(" \t\r"); last != std::string::npos && line_[last] == '\\';
         last = line_.find_last_not_of(" \t\r"))
     {
-      line_[last] = ' ';
-      std::string next;
-      if(!std::getline(file_, next))
+      std::string joined(line_);
+      joined[last] = ' ';
+      const std::string_view next = take_line();
+      joined += next;
+      joined_line_ = std::move(joined);
+      line_ = joined_line_;
+      if(next.data() == nullptr)
         return;
-      ++line_number_;
-      line_ += next;
     }
   }
 
   // The next word of this line, empty at its end.
   std::string_view word_of_line()
   {
-    const std::string_view word = next_word(line_, position_);
+    const std::string_view word = next_word_of_line();
     position_ = word.empty() ? line_.size() : static_cast<std::size_t>(word.data() + word.size() - line_.data());
     return word;
   }
@@ -111,16 +111,7 @@ public:
   // Leaves out the words of this line that have not been read.
   void finish_line() { position_ = line_.size(); }
 
-  // Goes back to the beginning of the file.
-  void restart()
-  {
-    file_.clear();
-    file_.seekg(0);
-    line_.clear();
-    position_ = line_number_ = 0;
-  }
-
-  // The next word of this line or of a later one, empty at the end of the file.
+  // The next word of this line or of a later one, empty at the end of the text.
   std::string_view word_of_file()
   {
     std::string_view word = word_of_line();
@@ -134,21 +125,38 @@ public:
   {
     Number result{};
     const std::errc error = parse_number(word, result);
+    if(error == std::errc())
+      return result;
     if(std::is_floating_point<Number>::value && error == std::errc::result_out_of_range)
       return rounded_to_zero<Number>(word);
-    if(error != std::errc())
-      fail(word.empty() ? "a number is missing"
-                        : quote(word) + " is not "
-                            + (std::is_floating_point<Number>::value ? "a number" : "a number that is possible here"));
-    return result;
+    fail(word.empty() ? "a number is missing"
+                      : quote(word) + " is not "
+                          + (std::is_floating_point<Number>::value ? "a number" : "a number that is possible here"));
   }
 
-  std::ifstream& file() { return file_; }
+  // The line that was read last, without its end.
+  std::string_view line() const { return line_; }
+
+  // Behind that line.
+  std::string_view rest() const { return rest_; }
   std::size_t line_number() const { return line_number_; }
+  const std::string& path() const { return path_; }
 
   [[noreturn]] void fail(const std::string& message) const { throw Input_error(path_, line_number_, message); }
 
 private:
+  // The next line of the text, without its end; nothing, not even an empty text, at the end.
+  std::string_view take_line()
+  {
+    if(rest_.empty())
+      return {};
+    const std::size_t end = rest_.find('\n');
+    const std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    ++line_number_;
+    return line;
+  }
+
   template <class Number>
   Number rounded_to_zero(std::string_view word) const
   {
@@ -158,9 +166,9 @@ private:
     return static_cast<Number>(value);
   }
 
-  std::string path_, line_;
-  std::ifstream file_;
-  std::size_t position_ = 0, line_number_ = 0;
+  std::string path_, joined_line_;
+  std::string_view rest_, line_;
+  std::size_t position_ = 0, line_number_;
 };
 
 } // namespace reeb_graph_program

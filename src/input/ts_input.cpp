@@ -6,6 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "input/File_contents.h"
 #include "input/mesh_formats.h"
 #include "input/text_input.h"
 
@@ -34,18 +35,17 @@ public:
   }
 
   // Reads the numbers of the vertices of a triangle.
-  Polygon read_triangle()
+  void read_triangle(Polygons& polygons)
   {
-    Polygon triangle;
-    while(triangle.size() < 3)
+    for(int corner = 0; corner < 3; ++corner)
     {
       const auto number = input_.number<long long>(input_.word_of_line());
       const auto position = positions_.find(number);
       if(position == positions_.end())
         input_.fail("there is no vertex " + std::to_string(number) + " before");
-      triangle.push_back(position->second);
+      polygons.add_corner(position->second);
     }
-    return triangle;
+    polygons.end_polygon();
   }
 
 private:
@@ -57,7 +57,8 @@ private:
 
 Polygon_soup read_ts(const std::string& path)
 {
-  Text_input input(path);
+  const File_contents file(path);
+  Text_input input(path, file.text());
   while(input.next_word_of_line() != "TFACE")
     if(!input.next_line())
       input.fail("the file ends, and has no line TFACE");
@@ -70,7 +71,7 @@ Polygon_soup read_ts(const std::string& path)
     if(keyword == "VRTX" || keyword == "PVRTX")
       soup.points.push_back(vertices.read_point());
     else if(keyword == "TRGL")
-      soup.polygons.push_back(vertices.read_triangle());
+      vertices.read_triangle(soup.polygons);
     else if(keyword == "ATOM" || keyword == "PATOM")
       input.fail("vertices that are others again are not read");
     has_end = has_end || keyword == "END";

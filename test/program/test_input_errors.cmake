@@ -84,6 +84,13 @@ expect_error("vertex 1 has a coordinate that is not a finite number" compute inf
 file(WRITE ${FOLDER}/four_corners.stl "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n"
      "vertex 0 1 0\nendloop\nendfacet\nendsolid\n")
 expect_error("four_corners.stl:7: 'vertex' instead of 'endloop'" compute four_corners.stl --field x ${graph})
+set(facets "solid\n")
+foreach(facet "0 0 0;0 1 0;1 0 0" "0 0 0;1 0 0;0 0 1" "1 0 0;0 1 0;0 0 1" "0 1 0;nan 0 0;0 0 1")
+  list(JOIN facet "\nvertex " corners)
+  string(APPEND facets "facet normal 0 0 0\nouter loop\nvertex ${corners}\nendloop\nendfacet\n")
+endforeach()
+file(WRITE ${FOLDER}/nan.stl "${facets}endsolid\n")
+expect_error("vertex 4 has a coordinate that is not a finite number" compute nan.stl --field x ${graph})
 
 # faces that are wrong
 file(WRITE ${FOLDER}/out_of_range.off "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 7\n")

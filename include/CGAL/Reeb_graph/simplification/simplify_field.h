@@ -54,7 +54,8 @@ namespace Reeb_graph {
 /// has a loop too many, another order is looked for: one in which each vertex that is moved next to a saddle, and this
 /// saddle, have contours below and above them, and join no contours that the vertices before them have joined or split.
 /// Where they are up to 16, all orders are searched, where they are more, a large number. Section
-/// \ref ReebGraph_simplify_field of the manual says which pieces have none. With contracted ties there is always a field.
+/// \ref ReebGraph_simplify_field of the manual says which pieces have none. With contracted ties there is always a
+///            field.
 ///
 /// On the subject, see U. Bauer, C. Lange, M. Wardetzky, *Optimal Topological Simplification of Discrete Functions on
 /// Surfaces*, 2012, and J. Tierny, V. Pascucci, *Generalized Topological Simplification of Scalar Fields on Surfaces*,

@@ -29,8 +29,8 @@ namespace internal {
 // saddle, as what is left would end there. (H. Carr, J. Snoeyink, M. van de Panne, Simplifying Flexible Isosurfaces
 // Using Local Geometric Measures, 2004.) The time is O(n log n).
 //
-// Nodes are numbered in ascending order. Places are the nodes, by their numbers, and behind them the arcs. A weight is a
-// number, or several, which `+=` adds up.
+// Nodes are numbered in ascending order. Places are the nodes, by their numbers, and behind them the arcs. A weight is
+// a number, or several, which `+=` adds up.
 template <class Weight>
 class Weighted_leaf_pruning
 {

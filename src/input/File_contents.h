@@ -1,0 +1,67 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_FILE_CONTENTS_H
+#define CGAL_REEB_GRAPH_SRC_FILE_CONTENTS_H
+
+#include "input/input_error.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace reeb_graph_program {
+// All bytes of a file. They are read, not mapped: a file that shrinks meanwhile is an error, and no end of the program.
+class File_contents
+{
+public:
+  explicit File_contents(const std::string& path)
+  {
+    std::ifstream file(path, std::ios::binary);
+    if(!file || std::filesystem::is_directory(path))
+      throw Input_error(path, "the file cannot be read");
+    if(std::filesystem::is_regular_file(path))
+      read(file, std::filesystem::file_size(path));
+    else
+      read_to_end(file);
+    if(!file)
+      throw Input_error(path, "the file cannot be read");
+  }
+
+  std::string_view text() const { return text_; }
+
+  File_contents(const File_contents&) = delete;
+  File_contents& operator=(const File_contents&) = delete;
+
+private:
+  void read(std::ifstream& file, std::size_t size)
+  {
+    bytes_.reset(new char[size]); // not set to zero
+    file.read(bytes_.get(), static_cast<std::streamsize>(size));
+    text_ = std::string_view(bytes_.get(), size);
+  }
+
+  // Reads what has no size before: a pipe.
+  void read_to_end(std::ifstream& file)
+  {
+    piped_.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+    text_ = piped_;
+  }
+
+  std::unique_ptr<char[]> bytes_;
+  std::string piped_;
+  std::string_view text_;
+};
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_FILE_CONTENTS_H
