@@ -30,5 +30,5 @@ number_of_jobs() {
 packages_of_program=(g++ cmake make libcgal-dev libboost-dev libboost-test-dev libeigen3-dev libtbb-dev libcli11-dev
                      nlohmann-json3-dev libjs-three)
 # What only some tests read results with, or check the scripts of the page with; they are skipped without.
-packages_of_readers=(chromium chromium-driver python3-selenium python3-vtk9 python3-networkx eslint graphviz)
-packages_of_tests=("${packages_of_program[@]}" doxygen libgudhi-dev)
+packages_of_readers=(chromium chromium-driver python3-selenium python3-vtk9 python3-networkx nodejs eslint graphviz)
+packages_of_tests=("${packages_of_program[@]}" doxygen libgudhi-dev python3)

@@ -8,12 +8,15 @@
 
 #include "page/decimate.h"
 
+#include "base/progress_bar.h"
+
 #include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
+#include <functional>
 #include <utility>
 
 namespace SMS = CGAL::Surface_mesh_simplification;
@@ -39,9 +42,20 @@ struct End_placement
 };
 
 // Lets the vertex that an edge becomes stand for the end that it is put at.
-struct Origin_visitor : SMS::Edge_collapse_visitor_base<Surface>
+class Origin_visitor : public SMS::Edge_collapse_visitor_base<Surface>
 {
-  Origin_visitor(Kept_map is_kept, Origin_map origin_map) : is_kept_(is_kept), origin_map_(origin_map) {}
+public:
+  Origin_visitor(Kept_map is_kept, Origin_map origin_map, std::function<void(std::size_t)> report_removed_edges)
+    : is_kept_(is_kept),
+      origin_map_(origin_map),
+      report_removed_edges_(std::move(report_removed_edges))
+  {}
+
+  template <class Profile, class Cost>
+  void OnSelected(const Profile&, const Cost&, std::size_t initial_edge_count, std::size_t current_edge_count)
+  {
+    report_removed_edges_(initial_edge_count - current_edge_count);
+  }
 
   template <class Profile, class Placement>
   void OnCollapsing(const Profile& profile, const Placement& placement)
@@ -63,21 +77,38 @@ struct Origin_visitor : SMS::Edge_collapse_visitor_base<Surface>
 private:
   Kept_map is_kept_;
   Origin_map origin_map_;
+  std::function<void(std::size_t)> report_removed_edges_;
   bool is_end_kept_ = false;
   Surface::Vertex_index origin_;
 };
 
-// Stops when so many faces are left: a collapse that removes two faces removes three edges.
-struct Face_count_stop
+// Stops when so many edges are gone.
+struct Removal_stop
 {
   template <class Cost, class Profile>
   bool operator()(const Cost&, const Profile&, std::size_t initial_edge_count, std::size_t current_edge_count) const
   {
-    return 2 * (initial_edge_count - current_edge_count) >= 3 * number_of_faces_to_remove;
+    return initial_edge_count - current_edge_count >= number_of_edges_to_remove;
   }
 
-  std::size_t number_of_faces_to_remove;
+  std::size_t number_of_edges_to_remove;
 };
+
+void collapse_edges(Surface& surface, std::size_t number_of_faces_to_remove, Kept_map is_kept, Origin_map origin_map)
+{
+  // A collapse that removes two faces removes three edges.
+  const std::size_t number_of_edges_to_remove = (3 * number_of_faces_to_remove + 1) / 2;
+  Progress_bar progress_bar("page");
+  const Origin_visitor visitor(is_kept, origin_map, [&](std::size_t number_of_removed_edges) {
+    if(number_of_removed_edges % 1024 == 0)
+      progress_bar(double(number_of_removed_edges) / double(number_of_edges_to_remove));
+  });
+  SMS::edge_collapse(surface, Removal_stop{number_of_edges_to_remove},
+                     CGAL::parameters::get_cost(SMS::Edge_length_cost<Surface>())
+                       .get_placement(End_placement{is_kept})
+                       .filter(SMS::Bounded_normal_change_filter<>())
+                       .visitor(visitor));
+}
 
 void keep_borders(const Surface& surface, const std::optional<Patch_map>& patch_map, Kept_map is_kept)
 {
@@ -113,14 +144,7 @@ Decimated_surface decimate(const Surface& surface,
       (*result.patch_map)[f] = (*patch_map)[f];
   }
   if(copy.number_of_faces() > number_of_faces)
-  {
-    const Origin_visitor visitor(is_kept, result.origin_map);
-    SMS::edge_collapse(copy, Face_count_stop{copy.number_of_faces() - number_of_faces},
-                       CGAL::parameters::get_cost(SMS::Edge_length_cost<Surface>())
-                         .get_placement(End_placement{is_kept})
-                         .filter(SMS::Bounded_normal_change_filter<>())
-                         .visitor(visitor));
-  }
+    collapse_edges(copy, copy.number_of_faces() - number_of_faces, is_kept, result.origin_map);
   copy.collect_garbage();
   return result;
 }

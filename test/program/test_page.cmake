@@ -1,6 +1,11 @@
 # The page holds the surface, the graph, its simplified graphs and curves, as a reader of its own finds them.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
+if(NOT PYTHON)
+  message(STATUS "SKIPPED: Python, which reads the page, is not installed")
+  return()
+endif()
+
 # expect_page(NAME TITLE ...) checks the page NAME.html, and what check_page.py is told besides.
 function(expect_page name title)
   execute_process(COMMAND ${PYTHON} ${CMAKE_CURRENT_LIST_DIR}/check_page.py ${name}.html ${title} ${ARGN}
@@ -22,18 +27,16 @@ if(error MATCHES "without the page")
 endif()
 expect_error("missing.off" compute missing.off --field z --html page.html)
 expect_error("page.htm: the file name of a page ends in .html" compute missing.off --field z --html page.htm)
-expect_error("page.htm: the file name of a page ends in .html" curves missing.off --field z --type pants --html page.htm)
+expect_error("page.htm: the file name of a page ends in .html" curves missing.off --field z --type pants
+             --html page.htm)
 expect_error("two outputs" compute tetrahedron.off --field z --html page.html --vertex-arcs ./page.html)
 expect_error("the file cannot be written" compute tetrahedron.off --field z --html missing/page.html)
 file(WRITE ${FOLDER}/far.off "OFF\n3 1 0\n0 0 0\n1e31 0 0\n0 1 0\n3 0 1 2\n")
 expect_error("1e30" compute far.off --field x --html page.html)
-if(NOT PYTHON)
-  message(STATUS "Python is not installed: the page is not read")
-  return()
-endif()
 
 expect_success(compute tetrahedron.off --field z --unit mm --html page.html)
-expect_page(page tetrahedron.off mesh=tetrahedron.off field.name="z" field.unit="mm" graph.arcs.length=1 levels.length=1 curves.length=0)
+expect_page(page tetrahedron.off mesh=tetrahedron.off field.name="z" field.unit="mm" graph.arcs.length=1
+            graph.is_simplified=false levels.length=1 curves.length=0)
 
 # names that are code, and such that are no UTF-8
 set(unit "</script><script>alert(1)</script>&amp<!--")
@@ -70,7 +73,8 @@ expect_page(page empty.off graph.nodes.length=0 levels.length=1)
 # a surface with handles: the given graph, the simplified one, and curves with patches
 set(genus_3 ${CMAKE_CURRENT_LIST_DIR}/../../examples/Reeb_graph/data/genus_3.off)
 expect_success(compute ${genus_3} --field x --vertex-arcs arcs.txt --html page.html)
-expect_page(page genus_3.off mesh=${genus_3} vertex_arcs=arcs.txt graph.arcs.length=10 levels.length=2 levels.1.graph.arcs.length=1)
+expect_page(page genus_3.off mesh=${genus_3} vertex_arcs=arcs.txt graph.arcs.length=10 levels.length=2
+            levels.1.graph.arcs.length=1)
 expect_success(compute ${genus_3} --field z --ties contract --vertex-arcs arcs.txt --html page.html)
 expect_page(page genus_3.off vertex_arcs=arcs.txt)
 expect_success(compute ${genus_3} --field y --leaves 3 --keep-degree-2 --vertex-arcs arcs.txt --html page.html)
@@ -80,6 +84,23 @@ foreach(open "" --cut-open)
                  --patches patches.txt --html page.html)
   expect_page(page genus_3.off mesh=cut.off patches=patches.txt curves=curves.polylines.txt curves.length=6)
 endforeach()
+
+# a graph of more arcs than a page shows
+set(noisy_plane "import random
+random.seed(1)
+n = 100
+print('OFF', (n + 1) ** 2, 2 * n * n, 0)
+for i in range((n + 1) ** 2):
+    print(i // (n + 1), i % (n + 1), random.random())
+for i in range(n * n):
+    a = i // n * (n + 1) + i % n
+    print(3, a, a + n + 1, a + 1)
+    print(3, a + 1, a + n + 1, a + n + 2)
+")
+execute_process(COMMAND ${PYTHON} -c "${noisy_plane}" OUTPUT_FILE ${FOLDER}/noise.off COMMAND_ERROR_IS_FATAL ANY)
+expect_success(compute noise.off --field z --json --html page.html)
+string(JSON number_of_arcs GET "${output}" arcs)
+expect_page(page noise.off mesh=noise.off graph.is_simplified=true graph.arcs_of_input=${number_of_arcs})
 
 # a surface of more faces than a page shows
 set(wavy_plane "n = 330
