@@ -32,4 +32,3 @@ packages_of_program=(g++ cmake make libcgal-dev libboost-dev libboost-test-dev l
 # What only some tests read results with, or check the scripts of the page with; they are skipped without.
 packages_of_readers=(chromium chromium-driver python3-selenium python3-vtk9 python3-networkx nodejs eslint graphviz)
 packages_of_tests=("${packages_of_program[@]}" doxygen libgudhi-dev python3)
-packages_of_tests=("${packages_of_program[@]}" doxygen libgudhi-dev python3)

@@ -57,7 +57,8 @@ void run_demo(const Demo_options& options)
 
   if(is_page_available())
   {
-    write_page(folder / "page.html", {surface, scalar_map, graph, Graph_options(), "surface.off", field_label});
+    write_page(folder / "page.html",
+               {surface, scalar_map, graph, Graph_options(), "Figure with a hand on its hip", field_label});
     std::cout << "Open this page in a web browser to see the surface and its Reeb graph:\n\n  "
               << fs::absolute(folder / "page.html").lexically_normal().string() << "\n\n";
   }
@@ -76,9 +77,10 @@ void run_demo(const Demo_options& options)
        "  graph.graphml         the graph for programs: NetworkX, Gephi, yEd\n"
        "  surface.off           the surface\n"
        "  scalars.txt           the field, one number per vertex\n"
-       "\nThe same by hand:\n\n  reeb_graph compute "
-    << (folder / "surface.off").string() << " --scalars " << (folder / "scalars.txt").string()
-    << " --graph graph.svg\n";
+    << (is_page_available() ? "" : "\nFor a page that shows both, install libjs-three, and build the program again.\n")
+    << "\nThe same by hand:\n\n  reeb_graph compute " << (folder / "surface.off").string() << " --scalars "
+    << (folder / "scalars.txt").string() << " --graph graph.svg"
+    << (is_page_available() ? " --html page.html\n" : "\n");
 }
 
 } // namespace reeb_graph_program

@@ -2,20 +2,9 @@
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
 expect_success(demo --out files)
-<<<<<<< HEAD
 expect_match("${output}" "genus 1")
 expect_match("${output}" "10 nodes, 10 arcs, 1 loop")
 set(expected_files graph.dot graph.graphml graph.svg scalars.txt surface.off surface_coloured.ply)
-=======
-expect_match("${output}" "genus 3")
-expect_match("${output}" "8 nodes, 10 arcs, 3 loops")
-find_program(DOT dot)
-set(expected_files graph.dot graph.graphml scalars.txt surface.off surface_coloured.ply)
-if(DOT)
-  list(APPEND expected_files graph.svg)
-  list(SORT expected_files)
-endif()
->>>>>>> 2b9f981 (Refuse a folder without three.js when CMake runs)
 if(output MATCHES "page.html")
   expect_match("${output}" "^Open this page in a web browser[^\n]*\n\n  ${FOLDER}/files/page.html\n")
   list(APPEND expected_files page.html)
