@@ -131,7 +131,22 @@ void add_compute_command(CLI::App& app, Compute_options& options)
   add_field_option(*command, options.input);
   add_graph_options(*command, options.graph);
   command->add_option("--graph", options.graph_path,
-                      "Write the graph to this file, .graphml or .dot, or draw it, .svg");
+                      "Write the graph to this file: .graphml, .dot, .svg, or in space .vtp, .obj, .polylines.txt, "
+                      ".json, or .csv, which stands for two files, .nodes.csv and .arcs.csv");
+  const auto set_embedding = [&options](const std::string& name) {
+    options.embedding_manner = name == "on-surface" ? CGAL::Reeb_graph::Embedding_manner::ON_SURFACE
+                             : name == "straight"   ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
+                                                    : CGAL::Reeb_graph::Embedding_manner::CENTROIDS;
+  };
+  command
+    ->add_option_function<std::string>("--embedding", set_embedding,
+                                       "Where the arcs of a graph in space are: centroids of contours (centroids, the "
+                                       "default), chains (on-surface), or straight lines (straight)")
+    ->check(CLI::IsMember({"centroids", "on-surface", "straight"}));
+  command->add_option(
+    "--mesh-out", options.mesh_path,
+    "Write the mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex, "
+    "and colours");
   command->add_option("--vertex-arcs", options.vertex_arcs_path,
                       "Write to this file, for each vertex on a line, the arc or node of the graph that it belongs to");
   command->add_option(
@@ -211,6 +226,9 @@ void add_curves_command(CLI::App& app, Curves_options& options)
   command->add_option("--patches", options.patches_path,
                       "Write to this file, for each face of the cut mesh on a line, the number of its patch");
   add_page_options(*command, options.page_path, options.unit);
+  command->add_option("--mesh-out", options.mesh_path,
+                      "Write the cut mesh to this file, .ply or .vtp, with the value, the arc, and the node of each "
+                      "vertex, the patch of each face, and colours");
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
   command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_curves(options); }); });

@@ -25,6 +25,8 @@ struct Compute_options
   Simplification_options simplification;
   // Each path is empty if that file is not written.
   std::string graph_path;
+  std::optional<CGAL::Reeb_graph::Embedding_manner> embedding_manner; // by default through centroids
+  std::string mesh_path;
   std::string vertex_arcs_path;
   std::string pairs_path;
   std::string diagram_path;
@@ -50,6 +52,7 @@ struct Curves_options
   std::string curves_path; // empty if they are not written
   std::string cut_mesh_path;
   std::string patches_path;
+  std::string mesh_path;
   std::string page_path;
   std::string unit; // of the field, for what is drawn
   bool is_report_json = false;

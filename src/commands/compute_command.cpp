@@ -11,6 +11,7 @@
 #include "commands/commands.h"
 #include "computation/analysis.h"
 #include "computation/augmentation.h"
+#include "computation/embedding.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/field_input.h"
@@ -24,6 +25,7 @@
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -32,6 +34,11 @@
 
 namespace reeb_graph_program {
 namespace {
+bool is_graph_in_space(const Compute_options& options)
+{
+  return !options.graph_path.empty() && is_format_in_space(options.graph_path);
+}
+
 void check(const Compute_options& options)
 {
   if(!options.graph_path.empty())
@@ -42,8 +49,15 @@ void check(const Compute_options& options)
     check_diagram_format(options.diagram_path);
   if(!options.page_path.empty())
     check_page(options.page_path);
-  check_distinct_paths({options.graph_path, options.vertex_arcs_path, options.pairs_path, options.diagram_path,
-                        options.simplified_scalars_path, options.page_path});
+  if(!options.mesh_path.empty())
+    check_mesh_format(options.mesh_path);
+  std::vector<std::filesystem::path> paths = graph_files(options.graph_path);
+  paths.insert(paths.end(), {options.vertex_arcs_path, options.pairs_path, options.diagram_path, options.mesh_path,
+                             options.simplified_scalars_path, options.page_path});
+  check_distinct_paths(paths);
+  if(options.embedding_manner && !is_graph_in_space(options))
+    throw std::runtime_error("--embedding goes with --graph and a format in space only: .vtp, .obj, .polylines.txt, "
+                             ".json, or .csv");
   check_simplification_options(options.simplification);
   if(options.simplified_scalars_path.empty())
     return;
@@ -72,30 +86,45 @@ void write_pairs_and_diagram(const Compute_options& options,
                   options.simplification.threshold ? std::optional<double>(threshold) : std::nullopt);
 }
 
-// The vertices are located if the file or the table needs it.
-void write_vertex_arcs_and_table(const Compute_options& options,
-                                 const Simplified_graph& graph,
-                                 const Surface& surface,
-                                 Scalar_map scalar_map,
-                                 Report& report)
+// The vertices are located if one of the files or the table needs it.
+void write_files_of_surface(const Compute_options& options,
+                            const Simplified_graph& graph,
+                            const Surface& surface,
+                            Scalar_map scalar_map,
+                            Report& report)
 {
   constexpr std::size_t few_arcs = 40;
   const bool has_table = options.is_table_wanted.value_or(num_edges(graph.result()) <= few_arcs);
-  if(options.vertex_arcs_path.empty() && !has_table)
+  const bool has_file = !options.vertex_arcs_path.empty() || !options.mesh_path.empty() || is_graph_in_space(options);
+  if(!has_table && !has_file)
     return;
   const Stopwatch stopwatch;
   const Augmentation augmentation = graph.augmentation(surface, scalar_map, options.graph);
   const Vertex_locations locations = locate_vertices(augmentation);
+  std::vector<Arc_row> arcs;
+  if(has_table || is_graph_in_space(options))
+    arcs = measure_arcs(surface, scalar_map, graph.result(), locations);
   if(has_table)
-    report.arc_table = measure_arcs(surface, scalar_map, graph.result(), locations);
+    report.arc_table = arcs;
   report.seconds.emplace_back("locate", stopwatch.seconds());
+  if(!has_file)
+    return;
+  const Stopwatch output_stopwatch;
   if(!options.vertex_arcs_path.empty())
     write_vertex_arcs(options.vertex_arcs_path, surface, locations, num_vertices(graph.result()));
+  if(!options.mesh_path.empty())
+    write_mesh(options.mesh_path, surface, {scalar_map, locations, num_vertices(graph.result()), std::nullopt});
+  if(is_graph_in_space(options))
+  {
+    const auto manner = options.embedding_manner.value_or(CGAL::Reeb_graph::Embedding_manner::CENTROIDS);
+    write_graph_in_space(options.graph_path, graph.result(), embed_graph(augmentation, manner, arcs), surface);
+  }
+  report.seconds.emplace_back("files", output_stopwatch.seconds());
 }
 
 void write_graph_file(const Compute_options& options, const Graph& graph, const Surface& surface, Report& report)
 {
-  if(options.graph_path.empty())
+  if(options.graph_path.empty() || is_graph_in_space(options))
     return;
   const Stopwatch stopwatch;
   write_graph(options.graph_path, graph, surface, field_label(options.input, options.unit));
@@ -163,7 +192,7 @@ void run_compute(const Compute_options& options)
   }
   write_simplified_field(options, surface, scalar_map, threshold, report);
   write_pairs_and_diagram(options, given, surface, threshold, report);
-  write_vertex_arcs_and_table(options, graph, surface, scalar_map, report);
+  write_files_of_surface(options, graph, surface, scalar_map, report);
   write_graph_file(options, graph.result(), surface, report);
   write_page_file(options, given, surface, scalar_map, threshold, report);
   if(options.is_report_json)

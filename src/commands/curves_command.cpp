@@ -32,7 +32,7 @@
 
 namespace reeb_graph_program {
 namespace {
-void check_mesh_format(const std::filesystem::path& path)
+void check_cut_mesh_format(const std::filesystem::path& path)
 {
   if(path.extension() != ".off" && path.extension() != ".ply")
     throw std::runtime_error(path.string() + ": the file name of a cut mesh ends in .off or .ply");
@@ -55,7 +55,9 @@ void check_formats(const Curves_options& options)
   if(!options.curves_path.empty())
     check_polylines_format(options.curves_path);
   if(!options.cut_mesh_path.empty())
-    check_mesh_format(options.cut_mesh_path);
+    check_cut_mesh_format(options.cut_mesh_path);
+  if(!options.mesh_path.empty())
+    check_mesh_format(options.mesh_path);
 }
 
 std::vector<Any_vertex_property> properties_to_keep(const Curves_options& options, Surface& surface)
@@ -90,6 +92,23 @@ void write_files(const Curves_options& options, const Surface& surface, const Cu
     write_cut_mesh(options.cut_mesh_path, surface, result.patch_map);
   if(!options.patches_path.empty())
     write_patches(options.patches_path, surface, result.patch_map);
+}
+
+// The mesh with results has the graph of the field on the cut mesh.
+void write_mesh_file(const Curves_options& options,
+                     const Surface& surface,
+                     Scalar_map scalar_map,
+                     const Cut_result& result,
+                     Curves_report& report)
+{
+  if(options.mesh_path.empty())
+    return;
+  const Stopwatch stopwatch;
+  const Graph graph = compute_graph(surface, scalar_map, Graph_options());
+  const Augmentation augmentation(surface, scalar_map, graph);
+  const Vertex_locations locations = locate_vertices(augmentation);
+  write_mesh(options.mesh_path, surface, {scalar_map, locations, num_vertices(graph), result.patch_map});
+  report.add_seconds("mesh", stopwatch.seconds());
 }
 
 // The page shows the graph of the field on the cut mesh.
@@ -137,7 +156,8 @@ void run_curves(const Curves_options& options)
   check_simplification_of_field(options.simplification);
   if(!options.page_path.empty())
     check_page(options.page_path);
-  check_distinct_paths({options.curves_path, options.cut_mesh_path, options.patches_path, options.page_path});
+  check_distinct_paths(
+    {options.curves_path, options.cut_mesh_path, options.patches_path, options.mesh_path, options.page_path});
   Curves_report report;
   Surface surface = read_surface(options.input, report);
   Input_options input = options.input;
@@ -157,6 +177,7 @@ void run_curves(const Curves_options& options)
   const Stopwatch output_stopwatch;
   write_files(options, surface, result);
   report.add_seconds("output", output_stopwatch.seconds());
+  write_mesh_file(options, surface, scalar_map, result, report);
   write_page_file(options, surface, scalar_map, result, report);
   report.curves = result.polylines.size();
   report.patches = result.number_of_patches;

@@ -72,7 +72,7 @@ void run_demo(const Demo_options& options)
     << (is_page_available() ? "  page.html             the surface and the graph, to turn, to point at, and to send\n"
                             : "")
     << "  graph.svg             the graph, drawn: open it in a web browser\n"
-       "  surface_coloured.ply  the surface, blue where low and red where high: open it in MeshLab or Blender\n"
+       "  surface_coloured.ply  the surface, dark where low and yellow where high: open it in MeshLab or Blender\n"
        "  graph.dot             the graph for Graphviz\n"
        "  graph.graphml         the graph for programs: NetworkX, Gephi, yEd\n"
        "  surface.off           the surface\n"

@@ -14,25 +14,68 @@
 #include <CGAL/Reeb_graph/IO/svg.h>
 
 #include <stdexcept>
+#include <string>
 
 namespace reeb_graph_program {
-void check_graph_format(const std::filesystem::path& path)
+namespace {
+namespace fs = std::filesystem;
+
+struct Graph_format
 {
-  if(path.extension() != ".graphml" && path.extension() != ".dot" && path.extension() != ".svg")
-    throw std::runtime_error(path.string() + ": the file name of a graph ends in .graphml, .dot, or .svg");
+  std::string ending;
+  bool is_in_space;
+};
+
+const std::vector<Graph_format>& graph_formats()
+{
+  static const std::vector<Graph_format> formats = {{".graphml", false}, {".dot", false}, {".svg", false},
+                                                    {".vtp", true},      {".obj", true},  {".polylines.txt", true},
+                                                    {".json", true},     {".csv", true}};
+  return formats;
 }
 
-void write_graph(const std::filesystem::path& path,
-                 const Graph& graph,
-                 const Surface& surface,
-                 const Field_label& field_label)
+const Graph_format& format_of(const fs::path& path)
 {
-  check_graph_format(path);
+  const std::string name = path.filename().string();
+  std::string endings;
+  for(const Graph_format& format : graph_formats())
+  {
+    const std::size_t size = format.ending.size();
+    if(name.size() > size && name.compare(name.size() - size, size, format.ending) == 0)
+      return format;
+    const bool is_last = &format == &graph_formats().back();
+    endings += (endings.empty() ? "" : is_last ? ", or " : ", ") + format.ending;
+  }
+  throw std::runtime_error(path.string() + ": the file name of a graph ends in " + endings);
+}
+
+// X.csv stands for X.nodes.csv and X.arcs.csv.
+fs::path table_path(const fs::path& path, const std::string& name)
+{
+  return fs::path(path).replace_extension("." + name + ".csv");
+}
+
+} // namespace
+
+void check_graph_format(const fs::path& path) { format_of(path); }
+
+bool is_format_in_space(const fs::path& path) { return format_of(path).is_in_space; }
+
+std::vector<fs::path> graph_files(const fs::path& path)
+{
+  if(path.extension() == ".csv")
+    return {table_path(path, "nodes"), table_path(path, "arcs")};
+  return {path};
+}
+
+void write_graph(const fs::path& path, const Graph& graph, const Surface& surface, const Field_label& field_label)
+{
   const auto vertex_index_map = get(boost::vertex_index, surface);
+  const std::string ending = format_of(path).ending;
   write_file(path, [&](std::ostream& stream) {
-    if(path.extension() == ".graphml")
+    if(ending == ".graphml")
       CGAL::Reeb_graph::write_graphml(stream, graph, vertex_index_map);
-    else if(path.extension() == ".svg")
+    else if(ending == ".svg")
       CGAL::Reeb_graph::write_svg(
         stream, graph,
         CGAL::parameters::field_name(
@@ -40,6 +83,33 @@ void write_graph(const std::filesystem::path& path,
           CGAL::parameters::field_unit(field_label.unit, CGAL::parameters::vertex_index_map(vertex_index_map))));
     else
       CGAL::Reeb_graph::write_graphviz(stream, graph, vertex_index_map);
+  });
+}
+
+void write_graph_in_space(const fs::path& path,
+                          const Graph& graph,
+                          const Graph_in_space& graph_in_space,
+                          const Surface& surface)
+{
+  const auto vertex_index_map = get(boost::vertex_index, surface);
+  const auto& embedding = graph_in_space.embedding;
+  const auto attributes = CGAL::parameters::arc_attributes(graph_in_space.arc_attributes);
+  const std::string ending = format_of(path).ending;
+  if(ending == ".csv")
+    return write_both_files(
+      {table_path(path, "nodes"),
+       [&](std::ostream& stream) { CGAL::Reeb_graph::write_nodes_csv(stream, graph, embedding, vertex_index_map); }},
+      {table_path(path, "arcs"),
+       [&](std::ostream& stream) { CGAL::Reeb_graph::write_arcs_csv(stream, graph, embedding, attributes); }});
+  write_file(path, [&](std::ostream& stream) {
+    if(ending == ".vtp")
+      CGAL::Reeb_graph::write_vtp(stream, graph, embedding, vertex_index_map, attributes);
+    else if(ending == ".obj")
+      CGAL::Reeb_graph::write_obj(stream, graph, embedding);
+    else if(ending == ".json")
+      CGAL::Reeb_graph::write_json(stream, surface, graph, embedding, vertex_index_map, attributes);
+    else
+      CGAL::Reeb_graph::write_polylines(stream, embedding.arc_polylines);
   });
 }
 

@@ -12,19 +12,33 @@
 #include "base/Field_label.h"
 #include "base/surface.h"
 #include "computation/augmentation.h"
+#include "computation/embedding.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <vector>
 
 namespace reeb_graph_program {
-// Throws std::runtime_error if the extension is none of .graphml, .dot, and .svg.
+// Throws std::runtime_error, which names the formats that there are, unless the file name ends in one of them.
 void check_graph_format(const std::filesystem::path& path);
 
-// The label is that of the axis of a drawing.
+// Whether it is the format of a graph in space.
+bool is_format_in_space(const std::filesystem::path& path);
+
+// The files that are written for a graph file of this name.
+std::vector<std::filesystem::path> graph_files(const std::filesystem::path& path);
+
+// Writes a graph in a format that needs no points. The label is that of the axis of a drawing.
 void write_graph(const std::filesystem::path& path,
                  const Graph& graph,
                  const Surface& surface,
                  const Field_label& field_label);
+
+// Writes a graph in a format in space.
+void write_graph_in_space(const std::filesystem::path& path,
+                          const Graph& graph,
+                          const Graph_in_space& graph_in_space,
+                          const Surface& surface);
 
 // Writes for each vertex, on a line of its own, the node or the arc that it belongs to, by their numbers in the graph
 // files. `places` are those of locate_vertices().

@@ -11,27 +11,72 @@
 #include "output/output_file.h"
 
 #include <CGAL/IO/Color.h>
+#include <CGAL/Reeb_graph/IO/mesh_vtp.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
-// From blue over white to red as `t` goes from 0 to 1.
+typedef Surface::Property_map<Surface::Vertex_index, CGAL::IO::Color> Vertex_color_map;
+typedef Surface::Property_map<Surface::Face_index, CGAL::IO::Color> Face_color_map;
+
+// From dark blue over green to yellow as `t` goes from 0 to 1: viridis, which eyes that mix up colours see as steps of
+// brightness.
 CGAL::IO::Color colour(double t)
 {
-  const std::array<std::array<double, 3>, 3> stops = {{{33, 102, 172}, {247, 247, 247}, {178, 24, 43}}};
-  const std::size_t i = t < 0.5 ? 0 : 1;
-  const double u = 2 * t - i;
+  constexpr std::size_t last = 9;
+  constexpr std::array<std::array<double, 3>, last + 1> stops = {{{68, 1, 84},
+                                                                  {72, 40, 120},
+                                                                  {62, 74, 137},
+                                                                  {49, 104, 142},
+                                                                  {38, 130, 142},
+                                                                  {31, 158, 137},
+                                                                  {53, 183, 121},
+                                                                  {110, 206, 88},
+                                                                  {181, 222, 43},
+                                                                  {253, 231, 37}}};
+  const std::size_t i = (std::min)(static_cast<std::size_t>(last * t), last - 1);
+  const double u = last * t - static_cast<double>(i);
   std::array<unsigned char, 3> rgb;
   for(std::size_t c = 0; c < 3; ++c)
     rgb[c] = static_cast<unsigned char>(std::lround((1 - u) * stops[i][c] + u * stops[i + 1][c]));
   return CGAL::IO::Color(rgb[0], rgb[1], rgb[2]);
 }
+
+// The place of a value between the lowest and the highest finite one, in the middle if they are the same.
+class Colour_scale
+{
+public:
+  Colour_scale(const Surface& surface, Scalar_map scalar_map)
+  {
+    for(const Surface::Vertex_index v : surface.vertices())
+    {
+      if(!std::isfinite(scalar_map[v]))
+        continue;
+      lowest_ = (std::min)(lowest_, scalar_map[v]);
+      highest_ = (std::max)(highest_, scalar_map[v]);
+    }
+  }
+
+  CGAL::IO::Color operator()(double value) const
+  {
+    if(!(lowest_ < highest_))
+      return colour(0.5);
+    return colour(std::clamp((value / 2 - lowest_ / 2) / (highest_ / 2 - lowest_ / 2), 0., 1.)); // finite differences
+  }
+
+private:
+  double lowest_ = std::numeric_limits<double>::infinity(), highest_ = -std::numeric_limits<double>::infinity();
+};
 
 // Consecutive patches get colours that lie far from each other: the hue turns by the golden angle.
 CGAL::IO::Color colour_of_patch(int patch)
@@ -44,6 +89,71 @@ CGAL::IO::Color colour_of_patch(int patch)
     return static_cast<unsigned char>(std::lround(70 + 165 * level));
   };
   return CGAL::IO::Color(channel(0), channel(4), channel(2));
+}
+
+Vertex_color_map add_vertex_colours(Surface& surface, Scalar_map scalar_map)
+{
+  const Vertex_color_map colour_map = surface.add_property_map<Surface::Vertex_index, CGAL::IO::Color>("v:color").first;
+  const Colour_scale colour_of_value(surface, scalar_map);
+  for(const Surface::Vertex_index v : surface.vertices())
+    colour_map[v] = colour_of_value(scalar_map[v]);
+  return colour_map;
+}
+
+Face_color_map add_face_colours(Surface& surface, Patch_map patch_map)
+{
+  const Face_color_map colour_map = surface.add_property_map<Surface::Face_index, CGAL::IO::Color>("f:color").first;
+  for(const Surface::Face_index f : surface.faces())
+    colour_map[f] = colour_of_patch(patch_map[f]);
+  return colour_map;
+}
+
+void write_binary_ply(const std::filesystem::path& path, const Surface& surface)
+{
+  write_file(path, [&](std::ostream& stream) {
+    CGAL::IO::set_binary_mode(stream);
+    CGAL::IO::write_PLY(stream, surface);
+  });
+}
+
+// The results for the vertices and faces of a mesh, in their order.
+struct Mesh_columns
+{
+  Mesh_columns(const Surface& surface, const Mesh_results& results)
+  {
+    for(const Surface::Vertex_index v : surface.vertices())
+    {
+      const std::size_t place = results.locations.index(v);
+      const bool is_node = place < results.number_of_nodes;
+      values.push_back(results.scalar_map[v]);
+      arcs.push_back(is_node ? -1 : static_cast<int>(place - results.number_of_nodes));
+      nodes.push_back(is_node ? static_cast<int>(place) : -1);
+    }
+    for(const Surface::Face_index f : surface.faces())
+      if(results.patch_map)
+        patches.push_back((*results.patch_map)[f]);
+  }
+
+  std::vector<double> values;
+  std::vector<int> arcs, nodes, patches;
+};
+
+template <class Key, class Range, class Number>
+Surface::Property_map<Key, Number> add_column(Surface& surface,
+                                              const Range& range,
+                                              const std::string& name,
+                                              const std::vector<Number>& numbers)
+{
+  const auto map = surface.add_property_map<Key, Number>(name).first;
+  std::size_t i = 0;
+  for(const Key key : range)
+    map[key] = numbers[i++];
+  return map;
+}
+
+CGAL::Reeb_graph::Attribute attribute(const std::string& name, const std::vector<int>& numbers)
+{
+  return {name, std::vector<std::int64_t>(numbers.begin(), numbers.end())};
 }
 
 } // namespace
@@ -65,27 +175,53 @@ void write_scalars(const std::filesystem::path& path, const Surface& surface, Sc
   });
 }
 
+void check_mesh_format(const std::filesystem::path& path)
+{
+  if(path.extension() != ".ply" && path.extension() != ".vtp")
+    throw std::runtime_error(path.string() + ": the file name of a mesh with results ends in .ply or .vtp");
+}
+
+void write_mesh(const std::filesystem::path& path, const Surface& surface, const Mesh_results& results)
+{
+  namespace parameters = CGAL::parameters;
+  const Mesh_columns columns(surface, results);
+  Surface mesh = surface;
+  mesh.remove_all_property_maps(); // Some may have the names of the results.
+  const Scalar_map scalar_map = add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:scalar", columns.values);
+  const Vertex_color_map vertex_colours = add_vertex_colours(mesh, scalar_map);
+  Face_color_map face_colours;
+  if(results.patch_map)
+    face_colours =
+      add_face_colours(mesh, add_column<Surface::Face_index>(mesh, mesh.faces(), "f:patch", columns.patches));
+  if(path.extension() == ".ply")
+  {
+    add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:arc", columns.arcs);
+    add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:node", columns.nodes);
+    return write_binary_ply(path, mesh);
+  }
+  const auto np = parameters::vertex_attributes(
+    {{"value", columns.values}, attribute("arc", columns.arcs), attribute("node", columns.nodes)},
+    parameters::vertex_color_map(vertex_colours));
+  write_file(path, [&](std::ostream& stream) {
+    if(results.patch_map)
+      CGAL::Reeb_graph::write_mesh_vtp(
+        stream, mesh,
+        parameters::face_attributes({attribute("patch", columns.patches)}, np.face_color_map(face_colours)));
+    else
+      CGAL::Reeb_graph::write_mesh_vtp(stream, mesh, np);
+  });
+}
+
 void write_coloured_surface(const std::filesystem::path& path, Surface surface, Scalar_map scalar_map)
 {
-  const auto [lowest, highest] = std::minmax_element(scalar_map.begin(), scalar_map.end());
-  const auto colour_map = surface.add_property_map<Surface::Vertex_index, CGAL::IO::Color>("v:color").first;
-  for(const Surface::Vertex_index v : surface.vertices())
-    colour_map[v] = colour((scalar_map[v] - *lowest) / (*highest - *lowest));
-  write_file(path, [&](std::ostream& stream) {
-    CGAL::IO::set_binary_mode(stream);
-    CGAL::IO::write_PLY(stream, surface);
-  });
+  add_vertex_colours(surface, scalar_map);
+  write_binary_ply(path, surface);
 }
 
 void write_surface_with_patches(const std::filesystem::path& path, Surface surface, Patch_map patch_map)
 {
-  const auto colour_map = surface.add_property_map<Surface::Face_index, CGAL::IO::Color>("f:color").first;
-  for(const Surface::Face_index f : surface.faces())
-    colour_map[f] = colour_of_patch(patch_map[f]);
-  write_file(path, [&](std::ostream& stream) {
-    CGAL::IO::set_binary_mode(stream);
-    CGAL::IO::write_PLY(stream, surface);
-  });
+  add_face_colours(surface, patch_map);
+  write_binary_ply(path, surface);
 }
 
 } // namespace reeb_graph_program

@@ -10,8 +10,11 @@
 #define CGAL_REEB_GRAPH_SRC_MESH_OUTPUT_H
 
 #include "base/surface.h"
+#include "computation/augmentation.h"
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 
 namespace reeb_graph_program {
 // The mesh in the OFF format, with all digits of the coordinates.
@@ -20,7 +23,23 @@ void write_surface(const std::filesystem::path& path, const Surface& surface);
 // One number per line in the order of the vertices, with all digits.
 void write_scalars(const std::filesystem::path& path, const Surface& surface, Scalar_map scalar_map);
 
-// The mesh in the PLY format, with vertices coloured from blue, the lowest, to red, the highest.
+// Throws std::runtime_error unless the file name ends in .ply or .vtp.
+void check_mesh_format(const std::filesystem::path& path);
+
+// What is known of a mesh, to be written with it.
+struct Mesh_results
+{
+  Scalar_map scalar_map;
+  const Vertex_locations& locations;
+  std::size_t number_of_nodes = 0;    // of the graph
+  std::optional<Patch_map> patch_map; // of a mesh that has been cut
+};
+
+// The mesh with the value, the arc, and the node of each vertex, where one of arc and node is -1; and the patch of each
+// face. Patches are coloured, or else vertices by their values: .ply or .vtp, with all digits.
+void write_mesh(const std::filesystem::path& path, const Surface& surface, const Mesh_results& results);
+
+// The mesh in the PLY format, with vertices coloured from dark blue, the lowest, to yellow, the highest.
 void write_coloured_surface(const std::filesystem::path& path, Surface surface, Scalar_map scalar_map);
 
 // The mesh in the PLY format, with the patch of each face as a property, and a colour for each patch.

@@ -11,12 +11,12 @@
 
 #include <filesystem>
 #include <functional>
-#include <initializer_list>
 #include <ostream>
+#include <vector>
 
 namespace reeb_graph_program {
 // Refuses output of which one part would replace another one. Empty paths are not given.
-void check_distinct_paths(std::initializer_list<std::filesystem::path> paths);
+void check_distinct_paths(const std::vector<std::filesystem::path>& paths);
 
 // Calls `write` with the name of a temporary file in the same folder and renames that file to `path` afterwards: the
 // file is complete or as it was before. Throws std::runtime_error, and what `write` throws.
@@ -24,6 +24,14 @@ void replace_file(const std::filesystem::path& path, const std::function<void(co
 
 // The same with a stream, whose failure is an error.
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
+
+// The same for two files that belong together: neither is there before both are complete.
+struct Output_file
+{
+  std::filesystem::path path;
+  std::function<void(std::ostream&)> write;
+};
+void write_both_files(const Output_file& first, const Output_file& second);
 
 } // namespace reeb_graph_program
 

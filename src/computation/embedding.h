@@ -1,0 +1,36 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_EMBEDDING_H
+#define CGAL_REEB_GRAPH_SRC_EMBEDDING_H
+
+#include "base/report.h"
+#include "base/surface.h"
+#include "computation/simplification.h"
+
+#include <CGAL/Reeb_graph/Embedding.h>
+#include <CGAL/Reeb_graph/IO/attributes.h>
+#include <CGAL/Reeb_graph/options.h>
+
+#include <vector>
+
+namespace reeb_graph_program {
+// A graph in space, with the measures of its arcs.
+struct Graph_in_space
+{
+  CGAL::Reeb_graph::Embedding<Point> embedding;
+  std::vector<CGAL::Reeb_graph::Attribute> arc_attributes;
+};
+
+Graph_in_space embed_graph(const Augmentation& augmentation,
+                           CGAL::Reeb_graph::Embedding_manner manner,
+                           const std::vector<Arc_row>& arcs);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_EMBEDDING_H
