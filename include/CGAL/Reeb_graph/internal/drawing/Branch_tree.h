@@ -18,7 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -53,7 +53,7 @@ public:
     : branch_of_node(heights.size(), no_index)
   {
     const auto number_of_nodes = static_cast<Index>(heights.size());
-    std::vector<bool> is_cut = find_closing_arcs(graph_arcs, number_of_nodes);
+    std::vector<bool> is_cut = find_closing_arcs(graph_arcs, heights);
 
     // the new nodes, where arcs have been cut, lie just below the old ones
     std::vector<Index> new_numbers(number_of_nodes, 0), old_numbers;
@@ -93,26 +93,33 @@ public:
 private:
   Index number_of(const Drawn_branch& branch) const { return static_cast<Index>(&branch - branches.data()); }
 
-  // Of the arcs by which a node is reached from one component of what is below it, all but the shortest close a loop.
-  static std::vector<bool> find_closing_arcs(const std::vector<Arc>& graph_arcs, Index number_of_nodes)
+  // Of the arcs by which a node is reached from one component of what is below it, all but one close a loop: that on
+  // the longest ascending path stays, so that long paths are not cut, and of several the shortest one.
+  static std::vector<bool> find_closing_arcs(const std::vector<Arc>& graph_arcs, const std::vector<double>& heights)
   {
+    std::vector<double> starts = heights; // by node, of the longest path that ends there
     std::vector<Index> order(graph_arcs.size());
-    for(Index arc = 0; arc != order.size(); ++arc)
-      order[arc] = arc;
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-      const Arc &first = graph_arcs[a], &second = graph_arcs[b];
-      return first.upper != second.upper ? first.upper < second.upper
-           : first.lower != second.lower ? first.lower > second.lower
-                                         : a < b;
-    });
+    std::iota(order.begin(), order.end(), Index(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return graph_arcs[a].upper < graph_arcs[b].upper; });
     std::vector<bool> is_closing(graph_arcs.size());
-    Elder_components components(number_of_nodes);
-    for(const Index arc : order)
+    Elder_components components(static_cast<Index>(heights.size()));
+    for(auto begin = order.begin(); begin != order.end();)
     {
-      const Index below = components.find(graph_arcs[arc].lower), above = components.find(graph_arcs[arc].upper);
-      is_closing[arc] = below == above;
-      if(below != above)
-        components.link((std::max)(below, above), (std::min)(below, above));
+      const Index node = graph_arcs[*begin].upper;
+      const auto end = std::find_if(begin, order.end(), [&](Index arc) { return graph_arcs[arc].upper != node; });
+      std::stable_sort(begin, end, [&](Index a, Index b) {
+        const Index first = graph_arcs[a].lower, second = graph_arcs[b].lower;
+        return starts[first] != starts[second] ? starts[first] < starts[second] : first > second;
+      });
+      starts[node] = starts[graph_arcs[*begin].lower];
+      for(; begin != end; ++begin)
+      {
+        const Index below = components.find(graph_arcs[*begin].lower), above = components.find(node);
+        is_closing[*begin] = below == above;
+        if(below != above)
+          components.link((std::max)(below, above), (std::min)(below, above));
+      }
     }
     return is_closing;
   }
