@@ -96,6 +96,24 @@ class GraphView {
     return best;
   }
 
+  // An arc at a node.
+  arcAt(node) {
+    return this.arcsAbove[node].concat(this.arcsBelow[node], 0)[0];
+  }
+
+  countComponents() {
+    const root = this.nodes.map((_, i) => i);
+    const find = i => {
+      while (root[i] !== i)
+        i = root[i] = root[root[i]];
+      return i;
+    };
+    this.arcs.forEach(arc => {
+      root[find(arc.source)] = find(arc.target);
+    });
+    return root.filter((r, i) => r === i).length;
+  }
+
   // The next or the previous arc by number.
   next(arc, step) {
     return (arc + step + this.arcs.length) % this.arcs.length;

@@ -4,54 +4,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-/* global THREE, shaders, viridis, buildTubes, makeBands, findPose, distanceToSeeAll,
-   cornerNormals */
+/* global THREE, ColorTable, ViewCamera, buildTubes, dimmed, findPose, lit, makeFieldColors, makeMaterial,
+   makeSurfaceGeometry, makeSurfaceMaterials, normalizedValue, rangeOf, shaders, unlit */
 /* exported Scene */
 
 // The view in space: the surface, the graph in it, curves and a contour. It is drawn when something has changed only.
 
 const coloringNumbers = {field: 0, arcs: 1, patches: 2};
-const unlit = 127, lit = 255, dimmed = 0;
-
-// A table of colours with an alpha each, 256 to a row.
-class ColorTable {
-  constructor(size) {
-    this.size = size;
-    this.rows = Math.max(1, Math.ceil(size / 256));
-    this.bytes = new Uint8Array(4 * 256 * this.rows).fill(unlit);
-    this.texture = new THREE.DataTexture(this.bytes, 256, this.rows, THREE.RGBAFormat);
-    this.texture.magFilter = this.texture.minFilter = THREE.NearestFilter;
-    this.texture.needsUpdate = true;
-  }
-
-  setColor(i, color) {
-    color.forEach((x, channel) => {
-      this.bytes[4 * i + channel] = Math.round(255 * x);
-    });
-    this.texture.needsUpdate = true;
-  }
-
-  // light(i) gives what alpha says.
-  setLight(light) {
-    for (let i = 0; i < this.size; ++i)
-      this.bytes[4 * i + 3] = light(i);
-    this.texture.needsUpdate = true;
-  }
-}
-
-function makeFieldColors() {
-  const table = new ColorTable(256);
-  for (let i = 0; i < 256; ++i)
-    table.setColor(i, viridis(i / 255));
-  table.texture.magFilter = table.texture.minFilter = THREE.LinearFilter;
-  return table.texture;
-}
-
-function makeMaterial(vertexShader, fragmentShader, uniforms, options) {
-  return new THREE.ShaderMaterial(Object.assign({vertexShader, fragmentShader, uniforms, side: THREE.DoubleSide},
-                                                options));
-}
-
 class Scene {
   constructor(canvas, data) {
     this.canvas = canvas;
@@ -72,62 +31,25 @@ class Scene {
     this.layers = {graph: true, curves: true};
     this.makeSurface();
     this.makeCurves();
-    this.makeCamera();
-  }
-
-  // Between 0 and 1 for the values that are drawn; what is beyond is cut to a little more.
-  normalizedValue(value) {
-    const {low, high} = this.data.range;
-    return high > low ? Math.min(Math.max((value - low) / (high - low), -0.01), 1.01) : 0.5;
-  }
-
-  endOfBand(value) {
-    return value === Infinity ? 2 : this.normalizedValue(value);
+    this.eye = new ViewCamera(canvas, data.surface.positions, this.pose, () => this.requestDrawing());
   }
 
   makeSurface() {
-    const {surface, graph} = this.data;
-    const {triangles, positions, values, facePatches} = surface;
-    const {places, ends} = makeBands(surface, graph);
-    const corners = triangles.length;
-    const arrays = {
-      position: new Float32Array(3 * corners), value: new Float32Array(corners), bands: new Float32Array(3 * corners),
-      ends: new Float32Array(2 * corners), patch: new Float32Array(corners)
-    };
-    const center = this.pose.center;
-    for (let corner = 0; corner < corners; ++corner) {
-      const face = Math.floor(corner / 3), v = triangles[corner];
-      for (let i = 0; i < 3; ++i) {
-        arrays.position[3 * corner + i] = positions[3 * v + i] - center[i];
-        arrays.bands[3 * corner + i] = places[3 * face + i];
-      }
-      arrays.value[corner] = this.normalizedValue(values[v]);
-      arrays.ends[2 * corner] = this.endOfBand(ends[2 * face]);
-      arrays.ends[2 * corner + 1] = this.endOfBand(ends[2 * face + 1]);
-      arrays.patch[corner] = facePatches ? facePatches[face] : 0;
-    }
-    const geometry = new THREE.BufferGeometry();
-    const sizes = {position: 3, value: 1, bands: 3, ends: 2, patch: 1};
-    Object.keys(arrays).forEach(name =>
-      geometry.setAttribute(name, new THREE.BufferAttribute(arrays[name], sizes[name])));
-    geometry.setAttribute("normal", new THREE.BufferAttribute(cornerNormals(positions, triangles), 4, true));
+    const {surface, graph} = this.data, {facePatches} = surface;
+    const geometry = makeSurfaceGeometry(this.data, this.pose.center);
     this.placeTable = new ColorTable(graph.arcs.length + graph.nodes.length);
-    this.patchTable = new ColorTable(facePatches ? facePatches.reduce((a, b) => Math.max(a, b), 0) + 1 : 1);
+    this.patchTable = new ColorTable(facePatches ? rangeOf(facePatches).high + 1 : 1);
     this.surfaceUniforms = {
       coloring: {value: 0}, opacity: {value: 1}, levelLines: {value: 0}, dimColor: {value: this.dimColor},
       fieldColors: {value: this.fieldColors},
       placeColors: {value: this.placeTable.texture}, placeRows: {value: this.placeTable.rows},
       patchColors: {value: this.patchTable.texture}, patchRows: {value: this.patchTable.rows}
     };
+    const materials = makeSurfaceMaterials(this.surfaceUniforms);
     // The depth comes first, so that of a see-through surface the nearest layer is seen only.
-    const offset = {polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1};
-    const depth = makeMaterial(shaders.surfaceVertex, shaders.surfaceNumberFragment, {},
-                               Object.assign({colorWrite: false, transparent: true}, offset));
-    const color = makeMaterial(shaders.surfaceVertex, shaders.surfaceFragment, this.surfaceUniforms, Object.assign(
-      {transparent: true, depthWrite: false, extensions: {derivatives: true}}, offset));
-    const number = makeMaterial(shaders.surfaceVertex, shaders.surfaceNumberFragment, {}, {});
-    this.surfaceLayers = [depth, color].map((material, i) => this.add(this.scene, geometry, material, 10 + i));
-    this.add(this.numberScene, geometry, number, 0);
+    this.surfaceLayers = [materials.depth, materials.color].map((material, i) =>
+      this.add(this.scene, geometry, material, 10 + i));
+    this.add(this.numberScene, geometry, materials.number, 0);
   }
 
   add(scene, geometry, material, order, Kind = THREE.Mesh) {
@@ -156,7 +78,7 @@ class Scene {
     geometry.setAttribute("position", new THREE.BufferAttribute(tubes.positions, 3));
     geometry.setAttribute("normal", new THREE.BufferAttribute(tubes.normals, 3));
     geometry.setAttribute("number", new THREE.BufferAttribute(tubes.ids, 1));
-    const values = tubes.ids.map((id, i) => this.normalizedValue(value(id, tubes.places[i])));
+    const values = tubes.ids.map((id, i) => normalizedValue(value(id, tubes.places[i]), this.data.range));
     geometry.setAttribute("value", new THREE.BufferAttribute(values, 1));
     geometry.setIndex(new THREE.BufferAttribute(tubes.triangles, 1));
     return geometry;
@@ -181,74 +103,13 @@ class Scene {
     this.contour = [];
   }
 
-  makeCamera() {
-    this.camera = new THREE.PerspectiveCamera(32, 1, 0.01 * this.pose.size, 20 * this.pose.size);
-    this.camera.up.set(...this.pose.up);
-    this.controls = new THREE.OrbitControls(this.camera, this.canvas);
-    this.controls.enableKeys = false;
-    this.controls.screenSpacePanning = true;
-    this.controls.minDistance = 0.05 * this.pose.size;
-    this.controls.maxDistance = 8 * this.pose.size;
-    this.controls.addEventListener("change", () => {
-      this.isCameraMoved = true;
-      this.requestDrawing();
-    });
-    this.resetCamera();
-  }
-
-  resetCamera() {
-    const {towardsEye, up} = this.pose;
-    const distance = distanceToSeeAll(this.data.surface.positions, this.pose, this.camera.fov, this.camera.aspect);
-    this.controls.target.set(0, 0, 0);
-    this.camera.up.set(...up);
-    this.camera.position.set(...towardsEye.map(x => distance * x));
-    this.controls.update();
-    this.isCameraMoved = false;
-    this.requestDrawing();
-  }
-
-  // Turns the view to the right and upwards, by angles.
-  turn(right, upwards) {
-    const offset = this.camera.position.clone().sub(this.controls.target);
-    offset.applyAxisAngle(this.camera.up, -right);
-    const axis = new THREE.Vector3().crossVectors(this.camera.up, offset).normalize();
-    const angle = offset.angleTo(this.camera.up);
-    offset.applyAxisAngle(axis, Math.min(Math.max(angle - upwards, 0.02), Math.PI - 0.02) - angle);
-    this.camera.position.copy(this.controls.target).add(offset);
-    this.controls.update();
-  }
-
-  zoom(factor) {
-    const offset = this.camera.position.clone().sub(this.controls.target);
-    const {minDistance, maxDistance} = this.controls;
-    offset.setLength(Math.min(Math.max(offset.length() / factor, minDistance), maxDistance));
-    this.camera.position.copy(this.controls.target).add(offset);
-    this.controls.update();
-  }
-
-  // Moves the view by fractions of what is seen.
-  move(right, upwards) {
-    const reach = 0.5 * this.camera.position.distanceTo(this.controls.target);
-    const step = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 0).multiplyScalar(right * reach);
-    step.add(new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 1).multiplyScalar(upwards * reach));
-    this.camera.position.add(step);
-    this.controls.target.add(step);
-    this.controls.update();
-  }
-
   resize(width, height) {
     this.width = Math.max(1, Math.floor(width));
     this.height = Math.max(1, Math.floor(height));
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setSize(this.width, this.height, false);
     this.numberTarget.setSize(this.width, this.height);
-    const wasNarrow = Math.min(1, this.camera.aspect);
-    this.camera.aspect = this.width / this.height;
-    this.camera.updateProjectionMatrix();
-    if (this.isCameraMoved)
-      this.zoom(Math.min(1, this.camera.aspect) / wasNarrow);
-    else
-      this.resetCamera();
+    this.eye.setAspect(this.width / this.height);
     this.requestDrawing();
   }
 
@@ -313,7 +174,7 @@ class Scene {
   setTubeColors() {
     const isByArcs = this.coloring === "arcs";
     this.view.arcs.forEach((_, i) => this.arcTable.setColor(i, isByArcs ? this.arcColors[i] : this.lineColor));
-    this.requestDrawing();
+    this.requestDrawing(true);
   }
 
   setColoring(coloring) {
@@ -321,12 +182,12 @@ class Scene {
     this.surfaceUniforms.coloring.value = coloringNumbers[coloring];
     if (this.view)
       this.setTubeColors();
-    this.requestDrawing();
+    this.requestDrawing(true);
   }
 
   setPatchColors(colors) {
     colors.forEach((color, i) => i < this.patchTable.size && this.patchTable.setColor(i, color));
-    this.requestDrawing();
+    this.requestDrawing(true);
   }
 
   // The colours that go with the background of the page.
@@ -338,7 +199,7 @@ class Scene {
     this.contourTable.setColor(0, theme.contour);
     if (this.view)
       this.setTubeColors();
-    this.requestDrawing();
+    this.requestDrawing(true);
   }
 
   setOpacity(opacity) {
@@ -351,7 +212,7 @@ class Scene {
 
   setLevelLines(count) {
     this.surfaceUniforms.levelLines.value = count;
-    this.requestDrawing();
+    this.requestDrawing(true);
   }
 
   setLayers(layers) {
@@ -373,7 +234,7 @@ class Scene {
     this.arcTable.setLight(light);
     const ends = isArcLit ? [this.view.arcs[target.arc].source, this.view.arcs[target.arc].target] : [];
     this.nodeTable.setLight(node => ends.includes(node) || (target && target.node === node) ? lit : unlit);
-    this.requestDrawing();
+    this.requestDrawing(true);
   }
 
   setContour(contour) {
@@ -387,11 +248,12 @@ class Scene {
       this.contour = [hidden, seen].map((material, i) =>
         ({scene: this.scene, object: this.add(this.scene, geometry, material, 12 + i)}));
     }
-    this.requestDrawing();
+    this.requestDrawing(true);
   }
 
-  requestDrawing() {
-    this.areNumbersOld = true;
+  // The numbers of what is pointed at are drawn again when they are asked for, if they may have changed.
+  requestDrawing(areNumbersTheSame = false) {
+    this.areNumbersOld = this.areNumbersOld || !areNumbersTheSame;
     if (this.isDrawingRequested)
       return;
     this.isDrawingRequested = true;
@@ -405,7 +267,7 @@ class Scene {
     if (!this.width)
       return;
     ++this.drawings;
-    this.renderer.render(this.scene, this.camera);
+    this.renderer.render(this.scene, this.eye.camera);
   }
 
   // What is at a place of the canvas, in pixels of the page: {arc}, {node}, or null.
@@ -421,7 +283,7 @@ class Scene {
       this.renderer.setRenderTarget(this.numberTarget);
       this.renderer.setClearColor(0, 0);
       this.renderer.clear();
-      this.renderer.render(this.numberScene, this.camera);
+      this.renderer.render(this.numberScene, this.eye.camera);
       this.renderer.setRenderTarget(null);
       this.renderer.setClearColor(color, alpha);
       this.areNumbersOld = false;
@@ -446,7 +308,6 @@ class Scene {
 
   // Where a point of the data is on the canvas, in pixels of the page.
   project(point) {
-    const projected = new THREE.Vector3(...point.map((x, i) => x - this.pose.center[i])).project(this.camera);
-    return [(projected.x + 1) / 2 * this.width, (1 - projected.y) / 2 * this.height];
+    return this.eye.project(point.map((x, i) => x - this.pose.center[i]), this.width, this.height);
   }
 }

@@ -1,4 +1,4 @@
-# The scripts of the page in the order in which they follow each other in it.
+# The scripts of the page in the order in which they follow each other in it. Those before shaders.js need no browser.
 set(reeb_graph_page_scripts
     colors.js
     data.js
@@ -9,8 +9,14 @@ set(reeb_graph_page_scripts
     scales.js
     poses.js
     shaders.js
+    tables.js
+    surfaces.js
+    cameras.js
     scene.js
     drawing.js
+    texts.js
+    facts.js
+    controls.js
     page.js)
 # What of three.js goes before them, from its folder.
 set(reeb_graph_page_three_scripts build/three.min.js examples/js/controls/OrbitControls.js)

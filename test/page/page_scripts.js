@@ -13,8 +13,7 @@ const path = require("path");
 const folder = path.join(__dirname, "../../src/page");
 const list = fs.readFileSync(path.join(folder, "scripts.cmake"), "utf8");
 const names = /reeb_graph_page_scripts([^)]*)\)/.exec(list)[1].match(/\w+\.js/g);
-const needBrowser = ["scene.js", "drawing.js", "page.js"];
-const scripts = names.filter(name => !needBrowser.includes(name));
+const scripts = names.slice(0, names.indexOf("shaders.js"));
 const text = scripts.map(name => fs.readFileSync(path.join(folder, name), "utf8")).join("\n");
 const exported = Array.from(text.matchAll(/\/\* exported ([^*]*)\*\//g), match => match[1].trim()).join(", ");
 

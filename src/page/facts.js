@@ -1,0 +1,113 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+/* global addElement, describeKind, element, formatNumber, formatValue, nameOfField, plural */
+/* exported Facts */
+
+// What is told of the graph, of an arc, and of a node.
+class Facts {
+  constructor(data) {
+    this.data = data;
+    this.unit = data.field.unit;
+  }
+
+  setView(view) {
+    this.view = view;
+    this.loops = view.arcs.length - view.nodes.length + view.countComponents();
+    const components = view.countComponents();
+    element("summary").textContent = "Reeb graph of " + nameOfField(this.data) + ": "
+      + [plural(view.nodes.length, "node"), plural(view.arcs.length, "arc"), plural(this.loops, "loop")].join(", ")
+      + (components > 1 ? ", " + plural(components, "component") : "")
+      + " on " + plural(this.data.surface.facesOfInput, "triangle");
+  }
+
+  // Shows the facts of an arc {arc}, with its contour, or of a node {node}, or how to read a graph.
+  show(target, contour) {
+    const text = element("facts_text");
+    text.replaceChildren();
+    if (target === null)
+      this.explain(text);
+    else if (target.arc !== undefined)
+      this.showArc(text, target.arc, contour);
+    else
+      this.showNode(text, target.node);
+  }
+
+  // Tells those who do not see it.
+  announce(target) {
+    element("announcement").textContent = target.arc === undefined ? this.tellNode(target.node)
+                                                                   : this.tellArc(target.arc);
+  }
+
+  explain(text) {
+    element("facts_heading").textContent = "How to read it";
+    const first = addElement(text, "p", "Let the value rise, and follow the lines on which it is the same. Each line"
+      + " in one piece is a contour. What a contour sweeps until it meets another one is a piece of the surface: ");
+    addElement(first, "b", "an arc");
+    first.append(" of the graph. ");
+    addElement(first, "b", "A node");
+    first.append(" is where contours begin, join, split or end.");
+    if (this.loops > 0)
+      addElement(text, "p", "A loop goes around a handle or hole of the surface: here " + this.loops + ".");
+    const canSimplify = this.view.arcs.length > 40 && this.data.levels.length > 1;
+    addElement(text, "p", "Point at an arc, here or there, to see its piece; click to keep it, and move its contour."
+      + (canSimplify ? " Simplify to see what matters most." : ""), "hint");
+  }
+
+  showArc(text, number, contour) {
+    const {view, unit} = this, arc = view.arcs[number];
+    const end = node => node.kind + " at " + formatValue(node.value, unit) + " (vertex " + node.vertex + ")";
+    element("facts_heading").textContent = "Arc " + number;
+    addElement(text, "p", "One piece of the surface. At its lower end " + this.tellEnd(arc.source)
+      + ", at its upper end " + this.tellEnd(arc.target) + ".");
+    this.addList(text, [
+      ["upper end", end(view.upper(number))],
+      ["lower end", end(view.lower(number))],
+      ["persistence", formatValue(arc.persistence, unit)],
+      ["length", formatNumber(arc.length)],
+      ["area", formatNumber(arc.area)],
+      ["vertices", arc.vertices.toLocaleString("en")]
+    ].concat(contour ? [["contour at", formatValue(contour.value, unit)]] : []));
+  }
+
+  showNode(text, number) {
+    const {view} = this, node = view.nodes[number];
+    element("facts_heading").textContent = "Node " + number + ": " + node.kind;
+    addElement(text, "p", "Here " + this.tellEnd(number) + ".");
+    this.addList(text, [
+      ["value", formatValue(node.value, this.unit)],
+      ["vertex", String(node.vertex)],
+      ["arcs above", view.arcsAbove[number].join(", ") || "none"],
+      ["arcs below", view.arcsBelow[number].join(", ") || "none"]
+    ]);
+  }
+
+  addList(text, rows) {
+    const list = addElement(text, "dl", "");
+    rows.forEach(([name, value]) => {
+      addElement(list, "dt", name);
+      addElement(list, "dd", value);
+    });
+  }
+
+  tellEnd(node) {
+    const {view} = this;
+    return describeKind(view.nodes[node], view.arcsBelow[node].length, view.arcsAbove[node].length);
+  }
+
+  tellArc(number) {
+    const {view, unit} = this, lower = view.lower(number), upper = view.upper(number);
+    return "Arc " + number + " of " + view.arcs.length + ", from a " + lower.kind + " at "
+      + formatValue(lower.value, unit) + " to a " + upper.kind + " at " + formatValue(upper.value, unit) + ", "
+      + plural(view.arcs[number].vertices, "vertex", "vertices");
+  }
+
+  tellNode(number) {
+    const node = this.view.nodes[number];
+    return "Node " + number + ", a " + node.kind + " at " + formatValue(node.value, this.unit) + ": here "
+      + this.tellEnd(number);
+  }
+}
