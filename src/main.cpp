@@ -68,7 +68,7 @@ void add_field_option(CLI::App& command, Input_options& options)
 void add_page_options(CLI::App& command, std::string& page_path, std::string& unit)
 {
   command.add_option("--html", page_path, "Write a page to this file, .html, that shows the graph on the surface");
-  command.add_option("--unit", unit, "The unit of the field, which the page writes behind values");
+  command.add_option("--unit", unit, "The unit of the field, for the page and for the drawing of the graph");
 }
 
 void add_threads_option(CLI::App& command, std::size_t& number_of_threads)
