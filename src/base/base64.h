@@ -9,33 +9,18 @@
 #ifndef CGAL_REEB_GRAPH_SRC_BASE64_H
 #define CGAL_REEB_GRAPH_SRC_BASE64_H
 
+#include <CGAL/Reeb_graph/internal/output/base64.h>
+
 #include <boost/endian/conversion.hpp>
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
-// The base64 code of bytes.
-inline std::string base64(const std::vector<unsigned char>& bytes)
-{
-  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for(std::size_t i = 0; i < bytes.size(); i += 3)
-  {
-    std::uint32_t group = 0;
-    for(std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? bytes[i + k] : 0u);
-    for(std::size_t k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
 // The base64 code of numbers, little-endian on any machine.
 template <class Number>
 std::string base64(const std::vector<Number>& numbers)
@@ -46,7 +31,9 @@ std::string base64(const std::vector<Number>& numbers)
   if(boost::endian::order::native == boost::endian::order::big)
     for(auto number = bytes.begin(); number != bytes.end(); number += sizeof(Number))
       std::reverse(number, number + sizeof(Number));
-  return base64(bytes);
+  std::ostringstream out;
+  CGAL::Reeb_graph::internal::write_base64(out, std::move(bytes));
+  return out.str();
 }
 
 } // namespace reeb_graph_program

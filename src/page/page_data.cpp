@@ -26,6 +26,14 @@
 
 namespace reeb_graph_program {
 namespace {
+std::vector<double> values(const Page_subject& subject)
+{
+  std::vector<double> result;
+  for(const Surface::Vertex_index v : subject.surface().vertices())
+    result.push_back(subject.scalar_map[v]);
+  return result;
+}
+
 Embedded_graph embed(const Page_subject& subject, const Vertex_locations& locations)
 {
   namespace parameters = CGAL::parameters;
@@ -132,7 +140,7 @@ nlohmann::ordered_json page_curves(const std::vector<Polyline>& curves, const Pa
 nlohmann::ordered_json page_data(const Page_subject& subject)
 {
   const Page_frame frame(subject.surface());
-  const Drawn_values drawn_values(subject.surface(), subject.scalar_map);
+  const Value_scale value_scale(values(subject));
   const Vertex_locations locations = locate_vertices(subject.augmentation);
   const Display_surface surface = display_surface(subject, frame, locations);
   const Embedded_graph embedded = embed(subject, locations);
@@ -143,15 +151,15 @@ nlohmann::ordered_json page_data(const Page_subject& subject)
   data["generator"] = "reeb_graph " REEB_GRAPH_VERSION;
   data["field"] = {{"name", subject.field_label.name},
                    {"unit", subject.field_label.unit},
-                   {"lowest", drawn_values.lowest},
-                   {"highest", drawn_values.highest}};
+                   {"lowest", value_scale.lowest()},
+                   {"highest", value_scale.highest()}};
   data["surface"] = page_surface(subject, surface, frame);
-  data["graph"] = page_graph(embedded, frame, drawn_values);
+  data["graph"] = page_graph(embedded, frame, value_scale);
   if(surface.is_decimated)
     add_contours(subject, frame, data["graph"]["arcs"]);
   else
     add_chains(subject, surface, data["graph"]["arcs"]);
-  data["levels"] = page_levels(embedded, frame, drawn_values);
+  data["levels"] = page_levels(embedded, frame, value_scale);
   data["curves"] = page_curves(subject.curves, frame);
   return data;
 }

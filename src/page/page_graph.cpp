@@ -14,11 +14,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace reeb_graph_program {
 namespace {
@@ -46,45 +44,18 @@ nlohmann::ordered_json flat_polyline(const Polyline& polyline, const Page_frame&
   return json;
 }
 
-nlohmann::ordered_json flat_drawing(const std::vector<std::array<double, 2>>& drawing, const Drawn_values& drawn_values)
+nlohmann::ordered_json flat_drawing(const std::vector<std::array<double, 2>>& drawing, const Value_scale& value_scale)
 {
   auto json = nlohmann::ordered_json::array();
   for(const auto& [column, value] : drawing)
   {
     json.push_back(column);
-    json.push_back(drawn_values(value));
+    json.push_back(value_scale.finite_value(value));
   }
   return json;
 }
 
 } // namespace
-
-Drawn_values::Drawn_values(const Surface& surface, Scalar_map scalar_map)
-{
-  double finite_lowest = std::numeric_limits<double>::infinity(), finite_highest = -finite_lowest;
-  bool is_any_low = false, is_any_high = false;
-  for(const Surface::Vertex_index v : surface.vertices())
-  {
-    const double value = scalar_map[v];
-    if(std::isfinite(value))
-    {
-      finite_lowest = (std::min)(finite_lowest, value);
-      finite_highest = (std::max)(finite_highest, value);
-    }
-    else
-      (value < 0 ? is_any_low : is_any_high) = true;
-  }
-  if(finite_lowest > finite_highest)
-    return;
-  // In halves, as the range of finite values can be infinite.
-  const double half_range = finite_highest / 2 - finite_lowest / 2;
-  const double margin = half_range > 0 ? half_range / 5 : 1;
-  constexpr double largest = (std::numeric_limits<double>::max)();
-  lowest = is_any_low ? (std::max)(finite_lowest - margin, -largest) : finite_lowest;
-  highest = is_any_high ? (std::min)(finite_highest + margin, largest) : finite_highest;
-}
-
-double Drawn_values::operator()(double value) const { return std::clamp(value, lowest, highest); }
 
 nlohmann::ordered_json number_or_string(double number)
 {
@@ -95,7 +66,7 @@ nlohmann::ordered_json number_or_string(double number)
 
 nlohmann::ordered_json page_graph(const Embedded_graph& embedded,
                                   const Page_frame& frame,
-                                  const Drawn_values& drawn_values)
+                                  const Value_scale& value_scale)
 {
   const Graph& graph = embedded.graph;
   const CGAL::Reeb_graph::Plane_layout layout = CGAL::Reeb_graph::lay_out_in_plane(graph);
@@ -111,7 +82,7 @@ nlohmann::ordered_json page_graph(const Embedded_graph& embedded,
     arc["source"] = row.lower_node;
     arc["target"] = row.upper_node;
     arc["polyline"] = flat_polyline(embedded.arc_polylines[i], frame);
-    arc["plane"] = flat_drawing(layout.arc_polylines[i], drawn_values);
+    arc["plane"] = flat_drawing(layout.arc_polylines[i], value_scale);
     arc["persistence"] = number_or_string(persistences[i]);
     arc["length"] = number_or_string(row.length);
     arc["area"] = number_or_string(row.area);

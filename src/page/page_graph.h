@@ -13,11 +13,15 @@
 #include "base/surface.h"
 #include "page/display_surface.h"
 
+#include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <vector>
 
 namespace reeb_graph_program {
+typedef CGAL::Reeb_graph::internal::Value_scale Value_scale;
+
 // A graph in space, with what is told of its arcs.
 struct Embedded_graph
 {
@@ -27,23 +31,13 @@ struct Embedded_graph
   std::vector<Arc_row> arc_rows;
 };
 
-// The values of the field as the page draws them: infinite ones where they still fit.
-struct Drawn_values
-{
-  explicit Drawn_values(const Surface& surface, Scalar_map scalar_map);
-
-  double operator()(double value) const;
-
-  double lowest = 0, highest = 1; // of what is drawn
-};
-
 // A number, or a string where JSON has none.
 nlohmann::ordered_json number_or_string(double number);
 
 // The nodes and arcs, without what leads from arcs to the surface.
 nlohmann::ordered_json page_graph(const Embedded_graph& embedded,
                                   const Page_frame& frame,
-                                  const Drawn_values& drawn_values);
+                                  const Value_scale& value_scale);
 
 } // namespace reeb_graph_program
 

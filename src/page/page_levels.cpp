@@ -128,7 +128,7 @@ nlohmann::ordered_json page_level(const Embedded_graph& given,
                                   Graph simplified,
                                   const Simplification& simplification,
                                   const Page_frame& frame,
-                                  const Drawn_values& drawn_values)
+                                  const Value_scale& value_scale)
 {
   const std::size_t number_of_nodes = num_vertices(simplified);
   nlohmann::ordered_json level;
@@ -142,7 +142,7 @@ nlohmann::ordered_json page_level(const Embedded_graph& given,
   }
   const auto parts = parts_of_arcs(given.graph, simplified);
   level["graph"] =
-    page_graph(simplified_embedding(given, std::move(simplified), simplification, parts), frame, drawn_values);
+    page_graph(simplified_embedding(given, std::move(simplified), simplification, parts), frame, value_scale);
   for(std::size_t i = 0; i != parts.size(); ++i)
     level["graph"]["arcs"][i]["parts"] = parts[i];
   return level;
@@ -150,9 +150,7 @@ nlohmann::ordered_json page_level(const Embedded_graph& given,
 
 } // namespace
 
-nlohmann::ordered_json page_levels(const Embedded_graph& given,
-                                   const Page_frame& frame,
-                                   const Drawn_values& drawn_values)
+nlohmann::ordered_json page_levels(const Embedded_graph& given, const Page_frame& frame, const Value_scale& value_scale)
 {
   nlohmann::ordered_json first;
   first["threshold"] = 0;
@@ -169,7 +167,7 @@ nlohmann::ordered_json page_levels(const Embedded_graph& given,
     if(num_edges(simplified) == last_number_of_arcs)
       continue;
     last_number_of_arcs = num_edges(simplified);
-    levels.push_back(page_level(given, threshold, std::move(simplified), simplification, frame, drawn_values));
+    levels.push_back(page_level(given, threshold, std::move(simplified), simplification, frame, value_scale));
   }
   return levels;
 }

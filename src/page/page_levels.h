@@ -18,7 +18,7 @@ namespace reeb_graph_program {
 // those of the largest thresholds, and some of the others.
 nlohmann::ordered_json page_levels(const Embedded_graph& given,
                                    const Page_frame& frame,
-                                   const Drawn_values& drawn_values);
+                                   const Value_scale& value_scale);
 
 } // namespace reeb_graph_program
 

@@ -11,35 +11,22 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
+#include <CGAL/Reeb_graph/internal/output/base64.h>
+
 #include <boost/endian/conversion.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
 #include <ostream>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
-
-inline void write_base64(std::ostream& out, std::vector<unsigned char> bytes)
-{
-  using boost::archive::iterators::base64_from_binary;
-  using boost::archive::iterators::transform_width;
-  typedef base64_from_binary<transform_width<std::vector<unsigned char>::const_iterator, 6, 8>> Digits;
-  const std::size_t padding = (3 - bytes.size() % 3) % 3;
-  const std::size_t number_of_digits = (4 * bytes.size() + 2) / 3;
-  bytes.resize(bytes.size() + padding, 0);
-  std::copy_n(Digits(bytes.cbegin()), number_of_digits, std::ostreambuf_iterator<char>(out));
-  out << std::string(padding, '=');
-}
 
 // An XML file of VTK for points, and cells on them: vertices, lines, and polygons, in this order. Arrays are written as
 // base64 codes, which other than decimal numbers can be infinite or NaN.
