@@ -22,7 +22,7 @@ function decodePolyline(polyline) {
 }
 
 function decodeContour(contour) {
-  return Object.assign(decodePolyline(contour), {t: contour.t, value: contour.value});
+  return Object.assign(decodePolyline(contour), {t: contour.t, value: Number(contour.value)});
 }
 
 // JSON has no infinite numbers: they are written as text.
@@ -76,6 +76,9 @@ function readPageData(text) {
     // The values that are drawn, which are finite.
     range: {low: data.field.lowest, high: data.field.highest},
     graph: decodeGraph(data.graph),
+    // The number of arcs of the graph that was asked for, if that is too large for a page and has been simplified.
+    arcsOfInput: data.graph.is_simplified ? data.graph.arcs_of_input : null,
+    threshold: data.graph.threshold,
     levels: data.levels.map(decodeLevel),
     curves: data.curves.map(decodePolyline)
   };

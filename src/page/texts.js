@@ -40,6 +40,19 @@ const meaningsOfKinds = {
   "degree-two": "a contour goes on", isolated: "a point alone"
 };
 
+// What the page does not show, as it would be too much.
+function showNotice({surface, graph, field, arcsOfInput, threshold}) {
+  const notices = [];
+  if (surface.isDecimated)
+    notices.push("Shown with " + (surface.triangles.length / 3).toLocaleString("en") + " of "
+      + plural(surface.facesOfInput, "triangle") + ". The graph and its contours are those of all.");
+  if (arcsOfInput !== null)
+    notices.push("Simplified to " + graph.arcs.length.toLocaleString("en") + " of " + plural(arcsOfInput, "arc")
+      + ": what is less persistent than " + formatValue(threshold, field.unit) + " is left out.");
+  element("notice").hidden = notices.length === 0;
+  element("notice").textContent = notices.join(" ");
+}
+
 // What does not change.
 function showTexts(data) {
   const {title, surface, graph, generator} = data;
@@ -47,9 +60,7 @@ function showTexts(data) {
   element("title").textContent = title;
   element("field_label").textContent = nameOfField(data);
   element("generator").textContent = "Made by " + generator + ".";
-  element("notice").hidden = !surface.isDecimated;
-  element("notice").textContent = "Shown with " + (surface.triangles.length / 3).toLocaleString("en") + " of "
-    + plural(surface.facesOfInput, "triangle") + ". The graph and its contours are those of all.";
+  showNotice(data);
   Object.keys(kindColors).filter(kind => graph.nodes.some(node => node.kind === kind)).forEach(kind => {
     const item = addElement(element("legend"), "li", "");
     const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
