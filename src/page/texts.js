@@ -43,19 +43,21 @@ const meaningsOfKinds = {
 // What the page does not show, as it would be too much.
 function showNotice({surface, graph, field, arcsOfInput, threshold}) {
   const notices = [];
-  if (surface.isDecimated)
+  if (surface.isDecimated) {
     notices.push("Shown with " + (surface.triangles.length / 3).toLocaleString("en") + " of "
       + plural(surface.facesOfInput, "triangle") + ". The graph and its contours are those of all.");
-  if (arcsOfInput !== null)
+  }
+  if (arcsOfInput !== null) {
     notices.push("Simplified to " + graph.arcs.length.toLocaleString("en") + " of " + plural(arcsOfInput, "arc")
       + ": what is less persistent than " + formatValue(threshold, field.unit) + " is left out.");
+  }
   element("notice").hidden = notices.length === 0;
   element("notice").textContent = notices.join(" ");
 }
 
 // What does not change.
 function showTexts(data) {
-  const {title, surface, graph, generator} = data;
+  const {title, graph, generator} = data;
   document.title = title + " – Reeb graph";
   element("title").textContent = title;
   element("field_label").textContent = nameOfField(data);
