@@ -24,9 +24,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -437,6 +439,48 @@ BOOST_AUTO_TEST_CASE(a_tube_is_its_axis)
   for(const Point& point : embedding.arc_polylines[0])
     BOOST_TEST(std::hypot(point.x(), point.y()) < 1e-9);
   BOOST_TEST(embedding.node_points[1].z() == along - 1, boost::test_tools::tolerance(1e-9));
+}
+
+// What the writers write is read by others in the tests of the program.
+BOOST_AUTO_TEST_CASE(attributes_are_written)
+{
+  const Embedded_sample<Polyhedron> s(curve_samples::smooth_sample(1, 100, 0));
+  const auto embedding = s.embedded(Embedding_manner::STRAIGHT);
+  const auto vertex_index_map = CGAL::Reeb_graph::make_vertex_index_map(s.mesh);
+  const std::vector<double> numbers(num_edges(s.graph), 0.25);
+  const std::vector<std::int64_t> whole_numbers(num_edges(s.graph), -7);
+  const auto np = CGAL::parameters::arc_attributes({{"a \"b\", <c>", numbers}, {"whole", whole_numbers}});
+  std::ostringstream json, csv, vtp;
+  CGAL::Reeb_graph::write_json(json, s.mesh, s.graph, embedding, vertex_index_map, np);
+  CGAL::Reeb_graph::write_arcs_csv(csv, s.graph, embedding, np);
+  CGAL::Reeb_graph::write_vtp(vtp, s.graph, embedding, vertex_index_map, np);
+  BOOST_TEST(json.str().find("\"a \\\"b\\\", <c>\": 0.25, \"whole\": -7") != std::string::npos);
+  BOOST_TEST(csv.str().find(",\"a \"\"b\"\", <c>\",whole\n") != std::string::npos);
+  BOOST_TEST(csv.str().find(",0.25,-7\n") != std::string::npos);
+  BOOST_TEST(vtp.str().find("Name=\"a &quot;b&quot;, &lt;c>\"") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_of_attributes_are_counted)
+{
+  using CGAL::Reeb_graph::Attribute_count_error;
+  const Embedded_sample<Surface_mesh> s(curve_samples::smooth_sample(1, 100, 0));
+  const auto embedding = s.embedded(Embedding_manner::STRAIGHT);
+  const auto vertex_index_map = get(boost::vertex_index, s.mesh);
+  const std::vector<double> numbers(num_edges(s.graph) + 1, 0);
+  const auto np = CGAL::parameters::arc_attributes({{"too many", numbers}});
+  std::ostringstream out;
+  BOOST_CHECK_THROW(CGAL::Reeb_graph::write_vtp(out, s.graph, embedding, vertex_index_map, np), Attribute_count_error);
+  BOOST_CHECK_THROW(CGAL::Reeb_graph::write_json(out, s.mesh, s.graph, embedding, vertex_index_map, np),
+                    Attribute_count_error);
+  BOOST_CHECK_THROW(CGAL::Reeb_graph::write_arcs_csv(out, s.graph, embedding, np), Attribute_count_error);
+  BOOST_CHECK_THROW(
+    CGAL::Reeb_graph::write_mesh_vtp(out, s.mesh, CGAL::parameters::vertex_attributes({{"too few", numbers}})),
+    Attribute_count_error);
+  BOOST_CHECK_THROW(
+    CGAL::Reeb_graph::write_mesh_vtp(out, s.mesh, CGAL::parameters::face_attributes({{"too few", numbers}})),
+    Attribute_count_error);
+  BOOST_TEST(out.str().empty());
+  BOOST_CHECK_THROW(CGAL::Reeb_graph::write_obj("missing/graph.obj", s.graph, embedding), CGAL::Reeb_graph::File_error);
 }
 
 BOOST_AUTO_TEST_CASE(errors)

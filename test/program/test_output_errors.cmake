@@ -3,8 +3,8 @@ include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
 file(WRITE ${FOLDER}/tetrahedron.off "${tetrahedron_off}")
 file(MAKE_DIRECTORY ${FOLDER}/folder.dot)
-expect_error("[.]graphml, [.]dot, or [.]svg" compute tetrahedron.off --field z --graph graph.txt)
-expect_error("[.]graphml, [.]dot, or [.]svg" compute missing.off --field z --graph graph)
+expect_error("[.]graphml, [.]dot, .*or [.]csv" compute tetrahedron.off --field z --graph graph.txt)
+expect_error("[.]graphml, [.]dot, .*or [.]csv" compute missing.off --field z --graph graph)
 expect_error("missing/graph.dot: the file cannot be written" compute tetrahedron.off --field z
              --graph missing/graph.dot)
 expect_error("folder.dot: the file cannot be written" compute tetrahedron.off --field z --graph folder.dot)

@@ -17,11 +17,13 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 
 // Whoever interrupts the program finds the files as they were: argument 1 is a folder for them.
 
 namespace fs = std::filesystem;
+using reeb_graph_program::write_both_files;
 using reeb_graph_program::write_file;
 
 namespace {
@@ -73,6 +75,34 @@ int main(int, char** arguments)
     check(contents_after_interrupt(folder, signal, ended_by) == "output.txt:old", name + " changes an old file");
     check(ended_by == signal, name + " does not end the program that replaces a file");
   }
+  // Of two files that belong together, neither is there if the second one fails or the program is interrupted.
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const auto write_first = [](std::ostream& stream) { stream << "first"; };
+  const auto fail = [](std::ostream& stream) { stream.setstate(std::ios::failbit); };
+  bool has_thrown = false;
+  try
+  {
+    write_both_files({folder / "a.txt", write_first}, {folder / "b.txt", fail});
+  }
+  catch(const std::runtime_error&)
+  {
+    has_thrown = true;
+  }
+  check(has_thrown && fs::is_empty(folder), "the first one of two files stays when the second one fails");
+  const pid_t child = fork();
+  if(child == 0)
+  {
+    write_both_files({folder / "a.txt", write_first}, {folder / "b.txt", [](std::ostream&) { raise(SIGTERM); }});
+    _exit(EXIT_SUCCESS);
+  }
+  waitpid(child, nullptr, 0);
+  check(fs::is_empty(folder), "an interrupt leaves one of two files");
+  write_both_files({folder / "a.txt", write_first}, {folder / "b.txt", write_first});
+  check(fs::file_size(folder / "a.txt") == 5 && fs::file_size(folder / "b.txt") == 5, "two files are not written");
+  fs::remove(folder / "a.txt");
+  fs::remove(folder / "b.txt");
+
   // A signal that is ignored stays so, as under nohup.
   ::signal(SIGHUP, SIG_IGN);
   int ended_by = 0;

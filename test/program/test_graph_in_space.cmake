@@ -1,0 +1,84 @@
+# The files of graphs in space, and meshes with results.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+
+file(WRITE ${FOLDER}/tetrahedron.off "${tetrahedron_off}")
+
+function(expect_file name content)
+  file(READ ${FOLDER}/${name} actual)
+  if(NOT actual STREQUAL content)
+    message(SEND_ERROR "${name} is '${actual}' instead of '${content}'")
+  endif()
+endfunction()
+
+# a single arc, from vertex to vertex
+set(z tetrahedron.off --field z --no-table)
+expect_success(compute ${z} --graph straight.polylines.txt --embedding straight)
+expect_file(straight.polylines.txt "2 0 0 0 0 0 1\n")
+expect_success(compute ${z} --graph straight.obj --embedding straight)
+expect_file(straight.obj "v 0 0 0\nv 0 0 1\ng node_0\np 1\ng node_1\np 2\ng arc_0\nl 1 2\n")
+# The steepest way up is the edge from the lowest to the highest vertex.
+expect_success(compute ${z} --graph chain.polylines.txt --embedding on-surface)
+expect_file(chain.polylines.txt "2 0 0 0 0 0 1\n")
+expect_success(compute ${z} --graph centroids.polylines.txt)
+file(READ ${FOLDER}/centroids.polylines.txt content)
+expect_match("${content}" "^14 0 0 0 [^\n]* 0 0 1\n$")
+
+# The tables are two files.
+expect_success(compute ${z} --graph table.csv --embedding straight)
+file(GLOB tables RELATIVE ${FOLDER} ${FOLDER}/table*)
+expect_equal("${tables}" "table.arcs.csv;table.nodes.csv")
+expect_file(table.nodes.csv "node,vertex,value,kind,x,y,z,arcs_below,arcs_above
+0,0,0,minimum,0,0,0,0,1
+1,3,1,maximum,0,0,1,1,0
+")
+file(READ ${FOLDER}/table.arcs.csv content)
+expect_match("${content}" "^arc,source,target,lower_value,upper_value,persistence,length,area,vertices\n0,0,1,0,1,1,1,[0-9.]+,2\n$")
+
+file(WRITE ${FOLDER}/infinite.txt "-inf\n0\n0.5\ninf\n")
+expect_success(compute tetrahedron.off --scalars infinite.txt --graph infinite.json)
+file(READ ${FOLDER}/infinite.json json)
+string(JSON kind GET "${json}" nodes 1 kind)
+expect_equal("${kind}" "maximum")
+string(JSON type TYPE "${json}" nodes 1 value)
+expect_equal("${type}" "NULL")
+string(JSON chain GET "${json}" arcs 0 chain)
+string(REGEX REPLACE "[ \n]" "" chain "${chain}")
+expect_equal("${chain}" "[[0,3]]")
+
+# a vertex without a face is a node in space, too
+file(WRITE ${FOLDER}/isolated.off "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 1\n5 5 5\n3 0 1 2\n")
+foreach(manner centroids on-surface straight)
+  expect_success(compute isolated.off --field z --graph isolated.csv --embedding ${manner})
+  file(READ ${FOLDER}/isolated.nodes.csv content)
+  expect_match("${content}" "\n2,3,5,isolated,5,5,5,0,0\n$")
+endforeach()
+
+# a mesh with results keeps the order of its vertices, and its field
+file(WRITE ${FOLDER}/torus.off "OFF\n7 14 0\n0 0 0\n1 0 1\n0 1 2\n1 1 3\n0 2 4\n2 0 5\n2 2 6\n${torus_faces}")
+expect_success(compute torus.off --field z --graph torus.graphml --mesh-out torus.ply)
+expect_success(compute torus.ply --field scalar --graph again.graphml)
+expect_same_file(torus.graphml again.graphml)
+file(STRINGS ${FOLDER}/torus.ply header LIMIT_COUNT 20)
+expect_match("${header}" "property int arc;property int node")
+expect_match("${header}" "property uchar red")
+# simplified: the arcs of the vertices are those of the simplified graph
+expect_success(compute torus.off --field z --simplify 10 --cancel-loops --graph simple.json --mesh-out simple.vtp)
+file(READ ${FOLDER}/simple.json json)
+string(JSON number_of_arcs LENGTH "${json}" arcs)
+expect_equal("${number_of_arcs}" "1")
+expect_success(curves torus.off --field z --type cutting-system --mesh-out cut.ply)
+file(STRINGS ${FOLDER}/cut.ply header LIMIT_COUNT 30)
+expect_match("${header}" "property int patch")
+expect_success(curves torus.off --field z --type cutting-system --cut-open --mesh-out cut.vtp)
+
+# All formats are named before any work; the tables are both there, or neither.
+expect_error("[.]graphml, [.]dot, [.]svg, [.]vtp, [.]obj, [.]polylines[.]txt, [.]json, or [.]csv" compute missing.off
+             --field z --graph graph.txt)
+expect_error("--embedding goes with" compute missing.off --field z --graph graph.dot --embedding straight)
+expect_error("--embedding" compute missing.off --field z --graph graph.vtp --embedding sideways)
+expect_error("[.]ply or [.]vtp" compute missing.off --field z --mesh-out mesh.off)
+expect_error("[.]ply or [.]vtp" curves missing.off --field z --type pants --mesh-out mesh.off)
+expect_error("two outputs have this name" compute missing.off --field z --graph a.csv --vertex-arcs a.nodes.csv)
+expect_error("two outputs have this name" compute missing.off --field z --graph a.vtp --mesh-out a.vtp)
+file(MAKE_DIRECTORY ${FOLDER}/half.arcs.csv)
+expect_error("half.arcs.csv: the file cannot be written" compute tetrahedron.off --field z --graph half.csv)

@@ -1,0 +1,208 @@
+# Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+#
+# This file is part of the CGAL-style package Reeb_graph.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+"""What the program writes, read by programs that know nothing of it.
+
+Usage: test_readers.py PROGRAM MESH FOLDER python|networkx|vtk
+"""
+
+import csv
+import importlib
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+
+SKIPPED = 77
+program, mesh = map(os.path.abspath, sys.argv[1:3])
+folder, reader = sys.argv[3:]
+folder = pathlib.Path(folder)
+folder.mkdir(parents=True, exist_ok=True)
+faults = []
+
+
+def check(is_right, what):
+    if not is_right:
+        faults.append(what)
+
+
+def load(name, package):
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        print(f"{package} is not installed: skipped")
+        sys.exit(SKIPPED)
+
+
+def run(*arguments):
+    done = subprocess.run([program, *arguments, "--json"], cwd=folder, check=True, capture_output=True, text=True)
+    return json.loads(done.stdout)
+
+
+def compute(graph, *arguments):
+    return run("compute", mesh, "--field", "x", "--graph", graph, *arguments)
+
+
+def read_points():
+    with open(mesh) as lines:
+        words = lines.read().split()
+    size = int(words[1])
+    numbers = list(map(float, words[4:4 + 3 * size]))
+    return [tuple(numbers[i:i + 3]) for i in range(0, 3 * size, 3)]
+
+
+def are_close(a, b):
+    return all(math.isclose(x, y, rel_tol=1e-12, abs_tol=1e-12) for x, y in zip(a, b))
+
+
+def read_json(name):
+    def refuse(constant):
+        raise ValueError(f"{constant} is no JSON")
+
+    with open(folder / name) as file:
+        return json.load(file, parse_constant=refuse)
+
+
+def check_by_python():
+    points = read_points()
+    for manner in ("centroids", "on-surface", "straight"):
+        report = compute("graph.json", "--embedding", manner)
+        graph = read_json("graph.json")
+        compute("graph.csv", "--embedding", manner)
+        with open(folder / "graph.nodes.csv", newline="") as file:
+            nodes = list(csv.DictReader(file))
+        with open(folder / "graph.arcs.csv", newline="") as file:
+            arcs = list(csv.DictReader(file))
+        check(len(nodes) == len(graph["nodes"]) == report["nodes"], "the numbers of nodes differ")
+        check(len(arcs) == len(graph["arcs"]), "the numbers of arcs differ")
+        for row, node in zip(nodes, graph["nodes"]):
+            check(int(row["vertex"]) == node["vertex"] and row["kind"] == node["kind"], "nodes differ")
+            check([float(row[c]) for c in "xyz"] == node["point"], "points of nodes differ")
+            check(float(row["value"]) == node["value"] == points[node["vertex"]][0], "values differ")
+            if manner != "centroids":
+                check(tuple(node["point"]) == points[node["vertex"]], "a node is not at its vertex")
+        for row, arc in zip(arcs, graph["arcs"]):
+            ends = [graph["nodes"][arc[end]] for end in ("source", "target")]
+            check([int(row["source"]), int(row["target"])] == [end["id"] for end in ends], "ends differ")
+            check(arc["polyline"][0] == ends[0]["point"] and arc["polyline"][-1] == ends[1]["point"],
+                  "a polyline does not end at its nodes")
+            check(arc["values"] == sorted(arc["values"]) and len(arc["values"]) == len(arc["polyline"]),
+                  "values do not ascend")
+            # The field is the coordinate x, of centroids as well.
+            if manner != "straight":
+                check(are_close(arc["values"], [p[0] for p in arc["polyline"]]), "a point has not its value")
+            for name in ("persistence", "length", "area", "vertices"):
+                check(float(row[name]) == arc[name], f"{name} differs")
+            chain = arc["chain"]
+            check(chain[0][0] == ends[0]["vertex"], "a chain does not begin at its node")
+            check(all(points[u][0] <= points[v][0] for path in chain for u, v in zip(path, path[1:])),
+                  "a chain falls")
+    check(abs(sum(arc["vertices"] for arc in graph["arcs"]) + len(graph["nodes"]) - len(points)) == 0,
+          "the vertices of arcs and nodes are not those of the mesh")
+
+
+def check_by_networkx():
+    networkx = load("networkx", "python3-networkx")
+    report = compute("graph.json")
+    compute("graph.graphml")
+    data = read_json("graph.json")
+    try:
+        graph = networkx.node_link_graph(data, edges="arcs")
+    except TypeError:  # before version 3.4
+        graph = networkx.node_link_graph(data, link="arcs")
+    other = networkx.read_graphml(folder / "graph.graphml", node_type=lambda name: int(name[1:]), force_multigraph=True)
+    check(graph.is_directed() and graph.is_multigraph(), "it is no directed graph with parallel arcs")
+    check(sorted(graph.edges()) == sorted(other.edges()), "the arcs are not those of the GraphML file")
+    check(all(graph.nodes[n]["vertex"] == other.nodes[n]["vertex"] for n in graph), "the nodes are others")
+    loops = graph.number_of_edges() - graph.number_of_nodes() + networkx.number_weakly_connected_components(graph)
+    check(loops == report["loops"], "the numbers of loops differ")
+    check(networkx.is_directed_acyclic_graph(graph), "arcs do not ascend")
+
+
+def read_by_vtk(vtk_io, name):
+    messages = []
+    xml = vtk_io.vtkXMLPolyDataReader()
+    xml.AddObserver("ErrorEvent", lambda *_: messages.append("error"))
+    xml.AddObserver("WarningEvent", lambda *_: messages.append("warning"))
+    xml.SetFileName(str(folder / name))
+    xml.Update()
+    check(not messages, f"VTK complains of {name}")
+    return xml.GetOutput()
+
+
+def check_colours(vtk_rendering, data):
+    """Each array can be coloured by."""
+    for arrays, choose in ((data.GetPointData(), "SetScalarModeToUsePointFieldData"),
+                           (data.GetCellData(), "SetScalarModeToUseCellFieldData")):
+        for i in range(arrays.GetNumberOfArrays()):
+            array = arrays.GetArray(i)
+            mapper = vtk_rendering.vtkDataSetMapper()
+            mapper.SetInputData(data)
+            getattr(mapper, choose)()
+            mapper.SelectColorArray(array.GetName())
+            if array.GetNumberOfComponents() == 1:
+                low, high = array.GetRange()
+                check(math.isfinite(low) and math.isfinite(high), f"{array.GetName()} has no range")
+                mapper.SetScalarRange(low, high)
+                colours = mapper.MapScalars(data, 1)
+                tuples = {colours.GetTuple(j) for j in range(colours.GetNumberOfTuples())}
+                check(colours.GetNumberOfTuples() == array.GetNumberOfTuples(), f"{array.GetName()} is too short")
+                check(low == high or len(tuples) > 1, f"{array.GetName()} has one colour")
+
+
+def check_by_vtk():
+    vtk_io = load("vtkmodules.vtkIOXML", "python3-vtk9")
+    vtk_rendering = load("vtkmodules.vtkRenderingCore", "python3-vtk9")
+    vtk_ply = load("vtkmodules.vtkIOPLY", "python3-vtk9")
+    points = read_points()
+    for manner in ("centroids", "on-surface", "straight"):
+        compute("graph.json", "--embedding", manner)
+        graph = read_json("graph.json")
+        compute("graph.vtp", "--embedding", manner, "--mesh-out", "mesh.vtp")
+        data = read_by_vtk(vtk_io, "graph.vtp")
+        nodes, arcs = graph["nodes"], graph["arcs"]
+        check(data.GetNumberOfVerts() == len(nodes) and data.GetNumberOfLines() == len(arcs), "the cells are others")
+        of_points, of_cells = data.GetPointData(), data.GetCellData()
+        for i, node in enumerate(nodes):
+            check(list(data.GetPoint(i)) == node["point"], "a node is elsewhere")
+            check(of_points.GetArray("value").GetValue(i) == node["value"], "a node has another value")
+            check(of_points.GetArray("vertex").GetValue(i) == node["vertex"], "a node has another vertex")
+            check(of_cells.GetArray("arc").GetValue(i) == -1 and of_cells.GetArray("node").GetValue(i) == i,
+                  "the cells of nodes are others")
+        for i, arc in enumerate(arcs):
+            ids = data.GetCell(len(nodes) + i).GetPointIds()
+            numbers = [ids.GetId(j) for j in range(ids.GetNumberOfIds())]
+            check([list(data.GetPoint(j)) for j in numbers] == arc["polyline"], "a line is another")
+            check([of_points.GetArray("value").GetValue(j) for j in numbers] == arc["values"], "values are others")
+            check([numbers[0], numbers[-1]] == [arc["source"], arc["target"]], "a line does not end at its nodes")
+            check(of_cells.GetArray("arc").GetValue(len(nodes) + i) == i, "the cells of arcs are others")
+            for name in ("persistence", "length", "area", "vertices"):
+                check(of_cells.GetArray(name).GetValue(len(nodes) + i) == arc[name], f"{name} is another")
+        check_colours(vtk_rendering, data)
+    data = read_by_vtk(vtk_io, "mesh.vtp")
+    check([data.GetPoint(i) for i in range(data.GetNumberOfPoints())] == points, "the points of the mesh are others")
+    check([data.GetPointData().GetArray("value").GetValue(i) for i in range(len(points))] == [p[0] for p in points],
+          "the field is another")
+    check_colours(vtk_rendering, data)
+    run("curves", mesh, "--field", "x", "--type", "pants", "--mesh-out", "cut.vtp")
+    data = read_by_vtk(vtk_io, "cut.vtp")
+    patches = data.GetCellData().GetArray("patch")
+    check(patches.GetNumberOfTuples() == data.GetNumberOfPolys() > 0, "there is not a patch for each face")
+    check_colours(vtk_rendering, data)
+    compute("graph.dot", "--mesh-out", "mesh.ply")
+    ply = vtk_ply.vtkPLYReader()
+    ply.SetFileName(str(folder / "mesh.ply"))
+    ply.Update()
+    check(ply.GetOutput().GetNumberOfPoints() == len(points), "the PLY file has other points")
+    check(ply.GetOutput().GetPointData().GetArray("RGBA") is not None, "the PLY file has no colours")
+
+
+{"python": check_by_python, "networkx": check_by_networkx, "vtk": check_by_vtk}[reader]()
+for fault in sorted(set(faults)):
+    print(f"wrong: {fault} ({faults.count(fault)} times)")
+sys.exit(1 if faults else 0)
