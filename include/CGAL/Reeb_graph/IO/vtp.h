@@ -101,7 +101,7 @@ std::vector<Number> padded(std::size_t number_before, std::vector<Number> number
 ///   arrays are `node`, `kind` and `vertex` of nodes, `arc` of arcs, and `lower_value` and `upper_value`; and with names
 ///   of their own, the `arc_attributes`.
 ///
-/// The numbers of `kind` are those of \ref Node_kind: 0 isolated, 1 minimum, 2 saddle, 3 maximum, 4 degree two.
+/// The numbers of `kind` are those of `Node_kind`: 0 isolated, 1 minimum, 2 saddle, 3 maximum, 4 degree two.
 ///
 /// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
 /// \tparam Embedding an instance of `Reeb_graph::Embedding`
