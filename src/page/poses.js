@@ -63,11 +63,17 @@ function findThinDirection(positions, up) {
   return best;
 }
 
+// The direction or its opposite, whichever is that of the front of most models: -y where z is up, else z.
+function faceForward(direction, up) {
+  const ahead = Math.abs(up[2]) > 0.7 ? -direction[1] : direction[2];
+  return ahead < 0 ? direction.map(x => -x) : direction;
+}
+
 // The center and size (of the diagonal) of the surface, which way is up, and from where it is looked at.
 function findPose(positions, values) {
   const ranges = [0, 1, 2].map(i => rangeOf(positions.filter((_, j) => j % 3 === i)));
   const up = findUp(positions, values);
-  const thin = findThinDirection(positions, up), side = cross(up, thin);
+  const thin = faceForward(findThinDirection(positions, up), up), side = cross(up, thin);
   const turn = 0.42, lift = 0.24;
   const towardsEye = normalized([0, 1, 2].map(i =>
     Math.cos(lift) * (Math.cos(turn) * thin[i] + Math.sin(turn) * side[i]) + Math.sin(lift) * up[i]));

@@ -100,7 +100,10 @@ class Scene {
       this.curves.push(this.add(this.scene, geometry, this.tubeMaterial(this.curveTable, {}), 0));
     }
     this.contourTable = new ColorTable(1);
+    this.litTable = new ColorTable(1);
     this.contour = [];
+    this.graph = [];
+    this.litArc = [];
   }
 
   resize(width, height) {
@@ -115,7 +118,7 @@ class Scene {
 
   // Shows the graph of a view, whose arcs have these colours; nodes are coloured by `nodeColor(node)`.
   setView(view, arcColors, nodeColor) {
-    this.remove(this.graph || []);
+    this.remove(this.graph);
     this.view = view;
     this.arcTable = new ColorTable(view.arcs.length);
     this.arcColors = arcColors;
@@ -127,7 +130,6 @@ class Scene {
     }
     this.graph = this.makeGraph();
     this.setTubeColors();
-    this.setLayers(this.layers);
     this.setLit(null);
   }
 
@@ -135,7 +137,7 @@ class Scene {
   makeGraph() {
     const {view} = this;
     const thickness = Math.max(0.4, Math.min(1, 6 / Math.sqrt(view.arcs.length)));
-    const radius = 0.006 * thickness * this.pose.size;
+    const radius = this.tubeRadius = 0.006 * thickness * this.pose.size;
     const polylines = view.arcs.map((arc, id) => ({points: arc.polyline, isClosed: false, id}));
     const tubes = this.tubeGeometry(polylines, radius, 8, (arc, t) => view.value(arc, t));
     const nodes = this.nodeGeometry(view);
@@ -197,6 +199,7 @@ class Scene {
     this.outline.setRGB(...theme.outline);
     this.curveTable.setColor(0, theme.curve);
     this.contourTable.setColor(0, theme.contour);
+    this.litTable.setColor(0, theme.line);
     if (this.view)
       this.setTubeColors();
     this.requestDrawing(true);
@@ -217,13 +220,17 @@ class Scene {
 
   setLayers(layers) {
     this.layers = layers;
-    (this.graph || []).forEach(({object}) => {
-      object.visible = layers.graph;
+    this.showLayers();
+    this.requestDrawing();
+  }
+
+  showLayers() {
+    this.graph.concat(this.litArc).forEach(({object}) => {
+      object.visible = this.layers.graph;
     });
     this.curves.forEach(object => {
-      object.visible = layers.curves;
+      object.visible = this.layers.curves;
     });
-    this.requestDrawing();
   }
 
   // Lights an arc {arc} or a node {node} and dims the rest, or nothing.
@@ -232,23 +239,31 @@ class Scene {
     const light = arc => isArcLit ? (arc === target.arc ? lit : dimmed) : unlit;
     this.placeTable.setLight(place => light(this.view.placeOf(place)));
     this.arcTable.setLight(light);
-    const ends = isArcLit ? [this.view.arcs[target.arc].source, this.view.arcs[target.arc].target] : [];
+    const arc = isArcLit ? this.view.arcs[target.arc] : null, ends = isArcLit ? [arc.source, arc.target] : [];
+    this.remove(this.litArc);
+    const lines = isArcLit ? [{points: arc.polyline, isClosed: false, id: 0}] : [];
+    this.litArc = this.makeShiningTubes(lines, 1.3 * this.tubeRadius, this.litTable, 14);
+    this.showLayers();
     this.nodeTable.setLight(node => ends.includes(node) || (target && target.node === node) ? lit : unlit);
     this.requestDrawing(true);
   }
 
   setContour(contour) {
     this.remove(this.contour);
-    this.contour = [];
-    if (contour) {
-      const geometry = this.tubeGeometry([Object.assign({id: 0}, contour)], 0.0042 * this.pose.size, 8, () => 0);
-      const hidden = this.tubeMaterial(this.contourTable, {depthTest: false, depthWrite: false, transparent: true});
-      hidden.uniforms.alpha.value = 0.35;
-      const seen = this.tubeMaterial(this.contourTable, {transparent: true});
-      this.contour = [hidden, seen].map((material, i) =>
-        ({scene: this.scene, object: this.add(this.scene, geometry, material, 12 + i)}));
-    }
+    const lines = contour ? [Object.assign({id: 0}, contour)] : [];
+    this.contour = this.makeShiningTubes(lines, 0.0042 * this.pose.size, this.contourTable, 12);
     this.requestDrawing(true);
+  }
+
+  // Tubes that shine through what is before them.
+  makeShiningTubes(polylines, radius, table, order) {
+    if (polylines.length === 0)
+      return [];
+    const geometry = this.tubeGeometry(polylines, radius, 8, () => 0);
+    const hidden = this.tubeMaterial(table, {depthTest: false, depthWrite: false, transparent: true});
+    hidden.uniforms.alpha.value = 0.4;
+    return [hidden, this.tubeMaterial(table, {transparent: true})].map((material, i) =>
+      ({scene: this.scene, object: this.add(this.scene, geometry, material, order + i)}));
   }
 
   // The numbers of what is pointed at are drawn again when they are asked for, if they may have changed.
@@ -279,7 +294,7 @@ class Scene {
       this.graph.slice(2).forEach(({object}) => {
         object.visible = isGraphSeen;
       });
-      const color = this.renderer.getClearColor().clone(), alpha = this.renderer.getClearAlpha();
+      const color = this.renderer.getClearColor(new THREE.Color()).clone(), alpha = this.renderer.getClearAlpha();
       this.renderer.setRenderTarget(this.numberTarget);
       this.renderer.setClearColor(0, 0);
       this.renderer.clear();

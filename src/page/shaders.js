@@ -40,7 +40,7 @@ const shaders = {
     attribute float value;
     attribute vec3 bands;
     attribute vec2 ends;
-    attribute float patch;
+    attribute float patchNumber;
     varying float vValue;
     varying vec3 vBands;
     varying vec2 vEnds;
@@ -52,7 +52,7 @@ const shaders = {
       vValue = value;
       vBands = bands;
       vEnds = ends;
-      vPatch = patch;
+      vPatch = patchNumber;
       vNormal = normalMatrix * normal;
       vToEye = -eye.xyz;
       gl_Position = projectionMatrix * eye;

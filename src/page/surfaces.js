@@ -23,7 +23,7 @@ function makeSurfaceGeometry(data, center) {
   const {positions, triangles, values, facePatches} = data.surface;
   const {places, ends} = makeBands(data.surface, data.graph);
   const corners = triangles.length;
-  const sizes = {position: 3, value: 1, bands: 3, ends: 2, patch: 1}, arrays = {};
+  const sizes = {position: 3, value: 1, bands: 3, ends: 2, patchNumber: 1}, arrays = {};
   Object.keys(sizes).forEach(name => {
     arrays[name] = new Float32Array(sizes[name] * corners);
   });
@@ -36,7 +36,7 @@ function makeSurfaceGeometry(data, center) {
     arrays.value[corner] = normalizedValue(values[v], data.range);
     arrays.ends[2 * corner] = endOfBand(ends[2 * face], data.range);
     arrays.ends[2 * corner + 1] = endOfBand(ends[2 * face + 1], data.range);
-    arrays.patch[corner] = facePatches ? facePatches[face] : 0;
+    arrays.patchNumber[corner] = facePatches ? facePatches[face] : 0;
   }
   const geometry = new THREE.BufferGeometry();
   Object.keys(sizes).forEach(name =>
