@@ -15,6 +15,9 @@ foreach(i RANGE 6)
   string(APPEND torus_faces "3 ${i} ${a} ${c}\n3 ${i} ${c} ${b}\n")
 endforeach()
 
+# A surface of genus 3.
+set(genus_3 ${CMAKE_CURRENT_LIST_DIR}/../../examples/Reeb_graph/data/genus_3.off)
+
 # Runs the program in FOLDER; sets exit_code, output, and error.
 function(run)
   execute_process(COMMAND ${PROGRAM} ${ARGN} WORKING_DIRECTORY ${FOLDER}

@@ -1,8 +1,8 @@
 # Cutting along curves: their number, the files that are written, and what is refused.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
-# the surface of the demo has genus 3
-expect_success(demo --out .)
+configure_file(${genus_3} ${FOLDER}/surface.off COPYONLY)
+expect_success(field surface.off --type height --direction 0.9,0.4,0.15 --output scalars.txt)
 set(surface surface.off --scalars scalars.txt)
 expect_success(curves ${surface} --type cutting-system)
 expect_equal("${output}" "3 curves, 1 patch\n")
@@ -44,7 +44,7 @@ expect_json(6 border_loops ARGUMENTS open.off --field z)
 
 # PLY has the patches
 expect_success(demo --out demo)
-expect_success(curves demo/surface_coloured.ply --field y --type pants --cut-mesh cut.ply)
+expect_success(curves demo/surface_coloured.ply --field y --type branch --cut-mesh cut.ply)
 file(STRINGS ${FOLDER}/cut.ply header LIMIT_COUNT 30)
 foreach(property "double scalar" "uchar red" "uchar green" "uchar blue")
   expect_match("${header}" "element vertex .*property ${property};.*element face")

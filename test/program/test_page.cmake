@@ -71,7 +71,6 @@ expect_success(compute empty.off --field z --html page.html)
 expect_page(page empty.off graph.nodes.length=0 levels.length=1)
 
 # a surface with handles: the given graph, the simplified one, and curves with patches
-set(genus_3 ${CMAKE_CURRENT_LIST_DIR}/../../examples/Reeb_graph/data/genus_3.off)
 expect_success(compute ${genus_3} --field x --vertex-arcs arcs.txt --html page.html)
 expect_page(page genus_3.off mesh=${genus_3} vertex_arcs=arcs.txt graph.arcs.length=10 levels.length=2
             levels.1.graph.arcs.length=1)

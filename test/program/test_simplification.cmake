@@ -100,9 +100,8 @@ expect_equal("${output}" "1 contour\n")
 expect_json("0.75" simplified largest_change ARGUMENTS ${strip} --simplify 1 --simplified-scalars simplified.txt --ties contract)
 expect_json(4 nodes ARGUMENTS strip.off --scalars simplified.txt --ties contract)
 expect_json("" simplified largest_change ARGUMENTS ${strip} --simplify 1)
-expect_success(demo --out demo)
-expect_success(compute demo/surface.off --field y --leaves 2 --simplified-scalars demo/simplified.txt)
-expect_success(curves demo/surface.off --field y --type pants --leaves 2)
+expect_success(compute ${genus_3} --field y --leaves 2 --simplified-scalars simplified.txt)
+expect_success(curves ${genus_3} --field y --type pants --leaves 2)
 expect_equal("${output}" "6 curves, 4 patches\n")
 set(figure ${CMAKE_CURRENT_LIST_DIR}/../../examples/Reeb_graph/data/figure.off --field y --type branch)
 expect_success(curves ${figure})
@@ -122,7 +121,7 @@ expect_json("1.0" simplified largest_change ARGUMENTS strip.off --scalars close.
 expect_error("--simplified-scalars goes with" compute ${strip} --simplified-scalars none.txt)
 expect_error("--cancel-loops does not go with a field" compute ${strip} --simplify 1 --cancel-loops
              --simplified-scalars none.txt)
-expect_error("--cancel-loops does not go with a field" curves demo/surface.off --field y --type pants --simplify 1
+expect_error("--cancel-loops does not go with a field" curves ${genus_3} --field y --type pants --simplify 1
              --cancel-loops)
 expect_error("two outputs have this name" compute ${strip} --simplify 1 --pairs same.csv --simplified-scalars same.csv)
 
