@@ -73,6 +73,7 @@ Plane_layout lay_out_in_plane(const ReebGraph& graph)
       values.push_back(internal::node_value(graph, node));
     const internal::Value_scale scale(values);
     std::vector<double> heights;
+    heights.reserve(values.size());
     for(const double value : values)
       heights.push_back(scale.height(value));
     const internal::Plane_drawing drawing(arcs, heights);

@@ -23,7 +23,9 @@
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
+#include <locale>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,8 +49,9 @@ inline std::string counted(std::size_t number, const std::string& name)
 /// The height of a node is its value, as the axis tells; see `lay_out_in_plane()` for where nodes and arcs lie. The
 /// colours and shapes of the nodes tell their kinds, colours that people with colour blindness can tell apart. Nodes are
 /// labelled with `n` and their number, and in a small graph with their value, arcs with their number in the order of
-/// `edges(graph)`, where there is room: no label lies on another one, on a node, or on an arc. All of it is told where
-/// the pointer rests on a node or an arc. There is no script in the file. Equal graphs give equal files.
+/// `edges(graph)`, where there is room: no label lies on another one, on a node, or on an arc. A graph of more than
+/// 20,000 nodes has no labels. All of it is told where the pointer rests on a node or an arc. There is no script in the
+/// file. Equal graphs give equal files.
 ///
 /// \tparam ReebGraph the type `Graph` of a model of `ReebGraphTraits`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -90,8 +93,9 @@ void write_svg(std::ostream& out, const ReebGraph& graph, const NamedParameters&
     const std::string name = choose_parameter(get_parameter(np, internal::field_name), std::string("value"));
     const std::string unit = choose_parameter(get_parameter(np, internal::field_unit), std::string());
     const auto vertex_index_map = get_parameter(np, internal_np::vertex_index);
-    const auto value_text = [&](std::size_t node) {
-      return internal::to_short_string(CGAL::to_double(graph[node].value));
+    const std::string unit_text = unit.empty() ? "" : ' ' + unit;
+    const auto value_text = [&](std::size_t node, int digits = 6) {
+      return internal::to_string_with_precision(CGAL::to_double(graph[node].value), digits);
     };
     constexpr std::size_t few_nodes = 40;
 
@@ -99,32 +103,29 @@ void write_svg(std::ostream& out, const ReebGraph& graph, const NamedParameters&
     std::vector<internal::Drawn_node> nodes;
     for(std::size_t node = 0; node != num_vertices(graph); ++node)
     {
-      const std::string number = std::to_string(node), value = value_text(node);
-      std::string title = "node " + number + ": " + to_string(graph[node].kind) + "\n" + name + ' ' + value
-                        + (unit.empty() ? "" : ' ' + unit);
+      std::ostringstream title;
+      title.imbue(std::locale::classic());
+      title << "node " << node << ": " << graph[node].kind << '\n' << name << ' ' << value_text(node) << unit_text;
       if constexpr(internal::is_given<decltype(vertex_index_map)>)
-        title += "\nvertex " + std::to_string(get(vertex_index_map, graph[node].vertex));
+        title << "\nvertex " << get(vertex_index_map, graph[node].vertex);
       nodes.push_back({layout.node_positions[node], CGAL::to_double(graph[node].value), graph[node].kind,
-                       'n' + number
-                         + (num_vertices(graph) > few_nodes
-                              ? ""
-                              : ": " + internal::to_string_with_precision(CGAL::to_double(graph[node].value), 4)),
-                       title});
+                       'n' + std::to_string(node) + (num_vertices(graph) > few_nodes ? "" : ": " + value_text(node, 4)),
+                       title.str()});
     }
     std::vector<internal::Drawn_arc> arcs;
     for(auto range = edges(graph); range.first != range.second; ++range.first)
     {
-      const std::size_t lower = source(*range.first, graph), upper = target(*range.first, graph);
-      const std::string number = std::to_string(arcs.size());
-      arcs.push_back({std::move(layout.arc_polylines[arcs.size()]), number,
-                      "arc " + number + ": from node " + std::to_string(lower) + " to node " + std::to_string(upper)
-                        + "\n" + name + " from " + value_text(lower) + " to " + value_text(upper)
-                        + (unit.empty() ? "" : ' ' + unit)});
+      const std::size_t lower = source(*range.first, graph), upper = target(*range.first, graph), number = arcs.size();
+      std::ostringstream title;
+      title.imbue(std::locale::classic());
+      title << "arc " << number << ": from node " << lower << " to node " << upper << '\n'
+            << name << " from " << value_text(lower) << " to " << value_text(upper) << unit_text;
+      arcs.push_back({std::move(layout.arc_polylines[number]), std::to_string(number), title.str()});
     }
-    const std::string description = internal::counted(num_vertices(graph), "node") + ", "
-                                  + internal::counted(num_edges(graph), "arc") + ", "
-                                  + internal::counted(number_of_loops(graph), "loop") + ", "
-                                  + internal::counted(number_of_components(graph), "component");
+    std::string description = internal::counted(num_vertices(graph), "node");
+    description.append(", ").append(internal::counted(num_edges(graph), "arc"));
+    description.append(", ").append(internal::counted(number_of_loops(graph), "loop"));
+    description.append(", ").append(internal::counted(number_of_components(graph), "component"));
     internal::Svg_drawing(std::move(nodes), std::move(arcs), unit.empty() ? name : name + " [" + unit + "]")
       .write(out, "Reeb graph", description);
   }

@@ -59,9 +59,12 @@ T& unwrap_reference(std::reference_wrapper<T>& parameter)
   CGAL_REEB_GRAPH_NAMED_PARAMETER_TAG(name)                                                                            \
   namespace CGAL {                                                                                                     \
   namespace parameters {                                                                                               \
-  inline auto name(Type value) { return Named_function_parameters<Type, Reeb_graph::internal::name##_t>(value); }      \
+  inline auto name(const Type& value)                                                                                  \
+  {                                                                                                                    \
+    return Named_function_parameters<Type, Reeb_graph::internal::name##_t>(value);                                     \
+  }                                                                                                                    \
   template <class T, class Tag, class Base>                                                                            \
-  auto name(Type value, const Named_function_parameters<T, Tag, Base>& np)                                             \
+  auto name(const Type& value, const Named_function_parameters<T, Tag, Base>& np)                                      \
   {                                                                                                                    \
     return Named_function_parameters<Type, Reeb_graph::internal::name##_t, std::decay_t<decltype(np)>>(value, np);     \
   }                                                                                                                    \

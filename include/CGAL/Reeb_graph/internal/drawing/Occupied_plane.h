@@ -58,8 +58,9 @@ public:
     const double dx = to[0] - from[0], dy = to[1] - from[1], longest_piece = 6;
     const bool is_upright = (std::min)(std::abs(dx), std::abs(dy)) < 0.5;
     const double pieces = is_upright ? 1 : std::ceil((std::max)(std::abs(dx), std::abs(dy)) / longest_piece);
-    for(double i = 0; i < pieces; ++i)
+    for(std::size_t piece = 0; static_cast<double>(piece) < pieces; ++piece)
     {
+      const auto i = static_cast<double>(piece);
       const double x0 = from[0] + dx * i / pieces, x1 = from[0] + dx * (i + 1) / pieces;
       const double y0 = from[1] + dy * i / pieces, y1 = from[1] + dy * (i + 1) / pieces;
       add({(std::min)(x0, x1) - width / 2, (std::min)(y0, y1) - width / 2, (std::max)(x0, x1) + width / 2,

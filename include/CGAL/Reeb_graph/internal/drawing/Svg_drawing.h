@@ -82,7 +82,7 @@ public:
 
   void write(std::ostream& out, const std::string& title, const std::string& description) const
   {
-    const double width = left_ + width_ + right_, height = top_ + height_ + bottom_;
+    const double width = left + width_ + right, height = top + height_ + bottom;
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""
         << pixels(width) << "\" height=\"" << pixels(height) << "\" viewBox=\"0 0 " << pixels(width) << ' '
         << pixels(height) << "\" role=\"img\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\""
@@ -104,18 +104,19 @@ public:
   }
 
 private:
-  static constexpr double left_ = 84, right_ = 140, top_ = 24, bottom_ = 24; // around the drawing
+  static constexpr double left = 84, right = 140, top = 24, bottom = 24; // around the drawing
 
   std::vector<double> values() const
   {
     std::vector<double> values;
+    values.reserve(nodes_.size());
     for(const Drawn_node& node : nodes_)
       values.push_back(node.value);
     return values;
   }
 
-  double x(double position) const { return left_ + indent_ + column_width_ * position; }
-  double y(double value) const { return top_ + height_ * (1 - scale_.height(value)); }
+  double x(double position) const { return left + indent_ + column_width_ * position; }
+  double y(double value) const { return top + height_ * (1 - scale_.height(value)); }
 
   static const Node_style& style_of(Node_kind kind)
   {
@@ -131,6 +132,7 @@ private:
     const double largest = (std::max)(std::abs(lowest), std::abs(highest));
     const int digits = (std::clamp)(static_cast<int>(std::ceil(std::log10((std::max)(largest / step, 1.)))) + 1, 6, 17);
     std::vector<std::pair<double, std::string>> marks;
+    marks.reserve(ticks.size() + 2);
     for(const double tick : ticks)
       marks.emplace_back(tick, to_string_with_precision(tick, digits));
     if(scale_.lowest() < lowest)
@@ -140,19 +142,19 @@ private:
 
     out << "<g id=\"grid\" stroke=\"#e3e8ea\">\n";
     for(const auto& mark : marks)
-      out << "<path d=\"M" << pixels(left_) << ' ' << pixels(y(mark.first)) << 'h' << pixels(width_) << "\"/>\n";
-    out << "</g>\n<path stroke=\"#90a4ae\" d=\"M" << pixels(left_) << ' ' << pixels(top_ - 8) << 'V'
-        << pixels(top_ + height_ + 8) << "\"/>\n<g id=\"ticks\" fill=\"#455a64\">\n";
+      out << "<path d=\"M" << pixels(left) << ' ' << pixels(y(mark.first)) << 'h' << pixels(width_) << "\"/>\n";
+    out << "</g>\n<path stroke=\"#90a4ae\" d=\"M" << pixels(left) << ' ' << pixels(top - 8) << 'V'
+        << pixels(top + height_ + 8) << "\"/>\n<g id=\"ticks\" fill=\"#455a64\">\n";
     for(const auto& mark : marks)
-      Svg_text{mark.second, left_ - 8, y(mark.first), Svg_text::END}.write(out);
+      Svg_text{mark.second, left - 8, y(mark.first), Svg_text::END}.write(out);
     out << "</g>\n<text id=\"axis\" text-anchor=\"middle\" fill=\"#263238\" transform=\"translate(18 "
-        << pixels(top_ + height_ / 2) << ") rotate(-90)\">" << escape_xml(axis_title_) << "</text>\n";
+        << pixels(top + height_ / 2) << ") rotate(-90)\">" << escape_xml(axis_title_) << "</text>\n";
   }
 
   void write_legend(std::ostream& out, const std::string& description) const
   {
-    const double x = left_ + width_ + 24;
-    double y = top_ + 4;
+    const double x = left + width_ + 24;
+    double y = top + 4;
     out << "<g id=\"legend\" fill=\"#263238\">\n";
     for(const Node_style& style : node_styles)
     {
@@ -179,7 +181,10 @@ private:
   // The taller the arcs at a node, the earlier is its label placed; then those of the arcs.
   void write_labels(std::ostream& out) const
   {
-    Occupied_plane plane({left_ + 2, 2, left_ + width_ + 10, top_ + height_ + bottom_ - 2});
+    constexpr std::size_t most_nodes = 20000; // with labels, which would take longer to place than all the rest
+    if(nodes_.size() > most_nodes)
+      return;
+    Occupied_plane plane({left + 2, 2, left + width_ + 10, top + height_ + bottom - 2});
     for(const Drawn_node& node : nodes_)
     {
       const double x0 = x(node.position), y0 = y(node.value), reach = 1.2 * radius_;

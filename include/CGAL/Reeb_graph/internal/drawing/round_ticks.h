@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -28,7 +29,8 @@ inline std::vector<double> round_ticks(double lowest, double highest, int number
   const double power = std::pow(10, std::floor(std::log10(largest_step)));
   const double step = power * (largest_step >= 5 * power ? 5 : largest_step >= 2 * power ? 2 : 1);
   std::vector<double> ticks;
-  for(double i = std::ceil(lowest / step); i * step <= highest && ticks.size() < 5 * static_cast<unsigned>(number); ++i)
+  for(double i = std::ceil(lowest / step); i * step <= highest && ticks.size() < 5 * static_cast<std::size_t>(number);
+      ++i)
     ticks.push_back(i == 0 ? 0 : i * step);
   return ticks;
 }

@@ -31,7 +31,7 @@ class Arc_removal
 {
 public:
   // By node, the values.
-  Arc_removal(std::vector<Leaf_pruning::Arc> arcs, std::vector<double> values)
+  Arc_removal(const std::vector<Leaf_pruning::Arc>& arcs, std::vector<double> values)
     : values_(std::move(values)),
       pruning_(static_cast<Index>(values_.size()), arcs, std::vector<double>(values_.size() + arcs.size(), 0)),
       persistences_(arcs.size(), not_removed),
