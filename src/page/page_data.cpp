@@ -39,7 +39,10 @@ Embedded_graph embed(const Page_subject& subject, const Vertex_locations& locati
   namespace parameters = CGAL::parameters;
   auto embedding = CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(
     subject.augmentation, parameters::number_of_contours(16, parameters::number_of_smoothing_steps(1)));
-  return {subject.graph(), std::move(embedding.node_points), std::move(embedding.arc_polylines),
+  std::vector<std::size_t> node_sizes;
+  for(const auto node : CGAL::make_range(vertices(subject.graph())))
+    node_sizes.push_back(locations.vertices_of_node(node).size());
+  return {subject.graph(), std::move(embedding.node_points), std::move(node_sizes), std::move(embedding.arc_polylines),
           measure_arcs(subject.surface(), subject.scalar_map, subject.graph(), locations)};
 }
 

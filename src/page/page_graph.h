@@ -17,6 +17,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -25,10 +26,11 @@ typedef CGAL::Reeb_graph::internal::Value_scale Value_scale;
 // A graph in space, with what is told of its arcs.
 struct Embedded_graph
 {
-  Graph graph;
-  std::vector<Point> node_points;
-  std::vector<Polyline> arc_polylines; // from the lower node to the upper one
-  std::vector<Arc_row> arc_rows;
+  const Graph& graph;
+  std::vector<Point> node_points = {};
+  std::vector<std::size_t> node_sizes = {}; // in vertices
+  std::vector<Polyline> arc_polylines = {}; // from the lower node to the upper one
+  std::vector<Arc_row> arc_rows = {};
 };
 
 // A number, or a string where JSON has none.

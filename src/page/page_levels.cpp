@@ -82,13 +82,33 @@ std::vector<std::vector<std::size_t>> parts_of_arcs(const Graph& given, const Gr
   return parts;
 }
 
-// What the simplified arcs consist of, and all that they have taken up.
+// Adds to simplified arcs what they have taken up.
+void add_up(const Embedded_graph& given, const Simplification& simplification, Embedded_graph& simplified)
+{
+  const std::size_t number_of_nodes = num_vertices(simplified.graph);
+  simplified.node_sizes.resize(number_of_nodes);
+  const auto size_of_place = [&](std::size_t place) -> std::size_t& {
+    return place < number_of_nodes ? simplified.node_sizes[place]
+                                   : simplified.arc_rows[place - number_of_nodes].vertices;
+  };
+  for(const auto node : CGAL::make_range(vertices(given.graph)))
+    size_of_place(simplification.index_of_node(node)) += given.node_sizes[node];
+  for(std::size_t i = 0; i != given.arc_rows.size(); ++i)
+  {
+    const std::size_t place = simplification.index_of_arc(i);
+    size_of_place(place) += given.arc_rows[i].vertices;
+    if(place >= number_of_nodes)
+      simplified.arc_rows[place - number_of_nodes].area += given.arc_rows[i].area;
+  }
+}
+
+// The simplified graph where the given one is, by the parts of its arcs.
 Embedded_graph simplified_embedding(const Embedded_graph& given,
-                                    Graph simplified,
+                                    const Graph& simplified,
                                     const Simplification& simplification,
                                     const std::vector<std::vector<std::size_t>>& parts)
 {
-  Embedded_graph result;
+  Embedded_graph result = {simplified};
   result.node_points.resize(num_vertices(simplified));
   for(const auto node : CGAL::make_range(vertices(given.graph)))
   {
@@ -110,22 +130,13 @@ Embedded_graph simplified_embedding(const Embedded_graph& given,
     result.arc_polylines.push_back(std::move(polyline));
     result.arc_rows.push_back(row);
   }
-  for(std::size_t i = 0; i != given.arc_rows.size(); ++i)
-  {
-    const std::size_t place = simplification.index_of_arc(i);
-    if(place < num_vertices(simplified))
-      continue;
-    Arc_row& row = result.arc_rows[place - num_vertices(simplified)];
-    row.area += given.arc_rows[i].area;
-    row.vertices += given.arc_rows[i].vertices;
-  }
-  result.graph = std::move(simplified);
+  add_up(given, simplification, result);
   return result;
 }
 
 nlohmann::ordered_json page_level(const Embedded_graph& given,
                                   double threshold,
-                                  Graph simplified,
+                                  const Graph& simplified,
                                   const Simplification& simplification,
                                   const Page_frame& frame,
                                   const Value_scale& value_scale)
@@ -141,8 +152,7 @@ nlohmann::ordered_json page_level(const Embedded_graph& given,
                                                : static_cast<std::ptrdiff_t>(place - number_of_nodes));
   }
   const auto parts = parts_of_arcs(given.graph, simplified);
-  level["graph"] =
-    page_graph(simplified_embedding(given, std::move(simplified), simplification, parts), frame, value_scale);
+  level["graph"] = page_graph(simplified_embedding(given, simplified, simplification, parts), frame, value_scale);
   for(std::size_t i = 0; i != parts.size(); ++i)
     level["graph"]["arcs"][i]["parts"] = parts[i];
   return level;
@@ -167,7 +177,7 @@ nlohmann::ordered_json page_levels(const Embedded_graph& given, const Page_frame
     if(num_edges(simplified) == last_number_of_arcs)
       continue;
     last_number_of_arcs = num_edges(simplified);
-    levels.push_back(page_level(given, threshold, std::move(simplified), simplification, frame, value_scale));
+    levels.push_back(page_level(given, threshold, simplified, simplification, frame, value_scale));
   }
   return levels;
 }

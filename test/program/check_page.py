@@ -127,6 +127,9 @@ def check_levels(data, surface):
         threshold, number_of_arcs = level["threshold"], len(level["graph"]["arcs"])
         check(len(level["arcs"]) == len(graph["arcs"]), "the arcs of a level")
         check_graph(level["graph"], surface, level["arcs"])
+        if len(level["graph"]["nodes"]) == 2 and len(graph["nodes"]) < len(surface.places) == sum(
+                arc["vertices"] for arc in graph["arcs"]) + len(graph["nodes"]):
+            check(level["graph"]["arcs"][0]["vertices"] == len(surface.places) - 2, "vertices are lost")
         vertices = [node["vertex"] for node in graph["nodes"]]
         new_vertices = [node["vertex"] for node in level["graph"]["nodes"]]
         for number, arc in enumerate(level["graph"]["arcs"]):
