@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <sstream>
 #include <string>
@@ -150,6 +151,28 @@ Graph random_merge_tree(std::size_t size, Random& random)
   const std::size_t reach = 1 + random.below(size);
   for(std::size_t node = 0; node + 1 < size; ++node)
     arcs.emplace_back(node, node + 1 + random.below((std::min)(size - node - 1, reach)));
+  return random_graphs::make_graph(size, arcs);
+}
+
+// A path of saddles, each with a leaf somewhere above or below.
+Graph random_caterpillar(std::size_t number_of_saddles, Random& random)
+{
+  const std::size_t size = 2 * number_of_saddles + 2;
+  std::vector<std::size_t> saddles(2 * number_of_saddles);
+  std::iota(saddles.begin(), saddles.end(), std::size_t(1));
+  random.shuffle(saddles);
+  const std::vector<std::size_t> leaves(saddles.begin() + number_of_saddles, saddles.end());
+  saddles.resize(number_of_saddles);
+  std::sort(saddles.begin(), saddles.end());
+  std::vector<random_graphs::Arc> arcs;
+  std::size_t last = 0;
+  for(std::size_t i = 0; i < number_of_saddles; ++i)
+  {
+    arcs.emplace_back(last, saddles[i]);
+    arcs.emplace_back(std::minmax(saddles[i], leaves[i]));
+    last = saddles[i];
+  }
+  arcs.emplace_back(last, size - 1);
   return random_graphs::make_graph(size, arcs);
 }
 
@@ -297,14 +320,15 @@ BOOST_AUTO_TEST_CASE(nodes_lie_at_their_values_and_arcs_ascend_in_columns_of_the
     }
 }
 
-BOOST_AUTO_TEST_CASE(trees_whose_branches_all_go_one_way_have_no_crossings)
+BOOST_AUTO_TEST_CASE(trees_whose_branches_go_one_way_or_are_at_one_trunk_have_no_crossings)
 {
-  for(std::size_t seed = 0; seed < 400; ++seed)
+  for(std::size_t seed = 0; seed < 600; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
       Random random(seed);
-      Graph tree = random_merge_tree(1 + random.below(60), random);
-      if(seed % 2 == 1)
+      Graph tree = seed % 3 == 0 ? random_caterpillar(1 + random.below(25), random)
+                                 : random_merge_tree(1 + random.below(60), random);
+      if(seed % 3 == 1)
         tree = random_graphs::upside_down(tree);
       set_random_values(tree, 1, random);
       test_layout(tree);

@@ -37,6 +37,14 @@ file(READ ${FOLDER}/digits.graphml content)
 expect_match("${content}" ">minimum</data>[^/]*>-inf<")
 expect_match("${content}" ">maximum</data>[^/]*>0.30000000000000004<")
 
+# drawings, with the name and the unit of the field, also of infinite values
+expect_success(compute tetrahedron.off --field z --unit mm --graph z.svg)
+file(READ ${FOLDER}/z.svg content)
+expect_match("${content}" "<svg.*>z .mm.</text>.*</svg>")
+expect_success(compute tetrahedron.off --scalars digits.txt --graph digits.svg)
+file(READ ${FOLDER}/digits.svg content)
+expect_match("${content}" "digits.* -inf")
+
 # a constant field
 file(WRITE ${FOLDER}/constant.txt "7\n7\n7\n7\n")
 expect_success(compute tetrahedron.off --scalars constant.txt --graph constant.graphml)

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/drawing/Branch_tree.h>
+#include <CGAL/Reeb_graph/internal/drawing/Opposite_sides.h>
 #include <CGAL/Reeb_graph/internal/drawing/Skyline.h>
 
 #include <algorithm>
@@ -90,8 +91,8 @@ public:
   }
 
 private:
-  // So many of the largest branches at each side of one are compared with the other ones.
-  static constexpr std::size_t most_compared = 64;
+  // So many of the longest branches at one are compared with the other ones.
+  static constexpr std::size_t most_compared = 100;
 
   Index size() const { return static_cast<Index>(tree_.branches.size()); }
   Index number_of(const Drawn_branch& branch) const { return static_cast<Index>(&branch - tree_.branches.data()); }
@@ -126,22 +127,24 @@ private:
     const auto length = [&](Index branch) { return extents_[branch].high - extents_[branch].low; };
     std::sort(children.begin(), children.end(),
               [&](Index a, Index b) { return length(a) != length(b) ? length(a) > length(b) : a < b; });
+    const Opposite_sides related = relate_children(parent);
+    std::vector<int> root_sides(related.size(), 0); // 1 outward, -1 inward, 0 not yet known
+    const auto [root_of_outside, is_outside_opposite] = related.find(children.size());
+    root_sides[root_of_outside] = is_outside_opposite ? -1 : 1;
+
     const int outward = sides_[parent] == 0 ? 1 : sides_[parent];
     std::array<std::vector<Index>, 2> placed; // outward, inward
     std::array<Load, 2> loads = {};
-    for(const Index child : children)
+    for(std::size_t i = 0; i != children.size(); ++i)
     {
-      std::array<std::size_t, 2> crossings = {0, 0};
-      for(int side : {0, 1})
+      const Index child = children[i];
+      const auto [root, is_opposite] = related.find(i);
+      if(root_sides[root] == 0)
       {
-        const std::size_t compared = (std::min)(placed[side].size(), most_compared);
-        for(std::size_t i = 0; i != compared; ++i)
-          crossings[side] += blocks(child, placed[side][i]) && blocks(placed[side][i], child) ? 1 : 0;
+        const bool is_inward_free = sides_[parent] == 0 && load(loads[1], child) < load(loads[0], child);
+        root_sides[root] = is_inward_free == is_opposite ? 1 : -1;
       }
-      for_each_port(parent, [&](double height) { crossings[1] += extents_[child].has_inside(height) ? 1 : 0; });
-      const bool is_inward = crossings[0] != crossings[1]
-                             ? crossings[1] < crossings[0]
-                             : sides_[parent] == 0 && load(loads[1], child) < load(loads[0], child);
+      const bool is_inward = (root_sides[root] < 0) != is_opposite;
       placed[is_inward].push_back(child);
       add_load(child, loads[is_inward]);
       sides_[child] = is_inward ? -outward : outward;
@@ -153,6 +156,27 @@ private:
     children = left;
     const std::vector<Index>& right = placed[outward > 0 ? 0 : 1];
     children.insert(children.end(), right.begin(), right.end());
+  }
+
+  // Children that exclude each other go to opposite sides, those that the way of the parent would cross to its outside,
+  // which is the element behind the last child. What concerns longer branches is seen to first.
+  Opposite_sides relate_children(Index parent) const
+  {
+    const std::vector<Index>& children = children_[parent];
+    Opposite_sides related(children.size() + 1);
+    for(std::size_t i = 0; i != children.size(); ++i)
+    {
+      bool is_crossed = false;
+      for_each_port(parent, [&](double height) { is_crossed |= extents_[children[i]].has_inside(height); });
+      if(is_crossed)
+        related.relate(i, children.size(), false);
+      for(std::size_t j = 0; j != (std::min)(i, most_compared); ++j)
+      {
+        if(blocks(children[i], children[j]) && blocks(children[j], children[i]))
+          related.relate(i, j, true);
+      }
+    }
+    return related;
   }
 
   // About how many branches one side of a trunk has, in equal parts of its height.
@@ -217,7 +241,31 @@ private:
       merged.push_back(blocks_down(*up) && (blocks(*up, *down) || !blocks_up(*down)) ? *down++ : *up++);
     merged.insert(merged.end(), up, middle);
     merged.insert(merged.end(), down, branches.end());
-    branches = std::move(merged);
+    branches = merged.size() > most_compared ? std::move(merged) : sort_by_pairs(std::move(merged));
+  }
+
+  // Takes one after the other a branch that blocks none of those that are left, or the fewest; of several the first.
+  std::vector<Index> sort_by_pairs(std::vector<Index> branches) const
+  {
+    std::vector<std::size_t> numbers_of_blocked;
+    numbers_of_blocked.reserve(branches.size());
+    for(const Index branch : branches)
+      numbers_of_blocked.push_back(std::count_if(
+        branches.begin(), branches.end(), [&](Index other) { return other != branch && blocks(branch, other); }));
+    std::vector<Index> sorted;
+    sorted.reserve(branches.size());
+    while(!branches.empty())
+    {
+      const auto next = std::min_element(numbers_of_blocked.begin(), numbers_of_blocked.end());
+      const auto place = branches.begin() + (next - numbers_of_blocked.begin());
+      const Index branch = *place;
+      sorted.push_back(branch);
+      numbers_of_blocked.erase(next);
+      branches.erase(place);
+      for(std::size_t i = 0; i != branches.size(); ++i)
+        numbers_of_blocked[i] -= blocks(branches[i], branch) ? 1 : 0;
+    }
+    return sorted;
   }
 
   const Branch_tree& tree_;
