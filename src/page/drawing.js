@@ -132,6 +132,14 @@ class Drawing {
     return [this.scale.x(this.view.column(arc, value)), this.scale.y(this.drawnValue(value))];
   }
 
+  // Scrolls to the arc that is there longest.
+  revealTrunk() {
+    const range = arc => this.view.upper(arc).value - this.view.lower(arc).value;
+    const longest = this.view.arcs.reduce((best, _, arc) => range(arc) > range(best) ? arc : best, 0);
+    if (this.view.arcs.length > 0)
+      this.reveal(longest);
+  }
+
   // Scrolls so far that an arc is seen.
   reveal(arc) {
     const frame = this.container.parentElement;

@@ -50,8 +50,10 @@ class Facts {
     first.append(" of the graph. ");
     addElement(first, "b", "A node");
     first.append(" is where contours begin, join, split or end.");
-    if (this.loops > 0)
-      addElement(text, "p", "A loop goes around a handle or hole of the surface: here " + this.loops + ".");
+    if (this.loops > 0) {
+      addElement(text, "p", "A loop goes around a handle or hole of the surface. Here "
+        + (this.loops === 1 ? "is one." : "are " + this.loops.toLocaleString("en") + "."));
+    }
     const canSimplify = this.view.arcs.length > 40 && this.data.levels.length > 1;
     addElement(text, "p", "Point at an arc, here or there, to see its piece; click to keep it, and move its contour."
       + (canSimplify ? " Simplify to see what matters most." : ""), "hint");

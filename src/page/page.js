@@ -160,6 +160,7 @@ class Page {
       this.scene.setView(view, this.arcColors, node => kindColors[node.kind] || kindColors.isolated);
     this.facts.setView(view);
     this.showDrawing();
+    this.drawing.revealTrunk();
     const text = level === 0 ? "all " + plural(view.arcs.length, "arc")
       : view.arcs.length + " of " + plural(data.graph.arcs.length, "arc") + ", ≥ "
         + formatValue(view.threshold, this.data.field.unit);

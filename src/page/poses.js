@@ -38,7 +38,7 @@ function findUp(positions, values) {
   const correlations = [0, 1, 2].map(i => b[i] / Math.sqrt(c[i][i] * variance) || 0);
   const best = correlations.reduce((k, x, i) => Math.abs(x) > Math.abs(correlations[k]) ? i : k, 0);
   const axis = Math.abs(correlations[best]) > 0.3 ? best : 2;
-  return [0, 1, 2].map(i => i === axis ? (correlations[axis] < -0.3 ? -1 : 1) : 0);
+  return [0, 1, 2].map(i => i === axis ? 1 : 0);
 }
 
 // The horizontal direction in which the surface is thinnest: from there most of it is seen.

@@ -30,6 +30,10 @@ function nameOfField(data) {
   return data.field.name || "field";
 }
 
+function nameWithUnit(data) {
+  return nameOfField(data) + (data.field.unit ? " (" + data.field.unit + ")" : "");
+}
+
 function showFailure(message) {
   element("failure").textContent = message;
   element("failure").hidden = false;
@@ -61,6 +65,7 @@ function showTexts(data) {
   document.title = title + " – Reeb graph";
   element("title").textContent = title;
   element("field_label").textContent = nameOfField(data);
+  element("axis_name").textContent = "upwards: " + nameWithUnit(data);
   element("generator").textContent = "Made by " + generator + ".";
   showNotice(data);
   Object.keys(kindColors).filter(kind => graph.nodes.some(node => node.kind === kind)).forEach(kind => {
@@ -83,7 +88,7 @@ class ColorBar {
     this.range = data.range;
     bar.setAttribute("aria-label", "Colours of " + nameOfField(data) + ", from " + formatValue(low, unit) + " to "
       + formatValue(high, unit));
-    addElement(bar, "div", nameOfField(data) + (unit ? " (" + unit + ")" : ""), "bar_title");
+    addElement(bar, "div", nameWithUnit(data), "bar_title");
     const scale = addElement(bar, "div", "", "bar_scale");
     scale.style.background = "linear-gradient(to top, " + stops.join(", ") + ")";
     niceTicks(low, high, 5).forEach(tick => {
