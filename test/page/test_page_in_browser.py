@@ -168,9 +168,11 @@ def test_canvas_is_drawn(data):
     assert len(set(pixels)) > 200, "colours"
     covered = sum(pixel >= 0 for pixel in pixels) / len(pixels)
     assert 0.1 < covered < 0.95, covered
-    drawings = state()["drawings"]
-    time.sleep(0.3)
-    assert state()["drawings"] == drawings, "it is drawn though nothing changes"
+    drawings = [-1, state()["drawings"]]
+    while len(drawings) < 20 and drawings[-1] != drawings[-2]:
+        time.sleep(0.2)
+        drawings.append(state()["drawings"])
+    assert drawings[-1] == drawings[-2], "it is drawn though nothing changes"
 
 
 def test_pointing_in_the_plane_lights_the_piece(data):
