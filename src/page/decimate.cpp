@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -25,20 +26,58 @@ namespace reeb_graph_program {
 namespace {
 typedef Surface::Property_map<Surface::Vertex_index, bool> Kept_map;
 
-// Puts what an edge becomes at that one of its ends that has to stay, and keeps an edge if both have to.
+// How far a point is from the planes of the triangles at both ends of an edge: the sum of the squared distances, each
+// multiplied by twice the area of the triangle.
+template <class Profile>
+double distance_from_planes(const Profile& profile, const Point& point)
+{
+  double sum = 0;
+  for(const auto& triangle : profile.triangles())
+  {
+    const Point& corner = get(profile.vertex_point_map(), triangle.v0);
+    const auto normal = CGAL::cross_product(get(profile.vertex_point_map(), triangle.v1) - corner,
+                                            get(profile.vertex_point_map(), triangle.v2) - corner);
+    const double area = std::sqrt(normal.squared_length()), height = normal * (point - corner);
+    if(area > 0)
+      sum += height * height / area;
+  }
+  return sum;
+}
+
+// Puts what an edge becomes at that one of its ends that has to stay, or that is nearer to the surface around, and keeps
+// an edge if both have to stay.
 struct End_placement
 {
   // The type of the result is that of the policies of CGAL, which depends on its version.
   template <class Profile>
   auto operator()(const Profile& profile) const
   {
+    const bool is_first_kept = is_kept[profile.v0()], is_second_kept = is_kept[profile.v1()];
     decltype(SMS::Midpoint_placement<Surface>()(profile)) result;
-    if(!is_kept[profile.v0()] || !is_kept[profile.v1()])
-      result = is_kept[profile.v0()] ? profile.p0() : profile.p1();
+    if(is_first_kept && is_second_kept)
+      return result;
+    const bool is_first_better =
+      is_first_kept
+      || (!is_second_kept && distance_from_planes(profile, profile.p0()) < distance_from_planes(profile, profile.p1()));
+    result = is_first_better ? profile.p0() : profile.p1();
     return result;
   }
 
   Kept_map is_kept;
+};
+
+// How much a collapse changes the shape; where nothing changes, short edges come first.
+struct Shape_cost
+{
+  template <class Profile, class Placement>
+  auto operator()(const Profile& profile, const Placement& placement) const
+  {
+    auto cost = SMS::Edge_length_cost<Surface>()(profile, placement);
+    constexpr double share_of_length = 1e-3;
+    if(placement && cost)
+      cost = distance_from_planes(profile, *placement) + share_of_length * *cost * *cost;
+    return cost;
+  }
 };
 
 // Lets the vertex that an edge becomes stand for the end that it is put at.
@@ -62,7 +101,8 @@ public:
   {
     if(!placement)
       return;
-    const Surface::Vertex_index end = is_kept_[profile.v0()] ? profile.v0() : profile.v1();
+    const bool is_at_first = is_kept_[profile.v0()] || (!is_kept_[profile.v1()] && *placement == profile.p0());
+    const Surface::Vertex_index end = is_at_first ? profile.v0() : profile.v1();
     is_end_kept_ = is_kept_[end];
     origin_ = origin_map_[end];
   }
@@ -104,7 +144,7 @@ void collapse_edges(Surface& surface, std::size_t number_of_faces_to_remove, Kep
       progress_bar(double(number_of_removed_edges) / double(number_of_edges_to_remove));
   });
   SMS::edge_collapse(surface, Removal_stop{number_of_edges_to_remove},
-                     CGAL::parameters::get_cost(SMS::Edge_length_cost<Surface>())
+                     CGAL::parameters::get_cost(Shape_cost())
                        .get_placement(End_placement{is_kept})
                        .filter(SMS::Bounded_normal_change_filter<>())
                        .visitor(visitor));

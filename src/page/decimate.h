@@ -26,8 +26,8 @@ struct Decimated_surface
   std::optional<Patch_map> patch_map;
 };
 
-// Collapses the shortest edges into one of their ends until few enough faces are left. The vertices that are named, and
-// those on borders and between patches, stay.
+// Collapses edges into one of their ends, those first that change the shape least, until few enough faces are left. The
+// vertices that are named, and those on borders and between patches, stay.
 Decimated_surface decimate(const Surface& surface,
                            std::size_t number_of_faces,
                            const std::vector<Surface::Vertex_index>& vertices_to_keep,
