@@ -15,120 +15,12 @@
 #include <CGAL/Reeb_graph/Embedding.h>
 #include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/embedding/Centroid_polylines.h>
-#include <CGAL/Reeb_graph/internal/embedding/Surface_polylines.h>
+#include <CGAL/Reeb_graph/internal/embedding/embed_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 
-#include <CGAL/boost/graph/iterator.h>
-
-#include <cstddef>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 namespace CGAL {
 namespace Reeb_graph {
-
-namespace internal {
-
-template <class Augmentation>
-std::vector<typename Augmentation::arc_descriptor> arcs_of(const Augmentation& augmentation)
-{
-  const auto arcs = edges(augmentation.graph());
-  return std::vector<typename Augmentation::arc_descriptor>(arcs.first, arcs.second);
-}
-
-template <class Result, class Augmentation, class PointMap>
-void embed_nodes_at_vertices(const Augmentation& augmentation, const PointMap& point_map, Result& result)
-{
-  const auto& graph = augmentation.graph();
-  for(const auto node : CGAL::make_range(vertices(graph)))
-  {
-    result.node_points.push_back(get(point_map, graph[node].vertex));
-    result.node_values.push_back(augmentation.value(graph[node].vertex));
-  }
-}
-
-template <class Result, class Augmentation>
-void embed_straight(const Augmentation& augmentation, Result& result)
-{
-  const auto& graph = augmentation.graph();
-  for(const auto arc : CGAL::make_range(edges(graph)))
-  {
-    const auto lower = source(arc, graph), upper = target(arc, graph);
-    result.arc_polylines.push_back({result.node_points[lower], result.node_points[upper]});
-    result.arc_values.push_back({result.node_values[lower], result.node_values[upper]});
-  }
-}
-
-template <class ConcurrencyTag, class Result, class Augmentation, class PointMap, class NamedParameters>
-void embed_on_surface(const Augmentation& augmentation,
-                      const PointMap& point_map,
-                      const NamedParameters& np,
-                      Result& result)
-{
-  const Surface_polylines<Augmentation, PointMap, NamedParameters> polylines(augmentation, point_map, np);
-  const auto arcs = arcs_of(augmentation);
-  result.arc_polylines.resize(arcs.size());
-  result.arc_values.resize(arcs.size());
-  for_each_index<ConcurrencyTag>(arcs.size(), [&](std::size_t i) {
-    auto line = polylines(arcs[i]);
-    result.arc_polylines[i] = std::move(line.points);
-    result.arc_values[i] = std::move(line.values);
-  });
-}
-
-template <class ConcurrencyTag, class Result, class Augmentation, class PointMap, class NamedParameters>
-void embed_at_centroids(const Augmentation& augmentation,
-                        const PointMap& point_map,
-                        const NamedParameters& np,
-                        Result& result)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  typedef typename Result::Point Point;
-  typedef Centroid_polylines<Augmentation, PointMap, NamedParameters> Centroids;
-  const auto& graph = augmentation.graph();
-  const Centroids centroids(augmentation, point_map, np);
-  const std::size_t number_of_contours =
-    choose_parameter(get_parameter(np, internal::number_of_contours), std::size_t(12));
-  const std::size_t number_of_smoothing_steps =
-    choose_parameter(get_parameter(np, internal::number_of_smoothing_steps), std::size_t(0));
-  const auto parametrization_map = get_parameter(np, internal::parametrization_map);
-  const auto contour_at = [&](const auto arc, double t) {
-    if constexpr(is_given<decltype(parametrization_map)>)
-      return augmentation.contour(arc, t, parametrization_map);
-    else
-      return augmentation.contour(arc, t);
-  };
-
-  for_each_index<ConcurrencyTag>(result.node_points.size(),
-                                 [&](std::size_t i) { result.node_points[i] = centroids.node_point(i); });
-  const auto arcs = arcs_of(augmentation);
-  std::vector<typename Centroids::Places> places(arcs.size());
-  for_each_index<ConcurrencyTag>(
-    arcs.size(), [&](std::size_t i) { places[i] = centroids.places(arcs[i], number_of_contours, contour_at); });
-  separate_parallel_arcs(graph, places);
-  embed_straight(augmentation, result);
-  for(std::size_t i = 0; i != arcs.size(); ++i)
-  {
-    std::vector<Coordinates>& line = places[i].centroids;
-    line.insert(line.begin(), coordinates_of(result.arc_polylines[i].front()));
-    line.push_back(coordinates_of(result.arc_polylines[i].back()));
-    smooth(line, number_of_smoothing_steps);
-    std::vector<Point> inner_points;
-    for(std::size_t j = 1; j + 1 < line.size(); ++j)
-      inner_points.push_back(make_point<Point>(line[j]));
-    auto& polyline = result.arc_polylines[i];
-    auto& values = result.arc_values[i];
-    polyline.insert(polyline.begin() + 1, inner_points.begin(), inner_points.end());
-    values.insert(values.begin() + 1, places[i].values.begin(), places[i].values.end());
-  }
-}
-
-} // namespace internal
 
 /// \ingroup PkgReebGraphEmbedding
 ///

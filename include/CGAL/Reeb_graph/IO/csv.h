@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/IO/attributes.h>
 #include <CGAL/Reeb_graph/Node_kind.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/output/files.h>
 #include <CGAL/Reeb_graph/internal/output/number_text.h>
 
@@ -64,16 +65,19 @@ inline std::string csv_of(const std::string& text)
 template <class Graph, class Embedding, class VertexIndexMap>
 void write_nodes_csv(std::ostream& out, const Graph& graph, const Embedding& embedding, VertexIndexMap vertex_index_map)
 {
-  using internal::to_round_trip_string;
-  out << "node,vertex,value,kind,x,y,z,arcs_below,arcs_above\n";
-  for(const auto node : CGAL::make_range(vertices(graph)))
+  if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
   {
-    const auto& point = embedding.node_points[node];
-    out << node << ',' << std::to_string(get(vertex_index_map, graph[node].vertex)) << ','
-        << to_round_trip_string(embedding.node_values[node]) << ',' << graph[node].kind << ','
-        << to_round_trip_string(CGAL::to_double(point.x())) << ',' << to_round_trip_string(CGAL::to_double(point.y()))
-        << ',' << to_round_trip_string(CGAL::to_double(point.z())) << ',' << in_degree(node, graph) << ','
-        << out_degree(node, graph) << '\n';
+    using internal::to_round_trip_string;
+    out << "node,vertex,value,kind,x,y,z,arcs_below,arcs_above\n";
+    for(const auto node : CGAL::make_range(vertices(graph)))
+    {
+      const auto& point = embedding.node_points[node];
+      out << node << ',' << std::to_string(get(vertex_index_map, graph[node].vertex)) << ','
+          << to_round_trip_string(embedding.node_values[node]) << ',' << graph[node].kind << ','
+          << to_round_trip_string(CGAL::to_double(point.x())) << ',' << to_round_trip_string(CGAL::to_double(point.y()))
+          << ',' << to_round_trip_string(CGAL::to_double(point.z())) << ',' << in_degree(node, graph) << ','
+          << out_degree(node, graph) << '\n';
+    }
   }
 }
 

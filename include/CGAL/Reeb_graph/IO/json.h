@@ -13,17 +13,15 @@
 
 #include <CGAL/Reeb_graph/IO/attributes.h>
 #include <CGAL/Reeb_graph/Node_kind.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/output/files.h>
-#include <CGAL/Reeb_graph/internal/output/number_text.h>
+#include <CGAL/Reeb_graph/internal/output/json_text.h>
 
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <ostream>
 #include <string>
 #include <variant>
@@ -31,61 +29,6 @@
 
 namespace CGAL {
 namespace Reeb_graph {
-namespace internal {
-
-// JSON has no numbers that are infinite or NaN.
-inline std::string json_of(double number) { return std::isfinite(number) ? to_round_trip_string(number) : "null"; }
-
-inline std::string json_of(std::int64_t number) { return std::to_string(number); }
-
-inline std::string json_of(const std::string& text)
-{
-  constexpr char digits[] = "0123456789abcdef";
-  std::string result = "\"";
-  for(const char c : text)
-  {
-    const auto code = static_cast<unsigned char>(c);
-    if(code < 32)
-      result += std::string("\\u00") + digits[code / 16] + digits[code % 16];
-    else
-      result += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-  }
-  return result + '"';
-}
-
-template <class Range, class JsonOfElement>
-std::string json_list(const Range& range, const JsonOfElement& json_of_element)
-{
-  std::string result = "[";
-  for(const auto& element : range)
-    result += (result.size() == 1 ? "" : ", ") + json_of_element(element);
-  return result + "]";
-}
-
-template <class Point>
-std::string json_of_point(const Point& point)
-{
-  return "[" + json_of(CGAL::to_double(point.x())) + ", " + json_of(CGAL::to_double(point.y())) + ", "
-       + json_of(CGAL::to_double(point.z())) + "]";
-}
-
-// The pieces of a chain as paths of vertices.
-template <class Mesh, class Chain, class VertexIndexMap>
-std::string json_of_chain(const Mesh& mesh, const Chain& chain, VertexIndexMap vertex_index_map)
-{
-  std::string result = "[";
-  for(std::size_t i = 0; i != chain.size(); ++i)
-  {
-    const bool is_first = i == 0 || target(chain[i - 1], mesh) != source(chain[i], mesh);
-    if(is_first)
-      result += (i == 0 ? "[" : "], [") + std::to_string(get(vertex_index_map, source(chain[i], mesh)));
-    result += ", " + std::to_string(get(vertex_index_map, target(chain[i], mesh)));
-  }
-  return result + (chain.size() == 0 ? "]" : "]]");
-}
-
-} // namespace internal
-
 /// \ingroup PkgReebGraphIO
 ///
 /// \brief writes a Reeb graph in space with its chains as one JSON object.
@@ -128,32 +71,35 @@ void write_json(std::ostream& out,
                 VertexIndexMap vertex_index_map,
                 const NamedParameters& np = parameters::default_values())
 {
-  using internal::json_of;
-  const std::vector<Attribute> attributes =
-    internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
-  out << "{\n\"directed\": true,\n\"multigraph\": true,\n\"nodes\": [";
-  for(const auto node : CGAL::make_range(vertices(graph)))
-    out << (node == 0 ? "\n" : ",\n") << "{\"id\": " << node
-        << ", \"vertex\": " << std::to_string(get(vertex_index_map, graph[node].vertex))
-        << ", \"value\": " << json_of(embedding.node_values[node])
-        << ", \"kind\": " << json_of(to_string(graph[node].kind))
-        << ", \"point\": " << internal::json_of_point(embedding.node_points[node]) << '}';
-  out << "\n],\n\"arcs\": [";
-  std::size_t i = 0;
-  for(const auto arc : CGAL::make_range(edges(graph)))
+  if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
   {
-    out << (i == 0 ? "\n" : ",\n") << "{\"index\": " << i << ", \"source\": " << source(arc, graph)
-        << ", \"target\": " << target(arc, graph);
-    for(const Attribute& attribute : attributes)
-      std::visit([&](const auto& numbers) { out << ", " << json_of(attribute.name) << ": " << json_of(numbers[i]); },
-                 attribute.numbers);
-    out << ", \"chain\": " << internal::json_of_chain(mesh, graph[arc].chain, vertex_index_map) << ", \"polyline\": "
-        << internal::json_list(embedding.arc_polylines[i], [](const auto& p) { return internal::json_of_point(p); })
-        << ", \"values\": " << internal::json_list(embedding.arc_values[i], [](double value) { return json_of(value); })
-        << '}';
-    ++i;
+    using internal::json_of;
+    const std::vector<Attribute> attributes =
+      internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
+    out << "{\n\"directed\": true,\n\"multigraph\": true,\n\"nodes\": [";
+    for(const auto node : CGAL::make_range(vertices(graph)))
+      out << (node == 0 ? "\n" : ",\n") << "{\"id\": " << node
+          << ", \"vertex\": " << std::to_string(get(vertex_index_map, graph[node].vertex))
+          << ", \"value\": " << json_of(embedding.node_values[node])
+          << ", \"kind\": " << json_of(to_string(graph[node].kind))
+          << ", \"point\": " << internal::json_of_point(embedding.node_points[node]) << '}';
+    out << "\n],\n\"arcs\": [";
+    std::size_t i = 0;
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      out << (i == 0 ? "\n" : ",\n") << "{\"index\": " << i << ", \"source\": " << source(arc, graph)
+          << ", \"target\": " << target(arc, graph);
+      for(const Attribute& attribute : attributes)
+        std::visit([&](const auto& numbers) { out << ", " << json_of(attribute.name) << ": " << json_of(numbers[i]); },
+                   attribute.numbers);
+      out << ", \"chain\": " << internal::json_of_chain(mesh, graph[arc].chain, vertex_index_map) << ", \"polyline\": "
+          << internal::json_list(embedding.arc_polylines[i], [](const auto& p) { return internal::json_of_point(p); })
+          << ", \"values\": "
+          << internal::json_list(embedding.arc_values[i], [](double value) { return json_of(value); }) << '}';
+      ++i;
+    }
+    out << "\n]\n}\n";
   }
-  out << "\n]\n}\n";
 }
 
 /// \ingroup PkgReebGraphIO

@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/IO/attributes.h>
 #include <CGAL/Reeb_graph/IO/polylines.h>
-#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/output/Vtp_document.h>
 #include <CGAL/Reeb_graph/internal/output/files.h>
 
@@ -21,7 +20,6 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -124,9 +122,7 @@ void write_mesh_vtp(std::ostream& out,
   for(const auto v : CGAL::make_range(vertices(mesh)))
   {
     put(index_map, v, number_of_vertices++);
-    const auto point = get(point_map, v);
-    coordinates.insert(coordinates.end(),
-                       {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())});
+    internal::add_coordinates(get(point_map, v), coordinates);
   }
   internal::Vtp_document::Cells polygons;
   for(const auto f : CGAL::make_range(faces(mesh)))

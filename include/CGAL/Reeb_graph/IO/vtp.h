@@ -12,21 +12,17 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/IO/attributes.h>
-#include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/output/Vtp_document.h>
+#include <CGAL/Reeb_graph/internal/output/Vtp_graph.h>
 #include <CGAL/Reeb_graph/internal/output/files.h>
 
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <ostream>
 #include <string>
 #include <variant>
@@ -34,60 +30,6 @@
 
 namespace CGAL {
 namespace Reeb_graph {
-namespace internal {
-
-template <class Point>
-void add_coordinates(const Point& point, std::vector<double>& coordinates)
-{
-  coordinates.insert(coordinates.end(),
-                     {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())});
-}
-
-// The points of a graph: those of its nodes, and behind them the inner ones of its arcs.
-template <class Graph, class Embedding>
-struct Vtp_graph
-{
-  Vtp_graph(const Graph& graph, const Embedding& embedding) : values(embedding.node_values)
-  {
-    for(const auto node : CGAL::make_range(vertices(graph)))
-    {
-      add_coordinates(embedding.node_points[node], coordinates);
-      nodes.add_point(node);
-      nodes.end_cell();
-    }
-    for(const auto arc : CGAL::make_range(edges(graph)))
-    {
-      const std::size_t i = arcs.ends.size();
-      arcs.add_point(source(arc, graph));
-      for(std::size_t j = 1; j + 1 < embedding.arc_polylines[i].size(); ++j)
-      {
-        arcs.add_point(values.size());
-        add_coordinates(embedding.arc_polylines[i][j], coordinates);
-        values.push_back(embedding.arc_values[i][j]);
-        arc_of_point.push_back(static_cast<std::int64_t>(i));
-      }
-      arcs.add_point(target(arc, graph));
-      arcs.end_cell();
-    }
-  }
-
-  std::vector<double> coordinates, values;
-  std::vector<std::int64_t> arc_of_point; // of inner points
-  Vtp_document::Cells nodes, arcs;
-};
-
-// The numbers of nodes, and -1 or NaN for the rest; or the other way round.
-template <class Number>
-std::vector<Number> padded(std::size_t number_before, std::vector<Number> numbers, std::size_t number_behind)
-{
-  constexpr Number nothing = std::is_floating_point_v<Number> ? std::numeric_limits<Number>::quiet_NaN() : Number(-1);
-  numbers.insert(numbers.begin(), number_before, nothing);
-  numbers.insert(numbers.end(), number_behind, nothing);
-  return numbers;
-}
-
-} // namespace internal
-
 /// \ingroup PkgReebGraphIO
 ///
 /// \brief writes a Reeb graph in space as an XML file of VTK, `.vtp`, which ParaView, PyVista and other programs open.
@@ -135,48 +77,51 @@ void write_vtp(std::ostream& out,
                VertexIndexMap vertex_index_map,
                const NamedParameters& np = parameters::default_values())
 {
-  using internal::padded;
-  const std::size_t number_of_nodes = num_vertices(graph), number_of_arcs = num_edges(graph);
-  const std::vector<Attribute> attributes =
-    internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), number_of_arcs);
-  const internal::Vtp_graph<Graph, Embedding> points(graph, embedding);
-  const std::size_t number_of_inner_points = points.arc_of_point.size();
-  std::vector<std::int64_t> node_numbers, arc_numbers, kinds, vertex_numbers;
-  std::vector<double> lower_values = embedding.node_values, upper_values = lower_values;
-  for(const auto node : CGAL::make_range(vertices(graph)))
+  if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
   {
-    node_numbers.push_back(static_cast<std::int64_t>(node));
-    kinds.push_back(static_cast<std::int64_t>(graph[node].kind));
-    vertex_numbers.push_back(static_cast<std::int64_t>(get(vertex_index_map, graph[node].vertex)));
-  }
-  for(const auto arc : CGAL::make_range(edges(graph)))
-  {
-    arc_numbers.push_back(static_cast<std::int64_t>(arc_numbers.size()));
-    lower_values.push_back(embedding.node_values[source(arc, graph)]);
-    upper_values.push_back(embedding.node_values[target(arc, graph)]);
-  }
+    using internal::padded;
+    const std::size_t number_of_nodes = num_vertices(graph), number_of_arcs = num_edges(graph);
+    const std::vector<Attribute> attributes =
+      internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), number_of_arcs);
+    const internal::Vtp_graph<Graph, Embedding> points(graph, embedding);
+    const std::size_t number_of_inner_points = points.arc_of_point.size();
+    std::vector<std::int64_t> node_numbers, arc_numbers, kinds, vertex_numbers;
+    std::vector<double> lower_values = embedding.node_values, upper_values = lower_values;
+    for(const auto node : CGAL::make_range(vertices(graph)))
+    {
+      node_numbers.push_back(static_cast<std::int64_t>(node));
+      kinds.push_back(static_cast<std::int64_t>(graph[node].kind));
+      vertex_numbers.push_back(static_cast<std::int64_t>(get(vertex_index_map, graph[node].vertex)));
+    }
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      arc_numbers.push_back(static_cast<std::int64_t>(arc_numbers.size()));
+      lower_values.push_back(embedding.node_values[source(arc, graph)]);
+      upper_values.push_back(embedding.node_values[target(arc, graph)]);
+    }
 
-  internal::Vtp_document document(out, points.values.size(), points.nodes, points.arcs, {});
-  document.write_section("Points", "", [&] { document.write_array("Points", points.coordinates, 3); });
-  document.write_section("PointData", "value", [&] {
-    document.write_array("value", points.values);
-    document.write_array("node", padded(0, node_numbers, number_of_inner_points));
-    document.write_array("kind", padded(0, kinds, number_of_inner_points));
-    document.write_array("vertex", padded(0, vertex_numbers, number_of_inner_points));
-    document.write_array("arc", padded(number_of_nodes, points.arc_of_point, 0));
-  });
-  document.write_section("CellData", "arc", [&] {
-    document.write_array("node", padded(0, node_numbers, number_of_arcs));
-    document.write_array("kind", padded(0, kinds, number_of_arcs));
-    document.write_array("vertex", padded(0, vertex_numbers, number_of_arcs));
-    document.write_array("arc", padded(number_of_nodes, arc_numbers, 0));
-    document.write_array("lower_value", lower_values);
-    document.write_array("upper_value", upper_values);
-    for(const Attribute& attribute : attributes)
-      std::visit(
-        [&](const auto& numbers) { document.write_array(attribute.name, padded(number_of_nodes, numbers, 0)); },
-        attribute.numbers);
-  });
+    internal::Vtp_document document(out, points.values.size(), points.nodes, points.arcs, {});
+    document.write_section("Points", "", [&] { document.write_array("Points", points.coordinates, 3); });
+    document.write_section("PointData", "value", [&] {
+      document.write_array("value", points.values);
+      document.write_array("node", padded(0, node_numbers, number_of_inner_points));
+      document.write_array("kind", padded(0, kinds, number_of_inner_points));
+      document.write_array("vertex", padded(0, vertex_numbers, number_of_inner_points));
+      document.write_array("arc", padded(number_of_nodes, points.arc_of_point, 0));
+    });
+    document.write_section("CellData", "arc", [&] {
+      document.write_array("node", padded(0, node_numbers, number_of_arcs));
+      document.write_array("kind", padded(0, kinds, number_of_arcs));
+      document.write_array("vertex", padded(0, vertex_numbers, number_of_arcs));
+      document.write_array("arc", padded(number_of_nodes, arc_numbers, 0));
+      document.write_array("lower_value", lower_values);
+      document.write_array("upper_value", upper_values);
+      for(const Attribute& attribute : attributes)
+        std::visit(
+          [&](const auto& numbers) { document.write_array(attribute.name, padded(number_of_nodes, numbers, 0)); },
+          attribute.numbers);
+    });
+  }
 }
 
 /// \ingroup PkgReebGraphIO

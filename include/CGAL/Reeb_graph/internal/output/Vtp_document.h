@@ -13,6 +13,8 @@
 
 #include <CGAL/Reeb_graph/internal/output/base64.h>
 
+#include <CGAL/number_utils.h>
+
 #include <boost/endian/conversion.hpp>
 
 #include <cstddef>
@@ -27,6 +29,13 @@
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+template <class Point>
+void add_coordinates(const Point& point, std::vector<double>& coordinates)
+{
+  coordinates.insert(coordinates.end(),
+                     {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())});
+}
 
 // An XML file of VTK for points, and cells on them: vertices, lines, and polygons, in this order. Arrays are written as
 // base64 codes, which other than decimal numbers can be infinite or NaN.
