@@ -272,6 +272,28 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(centroids_are_in_the_planes_of_contours, Mesh, Mes
     }
 }
 
+// A minimum or maximum is at its vertex unless another one is tied with it.
+BOOST_AUTO_TEST_CASE_TEMPLATE(leaves_are_at_their_vertices, Mesh, Meshes)
+{
+  std::size_t number_of_leaves = 0;
+  for_each_sample<Mesh>(120, [&](const auto& s) {
+    const auto embedding = s.embedded(Embedding_manner::CENTROIDS);
+    for(const auto node : CGAL::make_range(vertices(s.graph)))
+    {
+      if((in_degree(node, s.graph) == 0) == (out_degree(node, s.graph) == 0))
+        continue;
+      const auto v = s.graph[node].vertex;
+      const auto around = CGAL::halfedges_around_target(halfedge(v, s.mesh), s.mesh);
+      const auto is_tied = [&](const auto h) { return get(s.scalar_map, source(h, s.mesh)) == get(s.scalar_map, v); };
+      if(std::any_of(around.begin(), around.end(), is_tied))
+        continue;
+      ++number_of_leaves;
+      BOOST_TEST(embedding.node_points[node] == get(get(CGAL::vertex_point, s.mesh), v));
+    }
+  });
+  BOOST_TEST(number_of_leaves > 100u);
+}
+
 // Triangles that are cut into smaller ones do not move a centroid.
 BOOST_AUTO_TEST_CASE(centroids_are_those_of_the_lines)
 {

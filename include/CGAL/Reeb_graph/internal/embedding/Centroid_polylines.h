@@ -61,15 +61,15 @@ public:
   Point node_point(node_descriptor node) const
   {
     const vertex_descriptor vertex = graph_[node].vertex;
-    const bool is_minimum = in_degree(node, graph_) == 0, is_maximum = out_degree(node, graph_) == 0;
-    Centroid centroid = is_minimum || is_maximum ? leaf_borders_.centroid(vertex) : Centroid();
+    const bool is_minimum = in_degree(node, graph_) == 0, is_leaf = is_minimum || out_degree(node, graph_) == 0;
+    Centroid centroid = is_leaf ? leaf_borders_.centroid(vertex) : Centroid();
     if(centroid.is_of_length_zero())
     {
       for(const arc_descriptor arc : CGAL::make_range(in_edges(node, graph_)))
-        add_contour(augmentation_.contour_below(arc, vertex), centroid);
+        add_contour(augmentation_.contour_below(arc, vertex), vertex, is_leaf, centroid);
       if(is_minimum)
         for(const arc_descriptor arc : CGAL::make_range(out_edges(node, graph_)))
-          add_contour(augmentation_.contour_above(arc, vertex), centroid);
+          add_contour(augmentation_.contour_above(arc, vertex), vertex, is_leaf, centroid);
     }
     return centroid.is_of_length_zero() ? Point(get(point_map_, vertex)) : make_point<Point>(centroid());
   }
@@ -95,9 +95,17 @@ public:
   }
 
 private:
-  void add_contour(const Contour& contour, Centroid& centroid) const
+  // Adds a contour next to a node, but not one that is no more than the vertex of a leaf.
+  void add_contour(const Contour& contour, vertex_descriptor vertex, bool is_leaf, Centroid& centroid) const
   {
-    centroid.add_curve(points_of(contour), contour.is_closed);
+    const auto& mesh = augmentation_.mesh();
+    const bool is_point =
+      is_leaf && std::all_of(contour.halfedges.begin(), contour.halfedges.end(), [&](const auto h) {
+        const vertex_descriptor from = source(h, mesh), to = target(h, mesh);
+        return (from == vertex || to == vertex) && augmentation_.value(from) != augmentation_.value(to);
+      });
+    if(!is_point)
+      centroid.add_curve(points_of(contour), contour.is_closed);
   }
 
   std::vector<Point> points_of(const Contour& contour) const
