@@ -8,10 +8,13 @@
 
 #include "computation/embedding.h"
 
+#include "base/progress_bar.h"
+
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 
 #include <cstdint>
+#include <functional>
 
 namespace reeb_graph_program {
 namespace {
@@ -37,9 +40,10 @@ Graph_in_space embed_graph(const Augmentation& augmentation,
                            CGAL::Reeb_graph::Embedding_manner manner,
                            const std::vector<Arc_row>& arcs)
 {
-  return {
-    CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(augmentation, CGAL::parameters::embedding_manner(manner)),
-    measures(augmentation.graph(), arcs)};
+  Progress_bar progress_bar("embedding");
+  const auto np = CGAL::parameters::embedding_manner(manner).callback(std::ref(progress_bar));
+  return {CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(augmentation, np),
+          measures(augmentation.graph(), arcs)};
 }
 
 } // namespace reeb_graph_program

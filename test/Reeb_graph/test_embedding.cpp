@@ -463,6 +463,29 @@ BOOST_AUTO_TEST_CASE(a_tube_is_its_axis)
   BOOST_TEST(embedding.node_points[1].z() == along - 1, boost::test_tools::tolerance(1e-9));
 }
 
+BOOST_AUTO_TEST_CASE(progress_is_told_and_work_is_cancelled)
+{
+  const Embedded_sample<Surface_mesh> s(curve_samples::smooth_sample(2, 600, 1));
+  for(const auto manner : {Embedding_manner::CENTROIDS, Embedding_manner::ON_SURFACE, Embedding_manner::STRAIGHT})
+  {
+    const auto np = CGAL::parameters::embedding_manner(manner);
+    std::vector<double> fractions;
+    const auto note = [&](double fraction) {
+      fractions.push_back(fraction);
+      return true;
+    };
+    embed(s.augmentation, np.callback(note));
+    BOOST_TEST(std::is_sorted(fractions.begin(), fractions.end()));
+    BOOST_TEST(fractions.back() == 1);
+    if(manner == Embedding_manner::STRAIGHT)
+      continue;
+    BOOST_TEST(fractions.size() > 20u);
+    std::size_t count = 0;
+    BOOST_CHECK_THROW(embed(s.augmentation, np.callback([&](double) { return ++count < 5; })),
+                      CGAL::Reeb_graph::Cancelled_error);
+  }
+}
+
 // What the writers write is read by others in the tests of the program.
 BOOST_AUTO_TEST_CASE(attributes_are_written)
 {

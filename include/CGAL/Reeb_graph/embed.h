@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/Embedding.h>
 #include <CGAL/Reeb_graph/IO/polylines.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/embedding/embed_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -81,12 +82,18 @@ namespace Reeb_graph {
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{is told the fraction of the work that is done; if it returns `false`, the work ends}
+///     \cgalParamType{a function object that is called with a `double` from 0 to 1 and returns a `bool`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns an `Embedding` with the type of the points of the mesh.
 ///
 /// \exception Graph_mismatch_error if the chain of an arc does not lead to its contours
 /// \exception Non_finite_scalar_error if a value of `parametrization_map` along a chain is infinite or NaN
+/// \exception Cancelled_error if `callback` returns `false`
 template <class ConcurrencyTag = Sequential_tag,
           class FaceListGraph,
           class ScalarMap,
@@ -99,18 +106,20 @@ auto embed(const Augmentation<FaceListGraph, ScalarMap, ReebGraph, Traits>& augm
   using parameters::choose_parameter;
   using parameters::get_parameter;
   const auto point_map = internal::choose_point_map(augmentation.mesh(), np);
+  const internal::Progress progress(np);
   Embedding<internal::Point_of_mesh<FaceListGraph, NamedParameters>> result;
   internal::embed_nodes_at_vertices(augmentation, point_map, result);
   switch(choose_parameter(get_parameter(np, internal::embedding_manner), Embedding_manner::CENTROIDS))
   {
   case Embedding_manner::CENTROIDS:
-    internal::embed_at_centroids<ConcurrencyTag>(augmentation, point_map, np, result);
+    internal::embed_at_centroids<ConcurrencyTag>(augmentation, point_map, np, progress, result);
     break;
   case Embedding_manner::ON_SURFACE:
-    internal::embed_on_surface<ConcurrencyTag>(augmentation, point_map, np, result);
+    internal::embed_on_surface<ConcurrencyTag>(augmentation, point_map, np, progress, result);
     break;
   case Embedding_manner::STRAIGHT: internal::embed_straight(augmentation, result); break;
   }
+  progress.report_end();
   return result;
 }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/embedding/Centroid_polylines.h>
@@ -19,6 +20,7 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -57,17 +59,30 @@ void embed_straight(const Augmentation& augmentation, Result& result)
   }
 }
 
+// Calls function(i) for i from 0 to size - 1, and tells the progress before some blocks of them.
+template <class ConcurrencyTag, class Function>
+void for_each_reported(std::size_t size, const Stage_progress& progress, const Function& function)
+{
+  const std::size_t block = size / 64 + 1;
+  for(std::size_t begin = 0; begin < size; begin += block)
+  {
+    progress(static_cast<double>(begin) / static_cast<double>(size));
+    for_each_index<ConcurrencyTag>((std::min)(block, size - begin), [&](std::size_t i) { function(begin + i); });
+  }
+}
+
 template <class ConcurrencyTag, class Result, class Augmentation, class PointMap, class NamedParameters>
 void embed_on_surface(const Augmentation& augmentation,
                       const PointMap& point_map,
                       const NamedParameters& np,
+                      const Progress& progress,
                       Result& result)
 {
   const Surface_polylines<Augmentation, PointMap, NamedParameters> polylines(augmentation, point_map, np);
   const auto arcs = arcs_of(augmentation);
   result.arc_polylines.resize(arcs.size());
   result.arc_values.resize(arcs.size());
-  for_each_index<ConcurrencyTag>(arcs.size(), [&](std::size_t i) {
+  for_each_reported<ConcurrencyTag>(arcs.size(), Stage_progress(progress, 0, 1), [&](std::size_t i) {
     auto line = polylines(arcs[i]);
     result.arc_polylines[i] = std::move(line.points);
     result.arc_values[i] = std::move(line.values);
@@ -78,6 +93,7 @@ template <class ConcurrencyTag, class Result, class Augmentation, class PointMap
 void embed_at_centroids(const Augmentation& augmentation,
                         const PointMap& point_map,
                         const NamedParameters& np,
+                        const Progress& progress,
                         Result& result)
 {
   using parameters::choose_parameter;
@@ -98,12 +114,13 @@ void embed_at_centroids(const Augmentation& augmentation,
       return augmentation.contour(arc, t);
   };
 
-  for_each_index<ConcurrencyTag>(result.node_points.size(),
-                                 [&](std::size_t i) { result.node_points[i] = centroids.node_point(i); });
+  for_each_reported<ConcurrencyTag>(result.node_points.size(), Stage_progress(progress, 0, 0.1),
+                                    [&](std::size_t i) { result.node_points[i] = centroids.node_point(i); });
   const auto arcs = arcs_of(augmentation);
   std::vector<typename Centroids::Places> places(arcs.size());
-  for_each_index<ConcurrencyTag>(
-    arcs.size(), [&](std::size_t i) { places[i] = centroids.places(arcs[i], number_of_contours, contour_at); });
+  for_each_reported<ConcurrencyTag>(arcs.size(), Stage_progress(progress, 0.1, 1), [&](std::size_t i) {
+    places[i] = centroids.places(arcs[i], number_of_contours, contour_at);
+  });
   separate_parallel_arcs(graph, places);
   embed_straight(augmentation, result);
   for(std::size_t i = 0; i != arcs.size(); ++i)
