@@ -1,6 +1,7 @@
 # Checks the data of a page against what the program has written beside it.
-# Usage: check_page.py PAGE.html TITLE [vertex_arcs=FILE] [mesh=FILE.off] [patches=FILE] [curves=FILE.polylines.txt]
-#                      [KEY=VALUE...]
+# Usage: check_page.py PAGE.html TITLE [mesh=FILE.off] [coordinate=NUMBER] [vertex_arcs=FILE] [patches=FILE]
+#                      [curves=FILE.polylines.txt] [KEY=VALUE...]
+# The coordinate is the one that the field is; it and the arcs of a decimated surface need the mesh before them.
 # Each other KEY is a path of keys, with dots between them, to a value of the data as JSON; length counts.
 import base64
 import html.parser
@@ -66,6 +67,7 @@ class Surface:
         self.triangles = list(zip(corners[::3], corners[1::3], corners[2::3]))
         self.places = numbers(data["vertex_arcs"], "i")
         self.patches = numbers(data["face_patches"], "i") if data["face_patches"] else None
+        self.origins = list(range(len(self.points)))  # the vertices of the mesh that these are
         self.size = max((max(xs) - min(xs) for xs in zip(*self.points)), default=0)
         check(len(positions) == 3 * len(self.values) == 3 * len(self.places), "the vertices are not as many each time")
         check(len(corners) == 3 * len(self.triangles), "a triangle lacks a corner")
@@ -149,8 +151,22 @@ def read_off(path):
             [tuple(corners[4 * i + 1:4 * i + 4]) for i in range(number_of_faces)])
 
 
-def check_mesh(surface, path):
-    points, triangles = read_off(path)
+# A vertex of a decimated surface is one of the mesh, whose points are distinct.
+def check_decimated_mesh(surface, points):
+    check(surface.origin == [0, 0, 0], "the mesh is far away")
+    numbers_of_points = {struct.pack("<3f", *point): i for i, point in enumerate(points)}
+    codes = [struct.pack("<3f", *point) for point in surface.points]
+    check(all(code in numbers_of_points for code in codes), "a vertex is none of the mesh")
+    surface.origins = [numbers_of_points[code] for code in codes]
+    check(len(set(surface.origins)) == len(surface.origins), "a vertex is there twice")
+
+
+def check_coordinate(surface, points, coordinate):
+    expected = [points[origin][coordinate] for origin in surface.origins]
+    check(surface.values == expected, "vertices have other values")
+
+
+def check_mesh(surface, points, triangles):
     check(len(points) == len(surface.points), "the mesh has other vertices")
     for shown, point in zip(surface.points, points):
         check(is_near(shown, [x - o for x, o in zip(point, surface.origin)], surface.size), "a vertex elsewhere")
@@ -205,10 +221,16 @@ def main(path, title, *arguments):
         key, value = argument.split("=", 1)
         if key == "vertex_arcs":
             with open(value) as file:
-                expected = [int(number) if kind == "arc" else -1 - int(number) for kind, number in map(str.split, file)]
-            check(surface.places == expected, "vertices have other arcs")
+                places = [int(number) if kind == "arc" else -1 - int(number) for kind, number in map(str.split, file)]
+            check(surface.places == [places[origin] for origin in surface.origins], "vertices have other arcs")
         elif key == "mesh":
-            check_mesh(surface, value)
+            points, triangles = read_off(value)
+            if data["surface"]["is_decimated"]:
+                check_decimated_mesh(surface, points)
+            else:
+                check_mesh(surface, points, triangles)
+        elif key == "coordinate":
+            check_coordinate(surface, points, int(value))
         elif key == "patches":
             with open(value) as file:
                 check(surface.patches == [int(line) for line in file], "faces have other patches")

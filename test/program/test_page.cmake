@@ -35,7 +35,7 @@ file(WRITE ${FOLDER}/far.off "OFF\n3 1 0\n0 0 0\n1e31 0 0\n0 1 0\n3 0 1 2\n")
 expect_error("1e30" compute far.off --field x --html page.html)
 
 expect_success(compute tetrahedron.off --field z --unit mm --html page.html)
-expect_page(page tetrahedron.off mesh=tetrahedron.off field.name="z" field.unit="mm" graph.arcs.length=1
+expect_page(page tetrahedron.off mesh=tetrahedron.off coordinate=2 field.name="z" field.unit="mm" graph.arcs.length=1
             graph.is_simplified=false levels.length=1 curves.length=0)
 
 # names that are code, and such that are no UTF-8
@@ -55,8 +55,9 @@ expect_success(compute torus.off --field z --vertex-arcs arcs.txt --html page.ht
 expect_page(page torus.off mesh=torus.off vertex_arcs=arcs.txt)
 
 # components, one of them a vertex; values that JSON does not have; a mesh far from 0
-file(WRITE ${FOLDER}/parts.off "OFF\n7 2 0\n1e6 0 0\n1000001 0 1\n1e6 1 1\n1000005 0 0\n1000006 0 0.5\n1000005 1 1\n1e6 5 2\n\
-3 0 1 2\n3 3 4 5\n")
+file(WRITE ${FOLDER}/parts.off
+     "OFF\n7 2 0\n1e6 0 0\n1000001 0 1\n1e6 1 1\n1000005 0 0\n1000006 0 0.5\n1000005 1 1\n1e6 5 2\n"
+     "3 0 1 2\n3 3 4 5\n")
 file(WRITE ${FOLDER}/infinite.txt "-inf\n1\n2\n0.5\n1.5\ninf\n3\n")
 expect_success(compute parts.off --scalars infinite.txt --vertex-arcs arcs.txt --html page.html)
 expect_page(page parts.off mesh=parts.off vertex_arcs=arcs.txt field.name="infinite" graph.nodes.0.value=-Infinity
@@ -113,5 +114,6 @@ for i in range(n * n):
     print(3, a + 1, a + n + 1, a + n + 2)
 ")
 execute_process(COMMAND ${PYTHON} -c "${wavy_plane}" OUTPUT_FILE ${FOLDER}/plane.off COMMAND_ERROR_IS_FATAL ANY)
-expect_success(compute plane.off --field z --html page.html)
-expect_page(page plane.off surface.faces_of_input=217800 surface.is_decimated=true graph.arcs.0.contours.length=16)
+expect_success(compute plane.off --field z --vertex-arcs arcs.txt --html page.html)
+expect_page(page plane.off mesh=plane.off coordinate=2 vertex_arcs=arcs.txt surface.faces_of_input=217800
+            surface.is_decimated=true graph.arcs.0.contours.length=16)
