@@ -114,8 +114,8 @@ private:
   void add_triangle(std::array<std::size_t, 3> triangle, std::size_t inside, std::size_t outside)
   {
     const auto& points = surface_.points;
-    const Vector normal = cross(difference(points[triangle[1]], points[triangle[0]]),
-                                difference(points[triangle[2]], points[triangle[0]]));
+    const Vector normal =
+      cross(difference(points[triangle[1]], points[triangle[0]]), difference(points[triangle[2]], points[triangle[0]]));
     if(dot(normal, difference(point(outside), point(inside))) < 0)
       std::swap(triangle[1], triangle[2]);
     surface_.triangles.push_back(triangle);
