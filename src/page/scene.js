@@ -140,17 +140,18 @@ class Scene {
     const radius = this.tubeRadius = 0.006 * thickness * this.pose.size;
     const polylines = view.arcs.map((arc, id) => ({points: arc.polyline, isClosed: false, id}));
     const tubes = this.tubeGeometry(polylines, radius, 8, (arc, t) => view.value(arc, t));
-    const nodes = this.nodeGeometry(view);
+    const nodes = this.nodeGeometry(view), size = 5 + 10 * thickness;
     const nodeUniforms = {
       colors: {value: this.nodeTable.texture}, rows: {value: this.nodeTable.rows},
-      size: {value: (5 + 10 * thickness) * this.renderer.getPixelRatio()}, outline: {value: this.outline},
+      size: {value: size * this.renderer.getPixelRatio()}, outline: {value: this.outline},
       tubeRadius: {value: radius}
     };
     const firstArc = this.placeTable.size + 1, firstNode = firstArc + view.arcs.length;
     const tubeNumbers = makeMaterial(shaders.tubeVertex, shaders.tubeNumberFragment,
                                      {inflation: {value: 0.6 * radius}, firstNumber: {value: firstArc}}, {});
     const nodeNumbers = makeMaterial(shaders.nodeVertex, shaders.nodeNumberFragment,
-                                     Object.assign({}, nodeUniforms, {firstNumber: {value: firstNode}}), {});
+                                     Object.assign({}, nodeUniforms, {size: {value: 1.2 * size},
+                                                                      firstNumber: {value: firstNode}}), {});
     const nodeMaterial = makeMaterial(shaders.nodeVertex, shaders.nodeFragment, nodeUniforms, {});
     const parts = [
       [this.scene, tubes, this.tubeMaterial(this.arcTable, {}), 0, THREE.Mesh],
