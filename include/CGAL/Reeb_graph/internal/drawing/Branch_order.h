@@ -14,12 +14,12 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/drawing/Branch_tree.h>
 #include <CGAL/Reeb_graph/internal/drawing/Opposite_sides.h>
+#include <CGAL/Reeb_graph/internal/drawing/Side_load.h>
 #include <CGAL/Reeb_graph/internal/drawing/Skyline.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -93,6 +93,8 @@ public:
 private:
   // So many of the longest branches at one are compared with the other ones.
   static constexpr std::size_t most_compared = 100;
+  // So many branches are passed at most on the way from one to the trunk.
+  static constexpr int most_steps = 50;
 
   Index size() const { return static_cast<Index>(tree_.branches.size()); }
   Index number_of(const Drawn_branch& branch) const { return static_cast<Index>(&branch - tree_.branches.data()); }
@@ -134,19 +136,20 @@ private:
 
     const int outward = sides_[parent] == 0 ? 1 : sides_[parent];
     std::array<std::vector<Index>, 2> placed; // outward, inward
-    std::array<Load, 2> loads = {};
+    std::array<Side_load, 2> loads;
     for(std::size_t i = 0; i != children.size(); ++i)
     {
       const Index child = children[i];
       const auto [root, is_opposite] = related.find(i);
       if(root_sides[root] == 0)
       {
-        const bool is_inward_free = sides_[parent] == 0 && load(loads[1], child) < load(loads[0], child);
+        const bool is_inward_free =
+          sides_[parent] == 0 && loads[1].load(extents_[child]) < loads[0].load(extents_[child]);
         root_sides[root] = is_inward_free == is_opposite ? 1 : -1;
       }
       const bool is_inward = (root_sides[root] < 0) != is_opposite;
       placed[is_inward].push_back(child);
-      add_load(child, loads[is_inward]);
+      loads[is_inward].add(extents_[child], sizes_[child]);
       sides_[child] = is_inward ? -outward : outward;
     }
     for(std::vector<Index>& side : placed)
@@ -176,34 +179,33 @@ private:
           related.relate(i, j, true);
       }
     }
+    for(std::size_t i = 0; i != children.size(); ++i)
+      relate_to_end_of_loop(parent, i, related);
     return related;
   }
 
-  // About how many branches one side of a trunk has, in equal parts of its height.
-  typedef std::array<Index, 32> Load;
-
-  // Calls visit(part) for the parts of the height that a branch and what is attached to it take.
-  template <class Visit>
-  void for_each_part(Index branch, const Visit& visit) const
+  // A child that closes a loop at another child goes to the side of that one, and one that closes it beyond the parent
+  // to its inside.
+  void relate_to_end_of_loop(Index parent, std::size_t child, Opposite_sides& related) const
   {
-    const auto part = [](double height) {
-      return static_cast<std::size_t>((std::clamp)(height * Load().size(), 0., Load().size() - 1.));
-    };
-    for(std::size_t i = part(extents_[branch].low); i <= part(extents_[branch].high); ++i)
-      visit(i);
-  }
-
-  // What decides between two sides: the load where the branch would be, and then the load of all parts.
-  std::pair<Index, std::size_t> load(const Load& loads, Index branch) const
-  {
-    Index highest = 0;
-    for_each_part(branch, [&](std::size_t part) { highest = (std::max)(highest, loads[part]); });
-    return {highest, std::accumulate(loads.begin(), loads.end(), std::size_t(0))};
-  }
-
-  void add_load(Index branch, Load& loads) const
-  {
-    for_each_part(branch, [&](std::size_t part) { loads[part] += sizes_[branch]; });
+    const std::vector<Index>& children = children_[parent];
+    const Drawn_branch& drawn = tree_.branches[children[child]];
+    if(!drawn.is_closing)
+      return;
+    Index branch = tree_.branch_of_node[drawn.upper];
+    if(branch == parent)
+      return;
+    for(int step = 0; step != most_steps && branch != no_index && tree_.branches[branch].parent != parent; ++step)
+      branch = tree_.branches[branch].parent;
+    if(branch == no_index)
+      related.relate(child, children.size(), true);
+    else if(tree_.branches[branch].parent == parent)
+    {
+      const auto begin = children.begin(), end = begin + (std::min)(children.size(), most_compared);
+      const auto place = std::find(begin, end, branch);
+      if(place != end)
+        related.relate(child, place - begin, false);
+    }
   }
 
   // Of branches at one side that go up, the highest is the innermost one, of those that go down the lowest. The two
@@ -244,14 +246,15 @@ private:
     branches = merged.size() > most_compared ? std::move(merged) : sort_by_pairs(std::move(merged));
   }
 
-  // Takes one after the other a branch that blocks none of those that are left, or the fewest; of several the first.
+  // Takes one after the other a branch that blocks none of those that are left, or the fewest; of several the first. One that
+  // reaches around its own way to the parent counts itself: it is better further out.
   std::vector<Index> sort_by_pairs(std::vector<Index> branches) const
   {
     std::vector<std::size_t> numbers_of_blocked;
     numbers_of_blocked.reserve(branches.size());
     for(const Index branch : branches)
-      numbers_of_blocked.push_back(std::count_if(
-        branches.begin(), branches.end(), [&](Index other) { return other != branch && blocks(branch, other); }));
+      numbers_of_blocked.push_back(
+        std::count_if(branches.begin(), branches.end(), [&](Index other) { return blocks(branch, other); }));
     std::vector<Index> sorted;
     sorted.reserve(branches.size());
     while(!branches.empty())
