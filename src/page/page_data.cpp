@@ -9,6 +9,7 @@
 #include "page/page_data.h"
 
 #include "base/base64.h"
+#include "base/progress_bar.h"
 #include "page/display_surface.h"
 #include "page/page_graph.h"
 #include "page/page_levels.h"
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 
 namespace reeb_graph_program {
@@ -37,8 +39,10 @@ std::vector<double> values(const Page_subject& subject)
 Embedded_graph embed(const Page_subject& subject, const Vertex_locations& locations)
 {
   namespace parameters = CGAL::parameters;
+  Progress_bar progress_bar("embedding");
+  const auto smoothing = parameters::number_of_smoothing_steps(1).callback(std::ref(progress_bar));
   auto embedding = CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(
-    subject.augmentation, parameters::number_of_contours(16, parameters::number_of_smoothing_steps(1)));
+    subject.augmentation, parameters::number_of_contours(16, smoothing));
   std::vector<std::size_t> node_sizes;
   for(const auto node : CGAL::make_range(vertices(subject.graph())))
     node_sizes.push_back(locations.vertices_of_node(node).size());
