@@ -25,19 +25,31 @@ function decodeContour(contour) {
   return Object.assign(decodePolyline(contour), {t: contour.t, value: Number(contour.value)});
 }
 
+// The drawing of an arc reaches the ends of what is drawn where its nodes have infinite values.
+function decodePlane(plane, lower, upper, range) {
+  const result = plane.slice();
+  if (!isFinite(lower))
+    result[1] = range.low;
+  if (!isFinite(upper))
+    result[result.length - 1] = range.high;
+  return result;
+}
+
 // JSON has no infinite numbers: they are written as text.
-function decodeGraph(graph) {
+function decodeGraph(graph, range) {
+  const nodes = graph.nodes.map(node => Object.assign({}, node, {value: Number(node.value)}));
   return {
-    nodes: graph.nodes.map(node => Object.assign({}, node, {value: Number(node.value)})),
+    nodes,
     arcs: graph.arcs.map(arc => Object.assign({}, arc, {
+      plane: decodePlane(arc.plane, nodes[arc.source].value, nodes[arc.target].value, range),
       persistence: Number(arc.persistence), length: Number(arc.length), area: Number(arc.area),
       contours: arc.contours ? arc.contours.map(decodeContour) : null
     }))
   };
 }
 
-function decodeLevel(level) {
-  return Object.assign({}, level, {graph: level.graph ? decodeGraph(level.graph) : null});
+function decodeLevel(level, range) {
+  return Object.assign({}, level, {graph: level.graph ? decodeGraph(level.graph, range) : null});
 }
 
 function decodeSurface(surface) {
@@ -68,18 +80,19 @@ function readPageData(text) {
   if (data.version !== 1)
     throw new Error("This page cannot read data of version " + data.version + ".");
   const surface = decodeSurface(data.surface);
+  // The values that are drawn, which are finite.
+  const range = {low: data.field.lowest, high: data.field.highest};
   return {
     title: data.title,
     generator: data.generator,
     field: data.field,
     surface,
-    // The values that are drawn, which are finite.
-    range: {low: data.field.lowest, high: data.field.highest},
-    graph: decodeGraph(data.graph),
+    range,
+    graph: decodeGraph(data.graph, range),
     // The number of arcs of the graph that was asked for, if that is too large for a page and has been simplified.
     arcsOfInput: data.graph.is_simplified ? data.graph.arcs_of_input : null,
     threshold: data.graph.threshold,
-    levels: data.levels.map(decodeLevel),
+    levels: data.levels.map(level => decodeLevel(level, range)),
     curves: data.curves.map(decodePolyline)
   };
 }

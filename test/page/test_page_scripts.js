@@ -86,6 +86,21 @@ const tests = {
     });
   },
 
+  "infinite values are drawn at the ends"() {
+    const mesh = {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 1]], triangles: [[0, 1, 2], [2, 1, 3]]};
+    fs.writeFileSync(path.join(folder, "infinite.off"), meshes.toOff(mesh));
+    fs.writeFileSync(path.join(folder, "infinite.txt"), "-inf\n1\n2\ninf\n");
+    run("compute", "infinite.off", "--scalars", "infinite.txt", "--html", "infinite.html");
+    const data = page.readPageData(page.dataOfPage(path.join(folder, "infinite.html")));
+    const view = new page.GraphView(data, 0), {plane} = view.arcs[0];
+    assert.strictEqual(view.lower(0).value, -Infinity);
+    assert.strictEqual(plane[1], data.range.low);
+    assert.strictEqual(plane[plane.length - 1], data.range.high);
+    assert.ok(data.range.low < 1 && data.range.high > 2);
+    const contour = page.makeContourTracer(data)(view, 0, 0.5);
+    assert.ok(contour.points.length >= 6 && contour.points.every(isFinite));
+  },
+
   "precomputed contours are used where there is no chain"() {
     const contours = [0.1, 0.2, 0.8].map(value => ({value, isClosed: true, points: []}));
     const graph = {
