@@ -82,11 +82,12 @@ function findCrossing(halfedges, chain, isBelow) {
   return null;
 }
 
-// The edges that the contour crosses beyond the edge from `above` to `below`, on the side of its triangle, each as
-// [vertex above, vertex below].
-function walk(halfedges, above, below, isBelow) {
+// The edges that the contour crosses beyond the edge between `above` and `below`, each as [vertex above, vertex below]:
+// on the side of the triangle that has the edge from above to below, or on the other side.
+function walk(halfedges, above, below, isBelow, isForward) {
   const crossed = [];
-  const start = halfedges.find(above, below);
+  const enter = () => isForward ? halfedges.find(above, below) : halfedges.find(below, above);
+  const start = enter();
   let h = start;
   while (h >= 0 && crossed.length <= halfedges.triangles.length) {
     const apex = halfedges.target(halfedges.next(h));
@@ -95,27 +96,11 @@ function walk(halfedges, above, below, isBelow) {
     else
       above = apex;
     crossed.push([above, below]);
-    h = halfedges.find(above, below);
+    h = enter();
     if (h === start)
       return {crossed, isClosed: true};
   }
   return {crossed, isClosed: false};
-}
-
-// The same on the other side, where triangles have the edge from below to above.
-function walkBack(halfedges, above, below, isBelow) {
-  const crossed = [];
-  let h = halfedges.find(below, above);
-  while (h >= 0 && crossed.length <= halfedges.triangles.length) {
-    const apex = halfedges.target(halfedges.next(h));
-    if (isBelow(apex))
-      below = apex;
-    else
-      above = apex;
-    crossed.push([above, below]);
-    h = halfedges.find(below, above);
-  }
-  return crossed;
 }
 
 function crossingPoint(surface, [above, below], value, points) {
@@ -135,8 +120,8 @@ function traceContour(surface, halfedges, chain, level) {
   if (!crossing)
     return null;
   const [below, above] = crossing;
-  const {crossed, isClosed} = walk(halfedges, above, below, level.isBelow);
-  const before = isClosed ? [] : walkBack(halfedges, above, below, level.isBelow).reverse();
+  const {crossed, isClosed} = walk(halfedges, above, below, level.isBelow, true);
+  const before = isClosed ? [] : walk(halfedges, above, below, level.isBelow, false).crossed.reverse();
   const edges = before.concat([[above, below]], isClosed ? crossed.slice(0, -1) : crossed);
   const points = [];
   edges.forEach(edge => crossingPoint(surface, edge, level.value, points));

@@ -28,6 +28,15 @@ const shaderParts = {
       float shine = pow(max(dot(n, normalize(vec3(0.25, 0.45, 0.86))), 0.0), 40.0);
       return 0.5 + 0.5 * max(dot(n, normalize(vec3(0.3, 0.5, 0.8))), 0.0) + 0.12 * shine;
     }`,
+  eye: `
+    varying vec3 vNormal;
+    varying vec3 vToEye;
+    void lookFrom(vec3 point) {
+      vec4 eye = modelViewMatrix * vec4(point, 1.0);
+      vNormal = normalMatrix * normal;
+      vToEye = -eye.xyz;
+      gl_Position = projectionMatrix * eye;
+    }`,
   place: `
     varying float vValue;
     varying vec3 vBands;
@@ -45,17 +54,13 @@ const shaders = {
     varying vec3 vBands;
     varying vec2 vEnds;
     varying float vPatch;
-    varying vec3 vNormal;
-    varying vec3 vToEye;
+    ${shaderParts.eye}
     void main() {
-      vec4 eye = modelViewMatrix * vec4(position, 1.0);
       vValue = value;
       vBands = bands;
       vEnds = ends;
       vPatch = patchNumber;
-      vNormal = normalMatrix * normal;
-      vToEye = -eye.xyz;
-      gl_Position = projectionMatrix * eye;
+      lookFrom(position);
     }`,
   surfaceFragment: `
     uniform int coloring;
@@ -105,15 +110,11 @@ const shaders = {
     uniform float inflation;
     varying float vNumber;
     varying float vValue;
-    varying vec3 vNormal;
-    varying vec3 vToEye;
+    ${shaderParts.eye}
     void main() {
-      vec4 eye = modelViewMatrix * vec4(position + inflation * normal, 1.0);
       vNumber = number;
       vValue = value;
-      vNormal = normalMatrix * normal;
-      vToEye = -eye.xyz;
-      gl_Position = projectionMatrix * eye;
+      lookFrom(position + inflation * normal);
     }`,
   tubeFragment: `
     uniform float isValueShown;
