@@ -93,7 +93,7 @@ CGAL::IO::Color colour_of_patch(int patch)
 
 Vertex_color_map add_vertex_colours(Surface& surface, Scalar_map scalar_map)
 {
-  const Vertex_color_map colour_map = surface.add_property_map<Surface::Vertex_index, CGAL::IO::Color>("v:color").first;
+  Vertex_color_map colour_map = surface.add_property_map<Surface::Vertex_index, CGAL::IO::Color>("v:color").first;
   const Colour_scale colour_of_value(surface, scalar_map);
   for(const Surface::Vertex_index v : surface.vertices())
     colour_map[v] = colour_of_value(scalar_map[v]);
@@ -102,7 +102,7 @@ Vertex_color_map add_vertex_colours(Surface& surface, Scalar_map scalar_map)
 
 Face_color_map add_face_colours(Surface& surface, Patch_map patch_map)
 {
-  const Face_color_map colour_map = surface.add_property_map<Surface::Face_index, CGAL::IO::Color>("f:color").first;
+  Face_color_map colour_map = surface.add_property_map<Surface::Face_index, CGAL::IO::Color>("f:color").first;
   for(const Surface::Face_index f : surface.faces())
     colour_map[f] = colour_of_patch(patch_map[f]);
   return colour_map;
@@ -144,7 +144,7 @@ Surface::Property_map<Key, Number> add_column(Surface& surface,
                                               const std::string& name,
                                               const std::vector<Number>& numbers)
 {
-  const auto map = surface.add_property_map<Key, Number>(name).first;
+  auto map = surface.add_property_map<Key, Number>(name).first;
   std::size_t i = 0;
   for(const Key key : range)
     map[key] = numbers[i++];

@@ -89,6 +89,7 @@ private:
   static std::vector<fs::path> paths_beside(const std::vector<fs::path>& targets)
   {
     std::vector<fs::path> result;
+    result.reserve(targets.size());
     for(const fs::path& target : targets)
       result.emplace_back(target.string() + "." + std::to_string(getpid()) + ".partial");
     return result;
@@ -104,7 +105,7 @@ std::runtime_error output_error(const fs::path& path)
 fs::path target_of(const fs::path& path)
 {
   std::error_code error;
-  const fs::path target = fs::weakly_canonical(path, error);
+  fs::path target = fs::weakly_canonical(path, error);
   if(error || (fs::exists(target, error) && !fs::is_regular_file(target, error)))
     throw output_error(path);
   return target;

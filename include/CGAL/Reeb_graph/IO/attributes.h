@@ -64,7 +64,7 @@ namespace internal {
 template <class Parameter>
 std::vector<Attribute> checked_attributes(const Parameter& parameter, std::size_t size)
 {
-  const std::vector<Attribute> attributes = parameters::choose_parameter(parameter, std::vector<Attribute>());
+  std::vector<Attribute> attributes = parameters::choose_parameter(parameter, std::vector<Attribute>());
   check_attributes(attributes, size);
   return attributes;
 }
