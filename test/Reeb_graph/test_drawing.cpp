@@ -275,6 +275,34 @@ double height_by_axis(const Drawing& drawing, double value)
        + (last.second - first.second) * ((value / 2 - first.first / 2) / (last.first / 2 - first.first / 2));
 }
 
+// whether a line meets the box of a label
+bool is_crossed(const Drawing::Label& label, double half_height, const Polyline& line)
+{
+  for(std::size_t k = 1; k < line.size(); ++k)
+  {
+    // the part of the segment, from 0 to 1, within the sides, and then within the heights of the box
+    double begin = 0, end = 1;
+    const std::array<double, 2> lowest = {label.left, label.middle - half_height};
+    const std::array<double, 2> highest = {label.right, label.middle + half_height};
+    for(int i : {0, 1})
+    {
+      const double from = line[k - 1][i], step = line[k][i] - from;
+      if(step == 0)
+      {
+        if(from <= lowest[i] || from >= highest[i])
+          end = -1;
+        continue;
+      }
+      const auto [first, last] = std::minmax({(lowest[i] - from) / step, (highest[i] - from) / step});
+      begin = (std::max)(begin, first);
+      end = (std::min)(end, last);
+    }
+    if(begin < end)
+      return true;
+  }
+  return false;
+}
+
 template <class G>
 void test_drawing(const G& graph)
 {
@@ -306,6 +334,8 @@ void test_drawing(const G& graph)
       BOOST_TEST(!(a.left < node[0] + radius && node[0] - radius < a.right
                    && std::abs(a.middle - node[1]) < half_height + radius),
                  "the label " << a.text << " lies on a node");
+    for(const Polyline& arc : drawing.arcs)
+      BOOST_TEST(!is_crossed(a, half_height, arc), "the label " << a.text << " lies on an arc");
   }
 }
 } // namespace

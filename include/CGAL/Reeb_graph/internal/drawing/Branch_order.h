@@ -201,7 +201,8 @@ private:
       related.relate(child, children.size(), true);
     else if(tree_.branches[branch].parent == parent)
     {
-      const auto begin = children.begin(), end = begin + (std::min)(children.size(), most_compared);
+      const auto begin = children.begin();
+      const auto end = children.size() < most_compared ? children.end() : begin + most_compared;
       const auto place = std::find(begin, end, branch);
       if(place != end)
         related.relate(child, place - begin, false);
