@@ -91,8 +91,8 @@ function makeBands(surface, graph) {
   for (let f = 0; f < numberOfTriangles; ++f) {
     const a = triangles[3 * f], b = triangles[3 * f + 1], c = triangles[3 * f + 2];
     if (vertexArcs[a] >= 0 && vertexArcs[a] === vertexArcs[b] && vertexArcs[a] === vertexArcs[c]) {
-      places.fill(vertexArcs[a], 3 * f, 3 * f + 3);
-      ends.fill(Infinity, 2 * f, 2 * f + 2);
+      places[3 * f] = places[3 * f + 1] = places[3 * f + 2] = vertexArcs[a];
+      ends[2 * f] = ends[2 * f + 1] = Infinity;
       continue;
     }
     const corners = [a, b, c].sort((u, v) => values[u] - values[v] || u - v);

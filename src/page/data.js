@@ -65,10 +65,10 @@ function decodeSurface(surface) {
   };
 }
 
-// The smallest and the largest of many numbers.
-function rangeOf(numbers) {
+// The smallest and the largest of many numbers, or of each `step`th one from a place on.
+function rangeOf(numbers, first = 0, step = 1) {
   let low = Infinity, high = -Infinity;
-  for (let i = 0; i < numbers.length; ++i) {
+  for (let i = first; i < numbers.length; i += step) {
     low = Math.min(low, numbers[i]);
     high = Math.max(high, numbers[i]);
   }

@@ -20,8 +20,11 @@ function findUp(positions, values) {
   // Covariances of the coordinates, and with the field.
   const c = [[0, 0, 0], [0, 0, 0], [0, 0, 0]], b = [0, 0, 0];
   let variance = 0;
+  const p = [0, 0, 0];
   for (let v = 0; v < count; ++v) {
-    const p = [0, 1, 2].map(i => positions[3 * v + i] - means[i]), f = values[v] - means[3];
+    const f = values[v] - means[3];
+    for (let i = 0; i < 3; ++i)
+      p[i] = positions[3 * v + i] - means[i];
     for (let i = 0; i < 3; ++i) {
       for (let j = 0; j < 3; ++j)
         c[i][j] += p[i] * p[j];
@@ -71,7 +74,7 @@ function faceForward(direction, up) {
 
 // The center and size (of the diagonal) of the surface, which way is up, and from where it is looked at.
 function findPose(positions, values) {
-  const ranges = [0, 1, 2].map(i => rangeOf(positions.filter((_, j) => j % 3 === i)));
+  const ranges = [0, 1, 2].map(i => rangeOf(positions, i, 3));
   const up = findUp(positions, values);
   const thin = faceForward(findThinDirection(positions, up), up), side = cross(up, thin);
   const turn = 0.42, lift = 0.24;
@@ -103,26 +106,33 @@ function distanceToSeeAll(positions, pose, fieldOfView, aspect) {
 function cornerNormals(positions, triangles) {
   const smooth = new Float64Array(positions.length), flat = new Float64Array(triangles.length);
   for (let k = 0; k < triangles.length; k += 3) {
-    const [a, b, c] = [0, 1, 2].map(i => 3 * triangles[k + i]);
+    const a = 3 * triangles[k], b = 3 * triangles[k + 1], c = 3 * triangles[k + 2];
     const ux = positions[b] - positions[a], uy = positions[b + 1] - positions[a + 1];
     const uz = positions[b + 2] - positions[a + 2], vx = positions[c] - positions[a];
     const vy = positions[c + 1] - positions[a + 1], vz = positions[c + 2] - positions[a + 2];
-    const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    flat[k] = uy * vz - uz * vy;
+    flat[k + 1] = uz * vx - ux * vz;
+    flat[k + 2] = ux * vy - uy * vx;
     for (let i = 0; i < 3; ++i) {
-      flat[k + i] = normal[i];
-      smooth[a + i] += normal[i];
-      smooth[b + i] += normal[i];
-      smooth[c + i] += normal[i];
+      smooth[a + i] += flat[k + i];
+      smooth[b + i] += flat[k + i];
+      smooth[c + i] += flat[k + i];
     }
   }
   const normals = new Int8Array(4 * triangles.length);
   for (let k = 0; k < triangles.length; ++k) {
-    const face = k - k % 3;
-    const f = normalized([flat[face], flat[face + 1], flat[face + 2]]);
-    const v = 3 * triangles[k], s = normalized([smooth[v], smooth[v + 1], smooth[v + 2]]);
-    const n = dot(f, s) > 0.6 ? s : f;
+    const face = k - k % 3, v = 3 * triangles[k];
+    const f = inverseLength(flat, face), s = inverseLength(smooth, v);
+    const cosine = f * s * (flat[face] * smooth[v] + flat[face + 1] * smooth[v + 1] + flat[face + 2] * smooth[v + 2]);
     for (let i = 0; i < 3; ++i)
-      normals[4 * k + i] = Math.round(127 * n[i]);
+      normals[4 * k + i] = Math.round(127 * (cosine > 0.6 ? s * smooth[v + i] : f * flat[face + i]));
   }
   return normals;
+}
+
+// Of the vector that begins at a place of an array; 0 for the vector of length 0.
+function inverseLength(coordinates, i) {
+  const x = coordinates[i], y = coordinates[i + 1], z = coordinates[i + 2];
+  const length = Math.sqrt(x * x + y * y + z * z);
+  return length > 0 ? 1 / length : 0;
 }

@@ -225,6 +225,18 @@ const tests = {
     assert.ok(page.findPose(new Float32Array(0), new Float64Array(0)).size > 0);
   },
 
+  "normals are smooth, except across sharp edges"() {
+    const normals = (positions, triangles) => Array.from(page.cornerNormals(positions, triangles), x => x / 127);
+    const bent = height => normals([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1, height], [0, 1, 2, 0, 3, 1]);
+    assert.deepStrictEqual(bent(-1e6).slice(0, 3).map(Math.round), [0, 0, 1]);
+    const flat = bent(0);
+    for (let corner = 0; corner < 6; ++corner)
+      assert.deepStrictEqual(flat.slice(4 * corner, 4 * corner + 3).map(Math.abs), [0, 0, 1]);
+    const slightly = bent(-0.3);
+    assert.ok(slightly[1] < -0.1 && slightly[2] > 0.9, "the mean of both sides");
+    assert.deepStrictEqual(slightly.slice(0, 3), slightly.slice(12, 15));
+  },
+
   "numbers are short"() {
     const written = [0, -2.5, 0.1, 12345678, 123456, 0.00001234, Infinity, null].map(page.formatNumber);
     assert.deepStrictEqual(written, ["0", "−2.5", "0.1", "1.235e7", "123456", "1.234e−5", "∞", "–"]);
