@@ -11,15 +11,17 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Spanning_forest.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
-#include <boost/graph/connected_components.hpp>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -35,16 +37,35 @@ namespace Reeb_graph {
 /// \param graph the Reeb graph
 /// \param component_map is set to the number of the component of each node, from 0 in the order of their lowest nodes
 ///
-/// \returns the number of components. It takes linear time.
+/// \returns the number of components. It takes almost linear time.
 template <class ReebGraph, class ComponentMap>
 std::size_t number_components(const ReebGraph& graph, ComponentMap component_map)
 {
-  return boost::connected_components(internal::make_undirected(graph), component_map);
+  std::vector<std::size_t> parents(num_vertices(graph));
+  std::iota(parents.begin(), parents.end(), std::size_t(0));
+  const auto root = [&](std::size_t node) {
+    return internal::find_root(node, [&](std::size_t i) -> std::size_t& { return parents[i]; });
+  };
+  // the lowest node of a set is its root
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const auto [lower, upper] = std::minmax({root(source(arc, graph)), root(target(arc, graph))});
+    parents[upper] = lower;
+  }
+  std::vector<std::size_t> numbers(num_vertices(graph));
+  std::size_t number_of_sets = 0;
+  for(std::size_t node = 0; node < parents.size(); ++node)
+  {
+    numbers[node] = parents[node] == node ? number_of_sets++ : numbers[root(node)];
+    put(component_map, node, numbers[node]);
+  }
+  return number_of_sets;
 }
 
 /// \ingroup PkgReebGraphTopology
 ///
-/// \brief counts the connected components of a Reeb graph: those of the surface. It takes linear time.
+/// \brief counts the connected components of a Reeb graph: those of the surface. It takes almost
+/// linear time.
 template <class ReebGraph>
 std::size_t number_of_components(const ReebGraph& graph)
 {
@@ -56,7 +77,7 @@ std::size_t number_of_components(const ReebGraph& graph)
 /// \ingroup PkgReebGraphTopology
 ///
 /// \brief counts the independent loops of a Reeb graph, its first Betti number: arcs less nodes plus components. It
-/// takes linear time.
+/// takes almost linear time.
 template <class ReebGraph>
 std::size_t number_of_loops(const ReebGraph& graph)
 {

@@ -11,83 +11,17 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Node_kind.h>
-#include <CGAL/Reeb_graph/internal/base/arc_index.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/internal/output/Graphml_writer.h>
 #include <CGAL/Reeb_graph/internal/output/files.h>
-#include <CGAL/Reeb_graph/internal/output/number_text.h>
 
-#include <boost/graph/graphml.hpp>
-#include <boost/make_shared.hpp>
-#include <boost/property_map/dynamic_property_map.hpp>
-#include <boost/property_map/function_property_map.hpp>
-#include <boost/throw_exception.hpp>
+#include <boost/graph/graph_traits.hpp>
 
-#include <cstddef>
 #include <ostream>
 #include <string>
-#include <type_traits>
-#include <typeinfo>
 
 namespace CGAL {
 namespace Reeb_graph {
-namespace internal {
-
-// What Boost writes as it stands has six digits only.
-template <class PropertyMap>
-class Round_trip_property_map : public boost::dynamic_property_map
-{
-  typedef typename boost::property_traits<PropertyMap>::key_type key_type;
-  typedef std::decay_t<typename boost::property_traits<PropertyMap>::value_type> value_type;
-
-public:
-  explicit Round_trip_property_map(const PropertyMap& map) : map_(map) {}
-
-  boost::any get(const boost::any& key) override { return value_of(key); }
-  std::string get_string(const boost::any& key) override { return to_round_trip_string(value_of(key)); }
-  void put(const boost::any&, const boost::any&) override { boost::throw_exception(boost::dynamic_const_put_error()); }
-  const std::type_info& key() const override { return typeid(key_type); }
-  const std::type_info& value() const override { return typeid(value_type); }
-
-private:
-  value_type value_of(const boost::any& key) const { return map_[boost::any_cast<key_type>(key)]; }
-
-  PropertyMap map_;
-};
-
-// Writes the graph, with the chains if add_chains(properties) adds them.
-template <class Graph, class VertexIndexMap, class AddChains>
-void write_graphml_with(std::ostream& out,
-                        const Graph& graph,
-                        VertexIndexMap vertex_index_map,
-                        const AddChains& add_chains)
-{
-  typedef typename boost::graph_traits<Graph>::vertex_descriptor node_descriptor;
-  typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
-
-  const auto index_of_node = [&](node_descriptor node) -> std::size_t {
-    return get(vertex_index_map, graph[node].vertex);
-  };
-  const auto value_of_node = [&](node_descriptor node) { return graph[node].value; };
-  const auto kind_of_node = [&](node_descriptor node) { return to_string(graph[node].kind); };
-
-  boost::dynamic_properties properties;
-  properties.property("vertex", boost::make_function_property_map<node_descriptor>(index_of_node));
-  properties.property("kind", boost::make_function_property_map<node_descriptor>(kind_of_node));
-  const auto value_map = boost::make_function_property_map<node_descriptor>(value_of_node);
-  properties.insert("value", boost::make_shared<Round_trip_property_map<decltype(value_map)>>(value_map));
-  if constexpr(Has_arc_index<Graph>::value)
-  {
-    const auto index_of_arc = [&](arc_descriptor arc) -> std::size_t { return get(boost::edge_index, graph, arc); };
-    properties.property("index", boost::make_function_property_map<arc_descriptor>(index_of_arc));
-  }
-  add_chains(properties);
-  const bool are_nodes_numbered_in_order = true;
-  boost::write_graphml(out, graph, properties, are_nodes_numbered_in_order);
-}
-
-} // namespace internal
-
 /// \ingroup PkgReebGraphIO
 ///
 /// \brief writes a Reeb graph in the <A HREF="http://graphml.graphdrawing.org/">GraphML</A> format.
@@ -112,7 +46,7 @@ template <class Graph, class VertexIndexMap>
 void write_graphml(std::ostream& out, const Graph& graph, VertexIndexMap vertex_index_map)
 {
   if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
-    internal::write_graphml_with(out, graph, vertex_index_map, [](boost::dynamic_properties&) {});
+    internal::Graphml_writer(out, graph, vertex_index_map, nullptr).write();
 }
 
 /// \ingroup PkgReebGraphIO
@@ -143,9 +77,7 @@ void write_graphml(std::ostream& out,
       text += (text.empty() ? "" : " ") + std::to_string(get(halfedge_index_map, h));
     return text;
   };
-  internal::write_graphml_with(out, graph, vertex_index_map, [&](boost::dynamic_properties& properties) {
-    properties.property("chain", boost::make_function_property_map<arc_descriptor>(chain_of_arc));
-  });
+  internal::Graphml_writer(out, graph, vertex_index_map, chain_of_arc).write();
 }
 
 /// \ingroup PkgReebGraphIO

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <charconv>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -24,6 +25,14 @@ namespace internal {
 template <class Value>
 std::string to_string_with_precision(const Value& value, int precision)
 {
+#ifdef __cpp_lib_to_chars
+  if constexpr(std::is_same_v<Value, double> || std::is_same_v<Value, float>)
+  {
+    char digits[32]; // a sign, 17 digits, a point, and an exponent
+    if(precision <= std::numeric_limits<double>::max_digits10)
+      return {digits, std::to_chars(digits, digits + sizeof(digits), value, std::chars_format::general, precision).ptr};
+  }
+#endif
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(precision);
