@@ -116,10 +116,14 @@ void write_files_of_surface(const Compute_options& options,
     write_mesh(options.mesh_path, surface, {scalar_map, locations, num_vertices(graph.result()), std::nullopt});
   if(is_graph_in_space(options))
   {
-    const auto manner = options.embedding_manner.value_or(CGAL::Reeb_graph::Embedding_manner::CENTROIDS);
+    // tables hold no lines, only the points of nodes
+    const auto default_manner = std::filesystem::path(options.graph_path).extension() == ".csv"
+                                ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
+                                : CGAL::Reeb_graph::Embedding_manner::CENTROIDS;
+    const auto manner = options.embedding_manner.value_or(default_manner);
     write_graph_in_space(options.graph_path, graph.result(), embed_graph(augmentation, manner, arcs), surface);
   }
-  report.seconds.emplace_back("files", output_stopwatch.seconds());
+  report.add_seconds("output", output_stopwatch.seconds());
 }
 
 void write_graph_file(const Compute_options& options, const Graph& graph, const Surface& surface, Report& report)
@@ -128,7 +132,7 @@ void write_graph_file(const Compute_options& options, const Graph& graph, const 
     return;
   const Stopwatch stopwatch;
   write_graph(options.graph_path, graph, surface, field_label(options.input, options.unit));
-  report.seconds.emplace_back("output", stopwatch.seconds());
+  report.add_seconds("output", stopwatch.seconds());
 }
 
 void write_page_file(const Compute_options& options,
