@@ -34,7 +34,7 @@ namespace Reeb_graph {
 /// - `CENTROIDS`: the polyline of an arc leads through the centroids, by length, of `number_of_contours` contours, at
 ///   equal steps of the field. Arcs from the same node to the same node that have the same line, as a tube inside of a
 ///   round tube, are moved halfway to the surface. It takes time proportional to the lengths of these contours and of
-///   those just below the nodes.
+///   those just below the nodes, and to the square of the number of arcs that join the same two nodes.
 /// - `ON_SURFACE`: the polyline follows the chain of the arc. Where that passes by the upper node, or by a node that
 ///   has been removed, it goes on along the contour just below that, the shorter way. It stays on the surface, and its
 ///   values ascend, and stay the same on this part of a contour. It takes time proportional to the lengths of the
