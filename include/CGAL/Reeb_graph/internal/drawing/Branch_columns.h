@@ -34,7 +34,6 @@ public:
   Branch_columns(const Branch_tree& tree, const Branch_order& order, const std::vector<double>& sorted_heights)
     : tree_(tree),
       order_(order),
-      heights_(sorted_heights),
       columns_(tree.branches.size(), 0)
   {
     std::vector<Index> trunks;
@@ -47,7 +46,7 @@ public:
     std::sort(trunks.begin(), trunks.end(), [&](Index a, Index b) {
       return length(a) != length(b) ? length(a) > length(b) : tree.branches[a].lower < tree.branches[b].lower;
     });
-    Skyline components(heights_, -gap_of_components);
+    Skyline components(sorted_heights, -gap_of_components);
     for(const Index trunk : trunks)
     {
       const std::vector<Index> branches = order.branches_of_trunk(trunk);
@@ -102,10 +101,26 @@ private:
     place_side(left, -1);
   }
 
+  // Those of the nodes at the ends of branches, in ascending order, each once: branches are apart where these are.
+  std::vector<double> heights_of_ends(const std::vector<Index>& branches) const
+  {
+    std::vector<double> heights;
+    heights.reserve(2 * branches.size());
+    for(const Index branch : branches)
+    {
+      heights.push_back(order_.own_extent(branch).low);
+      heights.push_back(order_.own_extent(branch).high);
+    }
+    std::sort(heights.begin(), heights.end());
+    heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+    return heights;
+  }
+
   // The branches at one side of the trunk, from the inside to the outside.
   void place_side(const std::vector<Index>& branches, int side)
   {
-    Skyline inner(heights_, 0);
+    const std::vector<double> heights = heights_of_ends(branches);
+    Skyline inner(heights, 0);
     for(const Index branch : branches)
     {
       const Height_range range = taken_heights(branch);
@@ -113,14 +128,14 @@ private:
       inner.raise(range, column);
       columns_[branch] = side * column;
     }
-    draw_to_parents(branches, side);
+    draw_to_parents(branches, heights, side);
   }
 
   // Moves those branches outwards whose parents lie there.
-  void draw_to_parents(const std::vector<Index>& branches, int side)
+  void draw_to_parents(const std::vector<Index>& branches, const std::vector<double>& heights, int side)
   {
     const double far_out = -2. - static_cast<double>(branches.size());
-    Skyline outer(heights_, far_out); // the columns, turned around
+    Skyline outer(heights, far_out); // the columns, turned around
     for(auto branch = branches.rbegin(); branch != branches.rend(); ++branch)
     {
       const Height_range range = taken_heights(*branch);
@@ -133,7 +148,6 @@ private:
 
   const Branch_tree& tree_;
   const Branch_order& order_;
-  const std::vector<double>& heights_;
   std::vector<double> columns_;
 };
 
