@@ -34,6 +34,10 @@ expect_file(table.nodes.csv "node,vertex,value,kind,x,y,z,arcs_below,arcs_above
 file(READ ${FOLDER}/table.arcs.csv content)
 expect_match("${content}" "^arc,source,target,lower_value,upper_value,persistence,length,area,vertices\n0,0,1,0,1,1,1,[0-9.]+,2\n$")
 
+# By default their nodes are at the vertices, as they have no lines.
+expect_success(compute ${z} --graph vertices.csv)
+expect_same_file(table.nodes.csv vertices.nodes.csv)
+
 file(WRITE ${FOLDER}/infinite.txt "-inf\n0\n0.5\ninf\n")
 expect_success(compute tetrahedron.off --scalars infinite.txt --graph infinite.json)
 file(READ ${FOLDER}/infinite.json json)
