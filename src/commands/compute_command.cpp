@@ -102,7 +102,7 @@ void write_files_of_surface(const Compute_options& options,
   const Augmentation augmentation = graph.augmentation(surface, scalar_map, options.graph);
   const Vertex_locations locations = locate_vertices(augmentation);
   std::vector<Arc_row> arcs;
-  if(has_table || is_graph_in_space(options))
+  if(has_table || (is_graph_in_space(options) && has_arc_attributes(options.graph_path)))
     arcs = measure_arcs(surface, scalar_map, graph.result(), locations);
   if(has_table)
     report.arc_table = arcs;
@@ -121,7 +121,8 @@ void write_files_of_surface(const Compute_options& options,
                                 ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
                                 : CGAL::Reeb_graph::Embedding_manner::CENTROIDS;
     const auto manner = options.embedding_manner.value_or(default_manner);
-    write_graph_in_space(options.graph_path, graph.result(), embed_graph(augmentation, manner, arcs), surface);
+    const std::vector<Arc_row>* const measures = has_arc_attributes(options.graph_path) ? &arcs : nullptr;
+    write_graph_in_space(options.graph_path, graph.result(), embed_graph(augmentation, manner, measures), surface);
   }
   report.add_seconds("output", output_stopwatch.seconds());
 }

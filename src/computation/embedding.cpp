@@ -38,12 +38,14 @@ std::vector<CGAL::Reeb_graph::Attribute> measures(const Graph& graph, const std:
 
 Graph_in_space embed_graph(const Augmentation& augmentation,
                            CGAL::Reeb_graph::Embedding_manner manner,
-                           const std::vector<Arc_row>& arcs)
+                           const std::vector<Arc_row>* arcs)
 {
   Progress_bar progress_bar("embedding");
   const auto np = CGAL::parameters::embedding_manner(manner).callback(std::ref(progress_bar));
-  return {CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(augmentation, np),
-          measures(augmentation.graph(), arcs)};
+  Graph_in_space result = {CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(augmentation, np), {}};
+  if(arcs)
+    result.arc_attributes = measures(augmentation.graph(), *arcs);
+  return result;
 }
 
 } // namespace reeb_graph_program

@@ -27,9 +27,10 @@ struct Graph_in_space
   std::vector<CGAL::Reeb_graph::Attribute> arc_attributes;
 };
 
+// Without rows of arcs, there are no measures.
 Graph_in_space embed_graph(const Augmentation& augmentation,
                            CGAL::Reeb_graph::Embedding_manner manner,
-                           const std::vector<Arc_row>& arcs);
+                           const std::vector<Arc_row>* arcs);
 
 } // namespace reeb_graph_program
 

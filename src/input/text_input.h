@@ -83,18 +83,20 @@ public:
   // Makes the next line a part of this one if this one ends in a backslash.
   void join_next_line()
   {
-    for(std::size_t last = line_.find_last_not_of(" \t\r"); last != std::string::npos && line_[last] == '\\';
-        last = line_.find_last_not_of(" \t\r"))
+    const auto last_of = [](std::string_view text) { return text.find_last_not_of(" \t\r"); };
+    std::size_t last = last_of(line_);
+    if(last == std::string_view::npos || line_[last] != '\\')
+      return;
+    joined_line_ = line_;
+    for(; last != std::string::npos && joined_line_[last] == '\\'; last = last_of(joined_line_))
     {
-      std::string joined(line_);
-      joined[last] = ' ';
+      joined_line_[last] = ' ';
       const std::string_view next = take_line();
-      joined += next;
-      joined_line_ = std::move(joined);
-      line_ = joined_line_;
+      joined_line_ += next;
       if(next.data() == nullptr)
-        return;
+        break;
     }
+    line_ = joined_line_;
   }
 
   // The next word of this line, empty at its end.

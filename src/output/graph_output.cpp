@@ -24,13 +24,14 @@ struct Graph_format
 {
   std::string ending;
   bool is_in_space;
+  bool has_attributes;
 };
 
 const std::vector<Graph_format>& graph_formats()
 {
-  static const std::vector<Graph_format> formats = {{".graphml", false}, {".dot", false}, {".svg", false},
-                                                    {".vtp", true},      {".obj", true},  {".polylines.txt", true},
-                                                    {".json", true},     {".csv", true}};
+  static const std::vector<Graph_format> formats = {
+    {".graphml", false, false}, {".dot", false, false},          {".svg", false, false}, {".vtp", true, true},
+    {".obj", true, false},      {".polylines.txt", true, false}, {".json", true, true},  {".csv", true, true}};
   return formats;
 }
 
@@ -60,6 +61,8 @@ fs::path table_path(const fs::path& path, const std::string& name)
 void check_graph_format(const fs::path& path) { format_of(path); }
 
 bool is_format_in_space(const fs::path& path) { return format_of(path).is_in_space; }
+
+bool has_arc_attributes(const fs::path& path) { return format_of(path).has_attributes; }
 
 std::vector<fs::path> graph_files(const fs::path& path)
 {

@@ -25,6 +25,9 @@ void check_graph_format(const std::filesystem::path& path);
 // Whether it is the format of a graph in space.
 bool is_format_in_space(const std::filesystem::path& path);
 
+// Whether the format has numbers of arcs besides their lines.
+bool has_arc_attributes(const std::filesystem::path& path);
+
 // The files that are written for a graph file of this name.
 std::vector<std::filesystem::path> graph_files(const std::filesystem::path& path);
 

@@ -25,10 +25,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <ios>
 #include <iterator>
 #include <limits>
+#include <locale>
 #include <set>
 #include <sstream>
+#include <streambuf>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -526,6 +531,67 @@ BOOST_AUTO_TEST_CASE(numbers_of_attributes_are_counted)
     Attribute_count_error);
   BOOST_TEST(out.str().empty());
   BOOST_CHECK_THROW(CGAL::Reeb_graph::write_obj("missing/graph.obj", s.graph, embedding), CGAL::Reeb_graph::File_error);
+
+  // a file that is there stays as it is
+  const std::string name = "test_embedding_attributes";
+  std::ofstream(name) << "kept";
+  BOOST_CHECK_THROW(CGAL::Reeb_graph::write_vtp(name, s.graph, embedding, vertex_index_map, np), Attribute_count_error);
+  BOOST_CHECK_THROW(CGAL::Reeb_graph::write_csv(name, name, s.graph, embedding, vertex_index_map, np),
+                    Attribute_count_error);
+  BOOST_CHECK_THROW(
+    CGAL::Reeb_graph::write_mesh_vtp(name, s.mesh, CGAL::parameters::vertex_attributes({{"too few", numbers}})),
+    Attribute_count_error);
+  std::string text;
+  std::ifstream(name) >> text;
+  BOOST_TEST(text == "kept");
+  std::remove(name.c_str());
+}
+
+// Writes numbers as in German: 1.234,5.
+struct German_numbers : std::numpunct<char>
+{
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+BOOST_AUTO_TEST_CASE(files_are_the_same_in_each_locale)
+{
+  const Embedded_sample<Surface_mesh> s(curve_samples::smooth_sample(1, 2000, 0));
+  const auto embedding = s.embedded(Embedding_manner::CENTROIDS);
+  const auto vertex_index_map = get(boost::vertex_index, s.mesh);
+  const auto text_of_all = [&](std::ostringstream out) {
+    CGAL::Reeb_graph::write_obj(out, s.graph, embedding);
+    CGAL::Reeb_graph::write_json(out, s.mesh, s.graph, embedding, vertex_index_map);
+    CGAL::Reeb_graph::write_nodes_csv(out, s.graph, embedding, vertex_index_map);
+    CGAL::Reeb_graph::write_arcs_csv(out, s.graph, embedding);
+    CGAL::Reeb_graph::write_vtp(out, s.graph, embedding, vertex_index_map);
+    CGAL::Reeb_graph::write_mesh_vtp(out, s.mesh);
+    CGAL::Reeb_graph::write_polylines(out, embedding.arc_polylines);
+    CGAL::Reeb_graph::write_graphml(out, s.graph, vertex_index_map);
+    return out.str();
+  };
+  std::ostringstream german;
+  german.imbue(std::locale(std::locale::classic(), new German_numbers));
+  BOOST_TEST((text_of_all(std::ostringstream()) == text_of_all(std::move(german))));
+}
+
+// A disk that is full.
+struct Full_buffer : std::streambuf
+{
+};
+
+BOOST_AUTO_TEST_CASE(exceptions_of_streams_arrive)
+{
+  const Embedded_sample<Surface_mesh> s(curve_samples::smooth_sample(1, 100, 0));
+  const auto embedding = s.embedded(Embedding_manner::STRAIGHT);
+  Full_buffer buffer;
+  std::ostream out(&buffer);
+  out.exceptions(std::ios::badbit);
+  BOOST_CHECK_THROW(CGAL::Reeb_graph::write_vtp(out, s.graph, embedding, get(boost::vertex_index, s.mesh)),
+                    std::ios::failure);
+  out.clear();
+  BOOST_CHECK_THROW(CGAL::Reeb_graph::write_mesh_vtp(out, s.mesh), std::ios::failure);
 }
 
 BOOST_AUTO_TEST_CASE(errors)

@@ -53,7 +53,7 @@ struct Plane_layout
 /// branches all go up, as in a merge tree, or all go down. Components lie side by side, the tallest first. Nodes of one
 /// branch with equal values lie beside each other.
 ///
-/// With \f$ n \f$ nodes and arcs it takes \f$ O(n \log n) \f$ time Equal graphs have equal layouts.
+/// With \f$ n \f$ nodes and arcs it takes \f$ O(n \log^2 n) \f$ time. Equal graphs have equal layouts.
 ///
 /// \tparam ReebGraph the type `Graph` of the traits class, or another bidirectional graph with `std::size_t` as vertex
 ///         descriptor

@@ -65,6 +65,7 @@ inline std::string csv_of(const std::string& text)
 template <class Graph, class Embedding, class VertexIndexMap>
 void write_nodes_csv(std::ostream& out, const Graph& graph, const Embedding& embedding, VertexIndexMap vertex_index_map)
 {
+  const internal::Classic_locale classic_locale(out);
   if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
   {
     using internal::to_round_trip_string;
@@ -104,6 +105,7 @@ void write_arcs_csv(std::ostream& out,
                     const Embedding& embedding,
                     const NamedParameters& np = parameters::default_values())
 {
+  const internal::Classic_locale classic_locale(out);
   using internal::to_round_trip_string;
   const std::vector<Attribute> attributes =
     internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
@@ -148,6 +150,8 @@ void write_csv(const std::string& nodes_filename,
                VertexIndexMap vertex_index_map,
                const NamedParameters& np = parameters::default_values())
 {
+  // before the files are opened, which empties them
+  internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
   internal::write_file(
     nodes_filename, [&](std::ostream& out) { Reeb_graph::write_nodes_csv(out, graph, embedding, vertex_index_map); });
   internal::write_file(arcs_filename,

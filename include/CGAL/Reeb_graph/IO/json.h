@@ -71,6 +71,7 @@ void write_json(std::ostream& out,
                 VertexIndexMap vertex_index_map,
                 const NamedParameters& np = parameters::default_values())
 {
+  const internal::Classic_locale classic_locale(out);
   if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
   {
     using internal::json_of;
@@ -120,6 +121,8 @@ void write_json(const std::string& filename,
                 VertexIndexMap vertex_index_map,
                 const NamedParameters& np = parameters::default_values())
 {
+  // before the file is opened, which empties it
+  internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
   internal::write_file(
     filename, [&](std::ostream& out) { Reeb_graph::write_json(out, mesh, graph, embedding, vertex_index_map, np); });
 }

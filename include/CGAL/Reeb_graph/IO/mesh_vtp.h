@@ -114,6 +114,7 @@ void write_mesh_vtp(std::ostream& out,
                     const FaceListGraph& mesh,
                     const NamedParameters& np = parameters::default_values())
 {
+  const internal::Classic_locale classic_locale(out);
   using parameters::get_parameter;
   const auto point_map = internal::choose_point_map(mesh, np);
   const auto index_map = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
@@ -147,6 +148,7 @@ void write_mesh_vtp(std::ostream& out,
     internal::write_attributes(document, face_attributes);
     internal::write_colors(document, CGAL::make_range(faces(mesh)), get_parameter(np, internal_np::face_color_map));
   });
+  document.finish();
 }
 
 /// \ingroup PkgReebGraphIO
@@ -160,6 +162,11 @@ void write_mesh_vtp(const std::string& filename,
                     const FaceListGraph& mesh,
                     const NamedParameters& np = parameters::default_values())
 {
+  // before the file is opened, which empties it
+  internal::checked_attributes(parameters::get_parameter(np, internal::vertex_attributes),
+                               CGAL::make_range(vertices(mesh)).size());
+  internal::checked_attributes(parameters::get_parameter(np, internal::face_attributes),
+                               CGAL::make_range(faces(mesh)).size());
   internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_mesh_vtp(out, mesh, np); });
 }
 

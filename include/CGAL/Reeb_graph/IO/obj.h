@@ -42,6 +42,7 @@ namespace Reeb_graph {
 template <class Graph, class Embedding>
 void write_obj(std::ostream& out, const Graph& graph, const Embedding& embedding)
 {
+  const internal::Classic_locale classic_locale(out);
   const auto precision = out.precision(std::numeric_limits<double>::max_digits10);
   const auto write_point = [&](const auto& point) {
     out << "v " << CGAL::to_double(point.x()) << ' ' << CGAL::to_double(point.y()) << ' ' << CGAL::to_double(point.z())

@@ -54,6 +54,7 @@ using Point_of_mesh = typename boost::property_traits<std::decay_t<
 template <class PolylineRange>
 void write_polylines(std::ostream& out, const PolylineRange& polylines)
 {
+  const internal::Classic_locale classic_locale(out);
   const auto precision = out.precision(std::numeric_limits<double>::max_digits10);
   for(const auto& polyline : polylines)
   {

@@ -50,7 +50,7 @@ inline std::string counted(std::size_t number, const std::string& name)
 /// colours and shapes of the nodes tell their kinds, colours that people with colour blindness can tell apart. Nodes are
 /// labelled with `n` and their number, and in a small graph with their value, arcs with their number in the order of
 /// `edges(graph)`, where there is room: no label lies on another one, on a node, or on an arc. A graph of more than
-/// 20,000 nodes has no labels. All of it is told where the pointer rests on a node or an arc. There is no script in the
+/// 5,000 nodes has no labels. All of it is told where the pointer rests on a node or an arc. There is no script in the
 /// file. Equal graphs give equal files.
 ///
 /// \tparam ReebGraph the type `Graph` of a model of `ReebGraphTraits`
@@ -142,7 +142,9 @@ void write_svg(const std::string& filename,
                const ReebGraph& graph,
                const NamedParameters& np = parameters::default_values())
 {
-  internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_svg(out, graph, np); });
+  std::ostringstream drawing; // before the file is opened, which empties it
+  Reeb_graph::write_svg(drawing, graph, np);
+  internal::write_file(filename, [&](std::ostream& out) { out << drawing.str(); });
 }
 
 } // namespace Reeb_graph

@@ -77,6 +77,7 @@ void write_vtp(std::ostream& out,
                VertexIndexMap vertex_index_map,
                const NamedParameters& np = parameters::default_values())
 {
+  const internal::Classic_locale classic_locale(out);
   if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
   {
     using internal::padded;
@@ -121,6 +122,7 @@ void write_vtp(std::ostream& out,
           [&](const auto& numbers) { document.write_array(attribute.name, padded(number_of_nodes, numbers, 0)); },
           attribute.numbers);
     });
+    document.finish();
   }
 }
 
@@ -140,6 +142,8 @@ void write_vtp(const std::string& filename,
                VertexIndexMap vertex_index_map,
                const NamedParameters& np = parameters::default_values())
 {
+  // before the file is opened, which empties it
+  internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
   internal::write_file(filename,
                        [&](std::ostream& out) { Reeb_graph::write_vtp(out, graph, embedding, vertex_index_map, np); });
 }

@@ -33,8 +33,8 @@ struct Height_range
   }
 };
 
-// How far what has been placed reaches at each height. Raising it and asking for its maximum in an interval take
-// logarithmic time: a segment tree, in which what is said of a part holds for all of it.
+// How far what has been placed reaches at each height: a segment tree, in which what is said of a part holds for all of
+// it. Asking for its maximum in an interval takes logarithmic time, raising it at most the square of that.
 class Skyline
 {
 public:

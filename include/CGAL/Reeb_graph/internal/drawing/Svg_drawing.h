@@ -181,7 +181,7 @@ private:
   // The taller the arcs at a node, the earlier is its label placed; then those of the arcs.
   void write_labels(std::ostream& out) const
   {
-    constexpr std::size_t most_nodes = 20000; // with labels, which would take longer to place than all the rest
+    constexpr std::size_t most_nodes = 5000; // with labels, whose places would take more memory than all the rest
     if(nodes_.size() > most_nodes)
       return;
     Occupied_plane plane({left + 2, 2, left + width_ + 10, top + height_ + bottom - 2});

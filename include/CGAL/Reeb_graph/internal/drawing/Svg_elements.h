@@ -38,8 +38,8 @@ constexpr std::array<Node_style, 5> node_styles = {
   {{Node_kind::MAXIMUM, "#d55e00", "m0-1.2l1.1 1.9h-2.2z"},
    {Node_kind::SADDLE, "#f0e442", "m-1 0a1 1 0 1 0 2 0a1 1 0 1 0-2 0z"},
    {Node_kind::MINIMUM, "#0072b2", "m0 1.2l1.1-1.9h-2.2z"},
-   {Node_kind::DEGREE_TWO, "#cccccc", "m-.7 0a.7.7 0 1 0 1.4 0a.7.7 0 1 0-1.4 0z"},
-   {Node_kind::ISOLATED, "#000000", "m-.8-.8h1.6v1.6h-1.6z"}}};
+   {Node_kind::DEGREE_TWO, "#009e73", "m-.7-.7h1.4v1.4h-1.4z"},
+   {Node_kind::ISOLATED, "#cc79a7", "m0-1.2l1.2 1.2-1.2 1.2-1.2-1.2z"}}};
 
 // A length in pixels, to a hundredth.
 inline std::string pixels(double length)

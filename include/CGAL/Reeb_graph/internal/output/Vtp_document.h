@@ -68,7 +68,6 @@ public:
     write_cells("Lines", lines);
     write_cells("Polys", polygons);
   }
-  ~Vtp_document() { out_ << "</Piece>\n</PolyData>\n</VTKFile>\n"; }
   Vtp_document(const Vtp_document&) = delete;
   Vtp_document& operator=(const Vtp_document&) = delete;
 
@@ -97,6 +96,9 @@ public:
     write_base64(out_, std::move(bytes));
     out_ << "\n</DataArray>\n";
   }
+
+  // Writes the end. It is not left to a destructor, in which a stream could throw an exception.
+  void finish() { out_ << "</Piece>\n</PolyData>\n</VTKFile>\n"; }
 
 private:
   void write_cells(const std::string& tag, const Cells& cells)

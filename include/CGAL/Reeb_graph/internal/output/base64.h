@@ -33,8 +33,10 @@ inline void write_base64(std::ostream& out, std::vector<unsigned char> bytes)
   const std::size_t padding = (3 - bytes.size() % 3) % 3;
   const std::size_t number_of_digits = (4 * bytes.size() + 2) / 3;
   bytes.resize(bytes.size() + padding, 0);
-  std::copy_n(Digits(bytes.cbegin()), number_of_digits, std::ostreambuf_iterator<char>(out));
-  out << std::string(padding, '=');
+  std::string text; // in one piece: an iterator of the stream's buffer would not tell the stream that it failed
+  text.reserve(number_of_digits + padding);
+  std::copy_n(Digits(bytes.cbegin()), number_of_digits, std::back_inserter(text));
+  out << text.append(padding, '=');
 }
 
 } // namespace internal

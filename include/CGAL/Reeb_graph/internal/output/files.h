@@ -13,12 +13,26 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 
+#include <boost/io/ios_state.hpp>
+
 #include <fstream>
+#include <locale>
+#include <ostream>
 #include <string>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+// Lets a stream write numbers as programs read them, whatever its locale is before and after.
+class Classic_locale
+{
+public:
+  explicit Classic_locale(std::ostream& out) : saver_(out, std::locale::classic()) {}
+
+private:
+  boost::io::ios_locale_saver saver_;
+};
 
 template <class Write>
 void write_file(const std::string& filename, const Write& write)
