@@ -32,11 +32,11 @@ template <class Profile>
 double distance_from_planes(const Profile& profile, const Point& point)
 {
   double sum = 0;
+  const auto point_map = profile.vertex_point_map();
   for(const auto& triangle : profile.triangles())
   {
-    const Point& corner = get(profile.vertex_point_map(), triangle.v0);
-    const auto normal = CGAL::cross_product(get(profile.vertex_point_map(), triangle.v1) - corner,
-                                            get(profile.vertex_point_map(), triangle.v2) - corner);
+    const Point& corner = get(point_map, triangle.v0);
+    const auto normal = CGAL::cross_product(get(point_map, triangle.v1) - corner, get(point_map, triangle.v2) - corner);
     const double area = std::sqrt(normal.squared_length()), height = normal * (point - corner);
     if(area > 0)
       sum += height * height / area;
