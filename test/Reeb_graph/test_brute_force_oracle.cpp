@@ -9,18 +9,26 @@
 #include <boost/test/unit_test.hpp>
 
 #include "brute_force_oracle.h"
+#include "complex_oracle.h"
 #include "generated_surfaces/random_meshes.h"
 #include "known_meshes.h"
+#include "quotient_oracle.h"
+#include "random_complexes.h"
 #include "random_fields.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
-// The tests' own tools: the oracle on cases done by hand and on identities, and the random meshes.
+// The tests' own tools: the oracles on cases done by hand and on identities, and the random meshes and complexes.
 
 using brute_force_oracle::Oracle;
+using CGAL::Reeb_graph::Ties;
+using random_complexes::Complex;
+using random_complexes::Complex_class;
 using random_meshes::Combinatorial_mesh;
 using random_meshes::Field_class;
 using random_meshes::Mesh_class;
@@ -69,6 +77,55 @@ bool is_on_border(const random_meshes::Directed_edges& edges, std::size_t v)
     if(edges.count({e->first.second, v}) == 0)
       return true;
   return false;
+}
+
+complex_oracle::Oracle oracle_of_complex(const Complex& complex,
+                                         const std::vector<double>& values,
+                                         Ties ties = Ties::PERTURB,
+                                         bool keeps_degree_two_nodes = false)
+{
+  return complex_oracle::Oracle(complex.number_of_vertices, complex.simplices(), values, ties, keeps_degree_two_nodes);
+}
+
+// by vertices, whatever the type of the nodes
+template <class Graph>
+Arcs sorted_arcs_between_vertices(const Graph& graph)
+{
+  Arcs arcs;
+  for(const auto& arc : graph.arcs)
+    arcs.emplace_back(graph.vertex_of_node(arc.lower), graph.vertex_of_node(arc.upper));
+  std::sort(arcs.begin(), arcs.end());
+  return arcs;
+}
+
+Arcs sorted_arcs_between_vertices(const quotient_oracle::Quotient& graph)
+{
+  Arcs arcs;
+  for(const auto& arc : graph.arcs)
+    arcs.emplace_back(graph.name_of_node(arc.lower), graph.name_of_node(arc.upper));
+  std::sort(arcs.begin(), arcs.end());
+  return arcs;
+}
+
+// in a complex of triangles
+std::map<complex_oracle::Edge, std::size_t> triangles_at_edges(const Complex& complex)
+{
+  std::map<complex_oracle::Edge, std::size_t> triangles;
+  for(const auto& t : complex.triangles)
+    for(int i = 0; i < 3; ++i)
+      ++triangles[complex_oracle::make_edge(t[i], t[(i + 1) % 3])];
+  return triangles;
+}
+
+// Is it one, without border, of that Euler characteristic?
+bool is_closed_surface(const Complex& complex, long characteristic)
+{
+  const auto triangles = triangles_at_edges(complex);
+  const bool has_border =
+    std::any_of(triangles.begin(), triangles.end(), [](const auto& edge) { return edge.second != 2; });
+  return !has_border
+      && static_cast<long>(complex.number_of_vertices + complex.triangles.size()) - static_cast<long>(triangles.size())
+           == characteristic;
 }
 
 // Of the lower link: a circle if all of an interior link is below, else disjoint paths.
@@ -177,4 +234,102 @@ BOOST_AUTO_TEST_CASE(kept_nodes_of_degree_two_only_subdivide_arcs)
       number_of_kept_nodes += difference;
     }
   BOOST_TEST(number_of_kept_nodes > 0);
+}
+
+BOOST_AUTO_TEST_CASE(graphs_of_complexes_done_by_hand)
+{
+  // three pages, two of them above the spine and one below it
+  const Complex book = random_complexes::book(3, 2);
+  BOOST_TEST((sorted_arcs_between_vertices(oracle_of_complex(book, {3, 2, 5, 1, 4})) == Arcs{{0, 2}, {0, 4}, {3, 0}}));
+
+  // a circle without triangles has one loop, and a tetrahedron on it closes it
+  Complex circle = {4, {}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}, {}};
+  BOOST_TEST((sorted_arcs_between_vertices(oracle_of_complex(circle, {0, 1, 2, 3})) == Arcs{{0, 3}, {0, 3}}));
+  circle.tetrahedra = {{0, 1, 2, 3}};
+  BOOST_TEST((sorted_arcs_between_vertices(oracle_of_complex(circle, {0, 1, 2, 3})) == Arcs{{0, 3}}));
+
+  // with ties, the circle of two levels is two arcs between two vertices, and a triangle is one arc
+  circle.tetrahedra.clear();
+  BOOST_TEST((sorted_arcs_between_vertices(oracle_of_complex(circle, {0, 1, 0, 1}, Ties::CONTRACT))
+              == Arcs{{0, 1}, {0, 3}, {2, 1}, {2, 3}}));
+  BOOST_TEST((sorted_arcs_between_vertices(oracle_of_complex(Complex{3, {{0, 1, 2}}}, {0, 1, 0}, Ties::CONTRACT))
+              == Arcs{{0, 1}}));
+
+  // two circles grow from the apex where a torus is pinched, and meet
+  BOOST_TEST(oracle_of_complex(random_complexes::pinched_torus(3, 3), {1, 2, 3, 4, 5, 6, 7, 8, 9, 0}).number_of_loops()
+             == 1);
+}
+
+BOOST_AUTO_TEST_CASE(complexes_are_what_their_names_say)
+{
+  BOOST_TEST(is_closed_surface(random_complexes::closed_grid(4, 3, true), 0));
+  BOOST_TEST(is_closed_surface(random_complexes::closed_grid(4, 3, false), 0));
+  BOOST_TEST(is_closed_surface(random_complexes::projective_plane(), 1));
+  BOOST_TEST(is_closed_surface(random_complexes::pinched_torus(4, 3), 1));
+  for(const std::size_t length : {5, 6, 7, 8})
+  {
+    const auto triangles = triangles_at_edges(random_complexes::triangle_strip(length));
+    BOOST_TEST(triangles.size() == 2 * length);
+    const auto on_border =
+      std::count_if(triangles.begin(), triangles.end(), [](const auto& edge) { return edge.second == 1; });
+    BOOST_TEST(on_border == static_cast<long>(length));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_oracles_agree_on_surfaces)
+{
+  for(std::size_t seed = 0; seed < 600; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      const auto mesh_class = static_cast<Mesh_class>(seed % static_cast<int>(Mesh_class::NUMBER_OF_CLASSES));
+      const Combinatorial_mesh mesh = random_meshes::random_mesh(mesh_class, random);
+      const auto field_class = seed % 2 == 0 ? Field_class::PERMUTATION : Field_class::FEW_VALUES;
+      const auto values = random_meshes::random_field(mesh, field_class, random);
+      const Complex complex = random_complexes::complex_of(mesh);
+      const bool keeps_degree_two_nodes = seed % 4 < 2;
+      const Oracle surface = oracle(mesh, values, keeps_degree_two_nodes);
+      const auto perturbed = oracle_of_complex(complex, values, Ties::PERTURB, keeps_degree_two_nodes);
+      BOOST_TEST(perturbed.fault == "");
+      BOOST_TEST((sorted_arcs_between_vertices(perturbed) == sorted_arcs(surface)));
+      BOOST_TEST(perturbed.nodes.size() == number_of_nodes(surface));
+
+      std::vector<bool> is_critical;
+      for(std::size_t v = 0; v < mesh.number_of_vertices; ++v)
+        is_critical.push_back(surface.is_critical(v));
+      const quotient_oracle::Quotient quotient(mesh.number_of_vertices,
+                                               brute_force_oracle::make_triangles(mesh.triangles), values, is_critical,
+                                               keeps_degree_two_nodes);
+      const auto contracted = oracle_of_complex(complex, values, Ties::CONTRACT, keeps_degree_two_nodes);
+      BOOST_TEST(contracted.fault == "");
+      BOOST_TEST((sorted_arcs_between_vertices(contracted) == sorted_arcs_between_vertices(quotient)));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(graphs_of_complexes_keep_to_identities)
+{
+  std::set<std::size_t> numbers_of_loops;
+  for(std::size_t seed = 0; seed < 1200; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      const auto complex_class = static_cast<Complex_class>(seed % static_cast<int>(Complex_class::NUMBER_OF_CLASSES));
+      const Complex complex = random_complexes::random_complex(complex_class, random);
+      const auto values = random_complexes::random_values(complex.number_of_vertices, random);
+      const Ties ties = random.below(2) == 0 ? Ties::PERTURB : Ties::CONTRACT;
+      const auto strict = oracle_of_complex(complex, values, ties),
+                 kept = oracle_of_complex(complex, values, ties, true);
+      BOOST_TEST(strict.fault == "");
+      BOOST_TEST(kept.arcs.size() - strict.arcs.size() == kept.nodes.size() - strict.nodes.size());
+      BOOST_TEST(strict.number_of_loops() == kept.number_of_loops());
+
+      // tetrahedra have the graph of their faces, and no complex loses loops by contracting ties
+      const auto faces = oracle_of_complex(random_complexes::skeleton(complex), values, ties);
+      BOOST_TEST((sorted_arcs_between_vertices(faces) == sorted_arcs_between_vertices(strict)));
+      const auto perturbed = oracle_of_complex(complex, values);
+      BOOST_TEST(strict.number_of_loops() <= perturbed.number_of_loops());
+      BOOST_TEST(perturbed.number_of_loops() <= complex_oracle::first_betti_number(strict, complex.simplices()));
+      numbers_of_loops.insert(perturbed.number_of_loops());
+    }
+  BOOST_TEST(numbers_of_loops.size() > 5);
 }
