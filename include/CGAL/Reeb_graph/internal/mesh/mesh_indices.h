@@ -24,10 +24,12 @@ struct Vertex_tag;
 struct Halfedge_tag;
 struct Edge_tag;
 struct Face_tag;
+struct Triangle_tag;
 typedef Index_of<Vertex_tag> Vertex_index;
 typedef Index_of<Halfedge_tag> Halfedge_index;
 typedef Index_of<Edge_tag> Edge_index;
 typedef Index_of<Face_tag> Face_index;
+typedef Index_of<Triangle_tag> Triangle_index; // of a complex that may be no surface
 
 // The two halfedges of edge e are 2 e and 2 e + 1.
 constexpr Edge_index edge_of(Halfedge_index halfedge) { return Edge_index(halfedge.number() / 2); }
