@@ -10,6 +10,7 @@
 
 #include "brute_force_oracle.h"
 #include "complex_oracle.h"
+#include "generated_surfaces/generated_complexes.h"
 #include "generated_surfaces/random_meshes.h"
 #include "known_meshes.h"
 #include "quotient_oracle.h"
@@ -17,6 +18,7 @@
 #include "random_fields.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <set>
@@ -107,11 +109,11 @@ Arcs sorted_arcs_between_vertices(const quotient_oracle::Quotient& graph)
   return arcs;
 }
 
-// in a complex of triangles
-std::map<complex_oracle::Edge, std::size_t> triangles_at_edges(const Complex& complex)
+std::map<complex_oracle::Edge, std::size_t> triangles_at_edges(
+  const std::vector<std::array<std::size_t, 3>>& all_triangles)
 {
   std::map<complex_oracle::Edge, std::size_t> triangles;
-  for(const auto& t : complex.triangles)
+  for(const auto& t : all_triangles)
     for(int i = 0; i < 3; ++i)
       ++triangles[complex_oracle::make_edge(t[i], t[(i + 1) % 3])];
   return triangles;
@@ -120,7 +122,7 @@ std::map<complex_oracle::Edge, std::size_t> triangles_at_edges(const Complex& co
 // Is it one, without border, of that Euler characteristic?
 bool is_closed_surface(const Complex& complex, long characteristic)
 {
-  const auto triangles = triangles_at_edges(complex);
+  const auto triangles = triangles_at_edges(complex.triangles);
   const bool has_border =
     std::any_of(triangles.begin(), triangles.end(), [](const auto& edge) { return edge.second != 2; });
   return !has_border
@@ -268,12 +270,34 @@ BOOST_AUTO_TEST_CASE(complexes_are_what_their_names_say)
   BOOST_TEST(is_closed_surface(random_complexes::pinched_torus(4, 3), 1));
   for(const std::size_t length : {5, 6, 7, 8})
   {
-    const auto triangles = triangles_at_edges(random_complexes::triangle_strip(length));
+    const auto triangles = triangles_at_edges(random_complexes::triangle_strip(length).triangles);
     BOOST_TEST(triangles.size() == 2 * length);
     const auto on_border =
       std::count_if(triangles.begin(), triangles.end(), [](const auto& edge) { return edge.second == 1; });
     BOOST_TEST(on_border == static_cast<long>(length));
   }
+}
+
+BOOST_AUTO_TEST_CASE(generated_complexes_are_what_their_names_say)
+{
+  const auto foam = generated_surfaces::foam(3, 4, 3, 1);
+  const auto triangles = triangles_at_edges(foam.triangles);
+  const auto is_edge_of_foam = [](const auto& edge) { return edge.second == 2 || edge.second == 3; };
+  BOOST_TEST(std::all_of(triangles.begin(), triangles.end(), is_edge_of_foam));
+  BOOST_TEST(foam.points.size() + foam.triangles.size() == triangles.size() + 1 + 3 * 4 * 3); // a sphere for each cell
+
+  const auto solid = generated_surfaces::solid(5, 2);
+  Complex complex = {solid.points.size()};
+  complex.tetrahedra = solid.tetrahedra;
+  const auto graph = oracle_of_complex(complex, generated_surfaces::smooth_field(solid.points));
+  BOOST_TEST(graph.fault == "");
+  BOOST_TEST(complex_oracle::first_betti_number(graph, complex.simplices()) == 4);
+
+  const auto book = generated_surfaces::book(5, 4);
+  const auto at_edges = triangles_at_edges(book.triangles);
+  const auto of_spine = std::count_if(at_edges.begin(), at_edges.end(), [](const auto& e) { return e.second == 5; });
+  BOOST_TEST(of_spine == 4);
+  BOOST_TEST(book.points.size() + book.triangles.size() == at_edges.size() + 1);
 }
 
 BOOST_AUTO_TEST_CASE(the_oracles_agree_on_surfaces)
