@@ -15,9 +15,9 @@
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Arc_contours.h>
-#include <CGAL/Reeb_graph/internal/augmentation/Arc_levels.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Graph_on_mesh.h>
 #include <CGAL/Reeb_graph/internal/augmentation/New_places.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Surface_contour_tracer.h>
 #include <CGAL/Reeb_graph/internal/augmentation/check_graph.h>
 #include <CGAL/Reeb_graph/internal/augmentation/locate_vertices.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
@@ -135,7 +135,7 @@ public:
   /// numbers.
   ///
   /// \exception Unknown_vertex_error if the mesh has no such vertex
-  double value(vertex_descriptor v) const { return on_mesh_.value(checked_number(v)); }
+  double value(vertex_descriptor v) const { return on_mesh_.value(internal::checked_number(on_mesh_, v)); }
 
   /// \brief returns the contour of an arc at a place between its ends.
   ///
@@ -146,11 +146,7 @@ public:
   ///
   /// \exception Parameter_error if `t` is not greater than 0 and less than 1
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
-  Contour contour(arc_descriptor arc, double t) const
-  {
-    check_place(arc, t);
-    return contours_.trace(arc, levels_.at_parameter(arc, t));
-  }
+  Contour contour(arc_descriptor arc, double t) const { return contours_.at_parameter(arc, t); }
 
   /// \brief returns the contour of an arc at a place between its ends, parametrized by another field.
   ///
@@ -167,8 +163,7 @@ public:
   template <class ParametrizationMap>
   Contour contour(arc_descriptor arc, double t, ParametrizationMap parametrization) const
   {
-    check_place(arc, t);
-    return contours_.trace(arc, levels_.at_parameter(arc, t, parametrization));
+    return contours_.at_parameter(arc, t, parametrization);
   }
 
   /// \brief returns the contour of an arc at the level just above the last vertex of value at most `value`.
@@ -176,13 +171,7 @@ public:
   /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher, and its upper
   ///            node must be higher than `value`
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
-  Contour contour_at_value(arc_descriptor arc, const Scalar& value) const
-  {
-    internal::check_is_arc(on_mesh_.graph(), arc);
-    if(!levels_.is_alive_at(arc, value))
-      throw Level_error();
-    return contours_.trace(arc, levels_.at_value(value));
-  }
+  Contour contour_at_value(arc_descriptor arc, const Scalar& value) const { return contours_.at_value(arc, value); }
 
   /// \brief returns the contour of an arc at the level just below a vertex, which the contour need not be near.
   ///
@@ -192,10 +181,7 @@ public:
   ///            upper node must not be; if ties are contracted, in value
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
   /// \exception Unknown_vertex_error if the mesh has no vertex `v`
-  Contour contour_below(arc_descriptor arc, vertex_descriptor v) const
-  {
-    return contour_at(arc, levels_.below_vertex(checked_number(v)));
-  }
+  Contour contour_below(arc_descriptor arc, vertex_descriptor v) const { return contours_.below_vertex(arc, v); }
 
   /// \brief returns the contour of an arc at the level just above a vertex, which the contour need not be near.
   ///
@@ -205,10 +191,7 @@ public:
   ///            its upper node must be; if ties are contracted, in value
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
   /// \exception Unknown_vertex_error if the mesh has no vertex `v`
-  Contour contour_above(arc_descriptor arc, vertex_descriptor v) const
-  {
-    return contour_at(arc, levels_.above_vertex(checked_number(v)));
-  }
+  Contour contour_above(arc_descriptor arc, vertex_descriptor v) const { return contours_.above_vertex(arc, v); }
 
   /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
   /// connected components of a level set, in the order of the arcs.
@@ -221,13 +204,7 @@ public:
   template <class ConcurrencyTag = Sequential_tag>
   std::vector<Contour> contours_at_value(const Scalar& value) const
   {
-    std::vector<arc_descriptor> arcs;
-    for(const arc_descriptor arc : on_mesh_.arcs())
-    {
-      if(levels_.is_alive_at(arc, value))
-        arcs.push_back(arc);
-    }
-    return contours_.template trace_all<ConcurrencyTag>(arcs, levels_.at_value(value));
+    return contours_.template all_at_value<ConcurrencyTag>(value);
   }
 
   /// \brief writes the point at which a contour crosses each of its halfedges, by linear interpolation.
@@ -261,7 +238,7 @@ public:
       // Not by reference, as some maps return points that do not outlive the descriptor.
       const auto lower = get(vertex_point_map, source(h, on_mesh_.mesh()));
       const auto upper = get(vertex_point_map, target(h, on_mesh_.mesh()));
-      *points++ = lower + on_mesh_.crossing_fraction(h, contour.value) * (upper - lower);
+      *points++ = lower + internal::crossing_fraction(on_mesh_, h, contour.value) * (upper - lower);
     }
     return points;
   }
@@ -275,16 +252,9 @@ public:
   /// \exception Unknown_node_error if `node` is not a node of the graph
   Critical_set critical_set(node_descriptor node) const
   {
-    const ReebGraph& graph = on_mesh_.graph();
-    internal::check_is_node(graph, node);
-    Critical_set result;
-    for(const arc_descriptor arc : CGAL::make_range(in_edges(node, graph)))
-      result.lower_contours.push_back(contours_.trace(arc, levels_.below_node(node)));
-    for(const arc_descriptor arc : CGAL::make_range(out_edges(node, graph)))
-      result.upper_contours.push_back(contours_.trace(arc, levels_.above_node(node)));
-    result.star = on_mesh_.star(node);
-    result.border_loop = on_mesh_.border_loop(node);
-    return result;
+    internal::check_is_node(on_mesh_.graph(), node);
+    return {contours_.all_below_node(node), contours_.all_above_node(node), on_mesh_.star(node),
+            on_mesh_.border_loop(node)};
   }
 
   /// \brief finds the place of each vertex of the mesh in the graph: the segmentation of the mesh by the arcs.
@@ -318,8 +288,7 @@ private:
       are_degree_two_nodes_kept_(
         parameters::choose_parameter(parameters::get_parameter(np, internal::keep_degree_two_nodes), false)),
       on_mesh_(mesh, scalar_map, graph, internal::choose_traits<Traits>(np), np, progress),
-      levels_(on_mesh_, ties_),
-      contours_(on_mesh_),
+      contours_(on_mesh_, ties_),
       new_places_(parameters::get_parameter(np, internal::simplification))
   {
     static_assert(std::is_same_v<internal::Chosen_traits<Traits, NamedParameters>, Traits>,
@@ -329,35 +298,10 @@ private:
     progress.report_end();
   }
 
-  template <class Level>
-  Contour contour_at(arc_descriptor arc, const Level& level) const
-  {
-    internal::check_is_arc(on_mesh_.graph(), arc);
-    if(!levels_.is_alive_at(arc, level))
-      throw Level_error();
-    return contours_.trace(arc, level);
-  }
-
-  internal::Vertex_index checked_number(vertex_descriptor v) const
-  {
-    const internal::Vertex_index number = on_mesh_.number(v);
-    if(!on_mesh_.is_vertex(number, v))
-      throw Unknown_vertex_error();
-    return number;
-  }
-
-  void check_place(arc_descriptor arc, double t) const
-  {
-    internal::check_is_arc(on_mesh_.graph(), arc);
-    if(!(t > 0 && t < 1))
-      throw Parameter_error(t);
-  }
-
   const Ties ties_;
   const bool are_degree_two_nodes_kept_;
   const Graph_on_mesh on_mesh_;
-  const internal::Arc_levels<Graph_on_mesh> levels_;
-  const internal::Arc_contours<Graph_on_mesh> contours_;
+  const internal::Arc_contours<Graph_on_mesh, internal::Surface_contour_tracer<Graph_on_mesh>> contours_;
   const internal::New_places new_places_;
 };
 

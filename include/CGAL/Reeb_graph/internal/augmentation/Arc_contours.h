@@ -11,85 +11,150 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Arc_levels.h>
+#include <CGAL/Reeb_graph/internal/augmentation/check_graph.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
-#include <CGAL/Reeb_graph/internal/walks/contour_tracing.h>
+#include <CGAL/Reeb_graph/options.h>
+
+#include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The contours of arcs at levels that cross their chains. They throw Graph_mismatch_error if a chain does not.
-template <class GraphOnMesh>
+// A halfedge of the chain of an arc that crosses a level. Chains can overlap where a piece ends; then the later one is
+// inside the arc. It throws Graph_mismatch_error if there is none.
+template <class GraphOnComplex, class IsBelow>
+auto find_crossing(const GraphOnComplex& on_complex,
+                   typename GraphOnComplex::arc_descriptor arc,
+                   const IsBelow& is_below)
+{
+  const auto& chain = on_complex.chain(arc);
+  const auto is_source_below = [&](const auto& h) { return is_below(on_complex.checked_source(h)); };
+  const auto h = std::partition_point(chain.begin() + 1, chain.end(), is_source_below)[-1];
+  if(!is_source_below(h) || is_below(on_complex.checked_target(h)))
+    throw Graph_mismatch_error();
+  return h;
+}
+
+// The contours of arcs at levels that cross their chains, and whether they do: what an Augmentation is asked for. A
+// `Tracer` knows what a contour is: it has find_start(halfedge) and trace(arc, start, level).
+template <class GraphOnComplex, class Tracer>
 class Arc_contours
 {
-  typedef typename GraphOnMesh::halfedge_descriptor halfedge_descriptor;
-  typedef typename GraphOnMesh::arc_descriptor arc_descriptor;
+  typedef typename GraphOnComplex::Scalar Scalar;
+  typedef typename GraphOnComplex::vertex_descriptor vertex_descriptor;
+  typedef typename GraphOnComplex::node_descriptor node_descriptor;
+  typedef typename GraphOnComplex::arc_descriptor arc_descriptor;
+  typedef Arc_levels<GraphOnComplex> Levels;
+  typedef typename Levels::Level Level;
 
 public:
-  typedef Reeb_graph::Contour<arc_descriptor, halfedge_descriptor> Contour;
+  typedef typename Tracer::Contour Contour;
 
-  explicit Arc_contours(const GraphOnMesh& on_mesh) : on_mesh_(on_mesh) {}
+  template <class... TracerArguments>
+  Arc_contours(const GraphOnComplex& on_complex, Ties ties, const TracerArguments&... arguments)
+    : on_complex_(on_complex),
+      levels_(on_complex, ties),
+      tracer_(on_complex, arguments...)
+  {}
 
-  template <class Level>
-  Contour trace(arc_descriptor arc, const Level& level) const
+  // The contour at a fraction of the values, or of the differences of another field, along the arc.
+  template <class... ParametrizationMap>
+  Contour at_parameter(arc_descriptor arc, double t, const ParametrizationMap&... parametrization) const
   {
-    return trace_from(arc, find_start(arc, level.is_below), level);
+    check_is_arc(on_complex_.graph(), arc);
+    if(!(t > 0 && t < 1))
+      throw Parameter_error(t);
+    return trace(arc, levels_.at_parameter(arc, t, parametrization...));
   }
 
-  // The contours of several arcs at one level.
-  template <class ConcurrencyTag, class Level>
-  std::vector<Contour> trace_all(const std::vector<arc_descriptor>& arcs, const Level& level) const
+  Contour at_value(arc_descriptor arc, const Scalar& value) const
   {
-    std::vector<Halfedge_index> starts;
-    starts.reserve(arcs.size());
-    for(const arc_descriptor arc : arcs)
-      starts.push_back(find_start(arc, level.is_below));
+    check_is_arc(on_complex_.graph(), arc);
+    if(!levels_.is_alive_at(arc, value))
+      throw Level_error();
+    return trace(arc, levels_.at_value(value));
+  }
+
+  Contour below_vertex(arc_descriptor arc, vertex_descriptor v) const
+  {
+    return at_level(arc, levels_.below_vertex(checked_number(on_complex_, v)));
+  }
+
+  Contour above_vertex(arc_descriptor arc, vertex_descriptor v) const
+  {
+    return at_level(arc, levels_.above_vertex(checked_number(on_complex_, v)));
+  }
+
+  // The contours of all arcs at the level of the value.
+  template <class ConcurrencyTag>
+  std::vector<Contour> all_at_value(const Scalar& value) const
+  {
+    const Level level = levels_.at_value(value);
+    std::vector<arc_descriptor> arcs;
+    std::vector<decltype(find_start(arcs[0], level))> starts;
+    for(const arc_descriptor arc : on_complex_.arcs())
+    {
+      if(levels_.is_alive_at(arc, value))
+      {
+        arcs.push_back(arc);
+        starts.push_back(find_start(arc, level));
+      }
+    }
     std::vector<Contour> contours(arcs.size());
     for_each_index<ConcurrencyTag>(arcs.size(),
-                                   [&](std::size_t i) { contours[i] = trace_from(arcs[i], starts[i], level); });
+                                   [&](std::size_t i) { contours[i] = tracer_.trace(arcs[i], starts[i], level); });
     return contours;
   }
 
+  // The contours of all arcs below a node, or above it, next to the node, which has been checked.
+  std::vector<Contour> all_below_node(node_descriptor node) const
+  {
+    return all_at_level(in_edges(node, on_complex_.graph()), levels_.below_node(node));
+  }
+
+  std::vector<Contour> all_above_node(node_descriptor node) const
+  {
+    return all_at_level(out_edges(node, on_complex_.graph()), levels_.above_node(node));
+  }
+
 private:
-  // A halfedge of a triangle on the edge at which the chain of the arc crosses the level. Chains can overlap where a
-  // piece ends; then the later one is inside the arc.
-  template <class IsBelow>
-  Halfedge_index find_start(arc_descriptor arc, const IsBelow& is_below) const
+  auto find_start(arc_descriptor arc, const Level& level) const
   {
-    const auto& chain = on_mesh_.chain(arc);
-    const auto is_source_below = [&](halfedge_descriptor h) { return is_below(on_mesh_.checked_source(h)); };
-    const halfedge_descriptor h = std::partition_point(chain.begin() + 1, chain.end(), is_source_below)[-1];
-    if(!is_source_below(h) || is_source_below(opposite(h, on_mesh_.mesh())))
-      throw Graph_mismatch_error();
-    return on_mesh_.number_of_edge(h);
+    return tracer_.find_start(find_crossing(on_complex_, arc, level.is_below));
   }
 
-  template <class Level>
-  Contour trace_from(arc_descriptor arc, Halfedge_index start, const Level& level) const
+  Contour trace(arc_descriptor arc, const Level& level) const
   {
-    Contour contour;
-    contour.arc = arc;
-    contour.value = level.value;
-    std::vector<Halfedge_index> crossed;
-    contour.is_closed = trace_oriented_contour(on_mesh_.complex(), start, level.is_below, crossed);
-    contour.halfedges.reserve(crossed.size());
-    for(const Halfedge_index halfedge : crossed)
-    {
-      const bool is_target_below = level.is_below(on_mesh_.complex().target(halfedge));
-      contour.halfedges.push_back(on_mesh_.halfedge(is_target_below ? opposite_of(halfedge) : halfedge));
-    }
-    return contour;
+    return tracer_.trace(arc, find_start(arc, level), level);
   }
 
-  const GraphOnMesh& on_mesh_;
+  Contour at_level(arc_descriptor arc, const Level& level) const
+  {
+    check_is_arc(on_complex_.graph(), arc);
+    if(!levels_.is_alive_at(arc, level))
+      throw Level_error();
+    return trace(arc, level);
+  }
+
+  template <class ArcIteratorPair>
+  std::vector<Contour> all_at_level(const ArcIteratorPair& arcs, const Level& level) const
+  {
+    std::vector<Contour> contours;
+    for(const arc_descriptor arc : CGAL::make_range(arcs))
+      contours.push_back(trace(arc, level));
+    return contours;
+  }
+
+  const GraphOnComplex& on_complex_;
+  const Levels levels_;
+  const Tracer tracer_;
 };
 
 } // namespace internal

@@ -32,7 +32,6 @@ class Arc_levels
 {
   typedef typename GraphOnMesh::Scalar Scalar;
   typedef typename GraphOnMesh::Order Order;
-  typedef typename GraphOnMesh::vertex_descriptor vertex_descriptor;
   typedef typename GraphOnMesh::node_descriptor node_descriptor;
   typedef typename GraphOnMesh::arc_descriptor arc_descriptor;
   typedef internal::Level<Scalar, Order> Is_below;
@@ -93,26 +92,25 @@ public:
     const double lower = on_mesh_.value(on_mesh_.lower_vertex(arc)), upper = on_mesh_.value(on_mesh_.upper_vertex(arc));
     const auto& chain = on_mesh_.chain(arc);
     const std::size_t step = (std::min)(static_cast<std::size_t>(t * chain.size()), chain.size() - 1);
-    return between(arc, lower + t * (upper - lower), on_mesh_.number(source(chain[step], on_mesh_.mesh())));
+    return between(arc, lower + t * (upper - lower), on_mesh_.source_of(chain[step]));
   }
 
   // The level at the fraction t of the differences of another field, summed up along the chain.
   template <class ParametrizationMap>
   Level at_parameter(arc_descriptor arc, double t, const ParametrizationMap& parametrization) const
   {
-    const auto& mesh = on_mesh_.mesh();
     const auto& chain = on_mesh_.chain(arc);
     const double scale = 0.5 / static_cast<double>(chain.size()); // so that no sum is infinite
-    const auto scaled_value = [&](vertex_descriptor v) {
-      const double value = static_cast<double>(get(parametrization, v));
+    const auto scaled_value = [&](Vertex_index v) {
+      const double value = static_cast<double>(get(parametrization, on_mesh_.vertex(v)));
       if(!std::isfinite(value))
-        throw Non_finite_scalar_error(on_mesh_.position(on_mesh_.number(v)));
+        throw Non_finite_scalar_error(on_mesh_.position(v));
       return scale * value;
     };
     std::vector<double> sums = {0};
     for(std::size_t i = 0; i != chain.size(); ++i)
     {
-      const double difference = scaled_value(target(chain[i], mesh)) - scaled_value(source(chain[i], mesh));
+      const double difference = scaled_value(on_mesh_.target_of(chain[i])) - scaled_value(on_mesh_.source_of(chain[i]));
       sums.push_back(sums.back() + std::abs(difference) * used_fraction(arc, i));
     }
     const double sum = t * sums.back();
@@ -121,8 +119,7 @@ public:
     const std::size_t step =
       (std::min)(std::size_t(std::lower_bound(sums.begin() + 1, sums.end(), sum) - sums.begin()), chain.size()) - 1;
     const double fraction = used_fraction(arc, step) * (sum - sums[step]) / (sums[step + 1] - sums[step]);
-    const Vertex_index from = on_mesh_.number(source(chain[step], mesh)),
-                       to = on_mesh_.number(target(chain[step], mesh));
+    const Vertex_index from = on_mesh_.source_of(chain[step]), to = on_mesh_.target_of(chain[step]);
     return between(arc, on_mesh_.value(from) + fraction * (on_mesh_.value(to) - on_mesh_.value(from)), from);
   }
 
@@ -155,10 +152,9 @@ private:
   double used_fraction(arc_descriptor arc, std::size_t i) const
   {
     const auto& chain = on_mesh_.chain(arc);
-    const Vertex_index end =
-      i + 1 == chain.size() ? on_mesh_.upper_vertex(arc) : on_mesh_.number(source(chain[i + 1], on_mesh_.mesh()));
-    const bool is_all_used = end == on_mesh_.number(target(chain[i], on_mesh_.mesh()));
-    return is_all_used ? 1 : on_mesh_.crossing_fraction(chain[i], on_mesh_.value(end));
+    const Vertex_index end = i + 1 == chain.size() ? on_mesh_.upper_vertex(arc) : on_mesh_.source_of(chain[i + 1]);
+    const bool is_all_used = end == on_mesh_.target_of(chain[i]);
+    return is_all_used ? 1 : crossing_fraction(on_mesh_, chain[i], on_mesh_.value(end));
   }
 
   const GraphOnMesh& on_mesh_;

@@ -36,8 +36,7 @@ template <class GraphOnMesh>
 void check_nodes(const GraphOnMesh& on_mesh)
 {
   const auto& graph = on_mesh.graph();
-  const auto mesh_vertices = vertices(on_mesh.mesh());
-  if(num_vertices(graph) == 0 && mesh_vertices.first != mesh_vertices.second)
+  if(num_vertices(graph) == 0 && on_mesh.has_vertices())
     throw Graph_mismatch_error();
   Vertex_index lower_vertex = no_index;
   for(const auto node : CGAL::make_range(vertices(graph)))
@@ -113,6 +112,16 @@ void check_same_graph(const GraphOnMesh& on_mesh, const Flat_graph& flat_graph, 
                                                    : is_same_graph(on_mesh, flat_graph);
   if(!is_right)
     throw Graph_mismatch_error();
+}
+
+// The number of a vertex that may be one of another mesh.
+template <class GraphOnComplex>
+Vertex_index checked_number(const GraphOnComplex& on_complex, typename GraphOnComplex::vertex_descriptor v)
+{
+  const Vertex_index number = on_complex.number(v);
+  if(!on_complex.is_vertex(number, v))
+    throw Unknown_vertex_error();
+  return number;
 }
 
 template <class ReebGraph>
