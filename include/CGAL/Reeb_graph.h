@@ -48,6 +48,7 @@
 #include <CGAL/Reeb_graph/simplification/piece_weights.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/Reeb_graph/simplification/simplify_field.h>
+#include <CGAL/Reeb_graph/tetrahedra.h>
 #include <CGAL/Reeb_graph/visitor.h>
 #include <CGAL/Reeb_graph_traits.h>
 #include <CGAL/compute_reeb_graph.h>

@@ -90,6 +90,23 @@ public:
   {}
 };
 
+/// \brief thrown for a 3-cell that is no tetrahedron with four different vertices.
+class Non_tetrahedral_cell_error : public Error
+{
+public:
+  /// constructs the exception for the 3-cell at position `cell`.
+  explicit Non_tetrahedral_cell_error(std::size_t cell)
+    : Error(message("3-cell ", cell, " is not a tetrahedron with four vertices")),
+      cell_(cell)
+  {}
+
+  /// the position of the 3-cell among those of its data structure.
+  std::size_t cell() const { return cell_; }
+
+private:
+  std::size_t cell_;
+};
+
 /// \brief thrown for an edge that is on no face.
 class Edge_without_face_error : public Error
 {
