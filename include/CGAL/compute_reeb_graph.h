@@ -33,8 +33,30 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class ReebGraph, class NamedParameters>
-void run_pipeline(const FaceListGraph& mesh, ScalarMap scalar_map, ReebGraph& graph, const NamedParameters& np);
+// The mesh and its field, as the pipeline takes them.
+template <class FaceListGraph, class ScalarMap, class NamedParameters>
+struct Mesh_with_field
+{
+  const FaceListGraph& mesh;
+  const ScalarMap& scalar_map;
+  const NamedParameters& np;
+
+  template <class ConcurrencyTag, class Traits>
+  auto flatten(const Traits& traits) const
+  {
+    return flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
+  }
+
+  // What leads from the numbers of a complex back to the descriptors.
+  template <class Complex>
+  const FaceListGraph& mesh_of(const Complex&) const
+  {
+    return mesh;
+  }
+};
+
+template <class ConcurrencyTag, class Input, class Traits, class ReebGraph, class NamedParameters>
+void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, const NamedParameters& np);
 
 } // namespace internal
 } // namespace Reeb_graph
@@ -167,14 +189,22 @@ void compute_reeb_graph(const FaceListGraph& mesh,
                         const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Reeb_graph::internal;
-  typedef internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters> Traits;
+  typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Default_traits;
+  typedef internal::Chosen_traits<Default_traits, NamedParameters> Traits;
   if constexpr(internal::Field_and_graph_to_write<FaceListGraph, ScalarMap, ReebGraph, Traits>::value)
-    internal::run_pipeline<ConcurrencyTag>(mesh, scalar_map, graph, np);
+  {
+    const internal::Mesh_with_field<FaceListGraph, ScalarMap, NamedParameters> input = {mesh, scalar_map, np};
+    const auto traits = internal::choose_traits<Default_traits>(np);
+    if(internal::is_parallel<ConcurrencyTag>() && num_faces(mesh) < internal::smallest_parallel_mesh)
+      internal::run_pipeline<Sequential_tag>(input, traits, graph, np);
+    else
+      internal::run_pipeline<ConcurrencyTag>(input, traits, graph, np);
+  }
 }
 
-template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class ReebGraph, class NamedParameters>
-void Reeb_graph::internal::run_pipeline(const FaceListGraph& mesh,
-                                        ScalarMap scalar_map,
+template <class ConcurrencyTag, class Input, class Traits, class ReebGraph, class NamedParameters>
+void Reeb_graph::internal::run_pipeline(const Input& input,
+                                        const Traits& traits,
                                         ReebGraph& graph,
                                         const NamedParameters& np)
 {
@@ -183,13 +213,6 @@ void Reeb_graph::internal::run_pipeline(const FaceListGraph& mesh,
   using Reeb_graph::Stage;
   namespace stages = Reeb_graph::internal;
 
-  if constexpr(stages::is_parallel<ConcurrencyTag>())
-  {
-    if(num_faces(mesh) < stages::smallest_parallel_mesh)
-      return compute_reeb_graph<Sequential_tag>(mesh, scalar_map, graph, np);
-  }
-
-  const auto traits = stages::choose_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>>(np);
   auto visitor_parameter = choose_parameter<Reeb_graph::Default_visitor>(get_parameter(np, internal_np::visitor));
   auto& visitor = stages::unwrap_reference(visitor_parameter);
   const stages::Progress progress(np);
@@ -201,7 +224,7 @@ void Reeb_graph::internal::run_pipeline(const FaceListGraph& mesh,
 
   progress.report(0);
   visitor.begin_stage(Stage::FLATTEN);
-  auto [unchecked_complex, field] = stages::flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
+  auto [unchecked_complex, field] = input.template flatten<ConcurrencyTag>(traits);
   const stages::Vertex_order order(field.values, traits.less_scalar_object());
   visitor.end_stage(Stage::FLATTEN);
   progress.report(0.2);
@@ -226,7 +249,7 @@ void Reeb_graph::internal::run_pipeline(const FaceListGraph& mesh,
 
   // Not written aside and swapped: to swap graphs of Boost copies them.
   visitor.begin_stage(Stage::WRITE);
-  stages::write_graph<ConcurrencyTag>(mesh, complex, field, order, flat_graph, graph);
+  stages::write_graph<ConcurrencyTag>(input.mesh_of(complex), complex, field, order, flat_graph, graph);
   visitor.end_stage(Stage::WRITE);
   progress.report_end();
 }

@@ -20,6 +20,7 @@
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
+#include <CGAL/Reeb_graph/internal/walks/contour_of_complex.h>
 #include <CGAL/Reeb_graph/internal/walks/contour_tracing.h>
 
 #include <cstddef>

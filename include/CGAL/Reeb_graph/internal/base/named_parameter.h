@@ -72,19 +72,22 @@ T& unwrap_reference(std::reference_wrapper<T>& parameter)
   }
 
 // A named parameter whose values have any type, otherwise as above.
-#define CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(name)                                                              \
-  CGAL_REEB_GRAPH_NAMED_PARAMETER_TAG(name)                                                                            \
+#define CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(name) CGAL_REEB_GRAPH_NAMED_PARAMETER_AND_TAG(name, name)
+
+// The same with another name for the tag, if there are functions called `name`.
+#define CGAL_REEB_GRAPH_NAMED_PARAMETER_AND_TAG(name, tag)                                                             \
+  CGAL_REEB_GRAPH_NAMED_PARAMETER_TAG(tag)                                                                             \
   namespace CGAL {                                                                                                     \
   namespace parameters {                                                                                               \
   template <class Value>                                                                                               \
   auto name(const Value& value)                                                                                        \
   {                                                                                                                    \
-    return Named_function_parameters<Value, Reeb_graph::internal::name##_t>(value);                                    \
+    return Named_function_parameters<Value, Reeb_graph::internal::tag##_t>(value);                                     \
   }                                                                                                                    \
   template <class Value, class T, class Tag, class Base>                                                               \
   auto name(const Value& value, const Named_function_parameters<T, Tag, Base>& np)                                     \
   {                                                                                                                    \
-    return Named_function_parameters<Value, Reeb_graph::internal::name##_t, std::decay_t<decltype(np)>>(value, np);    \
+    return Named_function_parameters<Value, Reeb_graph::internal::tag##_t, std::decay_t<decltype(np)>>(value, np);     \
   }                                                                                                                    \
   }                                                                                                                    \
   }

@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Complex_loop_surgery.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Cutting_sweep.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Loop_cuts.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Loop_surgery.h>
@@ -96,11 +97,12 @@ public:
 private:
   // The sweep for the join tree, and for the split tree as much as can be done: all of it where no loop can be, as the
   // sweeps do not need each other then. Whether that is so, the result, is only known after the first one; to run the
-  // second one beside it is a guess.
+  // second one beside it is a guess. Of a complex that may be no surface, the Euler characteristic tells nothing.
   template <class ConcurrencyTag>
   bool sweep_first_trees(Upward_sweep& upwards, std::optional<Downward_sweep>& downwards) const
   {
-    const std::ptrdiff_t characteristic = slab_.is_whole_surface() ? euler_characteristic(critical_vertices_) : 0;
+    const std::ptrdiff_t characteristic =
+      Complex::is_surface && slab_.is_whole_surface() ? euler_characteristic(critical_vertices_) : 0;
     const bool is_guess_made = is_parallel<ConcurrencyTag>() && characteristic > 0;
     invoke_both<ConcurrencyTag>([&] { sweep_upwards(upwards); },
                                 [&] {

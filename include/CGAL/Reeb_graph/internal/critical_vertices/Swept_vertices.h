@@ -93,22 +93,24 @@ public:
     }
   }
 
-  // Sets one vertex, which has the given sectors from `first_sectors` on.
-  template <class Complex, class Order>
+  // Where the lower and the upper sectors of a vertex are written that has them from `first_sectors` on.
+  By_side<Link_sector*> places(const Sector_counts& first_sectors)
+  {
+    return {sectors_[Side::LOWER].data() + first_sectors[Side::LOWER],
+            sectors_[Side::UPPER].data() + first_sectors[Side::UPPER]};
+  }
+
+  // Sets one vertex, but not its sectors.
   void set(Swept_index critical,
-           const Complex& complex,
-           const Order& order,
            Vertex_index vertex,
-           const Link_summary& link,
+           bool is_first_upper,
+           bool is_on_border,
            const Sector_counts& first_sectors)
   {
-    find_link_sectors(complex, order, vertex, link,
-                      {sectors_[Side::LOWER].data() + first_sectors[Side::LOWER],
-                       sectors_[Side::UPPER].data() + first_sectors[Side::UPPER]});
     entries_[critical] = {{Sector_index(first_sectors[Side::LOWER]), Sector_index(first_sectors[Side::UPPER])},
                           vertex,
-                          link.is_first_upper,
-                          complex.is_on_border(vertex)};
+                          is_first_upper,
+                          is_on_border};
   }
 
   // Sorts the vertices when all have been set. Ties are ordered by critical vertex as by vertex.

@@ -35,7 +35,7 @@ namespace internal {
 class Simplicial_complex
 {
 public:
-  // Stages can ask whether edges have two triangles at most, and vertices a fan that can be turned around.
+  // Whether each edge has one or two triangles, and each vertex one fan of them. It is not known, so nobody counts on it.
   static constexpr bool is_surface = false;
 
   // The vertices are numbered from 0. for_each_triangle(visit) calls visit(a, b, c) with the numbers of three different

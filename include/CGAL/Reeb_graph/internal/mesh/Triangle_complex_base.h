@@ -37,6 +37,9 @@ template <class Complex>
 class Triangle_complex_base
 {
 public:
+  // Whether each edge has one or two triangles, and each vertex one fan of them.
+  static constexpr bool is_surface = true;
+
   // The first number behind those of the vertices, or of the edges.
   Number number_of_vertices() const { return static_cast<Number>(first_halfedges_.size()); }
   Number number_of_edges() const { return complex().number_of_halfedges() / 2; }

@@ -1,0 +1,120 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_CRITICAL_VERTICES_LINK_FORESTS_H
+#define CGAL_REEB_GRAPH_INTERNAL_CRITICAL_VERTICES_LINK_FORESTS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Side.h>
+#include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/link_sectors.h>
+#include <CGAL/Reeb_graph/internal/mesh/Simplicial_complex.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The link sectors of the vertices of any complex. The link of a vertex is a graph: its points are the edges at the
+// vertex, and the triangles there join them. So a sector is a set of edges that lead from the vertex upwards, or
+// downwards, and a triangle joins two edges at its lowest vertex and two at its highest one: each edge is in one set at
+// either end.
+template <class Order>
+class Link_forests
+{
+public:
+  Link_forests(const Simplicial_complex& complex, const Order& order)
+    : complex_(complex),
+      order_(order),
+      sets_(
+        {Disjoint_sets<Edge_index>(complex.number_of_edges()), Disjoint_sets<Edge_index>(complex.number_of_edges())}),
+      numbers_of_sectors_(complex.number_of_vertices(), {0, 0}),
+      sector_at_root_(complex.number_of_edges())
+  {
+    for(const Edge_index edge : complex.edges())
+    {
+      const Vertex_index u = complex.lower_end(edge), v = complex.higher_end(edge);
+      const bool is_ascending = order(u, v);
+      ++numbers_of_sectors_[u][side_of(is_ascending)];
+      ++numbers_of_sectors_[v][side_of(!is_ascending)];
+    }
+    for(const Triangle_index triangle : complex.triangles())
+      join_edges(triangle);
+  }
+
+  By_side<Number> numbers_of_sectors(Vertex_index vertex) const { return numbers_of_sectors_[vertex]; }
+
+  // A lower and a higher neighbor.
+  Monotone_neighbors neighbors(Vertex_index vertex) const
+  {
+    Monotone_neighbors result = {no_index, no_index};
+    complex_.for_each_edge_around(
+      vertex, [&](Vertex_index neighbor, Halfedge_index) { result[side_of(order_(vertex, neighbor))] = neighbor; });
+    return result;
+  }
+
+  // Writes the sectors of a vertex to the two places, in the order of their first edges.
+  void find_sectors(Vertex_index vertex, const By_side<Link_sector*>& places)
+  {
+    for(const Side side : both_sides)
+      roots_[side].clear();
+    complex_.for_each_edge_around(vertex, [&](Vertex_index neighbor, Halfedge_index halfedge) {
+      const Side side = side_of(order_(vertex, neighbor));
+      const Edge_index root = sets_[side].find(edge_of(halfedge));
+      // What is found there may be left from another vertex.
+      const Number sector = sector_at_root_[root];
+      if(sector < roots_[side].size() && roots_[side][sector] == root)
+        return add_to_sector(places[side][sector], order_, side, neighbor, halfedge);
+      sector_at_root_[root] = static_cast<Number>(roots_[side].size());
+      places[side][roots_[side].size()] = {neighbor, halfedge};
+      roots_[side].push_back(root);
+    });
+  }
+
+private:
+  void join_edges(Triangle_index triangle)
+  {
+    const std::array<Vertex_index, 3>& v = complex_.vertices_of(triangle);
+    const std::array<Edge_index, 3>& edges = complex_.edges_of(triangle);
+    const bool is_01 = order_(v[0], v[1]), is_02 = order_(v[0], v[2]), is_12 = order_(v[1], v[2]);
+    // The place of the vertex that is below, or above, both other ones.
+    const std::size_t lowest = is_01 ? (is_02 ? 0 : 2) : (is_12 ? 1 : 2);
+    const std::size_t highest = is_01 ? (is_12 ? 2 : 1) : (is_02 ? 2 : 0);
+    join(Side::UPPER, v[lowest], edges[lowest == 2], edges[lowest == 0 ? 1 : 2]);
+    join(Side::LOWER, v[highest], edges[highest == 2], edges[highest == 0 ? 1 : 2]);
+  }
+
+  void join(Side side, Vertex_index vertex, Edge_index a, Edge_index b)
+  {
+    const Edge_index root_of_a = sets_[side].find(a), root_of_b = sets_[side].find(b);
+    if(root_of_a == root_of_b)
+      return;
+    sets_[side].link(root_of_a, root_of_b);
+    --numbers_of_sectors_[vertex][side];
+  }
+
+  const Simplicial_complex& complex_;
+  const Order& order_;
+  By_side<Disjoint_sets<Edge_index>> sets_; // by their upper, and by their lower end
+  Indexed_vector<Vertex_index, By_side<Number>> numbers_of_sectors_;
+  Zeroed_array<Edge_index, Number> sector_at_root_; // of the vertex of the last call
+  By_side<std::vector<Edge_index>> roots_;          // by sector of that vertex
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_CRITICAL_VERTICES_LINK_FORESTS_H

@@ -1,0 +1,132 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_LEVEL_SETS_CONTOUR_SEARCH_H
+#define CGAL_REEB_GRAPH_INTERNAL_LEVEL_SETS_CONTOUR_SEARCH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
+#include <CGAL/Reeb_graph/internal/mesh/Simplicial_complex.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph/internal/walks/contour_of_complex.h>
+
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Searches the contours at several edges that cross one level, all at once, so that the largest contour costs no more
+// than the other ones. Edges keep the name of the search that has found them, so no search has to forget anything.
+class Contour_search
+{
+public:
+  explicit Contour_search(const Simplicial_complex& complex) : complex_(complex), searches_(complex.number_of_edges())
+  {}
+
+  // Calls visit(halfedges of the crossed edges) for all but one of the contours that cross the edges of `starts`.
+  template <class IsBelow, class Visit>
+  void visit_all_but_one(const std::vector<Halfedge_index>& starts, const IsBelow& is_below, const Visit& visit)
+  {
+    first_search_ = last_search_ + 1;
+    contours_.assign(starts.size(), Contour());
+    leaders_.resize(starts.size());
+    std::iota(leaders_.begin(), leaders_.end(), std::size_t(0));
+    number_of_contours_ = starts.size();
+    for(std::size_t i = 0; i != starts.size(); ++i)
+    {
+      ++last_search_;
+      reach(i, edge_of(starts[i]));
+    }
+    while(number_of_contours_ > 1)
+    {
+      for(std::size_t i = 0; i != starts.size() && number_of_contours_ > 1; ++i)
+      {
+        if(leaders_[i] != i || contours_[i].is_complete)
+          continue;
+        if(contours_[i].pending.empty())
+        {
+          contours_[i].is_complete = true;
+          --number_of_contours_;
+          visit(contours_[i].crossed_edges);
+        }
+        else
+          go_on(i, is_below);
+      }
+    }
+  }
+
+private:
+  struct Contour
+  {
+    std::vector<Halfedge_index> crossed_edges;
+    std::vector<Edge_index> pending; // whose triangles have not been looked at
+    bool is_complete = false;
+  };
+
+  template <class IsBelow>
+  void go_on(std::size_t i, const IsBelow& is_below)
+  {
+    const Edge_index edge = contours_[i].pending.back();
+    contours_[i].pending.pop_back();
+    for_each_crossed_edge_beside(complex_, edge, is_below,
+                                 [&](Edge_index beside, Triangle_index) { reach(leader(i), beside); });
+  }
+
+  // An edge belongs to a contour now. If it does already, and to another one, these two are one.
+  void reach(std::size_t i, Edge_index edge)
+  {
+    if(searches_[edge] < first_search_)
+    {
+      searches_[edge] = first_search_ + static_cast<Number>(i);
+      contours_[i].crossed_edges.push_back(even_halfedge(edge));
+      contours_[i].pending.push_back(edge);
+      return;
+    }
+    const std::size_t other = leader(searches_[edge] - first_search_);
+    if(other != i)
+      join(i, other);
+  }
+
+  void join(std::size_t i, std::size_t other)
+  {
+    const bool is_smaller = contours_[i].crossed_edges.size() < contours_[other].crossed_edges.size();
+    Contour& large = contours_[is_smaller ? other : i];
+    Contour& small = contours_[is_smaller ? i : other];
+    large.crossed_edges.insert(large.crossed_edges.end(), small.crossed_edges.begin(), small.crossed_edges.end());
+    large.pending.insert(large.pending.end(), small.pending.begin(), small.pending.end());
+    small = Contour();
+    leaders_[is_smaller ? i : other] = is_smaller ? other : i;
+    --number_of_contours_;
+  }
+
+  std::size_t leader(std::size_t i) const
+  {
+    while(leaders_[i] != i)
+      i = leaders_[i];
+    return i;
+  }
+
+  const Simplicial_complex& complex_;
+  Zeroed_array<Edge_index, Number> searches_; // the number of the start from which the edge has been found
+  Number first_search_ = 1;
+  Number last_search_ = 0;
+  std::vector<Contour> contours_;
+  std::vector<std::size_t> leaders_;
+  std::size_t number_of_contours_ = 0;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_LEVEL_SETS_CONTOUR_SEARCH_H

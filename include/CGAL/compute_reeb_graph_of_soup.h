@@ -1,0 +1,207 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_COMPUTE_REEB_GRAPH_OF_SOUP_H
+#define CGAL_COMPUTE_REEB_GRAPH_OF_SOUP_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/critical_vertices/classify_complex.h>
+#include <CGAL/Reeb_graph/internal/mesh/flatten_soup.h>
+#include <CGAL/Reeb_graph/internal/mesh/read_simplices.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/soup_exceptions.h>
+#include <CGAL/Reeb_graph_soup_traits.h>
+#include <CGAL/compute_reeb_graph.h>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+template <class ConcurrencyTag, class Scalars, class ReebGraph, class NamedParameters, class ReadComplex>
+void compute_graph_of_complex(std::size_t number_of_vertices,
+                              const Scalars& scalars,
+                              ReebGraph& graph,
+                              const NamedParameters& np,
+                              const ReadComplex& read_complex);
+
+} // namespace internal
+} // namespace Reeb_graph
+
+/// \ingroup PkgReebGraphRef
+///
+/// \brief computes the augmented Reeb graph of a scalar field on any set of triangles and edges.
+///
+/// The soup need not be a surface: any number of triangles can meet at an edge, and any number of fans of triangles at
+/// a vertex; it need not be orientable; edges and vertices may be on no triangle. The field is linear on each triangle.
+/// A vertex is known by its index, and triangles by those of their vertices; if one is listed twice, it counts once.
+/// Nothing is asked of the points, only how many they are.
+///
+/// The graph is exact and has the same nodes, arcs, order and chains as that of `compute_reeb_graph()`, and on a soup
+/// that is an oriented surface, this is the same graph. Here vertices are indices, and the chains of the arcs are
+/// ascending pairs of indices.
+///
+/// \tparam ConcurrencyTag as for `compute_reeb_graph()`. The complex is built by one thread.
+/// \tparam PointsOrNumber a range of points, or an integer type
+/// \tparam TriangleRange a range of ranges of indices, as for the polygon soups of \cgal, such as
+///         `std::vector<std::array<std::size_t, 3>>` and `std::vector<std::vector<int>>`
+/// \tparam ScalarRange a random access range of scalar values
+/// \tparam ReebGraph the type `Graph` of the traits class
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param points the points, or how many vertices there are
+/// \param triangles the triangles
+/// \param scalars the scalar field, one value per vertex
+/// \param graph the result; whatever it held before is cleared
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edges}
+///     \cgalParamDescription{edges that may be on no triangle, as a range of pairs of indices}
+///     \cgalParamType{a range of `std::pair`, or of ranges of two indices, copied or as `std::reference_wrapper`}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{use the functions `parameters::edges()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object}
+///     \cgalParamType{a model of `ReebGraphTraits`, derived from `Reeb_graph_soup_traits`}
+///     \cgalParamDefault{`Reeb_graph_soup_traits` of the value type of `scalars`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// The named parameters `keep_degree_two_nodes`, `ties`, `method`, `number_of_slabs`, `callback` and `visitor` are those
+/// of `compute_reeb_graph()`.
+///
+/// Let there be \f$ n \f$ vertices, edges and triangles, \f$ c \f$ critical vertices, \f$ s \f$ lower link sectors of
+/// vertices at which a loop might close, and \f$ l \f$ the length of the contours that close loops. By default, this
+/// takes \f$ O(n + c \log c + (n + s) \log s + l \log l) \f$ steps of a union-find, and \f$ O(n + l) \f$ memory. There
+/// are at most as many contours that close loops as the first Betti number of the complex.
+///
+/// \exception Reeb_graph::Non_triangular_face_error if a face has not three vertices
+/// \exception Reeb_graph::Degenerate_face_error if a face has one vertex at two corners
+/// \exception Reeb_graph::Degenerate_edge_error if an edge has one vertex at both ends
+/// \exception Reeb_graph::Vertex_out_of_range_error if an index is not one of a vertex
+/// \exception Reeb_graph::Scalar_count_error if there is not one value for each vertex
+/// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN, or the order of the values is found to be
+///            none
+/// \exception Reeb_graph::Cancelled_error if `callback` returns `false`
+/// \exception Reeb_graph::Mesh_size_error if there are too many vertices, edges or triangles for 32-bit indices
+///
+/// When one of these is thrown, `graph` is as it was before. When anything else is, it can be empty instead.
+template <class ConcurrencyTag = Sequential_tag,
+          class PointsOrNumber,
+          class TriangleRange,
+          class ScalarRange,
+          class ReebGraph,
+          class NamedParameters = parameters::Default_named_parameters>
+void compute_reeb_graph_of_soup(const PointsOrNumber& points,
+                                const TriangleRange& triangles,
+                                const ScalarRange& scalars,
+                                ReebGraph& graph,
+                                const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Reeb_graph::internal;
+  const std::size_t size = internal::count_vertices(points);
+  internal::compute_graph_of_complex<ConcurrencyTag>(
+    size, scalars, graph, np, [&](const auto& edges) { return internal::read_triangles(size, triangles, edges); });
+}
+
+/// \ingroup PkgReebGraphRef
+///
+/// \brief computes the augmented Reeb graph of a scalar field on any set of tetrahedra.
+///
+/// The field is linear on each tetrahedron. The components of its level sets are those on the faces of the tetrahedra,
+/// so the graph is that of `compute_reeb_graph_of_soup()` for all faces. All that is said there holds here.
+///
+/// \tparam TetrahedronRange a range of ranges of four indices, such as `std::vector<std::array<std::size_t, 4>>`
+///
+/// \exception Reeb_graph::Non_tetrahedral_cell_error if a cell has not four vertices
+/// \exception Reeb_graph::Degenerate_tetrahedron_error if a tetrahedron has one vertex at two corners
+template <class ConcurrencyTag = Sequential_tag,
+          class PointsOrNumber,
+          class TetrahedronRange,
+          class ScalarRange,
+          class ReebGraph,
+          class NamedParameters = parameters::Default_named_parameters>
+void compute_reeb_graph_of_tetrahedra(const PointsOrNumber& points,
+                                      const TetrahedronRange& tetrahedra,
+                                      const ScalarRange& scalars,
+                                      ReebGraph& graph,
+                                      const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Reeb_graph::internal;
+  const std::size_t size = internal::count_vertices(points);
+  internal::compute_graph_of_complex<ConcurrencyTag>(
+    size, scalars, graph, np, [&](const auto& edges) { return internal::read_tetrahedra(size, tetrahedra, edges); });
+}
+
+namespace Reeb_graph {
+namespace internal {
+
+// A soup and its field, as the pipeline takes them.
+template <class Scalars, class ReadComplex>
+struct Soup_with_field
+{
+  std::size_t number_of_vertices;
+  const Scalars& scalars;
+  const ReadComplex& read_complex;
+
+  template <class Scalar>
+  struct Flat_soup
+  {
+    Simplicial_complex complex;
+    Flat_field<Simplicial_complex, Scalar> field;
+  };
+
+  template <class ConcurrencyTag, class Traits>
+  Flat_soup<typename Traits::Scalar> flatten(const Traits& traits) const
+  {
+    auto field = flatten_scalars<ConcurrencyTag>(number_of_vertices, scalars, traits);
+    return {read_complex(), std::move(field)};
+  }
+
+  // Descriptors are made from the numbers of the complex.
+  const Simplicial_complex& mesh_of(const Simplicial_complex& complex) const { return complex; }
+};
+
+template <class ConcurrencyTag, class Scalars, class ReebGraph, class NamedParameters, class ReadComplex>
+void compute_graph_of_complex(std::size_t number_of_vertices,
+                              const Scalars& scalars,
+                              ReebGraph& graph,
+                              const NamedParameters& np,
+                              const ReadComplex& read_complex)
+{
+  typedef typename std::iterator_traits<decltype(std::begin(scalars))>::value_type Scalar;
+  typedef Reeb_graph_soup_traits<Scalar> Default_traits;
+  typedef Chosen_traits<Default_traits, NamedParameters> Traits;
+  if constexpr(Then<Graph_is_not_const<ReebGraph>::value,
+                    Graph_of_field<ReebGraph, Simplicial_complex, typename Traits::Scalar>>::value)
+  {
+    auto edges_parameter = parameters::choose_parameter<std::array<std::array<std::size_t, 2>, 0>>(
+      parameters::get_parameter(np, edges_of_soup));
+    const auto read = [&] { return read_complex(unwrap_reference(edges_parameter)); };
+    const Soup_with_field<Scalars, decltype(read)> input = {number_of_vertices, scalars, read};
+    const auto traits = choose_traits<Default_traits>(np);
+    if(is_parallel<ConcurrencyTag>() && number_of_vertices < smallest_parallel_mesh / 2)
+      run_pipeline<Sequential_tag>(input, traits, graph, np);
+    else
+      run_pipeline<ConcurrencyTag>(input, traits, graph, np);
+  }
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+
+} // namespace CGAL
+
+#endif // CGAL_COMPUTE_REEB_GRAPH_OF_SOUP_H
