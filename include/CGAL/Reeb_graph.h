@@ -48,9 +48,12 @@
 #include <CGAL/Reeb_graph/simplification/piece_weights.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/Reeb_graph/simplification/simplify_field.h>
+#include <CGAL/Reeb_graph/soup_exceptions.h>
 #include <CGAL/Reeb_graph/tetrahedra.h>
 #include <CGAL/Reeb_graph/visitor.h>
+#include <CGAL/Reeb_graph_soup_traits.h>
 #include <CGAL/Reeb_graph_traits.h>
 #include <CGAL/compute_reeb_graph.h>
+#include <CGAL/compute_reeb_graph_of_soup.h>
 
 #endif // CGAL_REEB_GRAPH_H

@@ -125,8 +125,7 @@ void compute_reeb_graph_of_soup(const PointsOrNumber& points,
 ///
 /// \tparam TetrahedronRange a range of ranges of four indices, such as `std::vector<std::array<std::size_t, 4>>`
 ///
-/// \exception Reeb_graph::Non_tetrahedral_cell_error if a cell has not four vertices
-/// \exception Reeb_graph::Degenerate_tetrahedron_error if a tetrahedron has one vertex at two corners
+/// \exception Reeb_graph::Non_tetrahedral_cell_error if a tetrahedron has not four different vertices
 template <class ConcurrencyTag = Sequential_tag,
           class PointsOrNumber,
           class TetrahedronRange,

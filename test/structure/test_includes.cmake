@@ -3,7 +3,7 @@
 cmake_minimum_required(VERSION 3.21)
 
 # the stages of the pipeline, from the ground up: each may include those before it
-set(stages base mesh critical_vertices walks slabs contour_trees arcs output)
+set(stages base mesh critical_vertices walks level_sets slabs contour_trees arcs output)
 foreach(stage IN LISTS stages)
   set(rooms_below_${stage} ${stages_below})
   list(APPEND stages_below ${stage})
@@ -18,7 +18,7 @@ set(rooms_below_drawing base output simplification)
 set(rooms ${stages} augmentation embedding scalar_fields simplification curves drawing)
 
 # the public headers that the stages may include: small ones, which include none of the others
-set(small_headers exceptions.h options.h Node_kind.h Critical_vertex_counts.h)
+set(small_headers exceptions.h soup_exceptions.h options.h Node_kind.h Critical_vertex_counts.h)
 # the public folders that belong to a room on top
 set(room_of_fields scalar_fields)
 set(room_of_simplification simplification)
@@ -74,7 +74,7 @@ foreach(header IN LISTS headers)
   endif()
   foreach(included IN LISTS included_headers)
     check_include(${header} ${room} ${included})
-    if(header MATCHES "/(exceptions|options|Node_kind|Critical_vertex_counts).h$" AND room STREQUAL public)
+    if(header MATCHES "/(exceptions|soup_exceptions|options|Node_kind|Critical_vertex_counts).h$" AND room STREQUAL public)
       string(REGEX REPLACE "^CGAL/Reeb_graph/" "" name ${included})
       if(NOT name IN_LIST small_headers)
         message(SEND_ERROR "${header}, which stages include, includes ${included}")

@@ -22,41 +22,6 @@ namespace Reeb_graph {
 /// \addtogroup PkgReebGraphExceptions
 /// @{
 
-/// \brief base of the exceptions that name a tetrahedron.
-class Tetrahedron_error : public Error
-{
-public:
-  /// the position of the tetrahedron in the range that was given.
-  std::size_t tetrahedron() const { return tetrahedron_; }
-
-protected:
-  /// constructs the exception for the tetrahedron at position `tetrahedron`.
-  Tetrahedron_error(std::size_t tetrahedron, const std::string& message) : Error(message), tetrahedron_(tetrahedron) {}
-
-private:
-  std::size_t tetrahedron_;
-};
-
-/// \brief thrown for a range of vertices that should be a tetrahedron, but has not exactly four of them.
-class Non_tetrahedral_cell_error : public Tetrahedron_error
-{
-public:
-  /// constructs the exception for the tetrahedron at position `tetrahedron`.
-  explicit Non_tetrahedral_cell_error(std::size_t tetrahedron)
-    : Tetrahedron_error(tetrahedron, message("cell ", tetrahedron, " is not a tetrahedron"))
-  {}
-};
-
-/// \brief thrown for a tetrahedron that has the same vertex at two of its corners.
-class Degenerate_tetrahedron_error : public Tetrahedron_error
-{
-public:
-  /// constructs the exception for the tetrahedron at position `tetrahedron`.
-  explicit Degenerate_tetrahedron_error(std::size_t tetrahedron)
-    : Tetrahedron_error(tetrahedron, message("tetrahedron ", tetrahedron, " has one vertex at two of its corners"))
-  {}
-};
-
 /// \brief thrown for an edge of the named parameter `edges` that has the same vertex at both ends.
 class Degenerate_edge_error : public Error
 {

@@ -77,7 +77,7 @@ public:
   {
     const Cut_index cut = cuts_.next_cut();
     cuts_.add(critical, sublevel_class, crossed_edges);
-    sweep_.put_on_last(cuts_.node_above(cut));
+    sweep_.put_on_last(critical, cuts_.node_above(cut));
     components_of_cuts_.push_back(sweep_.add_component_of_cut(cuts_.node_below(cut), has_border));
     if(!are_paths_walked_late_)
       correct_path_ends(crossed_edges);

@@ -144,11 +144,13 @@ public:
     }
   }
 
-  // Puts a node on the component in which the critical vertex is that has been merged at last.
-  void put_on_last(Slab_node node)
+  // Puts a node on the component in which the critical vertex is that has been merged at last. An extremum has begun one
+  // of its own; on a surface, none has a node to be put there.
+  void put_on_last(Swept_index critical, Slab_node node)
   {
     add_nodes_up_to(node);
-    put_on(merged_components_.front(), node);
+    const Vertex_index vertex = critical_vertices_.vertex(critical);
+    put_on(merged_components_.empty() ? path_ends_.end(vertex) : merged_components_.front(), node);
   }
 
   // Puts the contours of the level at which the sweep ends on their components, when all vertices have been merged.

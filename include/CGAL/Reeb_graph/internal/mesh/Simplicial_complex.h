@@ -151,13 +151,15 @@ public:
     return no_index;
   }
 
+  // Whether the edge is not on exactly two triangles.
+  bool is_on_border_edge(Halfedge_index halfedge) const { return number_of_triangles_of(edge_of(halfedge)) != 2; }
+
   // Whether the vertex has edges, and one of them is not on exactly two triangles.
   bool is_on_border(Vertex_index vertex) const
   {
     bool result = false;
-    visit_edges_around(vertex, [&](Vertex_index, Halfedge_index halfedge) {
-      return result = number_of_triangles_of(edge_of(halfedge)) != 2;
-    });
+    visit_edges_around(vertex,
+                       [&](Vertex_index, Halfedge_index halfedge) { return result = is_on_border_edge(halfedge); });
     return result;
   }
 

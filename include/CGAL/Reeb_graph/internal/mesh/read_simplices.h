@@ -145,11 +145,9 @@ Simplicial_complex read_tetrahedra(std::size_t number_of_vertices, const Tetrahe
   checked_index(number_of_vertices);
   const auto for_each_triangle = [&](const auto& visit) {
     const auto throw_error = [](std::size_t tetrahedron, Simplex_fault fault) {
-      if(fault == Simplex_fault::SIZE)
-        throw Non_tetrahedral_cell_error(tetrahedron);
       if(fault == Simplex_fault::INDEX)
         throw Vertex_out_of_range_error("tetrahedron", tetrahedron);
-      throw Degenerate_tetrahedron_error(tetrahedron);
+      throw Non_tetrahedral_cell_error(tetrahedron);
     };
     for_each_simplex<4>(tetrahedra, number_of_vertices, throw_error, [&](const auto& v) {
       visit(v[0], v[1], v[2]);

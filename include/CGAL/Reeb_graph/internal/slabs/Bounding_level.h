@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index_set.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph/internal/walks/contour_of_complex.h>
 #include <CGAL/Reeb_graph/internal/walks/contour_tracing.h>
 
 namespace CGAL {
