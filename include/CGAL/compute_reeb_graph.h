@@ -230,8 +230,8 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
   progress.report(0.2);
 
   visitor.begin_stage(Stage::CLASSIFY);
-  auto [complex, critical_vertices] =
-    stages::check_and_classify_vertices<ConcurrencyTag>(std::move(unchecked_complex), order);
+  // not qualified, so that what is declared later for other complexes is found
+  auto [complex, critical_vertices] = check_and_classify_vertices<ConcurrencyTag>(std::move(unchecked_complex), order);
   visitor.critical_vertices(stages::count_critical_vertices(critical_vertices));
   visitor.end_stage(Stage::CLASSIFY);
   progress.report(0.3);
