@@ -14,6 +14,7 @@
 // All that is about graphs. The headers of the folders fields/ and curves/, which are about meshes, are included one by
 // one.
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/Critical_vertex_counts.h>
 #include <CGAL/Reeb_graph/Embedding.h>
@@ -31,6 +32,9 @@
 #include <CGAL/Reeb_graph/IO/svg.h>
 #include <CGAL/Reeb_graph/IO/vtp.h>
 #include <CGAL/Reeb_graph/Node_kind.h>
+#include <CGAL/Reeb_graph/Soup_augmentation.h>
+#include <CGAL/Reeb_graph/Soup_contour.h>
+#include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/exceptions.h>

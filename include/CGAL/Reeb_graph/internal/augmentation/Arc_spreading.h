@@ -179,10 +179,11 @@ private:
     const Halfedge_index start = steepest_step(complex_, order_, vertex).edge;
     if(start == no_index)
       return no_index;
-    Slab_arc_index arc = arc_at_crossing(vertex, start, is_below);
-    Contour_walk walk(complex_, start, is_below);
-    while(arc == no_index && --steps_left >= 0 && walk.go_on(is_below))
-      arc = arc_at_crossing(vertex, walk.crossed_edge(), is_below);
+    Slab_arc_index arc = no_index;
+    visit_contour(complex_, start, is_below, [&](Halfedge_index halfedge) {
+      arc = arc_at_crossing(vertex, halfedge, is_below);
+      return arc != no_index || --steps_left < 0;
+    });
     return arc;
   }
 

@@ -46,24 +46,34 @@ void for_each_crossed_edge_beside(const Simplicial_complex& complex,
   }
 }
 
-// The contour that crosses the edge of `start`; see contour_tracing.h. In a complex it is any connected graph.
+// Calls visit(halfedge) for the edges of the contour that crosses the edge of `start`, until a call returns true; see
+// contour_tracing.h. In a complex a contour is any connected graph.
 template <class IsBelow, class Visit>
-void trace_contour(const Simplicial_complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
+void visit_contour(const Simplicial_complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
 {
   std::unordered_set<Number> found = {edge_of(start).number()};
   std::vector<Edge_index> pending = {edge_of(start)};
-  visit(start);
-  while(!pending.empty())
+  bool is_over = visit(start);
+  while(!is_over && !pending.empty())
   {
     const Edge_index edge = pending.back();
     pending.pop_back();
     for_each_crossed_edge_beside(complex, edge, is_below, [&](Edge_index beside, Triangle_index) {
-      if(!found.insert(beside.number()).second)
+      if(is_over || !found.insert(beside.number()).second)
         return;
-      visit(even_halfedge(beside));
+      is_over = visit(even_halfedge(beside));
       pending.push_back(beside);
     });
   }
+}
+
+template <class IsBelow, class Visit>
+void trace_contour(const Simplicial_complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
+{
+  visit_contour(complex, start, is_below, [&](Halfedge_index halfedge) {
+    visit(halfedge);
+    return false;
+  });
 }
 
 } // namespace internal

@@ -85,14 +85,28 @@ private:
 };
 
 // Calls visit(halfedge) once for each edge of the contour that crosses the edge of `start`, which has a triangle, as
-// have all the other ones.
+// have all the other ones, until a call returns true.
+template <class Complex, class IsBelow, class Visit>
+void visit_contour(const Complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
+{
+  if(visit(start))
+    return;
+  Contour_walk walk(complex, start, is_below);
+  while(walk.go_on(is_below))
+  {
+    if(visit(walk.crossed_edge()))
+      return;
+  }
+}
+
+// Calls visit(halfedge) in the same way for all edges of the contour.
 template <class Complex, class IsBelow, class Visit>
 void trace_contour(const Complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
 {
-  visit(start);
-  Contour_walk walk(complex, start, is_below);
-  while(walk.go_on(is_below))
-    visit(walk.crossed_edge());
+  visit_contour(complex, start, is_below, [&](Halfedge_index halfedge) {
+    visit(halfedge);
+    return false;
+  });
 }
 
 // Replaces the content of `crossed` by halfedges of the edges of the contour that crosses the edge of `start`, in the
