@@ -17,6 +17,7 @@
 #include <CGAL/Reeb_graph/internal/contour_trees/Loop_surgery.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Merge_tree.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/level_sets/Components_of_complex.h>
 #include <CGAL/Reeb_graph/internal/level_sets/Contour_search.h>
 #include <CGAL/Reeb_graph/internal/level_sets/Contours_of_sectors.h>
 #include <CGAL/Reeb_graph/internal/mesh/Simplicial_complex.h>
@@ -24,8 +25,10 @@
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <utility>
+#include <optional>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -39,10 +42,15 @@ template <class Order>
 class Loop_surgery<Simplicial_complex, Order>
 {
 public:
-  Loop_surgery(const Slab<Simplicial_complex>& slab, const Order& order, const Merge_tree& join_tree, const Merge_tree&)
-    : order_(order),
+  Loop_surgery(const Slab<Simplicial_complex>& slab,
+               const Order& order,
+               const Merge_tree& join_tree,
+               const Merge_tree& split_tree)
+    : complex_(slab.complex()),
+      order_(order),
       critical_vertices_(slab.critical_vertices()),
       join_tree_(join_tree),
+      split_tree_(split_tree),
       search_(slab.complex())
   {
     std::vector<Swept_index> vertices;
@@ -51,14 +59,29 @@ public:
       if(join_tree.is_class_shared[i])
         vertices.push_back(i);
     }
-    contours_ = Contours_of_sectors<Order>(slab.complex(), order, critical_vertices_, vertices)();
+    // To look at each triangle once pays if otherwise most would be looked at several times.
+    if(vertices.size() > complex_.number_of_vertices() / 1024)
+    {
+      components_.emplace(complex_);
+      const auto is_decided = [&](Swept_index i) {
+        const Vertex_index v = critical_vertices_.vertex(i);
+        return components_->is_simply_connected(v) || components_->is_closed(v);
+      };
+      vertices.erase(std::remove_if(vertices.begin(), vertices.end(), is_decided), vertices.end());
+    }
+    contours_ = Contours_of_sectors<Order>(complex_, order, critical_vertices_, vertices)();
   }
 
   bool can_close_loop(Swept_index critical)
   {
     if(!join_tree_.is_class_shared[critical])
       return false;
+    const Vertex_index vertex = critical_vertices_.vertex(critical);
+    if(components_ && components_->is_simply_connected(vertex))
+      return false;
     sort_contours(critical);
+    if(components_ && components_->is_closed(vertex) && !can_close_loop_of_curves(critical))
+      return false;
     for(std::size_t i = 1; i < contours_of_vertex_.size(); ++i)
     {
       if(contours_of_vertex_[i].sublevel_class == contours_of_vertex_[i - 1].sublevel_class)
@@ -101,23 +124,89 @@ private:
     friend bool operator==(const Lower_contour& a, const Lower_contour& b) { return a.name == b.name; }
   };
 
-  // Sorts the lower contours of a vertex by their classes.
+  // Sorts the lower contours of a vertex by their classes. Where contours have not been found before, each sector may
+  // have one of its own.
   void sort_contours(Swept_index critical)
   {
     contours_of_vertex_.clear();
     for(const Sector_index i : critical_vertices_.sectors(critical, Side::LOWER))
-      contours_of_vertex_.push_back({join_tree_.classes[i], contours_[i], i});
+      contours_of_vertex_.push_back({join_tree_.classes[i], contours_[i] == no_index ? i.number() : contours_[i], i});
     std::sort(contours_of_vertex_.begin(), contours_of_vertex_.end());
     contours_of_vertex_.erase(std::unique(contours_of_vertex_.begin(), contours_of_vertex_.end()),
                               contours_of_vertex_.end());
   }
 
+  // Whether two lower contours at the vertex might be in one sublevel component, where contours are closed curves. The
+  // fans around the vertex are disks in a surface between two levels, whose Euler characteristic is at most 2 less the
+  // number of its borders: so a fan with l lower sectors and as many upper ones passes at most l + 1 contours, one with
+  // a single sector passes one.
+  bool can_close_loop_of_curves(Swept_index critical)
+  {
+    Number number_of_classes = 0;
+    Slab_node last = no_index;
+    for(const Lower_contour& contour : contours_of_vertex_)
+    {
+      number_of_classes += contour.sublevel_class != last ? 1 : 0;
+      last = contour.sublevel_class;
+    }
+    upper_classes_.clear();
+    for(const Sector_index i : critical_vertices_.sectors(critical, Side::UPPER))
+      upper_classes_.push_back(split_tree_.classes[i]);
+    std::sort(upper_classes_.begin(), upper_classes_.end());
+    number_of_classes +=
+      static_cast<Number>(std::unique(upper_classes_.begin(), upper_classes_.end()) - upper_classes_.begin());
+    return largest_number_of_contours(critical_vertices_.vertex(critical)) > number_of_classes;
+  }
+
+  // How many contours can be just below and just above the vertex, by its fans.
+  Number largest_number_of_contours(Vertex_index vertex)
+  {
+    Number result = 0;
+    edges_of_fans_.clear();
+    complex_.for_each_edge_around(vertex, [&](Vertex_index, Halfedge_index halfedge) {
+      if(edges_of_fans_.count(edge_of(halfedge).number()) == 0)
+        result += count_changes_around(vertex, edge_of(halfedge)) / 2 + 1;
+    });
+    return result;
+  }
+
+  // How often lower and higher neighbors change in the fan of an edge at the vertex.
+  Number count_changes_around(Vertex_index vertex, Edge_index first)
+  {
+    const auto is_upper = [&](Edge_index edge) {
+      const Vertex_index low = complex_.lower_end(edge);
+      return order_(vertex, low == vertex ? complex_.higher_end(edge) : low);
+    };
+    Number changes = 0;
+    Edge_index edge = first;
+    Triangle_index triangle = *complex_.triangles_of(first).begin();
+    do
+    {
+      edges_of_fans_.insert(edge.number());
+      const std::array<Edge_index, 3>& edges = complex_.edges_of(triangle);
+      const auto is_next = [&](Edge_index e) {
+        return e != edge && (complex_.lower_end(e) == vertex || complex_.higher_end(e) == vertex);
+      };
+      const Edge_index next = *std::find_if(edges.begin(), edges.end(), is_next);
+      changes += is_upper(edge) != is_upper(next) ? 1 : 0;
+      const auto triangles = complex_.triangles_of(next);
+      triangle = *triangles.begin() == triangle ? triangles.begin()[1] : *triangles.begin();
+      edge = next;
+    } while(edge != first);
+    return changes;
+  }
+
+  const Simplicial_complex& complex_;
   const Order& order_;
   const Swept_vertices& critical_vertices_;
   const Merge_tree& join_tree_;
+  const Merge_tree& split_tree_;
+  std::optional<Components_of_complex> components_; // if there are many vertices to ask about
   Contour_search search_;
   Indexed_vector<Sector_index, Number> contours_; // by lower sector
   std::vector<Lower_contour> contours_of_vertex_; // of the last one
+  std::vector<Slab_node> upper_classes_;
+  std::unordered_set<Number> edges_of_fans_;
 };
 
 } // namespace internal

@@ -60,7 +60,8 @@ Triangle_list list_triangles(std::size_t number_of_vertices, const ForEachTriang
   {
     list.first_triangles[v] = static_cast<Number>(list.vertices.size());
     const auto bucket = keys[v];
-    std::sort(bucket.begin(), bucket.end());
+    if(bucket.size() > 1)
+      std::sort(bucket.begin(), bucket.end());
     const auto end = std::unique(bucket.begin(), bucket.end());
     for(auto key = bucket.begin(); key != end; ++key)
       list.vertices.push_back({v, Vertex_index(*key >> bits), Vertex_index(*key & ((std::uint64_t(1) << bits) - 1))});

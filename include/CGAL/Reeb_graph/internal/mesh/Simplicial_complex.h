@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Made_on_demand.h>
 #include <CGAL/Reeb_graph/internal/mesh/Simplex_lists.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
@@ -51,7 +52,6 @@ public:
     make_edges(triangles, for_each_edge);
     vertices_of_triangles_ = std::move(triangles.vertices);
     make_lower_edges();
-    make_triangles_of_edges();
   }
 
   Number number_of_vertices() const { return static_cast<Number>(first_edges_.size()) - 1; }
@@ -92,19 +92,24 @@ public:
   }
   const std::array<Edge_index, 3>& edges_of(Triangle_index triangle) const { return edges_of_triangles_[triangle]; }
 
-  // The triangles at an edge.
+  // The triangles at an edge. They are listed when they are asked for first.
   typedef Buckets<Edge_index, Triangle_index>::Bucket Triangles;
-  Triangles triangles_of(Edge_index edge) const { return triangles_of_edges_[edge]; }
-  std::size_t number_of_triangles_of(Edge_index edge) const { return triangles_of(edge).size(); }
+  Triangles triangles_of(Edge_index edge) const
+  {
+    return triangles_of_edges_([this] { return list_triangles_of_edges(); })[edge];
+  }
+
+  // Whether the edge is on exactly two triangles, as inside of a surface.
+  bool has_two_triangles(Edge_index edge) const { return numbers_of_triangles_[edge] == 2; }
 
   // Calls visit(neighbor, halfedge), where `halfedge` is one of the edge to `neighbor`, for the edges at `vertex`, until
   // a call returns true.
   template <class Visit>
   void visit_edges_around(Vertex_index vertex, const Visit& visit) const
   {
-    for(const Lower_edge& lower : lower_edges_[vertex])
+    for(const Edge_index edge : lower_edges_[vertex])
     {
-      if(visit(lower.neighbor, even_halfedge(lower.edge)))
+      if(visit(lower_ends_[edge], even_halfedge(edge)))
         return;
     }
     for(const Edge_index edge : edges_from(vertex))
@@ -151,8 +156,7 @@ public:
     return no_index;
   }
 
-  // Whether the edge is not on exactly two triangles.
-  bool is_on_border_edge(Halfedge_index halfedge) const { return number_of_triangles_of(edge_of(halfedge)) != 2; }
+  bool is_on_border_edge(Halfedge_index halfedge) const { return !has_two_triangles(edge_of(halfedge)); }
 
   // Whether the vertex has edges, and one of them is not on exactly two triangles.
   bool is_on_border(Vertex_index vertex) const
@@ -173,11 +177,7 @@ public:
   }
 
 private:
-  struct Lower_edge
-  {
-    Vertex_index neighbor;
-    Edge_index edge;
-  };
+  static constexpr unsigned char several = 3;
 
   // Numbers the edges by their lower ends. An edge is known by its higher end among those of one lower end.
   template <class ForEachEdge>
@@ -187,7 +187,8 @@ private:
       list_higher_ends(number_of_vertices(), triangles, for_each_edge);
     edges_of_triangles_.renew(triangles.vertices.size());
     lower_ends_.reserve(triangles.vertices.size() * 3 / 2 + 16);
-    higher_ends_.reserve(triangles.vertices.size() * 3 / 2 + 16);
+    higher_ends_.reserve(lower_ends_.capacity());
+    numbers_of_triangles_.reserve(lower_ends_.capacity());
     Indexed_vector<Vertex_index, Number> edge_to(number_of_vertices(), no_index);
     for(const Vertex_index v : vertices())
     {
@@ -199,19 +200,27 @@ private:
           edge_to[end] = number_of_edges();
           lower_ends_.push_back(v);
           higher_ends_.push_back(end);
+          numbers_of_triangles_.push_back(0);
         }
         return Edge_index(edge_to[end]);
       };
+      const auto add_triangle = [&](Triangle_index triangle, std::size_t place, Vertex_index end) {
+        const Edge_index edge = edge_of_end(end);
+        edges_of_triangles_[triangle][place] = edge;
+        unsigned char& number = numbers_of_triangles_[edge];
+        number = static_cast<unsigned char>(number == several ? several : number + 1);
+      };
       for(const Triangle_index t : triangles.with_least_vertex(v))
       {
-        edges_of_triangles_[t][0] = edge_of_end(triangles.vertices[t][1]);
-        edges_of_triangles_[t][1] = edge_of_end(triangles.vertices[t][2]);
+        add_triangle(t, 0, triangles.vertices[t][1]);
+        add_triangle(t, 1, triangles.vertices[t][2]);
       }
       for(const Higher_end& end : more_ends[v])
       {
-        const Edge_index edge = edge_of_end(end.vertex);
-        if(end.triangle != no_index)
-          edges_of_triangles_[end.triangle][2] = edge;
+        if(end.triangle == no_index)
+          edge_of_end(end.vertex);
+        else
+          add_triangle(end.triangle, 2, end.vertex);
       }
     }
     first_edges_.back() = checked_index(2 * higher_ends_.size()) / 2;
@@ -221,19 +230,19 @@ private:
   {
     const auto for_each_end = [&](const auto& visit) {
       for(const Edge_index edge : edges())
-        visit(higher_ends_[edge], Lower_edge{lower_ends_[edge], edge});
+        visit(higher_ends_[edge], edge);
     };
-    lower_edges_ = Buckets<Vertex_index, Lower_edge>(number_of_vertices(), for_each_end);
+    lower_edges_ = Buckets<Vertex_index, Edge_index>(number_of_vertices(), for_each_end);
   }
 
-  void make_triangles_of_edges()
+  Buckets<Edge_index, Triangle_index> list_triangles_of_edges() const
   {
     const auto for_each_edge_of_triangle = [&](const auto& visit) {
       for(const Triangle_index triangle : triangles())
         for(const Edge_index edge : edges_of(triangle))
           visit(edge, triangle);
     };
-    triangles_of_edges_ = Buckets<Edge_index, Triangle_index>(number_of_edges(), for_each_edge_of_triangle);
+    return Buckets<Edge_index, Triangle_index>(number_of_edges(), for_each_edge_of_triangle);
   }
 
   Indexed_vector<Vertex_index, Number> first_edges_; // with smaller numbers; and the end
@@ -241,8 +250,9 @@ private:
   Indexed_vector<Edge_index, Vertex_index> higher_ends_;
   Indexed_vector<Triangle_index, std::array<Vertex_index, 3>> vertices_of_triangles_;
   Indexed_vector<Triangle_index, std::array<Edge_index, 3>> edges_of_triangles_;
-  Buckets<Vertex_index, Lower_edge> lower_edges_; // to vertices with smaller numbers
-  Buckets<Edge_index, Triangle_index> triangles_of_edges_;
+  Buckets<Vertex_index, Edge_index> lower_edges_;                  // to vertices with smaller numbers
+  Indexed_vector<Edge_index, unsigned char> numbers_of_triangles_; // or `several` if there are more
+  Made_on_demand<Buckets<Edge_index, Triangle_index>> triangles_of_edges_;
 };
 
 } // namespace internal
