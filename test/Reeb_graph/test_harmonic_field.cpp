@@ -566,6 +566,134 @@ BOOST_AUTO_TEST_CASE(where_iteration_fails_the_unsymmetric_equations_are_solved)
     BOOST_TEST(std::abs(get(expected, v) - get(found, v)) < 1e-10);
 }
 
+namespace {
+typedef CGAL::Reeb_graph::Field_report Field_report;
+
+// The poles are the two vertices that are farthest apart, in each component.
+struct Large_field
+{
+  Field_report report;
+  std::vector<double> values;
+
+  template <class NamedParameters>
+  Large_field(const Surface_mesh& mesh, const NamedParameters& np)
+  {
+    auto field_map = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
+    report = compute_harmonic_field_between_far_apart_vertices(mesh, field_map, np);
+    values = field_checks::values_of(mesh, field_map);
+  }
+};
+
+auto factorizing(Laplacian_weights weights)
+{
+  return laplacian_weights(weights).sparse_linear_solver(CGAL::Reeb_graph::internal::scalar_fields::Default_solver());
+}
+
+// Large enough for multigrid.
+std::vector<std::pair<std::string, Triangle_soup>> large_surfaces()
+{
+  Random random(5);
+  const Triangle_soup soup = generated_surfaces::closed_surface(3, 6000);
+  Triangle_soup two_components = band(120, 60, 0.5, sphere_point);
+  for(const auto& t : soup.triangles)
+    two_components.triangles.push_back(
+      {t[0] + two_components.points.size(), t[1] + two_components.points.size(), t[2] + two_components.points.size()});
+  two_components.points.insert(two_components.points.end(), soup.points.begin(), soup.points.end());
+  return {{"genus 3", soup},
+          {"noisy", field_checks::with_noise(soup, 0.3, random)},
+          {"flat", field_checks::stretched(soup, 1, 0.1, 1)},
+          {"tube", field_checks::tube(6, 2000)},
+          {"band", band(120, 60, 0.5, sphere_point)},
+          {"two components", two_components},
+          {"hub", field_checks::with_random_points(random_meshes::bipyramid(6000), random)}};
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_steps_of_multigrid_hardly_grow_with_the_mesh)
+{
+  for(const Laplacian_weights weights : all_weights)
+    BOOST_TEST_CONTEXT("weights " << static_cast<int>(weights))
+    {
+      std::vector<std::size_t> numbers_of_steps;
+      for(const std::size_t size : {6000, 24000, 96000})
+      {
+        Surface_mesh mesh;
+        mesh_builders::build(mesh, generated_surfaces::closed_surface(3, size));
+        numbers_of_steps.push_back(Large_field(mesh, laplacian_weights(weights)).report.number_of_iterations);
+      }
+      BOOST_TEST(numbers_of_steps.front() > 0u);
+      BOOST_TEST(numbers_of_steps.back() <= 18u);
+      BOOST_TEST(numbers_of_steps.back() <= numbers_of_steps.front() + 5);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(multigrid_finds_the_field_that_factorization_finds)
+{
+  for(const auto& [name, soup] : large_surfaces())
+    for(const Laplacian_weights weights : all_weights)
+      BOOST_TEST_CONTEXT(name << ", weights " << static_cast<int>(weights))
+      {
+        Surface_mesh mesh;
+        mesh_builders::build(mesh, soup);
+        const Large_field field(mesh, laplacian_weights(weights)), direct_field(mesh, factorizing(weights));
+        BOOST_TEST(direct_field.report.number_of_iterations == 0u);
+        if(name != "hub") // all depends on it in the same way, so that the matrix hardly gets smaller
+          BOOST_TEST(field.report.number_of_iterations > 0u);
+        BOOST_TEST(field_checks::distance(field.values, direct_field.values) < 1e-9);
+        BOOST_TEST((Large_field(mesh, laplacian_weights(weights)).values == field.values));
+        Fixed_values poles;
+        for(const auto& pair : far_apart_vertices(soup))
+        {
+          poles[pair.first] = 0;
+          poles[pair.second] = 1;
+        }
+        BOOST_TEST(field_checks::fault_of_extrema(soup, poles, field.values) == "");
+      }
+}
+
+BOOST_AUTO_TEST_CASE(where_multigrid_fails_a_matrix_is_factorized)
+{
+  Surface_mesh mesh;
+  mesh_builders::build(mesh, field_checks::stretched(field_checks::tube(10, 1000), 1, 1e-9, 1e3));
+  for(const Laplacian_weights weights : {Laplacian_weights::MEAN_VALUE, Laplacian_weights::COTANGENT})
+  {
+    const Large_field field(mesh, laplacian_weights(weights));
+    BOOST_TEST(field.report.number_of_iterations == 0u);
+    BOOST_TEST((field.values == Large_field(mesh, factorizing(weights)).values));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_large_mesh_with_all_values_given_has_nothing_to_solve)
+{
+  const Triangle_soup soup = generated_surfaces::closed_surface(0, 6000);
+  Fixed_values fixed;
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    fixed[v] = static_cast<double>(v % 7);
+  const std::vector<double> values = harmonic<double>(soup, fixed);
+  for(const auto& [v, value] : fixed)
+    BOOST_TEST(values[v] == value);
+}
+
+BOOST_AUTO_TEST_CASE(a_larger_tolerance_takes_fewer_steps)
+{
+  Surface_mesh mesh;
+  mesh_builders::build(mesh, generated_surfaces::closed_surface(3, 6000));
+  for(const Laplacian_weights weights : all_weights)
+  {
+    const Large_field field(mesh, laplacian_weights(weights));
+    const auto with_tolerance = [&](double tolerance) {
+      return Large_field(mesh, CGAL::parameters::solver_tolerance(tolerance, laplacian_weights(weights)));
+    };
+    const Large_field rough_field = with_tolerance(1e-4);
+    BOOST_TEST(rough_field.report.number_of_iterations < field.report.number_of_iterations);
+    BOOST_TEST(field_checks::distance(field.values, rough_field.values) < 1e-3);
+    BOOST_TEST((rough_field.values != field.values));
+    BOOST_TEST((with_tolerance(1e-12).values == field.values));
+    for(const double tolerance : {0., -1e-12, std::nan(""), HUGE_VAL})
+      BOOST_CHECK_THROW(with_tolerance(tolerance), CGAL::Reeb_graph::Solver_tolerance_error);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(an_order_of_rows_that_fills_the_factor_is_replaced)
 {
   constexpr int size = 400;

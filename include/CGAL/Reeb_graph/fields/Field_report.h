@@ -18,7 +18,7 @@ namespace Reeb_graph {
 
 /// \ingroup PkgReebGraphFields
 ///
-/// \brief what a scalar field took on bad triangles: the functions that depend on the geometry of the faces return it.
+/// \brief what a scalar field took, mainly on bad triangles: the functions that compute one return it.
 ///
 /// A face is bad if it has no area, or so little that its angles are beyond the range of numbers. If there is one, the
 /// geometry is that of edges which are all longer by the same length, the least one that makes every triangle proper:
@@ -36,6 +36,9 @@ struct Field_report
   double mean_length = 0;
   /// for `compute_geodesic_field()`: the number of components on which the heat method fails
   std::size_t number_of_marched_components = 0;
+  /// for harmonic, Poisson and unit gradient fields: the number of steps of the iteration that solves large systems of
+  /// equations; zero if the equations were solved directly
+  std::size_t number_of_iterations = 0;
 };
 
 } // namespace Reeb_graph

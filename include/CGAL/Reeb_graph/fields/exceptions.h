@@ -98,6 +98,25 @@ public:
 
 /// \ingroup PkgReebGraphExceptions
 ///
+/// \brief thrown for a named parameter `solver_tolerance` that is not a positive number.
+class Solver_tolerance_error : public Error
+{
+public:
+  /// constructs the exception for a tolerance.
+  explicit Solver_tolerance_error(double tolerance)
+    : Error("the tolerance of the solver is " + std::to_string(tolerance) + "; it has to be a positive number"),
+      tolerance_(tolerance)
+  {}
+
+  /// the tolerance.
+  double tolerance() const { return tolerance_; }
+
+private:
+  double tolerance_;
+};
+
+/// \ingroup PkgReebGraphExceptions
+///
 /// \brief thrown if the number type of the field has too few numbers between two fixed values.
 class Scalar_resolution_error : public Vertex_error
 {

@@ -11,6 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+
 #include <CGAL/Named_function_parameters.h>
 #ifdef CGAL_EIGEN3_ENABLED
 #include <CGAL/Eigen_solver_traits.h>
@@ -22,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -84,18 +89,33 @@ typedef void Default_solver;
 
 #endif
 
+// Whether there is a named parameter `sparse_linear_solver`.
+template <class NamedParameters>
+inline constexpr bool is_solver_given =
+  is_given<decltype(parameters::get_parameter(std::declval<const NamedParameters&>(),
+                                              internal_np::sparse_linear_solver))>;
+
 template <class NamedParameters>
 auto choose_solver(const NamedParameters& np)
 {
-  const auto solver = parameters::get_parameter(np, internal_np::sparse_linear_solver);
-  if constexpr(std::is_same_v<std::decay_t<decltype(solver)>, internal_np::Param_not_found>)
+  if constexpr(is_solver_given<NamedParameters>)
+    return parameters::get_parameter(np, internal_np::sparse_linear_solver);
+  else
   {
     static_assert(!std::is_void_v<Default_solver>,
                   "Eigen is needed, or the named parameter sparse_linear_solver: link CGAL::Eigen3_support");
     return Default_solver();
   }
-  else
-    return solver;
+}
+
+template <class NamedParameters>
+double choose_tolerance(const NamedParameters& np)
+{
+  const double tolerance =
+    parameters::choose_parameter(parameters::get_parameter(np, internal::solver_tolerance), 1e-12);
+  if(!(tolerance > 0) || !std::isfinite(tolerance))
+    throw Solver_tolerance_error(tolerance);
+  return tolerance;
 }
 
 } // namespace scalar_fields

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -53,11 +54,27 @@ public:
     }
   }
 
+  // Multiplies each equation by a factor.
+  void scale(Values factors)
+  {
+    factors_ = std::move(factors);
+    for(std::size_t row = 0; row != number_of_rows(); ++row)
+      right_side_[row] *= factors_[row];
+  }
+
   std::size_t number_of_rows() const { return vertices_.size(); }
   Position vertex(std::size_t row) const { return vertices_[row]; }
   const Values& right_side() const { return right_side_; }
 
-  // Fills the matrix that has -`weight(i, n)` for the neighbor n of i beside the diagonal, and their sums on it.
+  // Fills the matrix of the equations.
+  template <class Matrix>
+  void fill(Matrix& matrix) const
+  {
+    fill(matrix, [this](Position v, const auto& n) { return factor(rows_[v]) * n.weight; });
+  }
+
+  // Fills the matrix that has -`weight(i, n)` for the neighbor n of i beside the diagonal, and their sums on it, row by
+  // row.
   template <class Matrix, class Weight>
   void fill(Matrix& matrix, const Weight& weight) const
   {
@@ -75,7 +92,7 @@ public:
     }
   }
 
-  // The product of the matrix and x.
+  // The product of the matrix and x. Differences come first, so that their digits count where values are nearly equal.
   void multiply(const Values& x, Values& product) const
   {
     for(std::size_t row = 0; row != number_of_rows(); ++row)
@@ -83,30 +100,39 @@ public:
       double sum = 0;
       for(const auto& n : graph_.neighbors(vertices_[row]))
         sum += n.weight * (x[row] - (is_free(n.vertex) ? x[rows_[n.vertex]] : 0));
-      product[row] = sum;
+      product[row] = factor(row) * sum;
     }
   }
 
+  void compute_residual(const Values& x, Values& residual) const
+  {
+    multiply(x, residual);
+    for(std::size_t row = 0; row != number_of_rows(); ++row)
+      residual[row] = right_side_[row] - residual[row];
+  }
+
 private:
+  double factor(std::size_t row) const { return factors_.empty() ? 1 : factors_[row]; }
   bool is_free(Position v) const { return rows_[v] != no_position; }
 
   const Weighted_graph& graph_;
   std::vector<Position> rows_;     // row of each vertex, no_position if it is fixed
   std::vector<Position> vertices_; // vertex of each row
   Values right_side_;
+  Values factors_; // of the rows, none if they are all 1
 };
 
-// The factorized matrix of a Dirichlet problem, see Dirichlet_problem::fill().
+// The factorized matrix of a Dirichlet problem, with its own weights or other ones, see Dirichlet_problem::fill().
 template <class Solver>
 class Factorized_matrix
 {
 public:
-  template <class Weight>
-  Factorized_matrix(Solver& solver, const Dirichlet_problem& problem, const Weight& weight)
+  template <class... Weight>
+  Factorized_matrix(Solver& solver, const Dirichlet_problem& problem, const Weight&... weight)
     : solver_(solver),
       matrix_(problem.number_of_rows())
   {
-    problem.fill(matrix_, weight);
+    problem.fill(matrix_, weight...);
     typename Solver::NT denominator = 1;
     if(!solver_.factor(matrix_, denominator))
       throw Linear_solver_error();

@@ -169,6 +169,25 @@ Weighted_graph laplacian_graph(const Surface& surface, Laplacian_weights weights
   }
 }
 
+// The vertices in the order of a breadth-first search, which keeps neighbors close to each other in memory.
+inline std::vector<Position> breadth_first_order(const Weighted_graph& graph)
+{
+  std::vector<Position> order;
+  order.reserve(graph.number_of_vertices());
+  std::vector<bool> is_reached(graph.number_of_vertices(), false);
+  const auto reach = [&](Position v) {
+    if(!is_reached[v])
+      order.push_back(v);
+    is_reached[v] = true;
+  };
+  Position next = 0;
+  for(Position first = 0; first != graph.number_of_vertices(); ++first)
+    for(reach(first); next != order.size(); ++next)
+      for(const auto& n : graph.neighbors(order[next]))
+        reach(n.vertex);
+  return order;
+}
+
 // Numbers the connected components, in the order of their first vertices.
 inline std::vector<Position> label_components(const Weighted_graph& graph)
 {

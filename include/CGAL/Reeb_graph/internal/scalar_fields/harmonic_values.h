@@ -16,10 +16,7 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Default_solver.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_problem.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Nested_dissection.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/proper_triangles.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/remove_extrema.h>
@@ -79,27 +76,26 @@ std::vector<Scalar> harmonic_values(const Surface& surface,
                                     const Constraints<Scalar>& constraints,
                                     const Progress& progress,
                                     double fraction,
-                                    const NamedParameters& np)
+                                    const NamedParameters& np,
+                                    Field_report& report)
 {
   const Unit_range<Scalar> range(constraints);
   std::vector<double> fixed_values(graph.number_of_vertices(), 0);
   for(Position v = 0; v != graph.number_of_vertices(); ++v)
     if(constraints.is_fixed[v])
       fixed_values[v] = range.to_unit(constraints.values[v]);
-  const Dirichlet_problem problem(graph, Nested_dissection<Surface>(surface, graph).vertices(), constraints.is_fixed,
-                                  fixed_values);
   progress.report(fraction);
-  auto solver = choose_solver(np);
-  const std::vector<double> solution = choose_weights(np) == Laplacian_weights::MEAN_VALUE
-                                       ? solve_mean_value(surface, graph, problem, solver)
-                                       : solve_symmetric(problem, solver);
+  const Dirichlet_solution solution =
+    solve_dirichlet_problem(surface, graph, choose_weights(np), constraints.is_fixed, fixed_values, 1, np);
+  report.number_of_iterations = solution.number_of_steps;
   std::vector<Scalar> values = constraints.values;
-  for(std::size_t row = 0; row != solution.size(); ++row)
-  {
-    values[problem.vertex(row)] = range.from_unit(solution[row]);
-    if(!std::isfinite(values[problem.vertex(row)]))
-      throw Non_finite_scalar_error(problem.vertex(row));
-  }
+  for(Position v = 0; v != graph.number_of_vertices(); ++v)
+    if(!constraints.is_fixed[v])
+    {
+      values[v] = range.from_unit(solution.values[v]);
+      if(!std::isfinite(values[v]))
+        throw Non_finite_scalar_error(v);
+    }
   progress.report(0.8);
   remove_extrema(graph, constraints.is_fixed, values);
   progress.report(0.9);
@@ -126,7 +122,7 @@ Field_report write_harmonic_field(const FaceListGraph& mesh,
     fix_vertices(surface, graph, constraints);
     check_components(graph, constraints.is_fixed);
     const auto solve = [&](const Weighted_graph& weighted_graph, double fraction) {
-      return harmonic_values(surface, weighted_graph, constraints, progress, fraction, np);
+      return harmonic_values(surface, weighted_graph, constraints, progress, fraction, np, report);
     };
     const auto values = has_geometry ? solve_or_lengthen_edges(surface, report, graph, solve,
                                                                [&] { return laplacian_graph(surface, weights); })

@@ -16,15 +16,13 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Default_solver.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_problem.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Nested_dissection.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/proper_triangles.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/solve.h>
+#include <CGAL/Reeb_graph/options.h>
 
-#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,22 +39,19 @@ std::vector<double> poisson_values(const Surface& surface,
                                    std::vector<double> right_side,
                                    const Progress& progress,
                                    double fraction,
-                                   const NamedParameters& np)
+                                   const NamedParameters& np,
+                                   Field_report& report)
 {
   for(Position v = 0; v != graph.number_of_vertices(); ++v)
     if(constraints.is_fixed[v])
       right_side[v] = constraints.values[v];
-  const Dirichlet_problem problem(graph, Nested_dissection<Surface>(surface, graph).vertices(), constraints.is_fixed,
-                                  right_side);
   progress.report(fraction);
-  auto solver = choose_solver(np);
-  const std::vector<double> solution = solve_symmetric(problem, solver);
-  std::vector<double> values = constraints.values;
-  for(std::size_t row = 0; row != solution.size(); ++row)
-    values[problem.vertex(row)] = solution[row];
-  check_finite(values);
+  Dirichlet_solution solution =
+    solve_dirichlet_problem(surface, graph, Laplacian_weights::COTANGENT, constraints.is_fixed, right_side, 0, np);
+  report.number_of_iterations = solution.number_of_steps;
+  check_finite(solution.values);
   progress.report(0.9);
-  return values;
+  return std::move(solution.values);
 }
 
 // Solves with the constraints that fix_vertices(surface, graph, constraints) gives, and the right side that
@@ -82,7 +77,7 @@ Field_report solve_poisson_equation(const FaceListGraph& mesh,
       surface, report, graph,
       [&](const Weighted_graph& cotangents, double fraction) {
         return poisson_values(surface, cotangents, fixed, integrated_right_side(surface, cotangents), progress,
-                              fraction, np);
+                              fraction, np, report);
       },
       [&] { return cotangent_graph(surface); });
     write_field(surface, values, field_map, progress);

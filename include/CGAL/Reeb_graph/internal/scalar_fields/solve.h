@@ -14,12 +14,15 @@
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Default_solver.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_problem.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_systems.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Nested_dissection.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/solve_iteratively.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,137 +30,99 @@ namespace Reeb_graph {
 namespace internal {
 namespace scalar_fields {
 
-typedef std::vector<double> Values;
-
-inline double inner_product(const Values& a, const Values& b)
+// Solves the equations by iteration with multigrid. The solution need not be accurate; after too many steps, the
+// estimate of the error could not be trusted.
+inline Iterative_solution solve_by_multigrid([[maybe_unused]] const Dirichlet_problem& problem,
+                                             [[maybe_unused]] const Accuracy& accuracy)
 {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
-}
-
-// Adds s b to a.
-inline void add(Values& a, double s, const Values& b)
-{
-  for(std::size_t i = 0; i != a.size(); ++i)
-    a[i] += s * b[i];
-}
-
-inline double largest_absolute_value(const Values& values)
-{
-  double largest = 0;
-  for(const double value : values)
-    largest = std::isnan(value) ? value : (std::max)(largest, std::abs(value));
-  return largest;
-}
-
-// Solves A x = b by the stabilized bi-conjugate gradients of van der Vorst, preconditioned from the right by a
-// factorized matrix M that is close to A. Returns whether M^-1 (b - A x), about the error of x, became small.
-template <class Multiply, class Precondition>
-bool solve_iteratively(const Multiply& multiply, const Precondition& precondition, const Values& b, Values& x)
-{
-  constexpr int number_of_starts = 2, number_of_steps = 40;
-  constexpr double largest_error = 1e-12, smallest_residual = 1e-15;
-  Values residual(b.size()), v(b.size()), t(b.size()), y, z;
-  const auto compute_residual = [&] {
-    multiply(x, residual);
-    for(std::size_t i = 0; i != b.size(); ++i)
-      residual[i] = b[i] - residual[i];
-  };
-  const double goal = smallest_residual * smallest_residual * inner_product(b, b);
-  x = precondition(b);
-  for(int start = 0; start != number_of_starts; ++start)
-  {
-    compute_residual();
-    const Values shadow = residual;
-    Values direction(b.size(), 0);
-    double rho = 1, alpha = 1, omega = 1;
-    std::fill(v.begin(), v.end(), 0);
-    for(int step = 0; step != number_of_steps && inner_product(residual, residual) > goal; ++step)
-    {
-      const double next_rho = inner_product(shadow, residual);
-      const double beta = next_rho / rho * alpha / omega;
-      rho = next_rho;
-      for(std::size_t i = 0; i != b.size(); ++i)
-        direction[i] = residual[i] + beta * (direction[i] - omega * v[i]);
-      y = precondition(direction);
-      multiply(y, v);
-      alpha = rho / inner_product(shadow, v);
-      add(residual, -alpha, v);
-      z = precondition(residual);
-      multiply(z, t);
-      omega = inner_product(t, residual) / inner_product(t, t);
-      if(!std::isfinite(alpha) || !std::isfinite(omega) || omega == 0)
-        break;
-      add(x, alpha, y);
-      add(x, omega, z);
-      add(residual, -omega, t);
-      if(std::abs(alpha) * largest_absolute_value(y) + std::abs(omega) * largest_absolute_value(z)
-         < 0.1 * largest_error)
-        break;
-    }
-    compute_residual();
-    const Values correction = precondition(residual);
-    const double error = largest_absolute_value(correction);
-    if(error <= largest_error)
-      return true;
-    if(!std::isfinite(error))
-      return false;
-  }
-  return false;
+#ifdef CGAL_EIGEN3_ENABLED
+  constexpr std::size_t largest_number_of_steps = 40;
+  Multigrid_system system(problem);
+  if(system.is_usable())
+    return solve_iteratively(system, problem.right_side(), accuracy, largest_number_of_steps);
+#endif
+  return Iterative_solution();
 }
 
 // The matrix of the problem is symmetric.
 template <class Solver>
-Values solve_symmetric(const Dirichlet_problem& problem, Solver& solver)
+Values solve_symmetric_directly(const Dirichlet_problem& problem, Solver& solver)
 {
-  if(problem.number_of_rows() == 0)
-    return Values();
-  Factorized_matrix<Solver> matrix(solver, problem, [](Position, const auto& n) { return n.weight; });
-  return matrix.solve(problem.right_side());
+  return Factorized_matrix<Solver>(solver, problem).solve(problem.right_side());
 }
 
-// The weights are mean values, which are not symmetric. The rows can be scaled so that they come close to symmetric
-// weights, the geometric means of tangents on both ends of an edge; these are factorized, and iteration does the rest.
-template <class Surface, class Solver>
-Values solve_mean_value(const Surface& surface,
-                        const Weighted_graph& graph,
-                        const Dirichlet_problem& problem,
-                        Solver& solver)
+// The symmetric weights that are close are factorized, and iteration does the rest.
+template <class Weights, class Solver>
+Values solve_nearly_symmetric_directly(const Dirichlet_problem& problem,
+                                       const Weights& weights,
+                                       const Accuracy& accuracy,
+                                       Solver& solver)
 {
-  if(problem.number_of_rows() == 0)
-    return Values();
-  const auto symmetric_weight = [&](Position v, const Weighted_graph::Neighbor& n) {
-    return std::sqrt(n.weight) * std::sqrt(graph.weight(n.vertex, v)) * surface.edge_length(v, n.vertex);
-  };
-  Values scales, b, x;
-  for(std::size_t row = 0; row != problem.number_of_rows(); ++row)
-  {
-    const Position v = problem.vertex(row);
-    double sum = 0;
-    for(const auto& n : graph.neighbors(v))
-      sum += symmetric_weight(v, n);
-    scales.push_back(sum / graph.sum_of_weights(v));
-    b.push_back(scales.back() * problem.right_side()[row]);
-  }
-  const auto multiply = [&](const Values& factor, Values& product) {
-    problem.multiply(factor, product);
-    for(std::size_t row = 0; row != product.size(); ++row)
-      product[row] *= scales[row];
-  };
-  Factorized_matrix<Solver> matrix(solver, problem, symmetric_weight);
-  if(solve_iteratively(
-       multiply, [&](const Values& r) { return matrix.solve(r); }, b, x))
-    return x;
+  Factorized_system<Solver> system(solver, problem, weights);
+  constexpr std::size_t largest_number_of_steps = 80;
+  Iterative_solution solution = solve_iteratively(system, problem.right_side(), accuracy, largest_number_of_steps);
+  if(solution.is_accurate)
+    return std::move(solution.values);
 #ifdef CGAL_EIGEN3_ENABLED
-  std::vector<double> scale_of_vertex(graph.number_of_vertices());
-  for(std::size_t row = 0; row != problem.number_of_rows(); ++row)
-    scale_of_vertex[problem.vertex(row)] = scales[row];
   Unsymmetric_solver unsymmetric_solver;
-  Factorized_matrix<Unsymmetric_solver> unsymmetric_matrix(
-    unsymmetric_solver, problem, [&](Position v, const auto& n) { return scale_of_vertex[v] * n.weight; });
-  return unsymmetric_matrix.solve(b);
+  return Factorized_matrix<Unsymmetric_solver>(unsymmetric_solver, problem).solve(problem.right_side());
 #else
   throw Linear_solver_error();
 #endif
+}
+
+// The values of all vertices, and the number of steps of the iteration that has found them, zero if there was none.
+struct Dirichlet_solution
+{
+  std::vector<double> values;
+  std::size_t number_of_steps = 0;
+};
+
+// Below this number of vertices a factorization is faster than multigrid.
+inline constexpr Position smallest_size_for_multigrid = 5000;
+
+// Solves the equations sum_j w_ij (x_j - x_i) = h_i. `values` holds x for the fixed vertices, and h for the free ones.
+// Large problems are solved by multigrid, unless a solver is given. Where that does not get as accurate as asked for,
+// and else, a matrix is factorized.
+template <class Surface, class NamedParameters>
+Dirichlet_solution solve_dirichlet_problem(const Surface& surface,
+                                           const Weighted_graph& graph,
+                                           Laplacian_weights weights,
+                                           const std::vector<bool>& is_fixed,
+                                           const std::vector<double>& values,
+                                           double least_range,
+                                           const NamedParameters& np)
+{
+  const Nearly_symmetric_weights<Surface> symmetric_weights(surface, graph);
+  const Accuracy accuracy = {choose_tolerance(np), least_range};
+  if(std::find(is_fixed.begin(), is_fixed.end(), false) == is_fixed.end())
+    return {values, 0};
+  const auto make_problem = [&](const std::vector<Position>& order) {
+    Dirichlet_problem problem(graph, order, is_fixed, values);
+    if(weights == Laplacian_weights::MEAN_VALUE)
+      symmetric_weights.scale(problem);
+    return problem;
+  };
+  const auto values_of_vertices = [&](const Dirichlet_problem& problem, const Values& solution) {
+    std::vector<double> result = values;
+    for(std::size_t row = 0; row != solution.size(); ++row)
+      result[problem.vertex(row)] = solution[row];
+    return result;
+  };
+  if constexpr(!is_solver_given<NamedParameters>)
+    if(graph.number_of_vertices() >= smallest_size_for_multigrid)
+    {
+      const Dirichlet_problem problem = make_problem(breadth_first_order(graph));
+      const Iterative_solution solution = solve_by_multigrid(problem, accuracy);
+      if(solution.is_accurate)
+        return {values_of_vertices(problem, solution.values), solution.number_of_steps};
+    }
+  const Dirichlet_problem problem = make_problem(Nested_dissection<Surface>(surface, graph).vertices());
+  auto solver = choose_solver(np);
+  return {values_of_vertices(problem, weights == Laplacian_weights::MEAN_VALUE
+                                        ? solve_nearly_symmetric_directly(problem, symmetric_weights, accuracy, solver)
+                                        : solve_symmetric_directly(problem, solver)),
+          0};
 }
 
 } // namespace scalar_fields
