@@ -157,16 +157,7 @@ std::vector<double> arc_areas(const FaceListGraph& mesh,
 /// \param mesh the mesh that the graph has been computed of
 /// \param scalar_map the field that it has been computed of, of values that `CGAL::to_double()` takes
 /// \param graph the Reeb graph
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-///
-/// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type and points of a
-///                    three-dimensional kernel as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-/// \cgalNamedParamsEnd
+/// \param np named parameters: those of `areas_of_pieces()`
 ///
 /// \returns the lengths, in the order of `edges(graph)`.
 template <class FaceListGraph,
