@@ -23,9 +23,12 @@ number_of_jobs() {
   local cores memory_in_kb jobs
   cores=$(nproc)
   memory_in_kb=$(awk '/^MemAvailable/ { print $2 }' /proc/meminfo)
-  jobs=$((memory_in_kb / 1500000))
+  jobs=$((memory_in_kb / 2500000))
   echo $((jobs < 1 ? 1 : jobs < cores ? jobs : cores))
 }
+
+# Sources of one program are compiled several at a time, so that the templates that they share are compiled once.
+together=(-DCMAKE_UNITY_BUILD=ON)
 
 packages_of_program=(g++ cmake make libcgal-dev libboost-dev libboost-test-dev libeigen3-dev libtbb-dev libcli11-dev
                      nlohmann-json3-dev libjs-three)

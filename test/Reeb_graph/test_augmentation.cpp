@@ -29,6 +29,8 @@
 
 // From the graph back to the mesh, with ties broken: contours, critical sets and locations against the oracle.
 
+BOOST_AUTO_TEST_SUITE(test_augmentation)
+
 using namespace augmentation_checks;
 using generated_surfaces::Triangle_soup;
 using mesh_builders::make_mesh;
@@ -447,3 +449,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_contours_lie_on_their_edges, Mesh, Meshe
       }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

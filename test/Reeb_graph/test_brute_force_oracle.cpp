@@ -27,6 +27,8 @@
 
 // The tests' own tools: the oracles on cases done by hand and on identities, and the random meshes and complexes.
 
+BOOST_AUTO_TEST_SUITE(test_brute_force_oracle)
+
 using brute_force_oracle::Oracle;
 using CGAL::Reeb_graph::Ties;
 using random_complexes::Complex;
@@ -357,3 +359,5 @@ BOOST_AUTO_TEST_CASE(graphs_of_complexes_keep_to_identities)
     }
   BOOST_TEST(numbers_of_loops.size() > 5);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

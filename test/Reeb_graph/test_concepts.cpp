@@ -37,6 +37,8 @@
 
 // Models of the concepts that have what the concepts ask for, and nothing else.
 
+BOOST_AUTO_TEST_SUITE(test_concepts)
+
 using graph_checks::compute_plain;
 using graph_checks::Plain_graph;
 using mesh_builders::Surface_mesh;
@@ -483,3 +485,5 @@ BOOST_AUTO_TEST_CASE(a_linear_cell_complex)
       BOOST_TEST(graph_checks::fault_of_reeb_graph(cell_complex, values, false) == "");
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

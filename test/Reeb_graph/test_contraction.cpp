@@ -27,6 +27,8 @@
 
 // Contracted ties: graph and augmentation against the quotient by definition.
 
+BOOST_AUTO_TEST_SUITE(test_contraction)
+
 using namespace augmentation_checks;
 using CGAL::Reeb_graph::Node_kind;
 using mesh_builders::make_mesh;
@@ -381,3 +383,5 @@ BOOST_AUTO_TEST_CASE(a_component_of_one_value_becomes_an_isolated_node)
       BOOST_TEST(locations.vertices_of_node(1).size() == 7u);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -26,6 +26,8 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_contradictory_orders)
+
 using namespace computed_graphs;
 using namespace CGAL::Reeb_graph;
 using CGAL::Parallel_if_available_tag;
@@ -276,3 +278,5 @@ BOOST_AUTO_TEST_CASE(nan_that_a_type_hides_ends)
   }
   BOOST_TEST(number_of_refused > 0u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

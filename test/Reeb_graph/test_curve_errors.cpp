@@ -26,6 +26,8 @@
 
 // Surfaces and fields that have no such curves are refused, and the mesh stays as it is.
 
+BOOST_AUTO_TEST_SUITE(test_curve_errors)
+
 using CGAL::Reeb_graph::Border_level_error;
 using CGAL::Reeb_graph::No_pants_decomposition_error;
 using mesh_builders::Surface_mesh;
@@ -199,3 +201,5 @@ BOOST_AUTO_TEST_CASE(input_that_has_no_reeb_graph)
     BOOST_CHECK_THROW(number_of_curves(kind, quad, rising_values(4)), CGAL::Reeb_graph::Non_triangular_face_error);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

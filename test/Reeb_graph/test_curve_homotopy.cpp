@@ -24,6 +24,8 @@
 // The curves of a pants decomposition are not contractible, and no two are homotopic; branch curves are contractible.
 // CGAL's package Surface_mesh_topology is the judge.
 
+BOOST_AUTO_TEST_SUITE(test_curve_homotopy)
+
 using curve_samples::Sample;
 using mesh_builders::Surface_mesh;
 
@@ -97,3 +99,5 @@ BOOST_AUTO_TEST_CASE(branch_curves_are_contractible)
         BOOST_TEST(topology.is_contractible(path));
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -24,6 +24,8 @@
 
 // The named parameters that choose the curves, other orders and number types, and meshes with a history.
 
+BOOST_AUTO_TEST_SUITE(test_curve_parameters)
+
 using namespace cut_mesh_checks;
 using curve_samples::Sample;
 using mesh_builders::Polyhedron;
@@ -205,3 +207,5 @@ BOOST_AUTO_TEST_CASE(the_same_curves_on_all_types_of_meshes)
       }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

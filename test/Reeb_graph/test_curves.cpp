@@ -32,6 +32,8 @@
 
 // Cutting systems, pants decompositions and branch curves: their numbers, and the pieces between them.
 
+BOOST_AUTO_TEST_SUITE(test_curves)
+
 using namespace cut_mesh_checks;
 using CGAL::Reeb_graph::Borders;
 using curve_samples::Sample;
@@ -401,3 +403,5 @@ BOOST_AUTO_TEST_CASE(thresholds_of_branches_remove_noise)
   BOOST_TEST(number_of_branches(noisy, 1000, 0) == 0u);
   BOOST_TEST(number_of_branches(noisy, 0, 1000) == 0u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

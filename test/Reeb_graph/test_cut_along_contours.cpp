@@ -30,6 +30,8 @@
 
 // Meshes cut along many contours at a time, of any field, with borders that contours may end at.
 
+BOOST_AUTO_TEST_SUITE(test_cut_along_contours)
+
 using namespace cut_mesh_checks;
 using curve_samples::Sample;
 using mesh_builders::Polyhedron;
@@ -301,3 +303,5 @@ BOOST_AUTO_TEST_CASE(what_is_no_contour_is_refused)
       h = opposite(h, sample.mesh);
   });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

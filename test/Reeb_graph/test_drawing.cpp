@@ -34,6 +34,8 @@
 
 // Graphs laid out in the plane, and drawn.
 
+BOOST_AUTO_TEST_SUITE(test_drawing)
+
 using namespace computed_graphs;
 using CGAL::Reeb_graph::Plane_layout;
 using random_graphs::Graph;
@@ -498,3 +500,5 @@ BOOST_AUTO_TEST_CASE(the_figure_of_the_demo_has_limbs_and_a_handle)
   BOOST_TEST(number_of_crossings(CGAL::Reeb_graph::lay_out_in_plane(graph)) == 0u);
   test_drawing(graph);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

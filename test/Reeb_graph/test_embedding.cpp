@@ -41,6 +41,8 @@
 
 // Graphs in space: where the polylines of arcs are, in each manner.
 
+BOOST_AUTO_TEST_SUITE(test_embedding)
+
 using namespace computed_graphs;
 using CGAL::Reeb_graph::embed;
 using CGAL::Reeb_graph::Embedding_manner;
@@ -606,3 +608,5 @@ BOOST_AUTO_TEST_CASE(errors)
   BOOST_CHECK_THROW(embed(s.augmentation, CGAL::parameters::parametrization_map(infinite_map)),
                     CGAL::Reeb_graph::Non_finite_scalar_error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -27,6 +27,8 @@
 
 // The two methods against each other, and what the near-linear one costs.
 
+BOOST_AUTO_TEST_SUITE(test_engines)
+
 using CGAL::Reeb_graph::Method;
 using CGAL::Reeb_graph::Ties;
 using mesh_builders::make_mesh;
@@ -427,3 +429,5 @@ BOOST_AUTO_TEST_CASE(the_traced_edges_of_noise_grow_linearly)
   compare_sizes(make_mesh<Surface_mesh>(generated_surfaces::closed_surface(3, 2500)),
                 make_mesh<Surface_mesh>(generated_surfaces::closed_surface(3, 40000)));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

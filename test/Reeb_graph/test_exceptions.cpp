@@ -34,6 +34,8 @@
 
 // Bad input gets an exception that names the place, whatever the build type, and leaves the graph as it was.
 
+BOOST_AUTO_TEST_SUITE(test_exceptions)
+
 using namespace CGAL::Reeb_graph;
 using mesh_builders::make_mesh;
 using mesh_builders::Polyhedron;
@@ -584,3 +586,5 @@ BOOST_AUTO_TEST_CASE(more_vertices_than_32_bit_indices_are_refused)
   BOOST_CHECK_THROW(internal::checked_index((std::size_t(1) << 32) - 1), Mesh_size_error);
   BOOST_TEST(internal::checked_index((std::size_t(1) << 32) - 2) == 4294967294u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -39,6 +39,8 @@
 
 // Loops, components and leaves of graphs, and graphs written and read back.
 
+BOOST_AUTO_TEST_SUITE(test_graph_files)
+
 using curve_samples::Sample;
 using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
@@ -261,3 +263,5 @@ BOOST_AUTO_TEST_CASE(kinds_of_nodes_are_written)
   text << CGAL::Reeb_graph::Node_kind::SADDLE << ' ' << CGAL::Reeb_graph::Node_kind::DEGREE_TWO;
   BOOST_TEST(text.str() == "saddle degree-two");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -26,6 +26,8 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_graph_storage)
+
 using mesh_builders::Surface_mesh;
 using random_meshes::Random;
 
@@ -224,3 +226,5 @@ BOOST_AUTO_TEST_CASE(allocators_of_other_types_share_their_memory)
   std::list<double, Allocator> list(3, 1., allocator);
   BOOST_TEST((list.get_allocator() == allocator));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -33,6 +33,8 @@
 
 // Harmonic fields: no extremum but at fixed vertices, and close to the functions that they stand for.
 
+BOOST_AUTO_TEST_SUITE(test_harmonic_field)
+
 using CGAL::parameters::laplacian_weights;
 using CGAL::Reeb_graph::compute_harmonic_field;
 using CGAL::Reeb_graph::compute_harmonic_field_between;
@@ -713,3 +715,5 @@ BOOST_AUTO_TEST_CASE(an_order_of_rows_that_fills_the_factor_is_replaced)
   const int* indices = permutation.indices().data();
   BOOST_TEST(std::find(indices, indices + size, 0) - indices >= size - 2);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

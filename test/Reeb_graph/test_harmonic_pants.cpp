@@ -27,6 +27,8 @@
 
 // Pants decompositions without a field of the user, with any number of borders.
 
+BOOST_AUTO_TEST_SUITE(test_harmonic_pants)
+
 using namespace cut_mesh_checks;
 using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
@@ -130,3 +132,5 @@ BOOST_AUTO_TEST_CASE(a_torus_is_refused)
     CGAL::Reeb_graph::No_pants_decomposition_error);
   BOOST_TEST(num_vertices(mesh) == 96u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -30,6 +30,8 @@
 
 // Fields are changed so that borders are extremal levels.
 
+BOOST_AUTO_TEST_SUITE(test_make_borders_level)
+
 using CGAL::Reeb_graph::Border_extremum;
 using CGAL::Reeb_graph::Border_level_changes;
 using curve_samples::Sample;
@@ -498,3 +500,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(wrong_input_leaves_the_field, Mesh, Meshes)
                         [](const auto& error) { return error.vertex() == 5; });
   BOOST_TEST(get(scalar_map, *vertices(mesh).first) == 6);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

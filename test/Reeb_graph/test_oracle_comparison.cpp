@@ -20,6 +20,8 @@
 
 // The package against the oracle: nodes, arcs and chains.
 
+BOOST_AUTO_TEST_SUITE(test_oracle_comparison)
+
 using graph_checks::fault_of_reeb_graph;
 using mesh_builders::make_mesh;
 using mesh_builders::Surface_mesh;
@@ -146,3 +148,5 @@ BOOST_AUTO_TEST_CASE(a_loop_closed_beside_a_border)
 {
   compare_with_oracle(make_mesh<Surface_mesh>(known_meshes::seven_vertex_annulus()), {0, 1, 2, 3, 4, 5, 6});
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -30,6 +30,8 @@
 // The graph and the exceptions are the same for any number of threads and slabs. Meshes have to be large for this, as
 // small ones are left to one thread: most here are collections of hundreds of small random meshes.
 
+BOOST_AUTO_TEST_SUITE(test_parallel)
+
 using namespace computed_graphs;
 using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
@@ -377,3 +379,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(faults_of_all_kinds, Mesh, Meshes)
   add_quadrilateral(mesh);
   compare_exceptions(mesh, some_values(mesh), " ");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

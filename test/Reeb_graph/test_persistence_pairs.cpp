@@ -25,6 +25,8 @@
 
 // Persistence pairs against the textbook, upside down, and by what they have to add up to.
 
+BOOST_AUTO_TEST_SUITE(test_persistence_pairs)
+
 using namespace computed_graphs;
 using namespace persistence_oracle;
 using random_graphs::random_graph;
@@ -257,3 +259,5 @@ BOOST_AUTO_TEST_CASE(lowest_nodes_of_paths_in_a_forest)
       }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

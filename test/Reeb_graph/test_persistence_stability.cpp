@@ -32,6 +32,8 @@
 // Persistence diagrams are stable: noise moves their points by no more than its largest value (D. Cohen-Steiner, H.
 // Edelsbrunner, J. Harer, Stability of Persistence Diagrams, 2007). The distance of two diagrams is that of GUDHI.
 
+BOOST_AUTO_TEST_SUITE(test_persistence_stability)
+
 using namespace computed_graphs;
 using persistence_oracle::Pair;
 using persistence_oracle::Persistence_pair_kind;
@@ -170,3 +172,5 @@ BOOST_AUTO_TEST_CASE(diagrams_of_smooth_surfaces_are_stable)
       test_stability(make_mesh<mesh_builders::Surface_mesh>(soup), values, random);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

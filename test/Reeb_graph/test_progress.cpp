@@ -39,6 +39,8 @@
 
 // The named parameter callback: how far the work is, and how it is stopped.
 
+BOOST_AUTO_TEST_SUITE(test_progress)
+
 namespace parameters = CGAL::parameters;
 using namespace computed_graphs;
 using mesh_builders::Polyhedron;
@@ -378,3 +380,5 @@ void check_works(const std::vector<Work<Mesh>>& works)
 BOOST_AUTO_TEST_CASE(work_that_is_stopped_changes_nothing) { check_works(all_works()); }
 
 BOOST_AUTO_TEST_CASE(splits_are_undone_in_polyhedra) { check_works(cuts<Polyhedron>()); }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -29,6 +29,8 @@
 
 // What holds for every Reeb graph, whatever it is.
 
+BOOST_AUTO_TEST_SUITE(test_properties)
+
 using CGAL::Reeb_graph::Critical_vertex_counts;
 using CGAL::Reeb_graph::Node_kind;
 using generated_surfaces::Triangle_soup;
@@ -465,3 +467,5 @@ BOOST_AUTO_TEST_CASE(chains_are_a_property_map_and_outlive_their_graph)
   BOOST_TEST((compute_plain(mesh, sample.values).arcs.back().chain_vertices.back())
              == numbers.target_vertex(kept_chain.back()));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

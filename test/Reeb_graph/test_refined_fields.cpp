@@ -40,10 +40,13 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 // The field and the attributes of a mesh that has been cut: the Reeb graph of the field is the same as before.
+
+BOOST_AUTO_TEST_SUITE(test_refined_fields)
 
 using namespace cut_mesh_checks;
 using CGAL::Reeb_graph::Borders;
@@ -188,8 +191,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_graph_is_the_same_after_cutting, Mesh, Meshes)
     {
       const Sample sample = curve_samples::random_sample(8 * seed, false, 1 + seed % 2, 2); // permutations
       test_all_cuts<Mesh>(sample, sample.values, CGAL::parameters::default_values());
-      if(seed < 10)
-        test_all_cuts<Mesh>(sample, integers(sample.values), CGAL::parameters::default_values());
+      // Exact numbers are on the other type of mesh, below.
+      if constexpr(std::is_same_v<Mesh, Polyhedron>)
+        if(seed < 10)
+          test_all_cuts<Mesh>(sample, integers(sample.values), CGAL::parameters::default_values());
     }
   for(const unsigned genus : {2u, 7u})
     for(const std::size_t kind : {0, 1})
@@ -442,3 +447,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(attributes_are_carried_over, Mesh, Meshes)
   for(std::size_t f = 0; f < areas.size(); ++f)
     BOOST_TEST(sums[f] == areas[f], boost::test_tools::tolerance(1e-9));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -39,6 +39,8 @@
 
 // Gradient, divergence, and the fields that are made of them; geodesic distances and heights; bad input to all fields.
 
+BOOST_AUTO_TEST_SUITE(test_scalar_fields)
+
 using namespace CGAL::Reeb_graph;
 using field_checks::pi;
 using field_checks::Triangle_soup;
@@ -975,3 +977,5 @@ BOOST_AUTO_TEST_CASE(a_failing_solver_is_reported)
   };
   check_throws<Linear_solver_error>(small_mesh(), compute, "solver");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -27,6 +27,8 @@
 
 // Segmentations of the faces: by arcs of any graph, by pairs of pants, by branches.
 
+BOOST_AUTO_TEST_SUITE(test_segmentation)
+
 using namespace cut_mesh_checks;
 using curve_samples::Sample;
 using mesh_builders::Polyhedron;
@@ -162,3 +164,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(patches_of_branches, Mesh, Meshes)
   for(std::size_t i = 1; i < 5; ++i)
     BOOST_TEST(pieces[i].euler_characteristic == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -30,6 +30,8 @@
 
 // The way from a simplified graph to the mesh.
 
+BOOST_AUTO_TEST_SUITE(test_simplified_augmentation)
+
 using namespace computed_graphs;
 using curve_samples::Sample;
 using mesh_builders::Polyhedron;
@@ -258,3 +260,5 @@ BOOST_AUTO_TEST_CASE(simplifications_of_other_graphs)
                                 CGAL::parameters::simplification(other.simplification));
   BOOST_CHECK_THROW(with_other.locate_vertices(), CGAL::Reeb_graph::Graph_mismatch_error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -27,6 +27,8 @@
 
 // Simplified graphs against one made word by word, and their properties.
 
+BOOST_AUTO_TEST_SUITE(test_simplify)
+
 using namespace computed_graphs;
 using persistence_oracle::Persistence_pair_kind;
 using random_graphs::Graph;
@@ -415,3 +417,5 @@ BOOST_AUTO_TEST_CASE(arcs_of_any_graph_have_a_persistence_within_its_range)
       BOOST_TEST(number == persistences.size());
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

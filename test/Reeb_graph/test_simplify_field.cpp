@@ -32,6 +32,8 @@
 
 // The Reeb graph of a simplified field, computed anew, is the simplified graph.
 
+BOOST_AUTO_TEST_SUITE(test_simplify_field)
+
 using namespace computed_graphs;
 using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
@@ -511,3 +513,5 @@ BOOST_AUTO_TEST_CASE(bad_input)
   BOOST_CHECK_THROW(simplify_field(mesh, make_scalar_map(mesh, values), 1, scalar_map), Unordered_scalar_error);
   BOOST_TEST(simplify_field(mesh, scalar_map, 0, scalar_map) == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -21,6 +21,8 @@
 
 // The graph is the same for any number of slabs, those without vertices and cylinders through a slab included.
 
+BOOST_AUTO_TEST_SUITE(test_slabs)
+
 using namespace computed_graphs;
 using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
@@ -172,3 +174,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(meshes_without_faces, Mesh, Meshes)
     compare_slabs(make_mesh<Mesh>(Combinatorial_mesh{number_of_vertices, {}}),
                   std::vector<double>(number_of_vertices, 1), {1, 2, 3, 8, 64}, Settings());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

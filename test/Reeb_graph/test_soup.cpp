@@ -27,6 +27,8 @@
 
 // Reeb graphs of soups and tetrahedra, against the oracle, and against those of the same surfaces as meshes.
 
+BOOST_AUTO_TEST_SUITE(test_soup)
+
 using CGAL::Reeb_graph::Method;
 using CGAL::Reeb_graph::Ties;
 using random_complexes::Complex;
@@ -78,3 +80,5 @@ BOOST_AUTO_TEST_CASE(graphs_of_random_complexes_are_those_of_the_oracle)
       BOOST_TEST(fault_of_graph(oracle, third, values, ties) == "");
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

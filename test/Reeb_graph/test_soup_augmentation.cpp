@@ -43,6 +43,8 @@
 
 // From the graph of any complex back to it: contours, critical sets and locations against the oracle.
 
+BOOST_AUTO_TEST_SUITE(test_soup_augmentation)
+
 using namespace soup_augmentation_checks;
 using CGAL::Reeb_graph::Soup_augmentation;
 using CGAL::Reeb_graph::Tetrahedra_augmentation;
@@ -571,3 +573,5 @@ BOOST_AUTO_TEST_CASE(the_way_back_from_a_simplified_graph)
                           CGAL::Reeb_graph::Graph_mismatch_error);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

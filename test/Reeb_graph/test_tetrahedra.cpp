@@ -29,6 +29,8 @@
 
 // Tetrahedra of the data structures of CGAL: all of them, of vertices with their points and values.
 
+BOOST_AUTO_TEST_SUITE(test_tetrahedra)
+
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point;
 typedef CGAL::Delaunay_triangulation_3<Kernel> Triangulation;
@@ -164,3 +166,5 @@ BOOST_AUTO_TEST_CASE(tetrahedra_of_a_linear_cell_complex_are_its_volumes)
   BOOST_CHECK_EXCEPTION(CGAL::Reeb_graph::tetrahedra_of_linear_cell_complex(complex),
                         CGAL::Reeb_graph::Non_tetrahedral_cell_error, is_of_fourth_cell);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
