@@ -66,7 +66,7 @@ public:
   }
 
   // Writes the sectors of a vertex to the two places, in the order of their first edges.
-  void find_sectors(Vertex_index vertex, const By_side<Link_sector*>& places)
+  void write(Vertex_index vertex, const By_side<Link_sector*>& places)
   {
     for(const Side side : both_sides)
       roots_[side].clear();

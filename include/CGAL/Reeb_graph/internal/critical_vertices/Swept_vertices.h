@@ -93,24 +93,38 @@ public:
     }
   }
 
-  // Where the lower and the upper sectors of a vertex are written that has them from `first_sectors` on.
-  By_side<Link_sector*> places(const Sector_counts& first_sectors)
-  {
-    return {sectors_[Side::LOWER].data() + first_sectors[Side::LOWER],
-            sectors_[Side::UPPER].data() + first_sectors[Side::UPPER]};
-  }
-
-  // Sets one vertex, but not its sectors.
+  // Sets one vertex, which has the given sectors from `first_sectors` on.
+  template <class Complex, class Order>
   void set(Swept_index critical,
+           const Complex& complex,
+           const Order& order,
            Vertex_index vertex,
-           bool is_first_upper,
-           bool is_on_border,
+           const Link_summary& link,
            const Sector_counts& first_sectors)
   {
+    find_link_sectors(complex, order, vertex, link,
+                      {sectors_[Side::LOWER].data() + first_sectors[Side::LOWER],
+                       sectors_[Side::UPPER].data() + first_sectors[Side::UPPER]});
     entries_[critical] = {{Sector_index(first_sectors[Side::LOWER]), Sector_index(first_sectors[Side::UPPER])},
                           vertex,
-                          is_first_upper,
-                          is_on_border};
+                          link.is_first_upper,
+                          complex.is_on_border(vertex)};
+  }
+
+  // The same where the sectors are known: sectors.write(vertex, places) writes the lower and the upper ones.
+  template <class Complex, class Sectors>
+  void set(Swept_index critical,
+           const Complex& complex,
+           Vertex_index vertex,
+           Sectors& sectors,
+           const Sector_counts& first_sectors)
+  {
+    sectors.write(vertex, {sectors_[Side::LOWER].data() + first_sectors[Side::LOWER],
+                           sectors_[Side::UPPER].data() + first_sectors[Side::UPPER]});
+    entries_[critical] = {{Sector_index(first_sectors[Side::LOWER]), Sector_index(first_sectors[Side::UPPER])},
+                          vertex,
+                          false,
+                          complex.is_on_border(vertex)};
   }
 
   // Sorts the vertices when all have been set. Ties are ordered by critical vertex as by vertex.

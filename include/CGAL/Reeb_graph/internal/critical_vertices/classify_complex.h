@@ -68,8 +68,7 @@ Swept_vertices find_vertices_of_complex(const Simplicial_complex& complex,
   Swept_index i(0);
   for(const Vertex_index v : wanted)
   {
-    forests.find_sectors(v, result.places(first_sectors));
-    result.set(i, v, false, complex.is_on_border(v), first_sectors);
+    result.set(i, complex, v, forests, first_sectors);
     ++i;
     for(const Side side : both_sides)
       first_sectors[side] += forests.numbers_of_sectors(v)[side];

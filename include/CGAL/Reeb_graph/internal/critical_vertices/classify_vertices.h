@@ -122,8 +122,7 @@ Swept_vertices join_parts(const Complex& complex, const Order& order, const Foun
     Sector_counts sectors = first_sectors[part];
     for(const auto& [vertex, link] : parts[part].vertices)
     {
-      find_link_sectors(complex, order, vertex, link, result.places(sectors));
-      result.set(i, vertex, link.is_first_upper, complex.is_on_border(vertex), sectors);
+      result.set(i, complex, order, vertex, link, sectors);
       ++i;
       sectors[Side::LOWER] += link.number_of_lower_sectors();
       sectors[Side::UPPER] += link.number_of_upper_sectors();
