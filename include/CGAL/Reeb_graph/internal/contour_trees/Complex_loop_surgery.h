@@ -61,15 +61,14 @@ public:
     }
     // To look at each triangle once pays if otherwise most would be looked at several times.
     if(vertices.size() > complex_.number_of_vertices() / 1024)
-    {
       components_.emplace(complex_);
-      const auto is_decided = [&](Swept_index i) {
-        const Vertex_index v = critical_vertices_.vertex(i);
-        return components_->is_simply_connected(v) || components_->is_closed(v);
-      };
-      vertices.erase(std::remove_if(vertices.begin(), vertices.end(), is_decided), vertices.end());
-    }
-    contours_ = Contours_of_sectors<Order>(complex_, order, critical_vertices_, vertices)();
+    const auto is_decided = [&](Vertex_index v) {
+      return components_ && (components_->is_simply_connected(v) || components_->is_closed(v));
+    };
+    vertices.erase(std::remove_if(vertices.begin(), vertices.end(),
+                                  [&](Swept_index i) { return is_decided(critical_vertices_.vertex(i)); }),
+                   vertices.end());
+    contours_ = Contours_of_sectors<Order>(complex_, order, critical_vertices_, vertices)(is_decided);
   }
 
   bool can_close_loop(Swept_index critical)

@@ -47,10 +47,12 @@ public:
       vertices_(vertices)
   {}
 
-  // By lower sector: the name of its contour, among those of its vertex; no_index at other vertices.
-  Indexed_vector<Sector_index, Number> operator()()
+  // By lower sector: the name of its contour, among those of its vertex; no_index at other vertices. Components of the
+  // complex in which none of the vertices in question is can be left out: is_left_out(vertex).
+  template <class IsLeftOut>
+  Indexed_vector<Sector_index, Number> operator()(const IsLeftOut& is_left_out)
   {
-    find_times();
+    find_times(is_left_out);
     std::vector<Graph_node> questions;
     std::vector<Number> first_questions;
     for(const Swept_index i : vertices_)
@@ -76,12 +78,15 @@ public:
 
 private:
   // The time of a vertex is how many of the vertices in question are not higher: an edge crosses the level just below
-  // one of these from the time of its lower end to that of its higher end.
-  void find_times()
+  // one of these from the time of its lower end to that of its higher end. What is left out stays at time 0.
+  template <class IsLeftOut>
+  void find_times(const IsLeftOut& is_left_out)
   {
-    times_.renew(complex_.number_of_vertices());
+    times_.renew(complex_.number_of_vertices(), 0);
     for(const Vertex_index v : complex_.vertices())
     {
+      if(is_left_out(v))
+        continue;
       const auto is_not_higher = [&](Swept_index i) { return !order_(v, critical_vertices_.vertex(i)); };
       times_[v] = static_cast<Number>(std::partition_point(vertices_.begin(), vertices_.end(), is_not_higher)
                                       - vertices_.begin());

@@ -56,10 +56,14 @@ public:
   {
     if(number_of_times() == 0)
       return {};
-    std::vector<Timed_link> kept;
-    const Number number_of_kept_nodes = contract(0, number_of_times(), links, number_of_nodes, kept);
+    Part all(0, number_of_times(), number_of_nodes, links.size());
+    for(const Timed_link& link : links)
+      all.contract_if_lasting(link);
+    for(const Timed_link& link : links)
+      all.keep_if_changing(link);
     std::vector<Timed_link>().swap(links);
-    divide(0, number_of_times(), std::move(kept), number_of_kept_nodes);
+    rename_questions(all);
+    divide(all.begin, all.end, std::move(all.links), all.number_of_nodes);
     return std::move(components_);
   }
 
@@ -69,18 +73,91 @@ public:
 private:
   Number number_of_times() const { return static_cast<Number>(first_questions_.size()) - 1; }
 
+  // An interval of the times, in which links that last all through are contracted, and the other ones are kept with new
+  // names of their nodes.
+  struct Part
+  {
+    Part(Number begin, Number end, Number number_of_old_nodes, std::size_t most_links)
+      : begin(begin),
+        end(end),
+        sets(number_of_old_nodes),
+        names(number_of_old_nodes, no_index)
+    {
+      links.reserve(most_links);
+    }
+
+    void contract_if_lasting(const Timed_link& link)
+    {
+      if(link.begin <= begin && link.end >= end)
+        sets.unite(link.a, link.b);
+    }
+
+    void keep_if_changing(const Timed_link& link)
+    {
+      const bool is_there = link.begin < end && link.end > begin, is_lasting = link.begin <= begin && link.end >= end;
+      if(!is_there || is_lasting)
+        return;
+      const Graph_node a = sets.find(link.a), b = sets.find(link.b);
+      if(a != b)
+        links.push_back({name_of_root(a), name_of_root(b), link.begin, link.end});
+    }
+
+    Graph_node name(Graph_node node) { return name_of_root(sets.find(node)); }
+
+    Number begin, end;
+    Disjoint_sets<Graph_node> sets;
+    Indexed_vector<Graph_node, Graph_node> names; // by root
+    Number number_of_nodes = 0;
+    std::vector<Timed_link> links;
+
+  private:
+    Graph_node name_of_root(Graph_node root)
+    {
+      Graph_node& result = names[root];
+      if(result == no_index)
+        result = Graph_node(number_of_nodes++);
+      return result;
+    }
+  };
+
+  void rename_questions(Part& part)
+  {
+    for(Number i = first_questions_[part.begin]; i != first_questions_[part.end]; ++i)
+      nodes_[i] = part.name(nodes_[i]);
+  }
+
   // Answers the questions of the times from `begin` to `end`. Each link begins or ends in between.
   void divide(Number begin, Number end, std::vector<Timed_link> links, Number number_of_nodes)
   {
     if(links.empty() || end - begin == 1)
       return answer(begin, end, links, number_of_nodes);
+    number_of_steps_ += links.size();
     const Number middle = find_middle(begin, end, links);
-    std::vector<Timed_link> lower, upper;
-    const Number size_of_lower = contract(begin, middle, links, number_of_nodes, lower);
-    const Number size_of_upper = contract(middle, end, links, number_of_nodes, upper);
-    std::vector<Timed_link>().swap(links);
-    divide(begin, middle, std::move(lower), size_of_lower);
-    divide(middle, end, std::move(upper), size_of_upper);
+    std::vector<Timed_link> lower_links, upper_links;
+    Number size_of_lower = 0, size_of_upper = 0;
+    {
+      Part lower(begin, middle, number_of_nodes, links.size() / 2),
+        upper(middle, end, number_of_nodes, links.size() / 2);
+      for(const Timed_link& link : links)
+      {
+        lower.contract_if_lasting(link);
+        upper.contract_if_lasting(link);
+      }
+      for(const Timed_link& link : links)
+      {
+        lower.keep_if_changing(link);
+        upper.keep_if_changing(link);
+      }
+      std::vector<Timed_link>().swap(links);
+      rename_questions(lower);
+      rename_questions(upper);
+      lower_links = std::move(lower.links);
+      upper_links = std::move(upper.links);
+      size_of_lower = lower.number_of_nodes;
+      size_of_upper = upper.number_of_nodes;
+    }
+    divide(begin, middle, std::move(lower_links), size_of_lower);
+    divide(middle, end, std::move(upper_links), size_of_upper);
   }
 
   // The time up to which about half of the beginnings and ends are, neither the first nor the last one.
@@ -104,41 +181,6 @@ private:
     while(2 * (sum += counts[middle - begin]) < total)
       ++middle;
     return middle;
-  }
-
-  // Contracts the links that last from `begin` to `end`, and writes those that do not to `kept`, with new names of
-  // nodes, which nodes in question get, too. Returns how many nodes there are then.
-  Number contract(Number begin,
-                  Number end,
-                  const std::vector<Timed_link>& links,
-                  Number number_of_nodes,
-                  std::vector<Timed_link>& kept)
-  {
-    number_of_steps_ += links.size();
-    Disjoint_sets<Graph_node> sets(number_of_nodes);
-    for(const Timed_link& link : links)
-    {
-      if(link.begin <= begin && link.end >= end)
-        sets.unite(link.a, link.b);
-    }
-    Indexed_vector<Graph_node, Graph_node> names(number_of_nodes, no_index);
-    Number number_of_names = 0;
-    const auto name = [&](Graph_node node) {
-      Graph_node& result = names[sets.find(node)];
-      if(result == no_index)
-        result = Graph_node(number_of_names++);
-      return result;
-    };
-    for(const Timed_link& link : links)
-    {
-      const bool is_dropped = link.begin >= end || link.end <= begin || (link.begin <= begin && link.end >= end);
-      if(is_dropped || sets.find(link.a) == sets.find(link.b))
-        continue;
-      kept.push_back({name(link.a), name(link.b), link.begin, link.end});
-    }
-    for(Number i = first_questions_[begin]; i != first_questions_[end]; ++i)
-      nodes_[i] = name(nodes_[i]);
-    return number_of_names;
   }
 
   // Answers questions between which nothing changes: all links that are there last all through.
