@@ -7,20 +7,23 @@
 // Author(s)     : The Reeb_graph authors
 
 #include "complex_oracle.h"
+#include "generated_surfaces/generated_complexes.h"
 #include "generated_surfaces/mesh_builders.h"
 #include "generated_surfaces/random_meshes.h"
+#include "graph_checks.h"
 #include "random_complexes.h"
 #include "random_fields.h"
 
-#include <CGAL/Reeb_graph/internal/level_sets/Offline_connectivity.h>
+#include <CGAL/Reeb_graph/internal/level_sets/Contours_of_sectors.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -79,6 +82,162 @@ BOOST_AUTO_TEST_CASE(graphs_of_random_complexes_are_those_of_the_oracle)
       const Graph third = graph_of(complex, values, params::number_of_slabs(1 + random.below(5), np));
       BOOST_TEST(fault_of_graph(oracle, third, values, ties) == "");
     }
+}
+
+// The graph of a soup with the names of nodes and chains that plain() gives to graphs of meshes.
+namespace {
+graph_checks::Plain_graph plain_of_soup(const Graph& graph)
+{
+  graph_checks::Plain_graph result;
+  for(std::size_t node = 0; node < num_vertices(graph); ++node)
+    result.nodes.emplace_back(graph[node].vertex, graph[node].kind);
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    result.arcs.push_back({graph[source(arc, graph)].vertex, graph[target(arc, graph)].vertex, {}});
+    result.arcs.back().chain_vertices.push_back(graph[arc].chain.front().first);
+    for(const auto& edge : graph[arc].chain)
+      result.arcs.back().chain_vertices.push_back(edge.second);
+  }
+  return result;
+}
+
+// Keeps what it is told.
+struct Telling_visitor : rg::Default_visitor
+{
+  rg::Critical_vertex_counts counts;
+  std::size_t number_of_stages = 0;
+  void end_stage(rg::Stage) { ++number_of_stages; }
+  void critical_vertices(const rg::Critical_vertex_counts& c) { counts = c; }
+};
+} // namespace
+
+BOOST_AUTO_TEST_CASE(surfaces_have_the_same_graphs_as_soups)
+{
+  for(std::size_t seed = 0; seed < 400; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      const auto mesh_class = static_cast<Mesh_class>(seed % static_cast<int>(Mesh_class::NUMBER_OF_CLASSES));
+      const Combinatorial_mesh surface = random_meshes::random_mesh(mesh_class, random);
+      const auto field_class = seed % 2 == 0 ? Field_class::PERMUTATION : Field_class::FEW_VALUES;
+      const auto values = random_meshes::random_field(surface, field_class, random);
+      const bool keeps = random.below(2) == 0;
+      const auto mesh = mesh_builders::make_mesh<mesh_builders::Surface_mesh>(surface);
+      const auto expected = graph_checks::compute_plain(mesh, values, keeps);
+      const auto np = params::keep_degree_two_nodes(keeps);
+      const Graph graph = graph_of(random_complexes::complex_of(surface), values, np);
+      BOOST_TEST((plain_of_soup(graph) == expected));
+
+      Telling_visitor of_mesh, of_soup;
+      graph_checks::Graph_of<mesh_builders::Surface_mesh> graph_of_mesh;
+      CGAL::compute_reeb_graph(mesh, rg::make_scalar_map(mesh, values), graph_of_mesh,
+                               params::visitor(std::ref(of_mesh)));
+      Graph other_graph;
+      CGAL::compute_reeb_graph_of_soup(values, surface.triangles, values, other_graph,
+                                       params::visitor(std::ref(of_soup)));
+      BOOST_TEST(of_soup.number_of_stages == of_mesh.number_of_stages);
+      BOOST_TEST((of_soup.counts.saddles == of_mesh.counts.saddles));
+      BOOST_TEST(of_soup.counts.border_saddles == of_mesh.counts.border_saddles);
+      BOOST_TEST(of_soup.counts.minima + of_soup.counts.maxima + of_soup.counts.isolated
+                 == of_mesh.counts.minima + of_mesh.counts.maxima + of_mesh.counts.isolated);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(bad_soups_leave_the_graph_as_it_was)
+{
+  typedef std::vector<std::vector<int>> Cells;
+  const std::vector<double> values = {0, 1, 2, 3};
+  Graph graph;
+  CGAL::compute_reeb_graph_of_soup(4, Cells{{0, 1, 2}, {3, 2, 1}}, values, graph);
+  const auto before = plain_of_soup(graph);
+  BOOST_TEST(before.arcs.size() == 1u);
+  const auto compute = [&](const Cells& triangles, const Cells& edges = {}, const std::vector<double>& scalars = {}) {
+    CGAL::compute_reeb_graph_of_soup(4, triangles, scalars.empty() ? values : scalars, graph, params::edges(edges));
+  };
+  const auto compute_cells = [&](const Cells& cells) {
+    CGAL::compute_reeb_graph_of_tetrahedra(4, cells, values, graph);
+  };
+  const auto is_first = [](const auto& error) { return error.face() == 1; };
+  const auto is_at_first = [](const auto& error) { return error.position() == 1; };
+  BOOST_CHECK_EXCEPTION(compute({{0, 1, 2}, {0, 1}, {0}}), rg::Non_triangular_face_error, is_first);
+  BOOST_CHECK_EXCEPTION(compute({{0, 1, 2}, {0, 1, 2, 3}}), rg::Non_triangular_face_error, is_first);
+  BOOST_CHECK_EXCEPTION(compute({{0, 1, 2}, {3, 1, 3}}), rg::Degenerate_face_error, is_first);
+  BOOST_CHECK_EXCEPTION(compute({{0, 1, 2}, {3, 1, 4}, {0, 0, 0}}), rg::Vertex_out_of_range_error, is_at_first);
+  BOOST_CHECK_EXCEPTION(compute({{0, 1, 2}, {-1, 1, 2}}), rg::Vertex_out_of_range_error, is_at_first);
+  BOOST_CHECK_EXCEPTION(compute({}, {{0, 1}, {0, 7}}), rg::Vertex_out_of_range_error, is_at_first);
+  BOOST_CHECK_EXCEPTION(compute({}, {{0, 1}, {2, 2}}), rg::Degenerate_edge_error,
+                        [](const auto& error) { return error.edge() == 1; });
+  BOOST_CHECK_THROW(compute({{0, 1, 2}}, {}, {0, 1, 2}), rg::Scalar_count_error);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  BOOST_CHECK_EXCEPTION(compute({{0, 1, 2}}, {}, {0, 1, nan, 2}), rg::Unordered_scalar_error,
+                        [](const auto& error) { return error.vertex() == 2; });
+  for(const Cells& cells : {Cells{{0, 1, 2, 3}, {0, 1, 2}}, Cells{{0, 1, 2, 3}, {0, 1, 2, 2}}})
+    BOOST_CHECK_EXCEPTION(compute_cells(cells), rg::Non_tetrahedral_cell_error,
+                          [](const auto& error) { return error.cell() == 1; });
+  BOOST_CHECK_EXCEPTION(compute_cells({{0, 1, 2, 3}, {0, 1, 2, 9}}), rg::Vertex_out_of_range_error, is_at_first);
+  BOOST_CHECK_THROW(CGAL::compute_reeb_graph_of_soup(4, Cells{{0, 1, 2}}, values, graph,
+                                                     params::callback([](double fraction) { return fraction < 0.5; })),
+                    rg::Cancelled_error);
+  BOOST_TEST((plain_of_soup(graph) == before));
+}
+
+// Finds for all vertices with several lower sectors which are in one contour, and returns the steps that it takes.
+namespace {
+template <class ForEachTriangle>
+std::pair<std::size_t, std::size_t> count_steps(std::size_t number_of_vertices,
+                                                const ForEachTriangle& for_each_triangle,
+                                                const std::vector<double>& values)
+{
+  namespace stages = CGAL::Reeb_graph::internal;
+  const stages::Simplicial_complex complex(number_of_vertices, for_each_triangle, [](const auto&) {});
+  const stages::Indexed_vector<stages::Vertex_index, double> scalars(values.begin(), values.end());
+  const stages::Vertex_order order(scalars, std::less<double>());
+  const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(complex, order);
+  std::vector<stages::Swept_index> vertices;
+  for(const stages::Swept_index i : critical_vertices.ascending())
+    if(critical_vertices.number_of_lower_sectors(i) > 1)
+      vertices.push_back(i);
+  stages::Contours_of_sectors contours(complex, order, critical_vertices, vertices);
+  contours([](stages::Vertex_index) { return false; });
+  return {complex.number_of_triangles(), contours.number_of_steps()};
+}
+
+template <class Cells>
+std::pair<std::size_t, std::size_t> count_steps(const Cells& cells, const std::vector<double>& values)
+{
+  using CGAL::Reeb_graph::internal::Vertex_index;
+  return count_steps(
+    values.size(),
+    [&](const auto& visit) {
+      for(const auto& cell : cells)
+        for(std::size_t i = 2; i < cell.size(); ++i)
+          for(std::size_t j = 1; j < i; ++j)
+            for(std::size_t k = 0; k < j; ++k)
+              visit(Vertex_index(cell[i]), Vertex_index(cell[j]), Vertex_index(cell[k]));
+    },
+    values);
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_steps_of_noise_are_near_linear)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> books, solids;
+  for(const std::size_t side : {6, 12})
+  {
+    const auto book = generated_surfaces::book(12, 2 * side);
+    books.push_back(count_steps(book.triangles, generated_surfaces::noise_field(book.points)));
+    const auto solid = generated_surfaces::solid(side);
+    solids.push_back(count_steps(solid.tetrahedra, generated_surfaces::noise_field(solid.points)));
+  }
+  for(const auto& counts : {books, solids})
+  {
+    // four, or eight, times as many triangles; a quadratic number of steps would be 16, or 64, times as large
+    const double growth = static_cast<double>(counts[1].second) / static_cast<double>(counts[0].second);
+    const double triangles = static_cast<double>(counts[1].first) / static_cast<double>(counts[0].first);
+    BOOST_TEST(growth > triangles / 2);
+    BOOST_TEST(growth < 1.6 * triangles);
+    BOOST_TEST(counts[1].second < 4 * counts[1].first * std::log2(static_cast<double>(counts[1].first)));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
