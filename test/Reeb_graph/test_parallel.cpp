@@ -9,9 +9,11 @@
 #include <boost/test/unit_test.hpp>
 
 #include "computed_graphs.h"
+#include "generated_surfaces/generated_complexes.h"
 #include "throwing_traits.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/compute_reeb_graph_of_soup.h>
 
 #include <boost/mpl/list.hpp>
 
@@ -378,6 +380,31 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(faults_of_all_kinds, Mesh, Meshes)
   compare_exceptions(mesh, values, " ");
   add_quadrilateral(mesh);
   compare_exceptions(mesh, some_values(mesh), " ");
+}
+
+// Soups of which some components have loops, and others have none.
+BOOST_AUTO_TEST_CASE(graphs_of_soups_do_not_depend_on_threads)
+{
+  auto soup = generated_surfaces::with_holes(generated_surfaces::foam(2, 2, 2, 4), 500);
+  const auto book = generated_surfaces::book(4, 40);
+  const std::size_t first = soup.points.size();
+  soup.points.insert(soup.points.end(), book.points.begin(), book.points.end());
+  for(const auto& t : book.triangles)
+    soup.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  typedef CGAL::Reeb_graph_soup_traits<double>::Graph Graph;
+  for(const auto& values :
+      {generated_surfaces::smooth_field(soup.points), generated_surfaces::noise_field(soup.points)})
+  {
+    Graph expected, graph;
+    CGAL::compute_reeb_graph_of_soup(soup.points, soup.triangles, values, expected);
+    BOOST_TEST(num_edges(expected) > num_vertices(expected)); // there are loops
+    for(const std::size_t threads : {1, 2, 4})
+    {
+      run_with_threads(threads,
+                       [&] { CGAL::compute_reeb_graph_of_soup<Parallel>(soup.points, soup.triangles, values, graph); });
+      BOOST_TEST(graph_checks::are_identical(graph, expected));
+    }
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
