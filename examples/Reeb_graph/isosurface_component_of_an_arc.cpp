@@ -53,18 +53,18 @@ int main(int argc, char* argv[])
   Tetrahedra tetrahedra;
   make_solid(static_cast<std::size_t>(size), points, tetrahedra);
 
-  // the distance to the nearest of two points: the balls around them are apart up to a value, and then one
+  // the product of the distances to two points: their surroundings are apart up to a value, and one above it
   const Point a(0.31, 0.35, 0.42), b(0.72, 0.64, 0.55);
-  std::vector<double> distances;
+  std::vector<double> values;
   for(const Point& p : points)
-    distances.push_back(std::sqrt((std::min)(CGAL::squared_distance(p, a), CGAL::squared_distance(p, b))));
+    values.push_back(std::sqrt(CGAL::squared_distance(p, a) * CGAL::squared_distance(p, b)));
 
   try
   {
     Graph graph;
-    CGAL::compute_reeb_graph_of_tetrahedra(points, tetrahedra, distances, graph);
+    CGAL::compute_reeb_graph_of_tetrahedra(points, tetrahedra, values, graph);
 
-    const CGAL::Reeb_graph::Tetrahedra_augmentation augmentation(points, tetrahedra, distances, graph);
+    const CGAL::Reeb_graph::Tetrahedra_augmentation augmentation(points, tetrahedra, values, graph);
     std::size_t number = 0;
     for(auto arc : CGAL::make_range(edges(graph)))
     {

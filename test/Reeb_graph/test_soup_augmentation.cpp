@@ -17,9 +17,15 @@
 #include "soup_augmentation_checks.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/IO.h>
+#include <CGAL/Reeb_graph/IO/svg.h>
 #include <CGAL/Reeb_graph/Soup_augmentation.h>
 #include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
+#include <CGAL/Reeb_graph/embed.h>
+#include <CGAL/Reeb_graph/embed_complex.h>
+#include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
+#include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
@@ -35,6 +41,7 @@
 #include <limits>
 #include <memory>
 #include <set>
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -81,6 +88,27 @@ bool is_turned(std::vector<Point> a, const std::vector<Point>& b, bool is_closed
     }
     if(!is_reversed)
       std::reverse(a.begin(), a.end());
+  }
+  return false;
+}
+
+// Whether a point is in a triangle or a tetrahedron, but for rounding.
+bool is_in_a_simplex(const Point& point, const std::vector<Point>& points, const Complex& complex)
+{
+  for(const auto& t : complex.triangles)
+    if(CGAL::squared_distance(point, Kernel::Triangle_3(points[t[0]], points[t[1]], points[t[2]])) < 1e-20)
+      return true;
+  for(const auto& t : complex.tetrahedra)
+  {
+    double volumes = 0;
+    for(std::size_t i = 0; i < 4; ++i)
+    {
+      std::array<Point, 4> corners = {points[t[0]], points[t[1]], points[t[2]], points[t[3]]};
+      corners[i] = point;
+      volumes += std::abs(CGAL::volume(corners[0], corners[1], corners[2], corners[3]));
+    }
+    if(std::abs(volumes - std::abs(CGAL::volume(points[t[0]], points[t[1]], points[t[2]], points[t[3]]))) < 1e-14)
+      return true;
   }
   return false;
 }
@@ -140,19 +168,54 @@ public:
 
   void run(Ties ties)
   {
-    const auto fault = complex_oracle::fault_of_arcs(oracle, graph, ties);
-    BOOST_REQUIRE(fault.first == "");
-    oracle_arcs = fault.second;
+    check_topology();
+    check_locations(ties);
     for(std::size_t height = 0; height + 1 < oracle.number_of_heights(); ++height)
       check_level(height);
     for(std::size_t i = 0; i < arcs.size(); ++i)
       check_parameters(i);
     for(std::size_t node = 0; node < num_vertices(graph); ++node)
       check_critical_set(node);
-    check_locations();
+  }
+
+  void check_locations(Ties ties)
+  {
+    const auto fault = complex_oracle::fault_of_arcs(oracle, graph, ties);
+    BOOST_REQUIRE(fault.first == "");
+    oracle_arcs = fault.second;
+    const auto locations = augmentation.locate_vertices();
+    for(std::size_t v = 0; v < oracle.heights.size(); ++v)
+    {
+      const auto& point = oracle.points[oracle.point_of_vertex[v]];
+      const auto location = locations[v];
+      if(point.node != none)
+        BOOST_TEST((location == typename Augmentation::Vertex_locations::Location(point.node)));
+      else
+      {
+        BOOST_REQUIRE(std::holds_alternative<arc_descriptor>(location));
+        BOOST_TEST(oracle_arcs[locations.index(v) - num_vertices(graph)] == point.arc);
+        BOOST_TEST((std::get<arc_descriptor>(location) == arcs[locations.index(v) - num_vertices(graph)]));
+      }
+    }
+    check_lists(locations);
   }
 
 private:
+  void check_topology() const
+  {
+    BOOST_TEST(CGAL::Reeb_graph::number_of_loops(graph) == oracle.number_of_loops());
+    std::vector<typename Augmentation::Contour> contours;
+    CGAL::Reeb_graph::loop_contours(graph, augmentation, std::back_inserter(contours));
+    BOOST_TEST(contours.size() == oracle.number_of_loops());
+    typedef CGAL::Reeb_graph::Persistence_pair<std::size_t> Pair;
+    std::vector<Pair> pairs;
+    CGAL::Reeb_graph::persistence_pairs(graph, std::back_inserter(pairs));
+    const auto number_of_loops = std::count_if(pairs.begin(), pairs.end(), [](const Pair& pair) {
+      return pair.kind == CGAL::Reeb_graph::Persistence_pair_kind::LOOP;
+    });
+    BOOST_TEST(static_cast<std::size_t>(number_of_loops) == oracle.number_of_loops());
+  }
+
   // The contours of all arcs between a height and the next one, by each way to ask for them.
   void check_level(std::size_t height)
   {
@@ -245,22 +308,8 @@ private:
     BOOST_TEST(set.star == star);
   }
 
-  void check_locations()
+  void check_lists(const typename Augmentation::Vertex_locations& locations)
   {
-    const auto locations = augmentation.locate_vertices();
-    for(std::size_t v = 0; v < oracle.heights.size(); ++v)
-    {
-      const auto& point = oracle.points[oracle.point_of_vertex[v]];
-      const auto location = locations[v];
-      if(point.node != none)
-        BOOST_TEST((location == typename Augmentation::Vertex_locations::Location(point.node)));
-      else
-      {
-        BOOST_REQUIRE(std::holds_alternative<arc_descriptor>(location));
-        BOOST_TEST(oracle_arcs[locations.index(v) - num_vertices(graph)] == point.arc);
-        BOOST_TEST((std::get<arc_descriptor>(location) == arcs[locations.index(v) - num_vertices(graph)]));
-      }
-    }
     std::size_t number_of_vertices = 0;
     for(std::size_t i = 0; i < arcs.size(); ++i)
       for(const std::size_t v : locations.vertices_of_arc(i))
@@ -351,17 +400,19 @@ BOOST_AUTO_TEST_CASE(contours_of_a_surface_are_those_of_its_soup)
         {
           const auto contour = augmentation.contour(arc, t);
           const auto soup_contour = soup_augmentation.contour(*soup_arc, t);
-          std::vector<Point> expected, found, ordered;
+          std::vector<Point> expected, found;
           augmentation.points_of_contour(contour, std::back_inserter(expected));
           soup_augmentation.points_of_contour(soup_contour, std::back_inserter(found), points);
           BOOST_TEST(soup_contour.value == contour.value);
           BOOST_TEST(soup_contour.branch_points.empty());
-          BOOST_REQUIRE(soup_contour.polylines.size() == 1);
-          const auto& polyline = soup_contour.polylines[0];
-          BOOST_TEST((polyline.front() == polyline.back()) == contour.is_closed);
-          for(std::size_t i = contour.is_closed ? 1 : 0; i < polyline.size(); ++i)
-            ordered.push_back(found[polyline[i]]);
+          const auto polylines = CGAL::Reeb_graph::polylines_of_contour(soup_contour, points);
+          BOOST_REQUIRE(polylines.size() == 1);
+          BOOST_TEST((soup_contour.polylines[0].front() == soup_contour.polylines[0].back()) == contour.is_closed);
+          const std::vector<Point> ordered(polylines[0].begin() + (contour.is_closed ? 1 : 0), polylines[0].end());
           BOOST_TEST(is_turned(ordered, expected, contour.is_closed));
+          std::sort(found.begin(), found.end());
+          std::sort(expected.begin(), expected.end());
+          BOOST_TEST((found == expected));
         }
         ++soup_arc;
       }
@@ -572,6 +623,157 @@ BOOST_AUTO_TEST_CASE(the_way_back_from_a_simplified_graph)
         BOOST_CHECK_THROW(Soup_augmentation(values.size(), complex.triangles, values, simplified, np).locate_vertices(),
                           CGAL::Reeb_graph::Graph_mismatch_error);
     }
+}
+
+// On large complexes most places are found by spreading the arcs, some along contours.
+BOOST_AUTO_TEST_CASE(places_of_vertices_in_large_complexes)
+{
+  for(std::size_t seed = 0; seed < 9; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      Complex complex;
+      std::vector<std::array<double, 3>> points;
+      const auto set = [&](const auto& soup) {
+        points = soup.points;
+        complex.number_of_vertices = points.size();
+      };
+      if(seed % 3 == 0)
+      {
+        const auto soup = generated_surfaces::foam(2, 1, 1, 1);
+        set(soup);
+        complex.triangles = soup.triangles;
+      }
+      else if(seed % 3 == 1)
+      {
+        const auto soup = generated_surfaces::book(6, 8);
+        set(soup);
+        complex.triangles = soup.triangles;
+      }
+      else
+      {
+        const auto soup = generated_surfaces::solid(6, 1);
+        set(soup);
+        complex.tetrahedra = soup.tetrahedra;
+      }
+      std::vector<double> values = generated_surfaces::smooth_field(points);
+      const double noise = 0.002 * static_cast<double>(random.below(30));
+      for(double& value : values)
+        value += noise * static_cast<double>(random.below(1000)) / 1000;
+      const Oracle oracle(complex.number_of_vertices, complex.simplices(), values);
+      Graph graph;
+      if(complex.tetrahedra.empty())
+      {
+        CGAL::compute_reeb_graph_of_soup(points.size(), complex.triangles, values, graph);
+        const Soup_augmentation augmentation(points.size(), complex.triangles, values, graph);
+        Augmentation_check(complex, values, oracle, augmentation).check_locations(Ties::PERTURB);
+      }
+      else
+      {
+        CGAL::compute_reeb_graph_of_tetrahedra(points.size(), complex.tetrahedra, values, graph);
+        const Tetrahedra_augmentation augmentation(points.size(), complex.tetrahedra, values, graph);
+        Augmentation_check(complex, values, oracle, augmentation).check_locations(Ties::PERTURB);
+      }
+    }
+}
+
+// On a field that is linear in space, each point of an embedding has its value.
+template <class Augmentation>
+void check_embeddings(const Augmentation& augmentation, const std::vector<Point>& points, const Complex& complex)
+{
+  using CGAL::Reeb_graph::Embedding_manner;
+  const Graph& graph = augmentation.graph();
+  for(const Embedding_manner manner :
+      {Embedding_manner::CENTROIDS, Embedding_manner::ON_SURFACE, Embedding_manner::STRAIGHT})
+  {
+    const auto embedding = CGAL::Reeb_graph::embed(augmentation, points, CGAL::parameters::embedding_manner(manner));
+    BOOST_TEST(embedding.node_points.size() == num_vertices(graph));
+    BOOST_REQUIRE(embedding.arc_polylines.size() == num_edges(graph));
+    std::size_t i = 0;
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      const auto& polyline = embedding.arc_polylines[i];
+      BOOST_TEST((polyline.front() == embedding.node_points[source(arc, graph)]));
+      BOOST_TEST((polyline.back() == embedding.node_points[target(arc, graph)]));
+      BOOST_TEST(std::is_sorted(embedding.arc_values[i].begin(), embedding.arc_values[i].end()));
+      BOOST_REQUIRE(polyline.size() == embedding.arc_values[i].size());
+      for(std::size_t j = 0; j < polyline.size(); ++j)
+        BOOST_TEST(std::abs(polyline[j].z() - embedding.arc_values[i][j]) < 1e-12);
+      if(manner == Embedding_manner::ON_SURFACE)
+        for(std::size_t j = 1; j < polyline.size(); ++j)
+          BOOST_TEST(is_in_a_simplex(CGAL::midpoint(polyline[j - 1], polyline[j]), points, complex));
+      ++i;
+    }
+  }
+  BOOST_CHECK_THROW(CGAL::Reeb_graph::embed(augmentation, std::vector<Point>(points.size() + 1)),
+                    CGAL::Reeb_graph::Attribute_count_error);
+  BOOST_CHECK_THROW(
+    CGAL::Reeb_graph::embed(augmentation, points, CGAL::parameters::callback([](double) { return false; })),
+    CGAL::Reeb_graph::Cancelled_error);
+}
+
+BOOST_AUTO_TEST_CASE(graphs_of_soups_and_tetrahedra_in_space)
+{
+  const auto foam = generated_surfaces::foam(2, 1, 1, 1);
+  const auto solid = generated_surfaces::solid(4, 1);
+  const auto heights = [](const std::vector<Point>& points) {
+    std::vector<double> result;
+    for(const Point& point : points)
+      result.push_back(point.z());
+    return result;
+  };
+  const auto points = make_points(foam.points), points_of_solid = make_points(solid.points);
+  Graph graph, graph_of_solid;
+  CGAL::compute_reeb_graph_of_soup(points, foam.triangles, heights(points), graph);
+  CGAL::compute_reeb_graph_of_tetrahedra(points_of_solid, solid.tetrahedra, heights(points_of_solid), graph_of_solid);
+  check_embeddings(Soup_augmentation(points, foam.triangles, heights(points), graph), points,
+                   {points.size(), foam.triangles});
+  check_embeddings(Tetrahedra_augmentation(points_of_solid, solid.tetrahedra, heights(points_of_solid), graph_of_solid),
+                   points_of_solid, {points_of_solid.size(), {}, {}, solid.tetrahedra});
+}
+
+// All writers write of a soup's graph what they write of the graph of the surface.
+BOOST_AUTO_TEST_CASE(graphs_of_soups_are_written)
+{
+  typedef mesh_builders::Surface_mesh Mesh;
+  namespace Reeb_graph = CGAL::Reeb_graph;
+  Random random(5);
+  const auto soup = mesh_builders::make_soup(random_meshes::random_closed_surface(2, 9, random));
+  const auto points = make_points(soup.points);
+  const auto values = random_meshes::random_permutation(points.size(), random);
+  const Mesh mesh = mesh_builders::make_mesh<Mesh>(soup);
+  const auto scalar_map = Reeb_graph::make_scalar_map(mesh, values);
+  CGAL::Reeb_graph_traits<Mesh, std::decay_t<decltype(scalar_map)>>::Graph graph;
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+  Graph soup_graph;
+  CGAL::compute_reeb_graph_of_soup(points, soup.triangles, values, soup_graph);
+  const auto np = CGAL::parameters::embedding_manner(Reeb_graph::Embedding_manner::STRAIGHT);
+  const auto embedding = Reeb_graph::embed(Reeb_graph::Augmentation(mesh, scalar_map, graph), np);
+  const auto soup_embedding =
+    Reeb_graph::embed(Soup_augmentation(points, soup.triangles, values, soup_graph), points, np);
+
+  const auto vertex_index_map = get(boost::vertex_index, mesh);
+  const boost::typed_identity_property_map<std::size_t> identity;
+  const auto write = [&](const auto& write_one) {
+    std::ostringstream out, soup_out;
+    write_one(out, graph, embedding, vertex_index_map);
+    write_one(soup_out, soup_graph, soup_embedding, identity);
+    BOOST_TEST(out.str() == soup_out.str());
+    BOOST_TEST(out.str().size() > 100u);
+  };
+  write([](auto& out, const auto& g, const auto&, const auto& map) { Reeb_graph::write_graphml(out, g, map); });
+  write([](auto& out, const auto& g, const auto&, const auto& map) { Reeb_graph::write_graphviz(out, g, map); });
+  write([](auto& out, const auto& g, const auto& e, const auto& map) { Reeb_graph::write_nodes_csv(out, g, e, map); });
+  write([](auto& out, const auto& g, const auto& e, const auto&) { Reeb_graph::write_arcs_csv(out, g, e); });
+  write([](auto& out, const auto& g, const auto& e, const auto& map) { Reeb_graph::write_vtp(out, g, e, map); });
+  write([](auto& out, const auto& g, const auto& e, const auto&) { Reeb_graph::write_obj(out, g, e); });
+  write([](auto& out, const auto& g, const auto&, const auto& map) {
+    Reeb_graph::write_svg(out, g, CGAL::parameters::vertex_index_map(map));
+  });
+  std::ostringstream json, soup_json;
+  Reeb_graph::write_json(json, mesh, graph, embedding, vertex_index_map);
+  Reeb_graph::write_json(soup_json, soup_graph, soup_embedding);
+  BOOST_TEST(json.str() == soup_json.str());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -80,6 +80,9 @@ public:
   /// returns the graph.
   const Graph& graph() const { return on_soup_.graph(); }
 
+  /// returns the number of vertices of the complex.
+  std::size_t number_of_vertices() const { return on_soup_.end_of_vertices(); }
+
   /// returns the value of the vertex `v` as that of a contour: as a `double`, NaN if the values of the field are no
   /// numbers.
   ///

@@ -16,6 +16,8 @@
 #include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/embedding/Centroid_polylines.h>
+#include <CGAL/Reeb_graph/internal/embedding/Surface_polylines.h>
 #include <CGAL/Reeb_graph/internal/embedding/embed_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
@@ -112,10 +114,12 @@ auto embed(const Augmentation<FaceListGraph, ScalarMap, ReebGraph, Traits>& augm
   switch(choose_parameter(get_parameter(np, internal::embedding_manner), Embedding_manner::CENTROIDS))
   {
   case Embedding_manner::CENTROIDS:
-    internal::embed_at_centroids<ConcurrencyTag>(augmentation, point_map, np, progress, result);
+    internal::embed_at_centroids<ConcurrencyTag>(
+      augmentation, internal::Centroid_polylines(augmentation, point_map, np), np, progress, result);
     break;
   case Embedding_manner::ON_SURFACE:
-    internal::embed_on_surface<ConcurrencyTag>(augmentation, point_map, np, progress, result);
+    internal::embed_on_surface<ConcurrencyTag>(augmentation, internal::Surface_polylines(augmentation, point_map, np),
+                                               progress, result);
     break;
   case Embedding_manner::STRAIGHT: internal::embed_straight(augmentation, result); break;
   }

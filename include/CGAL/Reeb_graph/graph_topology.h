@@ -145,8 +145,8 @@ OutputIterator cycle_basis(const ReebGraph& graph, OutputIterator loops)
 /// can lead from border to border. `cutting_system()` chooses short ones, and refines the mesh.
 ///
 /// \param graph the Reeb graph
-/// \param augmentation an `Augmentation` of the graph
-/// \param contours the output, an output iterator for `Augmentation::Contour`
+/// \param augmentation an `Augmentation`, `Soup_augmentation` or `Tetrahedra_augmentation` of the graph
+/// \param contours the output, an output iterator for its `Contour`
 ///
 /// \returns the output iterator behind the last contour.
 template <class ReebGraph, class Augmentation, class OutputIterator>

@@ -61,7 +61,8 @@ inline std::string csv_of(const std::string& text)
 /// \param out the stream; whether writing succeeded is seen by its state
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
-/// \param vertex_index_map the index of each vertex of the mesh
+/// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that it is
+///        `boost::typed_identity_property_map<std::size_t>`
 template <class Graph, class Embedding, class VertexIndexMap>
 void write_nodes_csv(std::ostream& out, const Graph& graph, const Embedding& embedding, VertexIndexMap vertex_index_map)
 {
@@ -134,7 +135,8 @@ void write_arcs_csv(std::ostream& out,
 /// \param arcs_filename the file of `write_arcs_csv()`
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
-/// \param vertex_index_map the index of each vertex of the mesh
+/// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that it is
+///        `boost::typed_identity_property_map<std::size_t>`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `arc_attributes`, as for `write_vtp()`
 ///
 /// \exception File_error if a file cannot be written

@@ -102,6 +102,30 @@ auto polyline_of_contour(const FaceListGraph&,
 
 /// \ingroup PkgReebGraphIO
 ///
+/// \brief returns the points of the polylines of a contour in a triangle soup.
+///
+/// \param contour a `Soup_contour`
+/// \param vertex_points the points of the vertices of the soup, a random access range
+template <class SoupContour, class PointRange>
+auto polylines_of_contour(const SoupContour& contour, const PointRange& vertex_points)
+{
+  typedef typename std::iterator_traits<decltype(std::begin(vertex_points))>::value_type Point;
+  std::vector<std::vector<Point>> polylines;
+  for(const auto& polyline : contour.polylines)
+  {
+    polylines.emplace_back();
+    for(const auto i : polyline)
+    {
+      const Point& lower = *(std::begin(vertex_points) + contour.edges[i].first);
+      const Point& upper = *(std::begin(vertex_points) + contour.edges[i].second);
+      polylines.back().push_back(lower + contour.fractions[i] * (upper - lower));
+    }
+  }
+  return polylines;
+}
+
+/// \ingroup PkgReebGraphIO
+///
 /// \brief returns the points of a curve of a refined mesh, of which the first one is repeated at the end if the curve
 /// is closed.
 ///

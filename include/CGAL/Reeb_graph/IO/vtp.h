@@ -53,7 +53,8 @@ namespace Reeb_graph {
 /// \param out the stream; whether writing succeeded is seen by its state
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
-/// \param vertex_index_map the index of each vertex of the mesh
+/// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that it is
+///        `boost::typed_identity_property_map<std::size_t>`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin

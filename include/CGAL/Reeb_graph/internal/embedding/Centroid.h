@@ -49,8 +49,14 @@ inline double distance(const Coordinates& a, const Coordinates& b)
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-// The centroid of curves: the mean of their points, each piece with the weight of its length, so that the triangles
-// that a curve passes do not count. Where all lengths are 0, it is that of the first point.
+inline double area(const Coordinates& a, const Coordinates& b, const Coordinates& c)
+{
+  const Coordinates u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+  return 0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+}
+
+// The centroid of curves, or of triangles: the mean of their points, each piece with the weight of its length or area,
+// so that it does not count into how many pieces they are split. Where all weights are 0, it is that of the first point.
 class Centroid
 {
 public:
@@ -65,6 +71,17 @@ public:
       add_segment(coordinates_of(points[0]), coordinates_of(points[0]));
   }
 
+  void add_triangle(const Coordinates& a, const Coordinates& b, const Coordinates& c)
+  {
+    add_piece(a, {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3}, area(a, b, c));
+  }
+
+  void add(const Centroid& other)
+  {
+    if(other.has_first_)
+      add_piece(other.first_, other(), other.length_);
+  }
+
   bool is_of_length_zero() const { return !(length_ > 0); }
   double length() const { return length_; }
 
@@ -74,16 +91,16 @@ public:
   }
 
 private:
-  void add_segment(const Coordinates& a, const Coordinates& b)
+  void add_segment(const Coordinates& a, const Coordinates& b) { add_piece(a, mix(0.5, a, b), distance(a, b)); }
+
+  void add_piece(const Coordinates& first, const Coordinates& middle, double weight)
   {
     if(!has_first_)
-      first_ = a;
+      first_ = first;
     has_first_ = true;
-    const double length = distance(a, b);
-    const Coordinates middle = mix(0.5, a, b);
-    length_ += length;
+    length_ += weight;
     for(std::size_t i = 0; i != 3; ++i)
-      sum_[i] += length * middle[i];
+      sum_[i] += weight * middle[i];
   }
 
   bool has_first_ = false;

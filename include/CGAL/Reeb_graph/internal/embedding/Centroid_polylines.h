@@ -28,6 +28,15 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+// The places along an arc, without its ends, and for each one the value there and a point of the contour itself.
+struct Places
+{
+  std::vector<Coordinates> centroids;
+  std::vector<Coordinates> contour_points;
+  std::vector<double> values;
+  double size = 0; // the length of the longest contour
+};
+
 // The nodes and arcs of a graph at the centroids of contours.
 template <class Augmentation, class PointMap, class NamedParameters>
 class Centroid_polylines
@@ -39,15 +48,6 @@ class Centroid_polylines
   typedef typename boost::property_traits<PointMap>::value_type Point;
 
 public:
-  // The places along an arc, without its ends, and for each one the value there and a point of the contour itself.
-  struct Places
-  {
-    std::vector<Coordinates> centroids;
-    std::vector<Coordinates> contour_points;
-    std::vector<double> values;
-    double size = 0; // the length of the longest contour
-  };
-
   Centroid_polylines(const Augmentation& augmentation, const PointMap& point_map, const NamedParameters& np)
     : augmentation_(augmentation),
       graph_(augmentation.graph()),
@@ -124,8 +124,7 @@ private:
 };
 
 // Whether the two sides of a loop look like one line, as those of a round tube inside of another one.
-template <class Places>
-bool do_coincide(const Places& a, const Places& b)
+inline bool do_coincide(const Places& a, const Places& b)
 {
   const double small = 1e-3 * (std::max)(a.size, b.size);
   return std::equal(a.centroids.begin(), a.centroids.end(), b.centroids.begin(), b.centroids.end(),
@@ -133,7 +132,7 @@ bool do_coincide(const Places& a, const Places& b)
 }
 
 // Moves those arcs halfway to their contours that lead from the same node to the same node along the same line.
-template <class Graph, class Places>
+template <class Graph>
 void separate_parallel_arcs(const Graph& graph, std::vector<Places>& places)
 {
   std::vector<std::pair<std::pair<std::size_t, std::size_t>, std::size_t>> arcs; // by their ends

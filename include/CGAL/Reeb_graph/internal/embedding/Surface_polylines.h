@@ -27,6 +27,20 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+// A line whose points have values.
+template <class Point>
+struct Line_with_values
+{
+  std::vector<Point> points;
+  std::vector<double> values;
+
+  void add(const Point& point, double value)
+  {
+    points.push_back(point);
+    values.push_back(value);
+  }
+};
+
 // The ascending lines of arcs on the surface: along the halfedges of the chain, and where the chain passes by its end,
 // or by that of a piece of it, along the contour just below that vertex, the shorter way. If that contour touches the
 // vertex only by way of others that are tied with it, the line goes over them, inside of the level set.
@@ -40,17 +54,7 @@ class Surface_polylines
   typedef typename boost::property_traits<PointMap>::value_type Point;
 
 public:
-  struct Line
-  {
-    std::vector<Point> points;
-    std::vector<double> values;
-
-    void add(const Point& point, double value)
-    {
-      points.push_back(point);
-      values.push_back(value);
-    }
-  };
+  typedef Line_with_values<Point> Line;
 
   Surface_polylines(const Augmentation& augmentation, const PointMap& point_map, const NamedParameters& np)
     : augmentation_(augmentation),

@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/embedding/Centroid_polylines.h>
-#include <CGAL/Reeb_graph/internal/embedding/Surface_polylines.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -71,14 +70,13 @@ void for_each_reported(std::size_t size, const Stage_progress& progress, const F
   }
 }
 
-template <class ConcurrencyTag, class Result, class Augmentation, class PointMap, class NamedParameters>
+// `polylines` is called with an arc, and returns the points and values of its line.
+template <class ConcurrencyTag, class Result, class Augmentation, class Polylines>
 void embed_on_surface(const Augmentation& augmentation,
-                      const PointMap& point_map,
-                      const NamedParameters& np,
+                      const Polylines& polylines,
                       const Progress& progress,
                       Result& result)
 {
-  const Surface_polylines<Augmentation, PointMap, NamedParameters> polylines(augmentation, point_map, np);
   const auto arcs = arcs_of(augmentation);
   result.arc_polylines.resize(arcs.size());
   result.arc_values.resize(arcs.size());
@@ -89,9 +87,10 @@ void embed_on_surface(const Augmentation& augmentation,
   });
 }
 
-template <class ConcurrencyTag, class Result, class Augmentation, class PointMap, class NamedParameters>
+// `centroids` are a Centroid_polylines, or what is one for another kind of contours.
+template <class ConcurrencyTag, class Result, class Augmentation, class Centroids, class NamedParameters>
 void embed_at_centroids(const Augmentation& augmentation,
-                        const PointMap& point_map,
+                        const Centroids& centroids,
                         const NamedParameters& np,
                         const Progress& progress,
                         Result& result)
@@ -99,9 +98,7 @@ void embed_at_centroids(const Augmentation& augmentation,
   using parameters::choose_parameter;
   using parameters::get_parameter;
   typedef typename Result::Point Point;
-  typedef Centroid_polylines<Augmentation, PointMap, NamedParameters> Centroids;
   const auto& graph = augmentation.graph();
-  const Centroids centroids(augmentation, point_map, np);
   const std::size_t number_of_contours =
     choose_parameter(get_parameter(np, internal::number_of_contours), std::size_t(12));
   const std::size_t number_of_smoothing_steps =
@@ -117,7 +114,7 @@ void embed_at_centroids(const Augmentation& augmentation,
   for_each_reported<ConcurrencyTag>(result.node_points.size(), Stage_progress(progress, 0, 0.1),
                                     [&](std::size_t i) { result.node_points[i] = centroids.node_point(i); });
   const auto arcs = arcs_of(augmentation);
-  std::vector<typename Centroids::Places> places(arcs.size());
+  std::vector<Places> places(arcs.size());
   for_each_reported<ConcurrencyTag>(arcs.size(), Stage_progress(progress, 0.1, 1), [&](std::size_t i) {
     places[i] = centroids.places(arcs[i], number_of_contours, contour_at);
   });

@@ -62,17 +62,18 @@ std::string json_of_point(const Point& point)
        + json_of(CGAL::to_double(point.z())) + "]";
 }
 
-// The pieces of a chain as paths of vertices.
-template <class Mesh, class Chain, class VertexIndexMap>
-std::string json_of_chain(const Mesh& mesh, const Chain& chain, VertexIndexMap vertex_index_map)
+// The pieces of a chain as paths of vertices. `ends_of` returns the two vertices of a halfedge by their indices.
+template <class Chain, class EndsOf>
+std::string json_of_chain(const Chain& chain, const EndsOf& ends_of)
 {
   std::string result = "[";
   for(std::size_t i = 0; i != chain.size(); ++i)
   {
-    const bool is_first = i == 0 || target(chain[i - 1], mesh) != source(chain[i], mesh);
+    const auto [source, target] = ends_of(chain[i]);
+    const bool is_first = i == 0 || ends_of(chain[i - 1]).second != source;
     if(is_first)
-      result += (i == 0 ? "[" : "], [") + std::to_string(get(vertex_index_map, source(chain[i], mesh)));
-    result += ", " + std::to_string(get(vertex_index_map, target(chain[i], mesh)));
+      result += (i == 0 ? "[" : "], [") + std::to_string(source);
+    result += ", " + std::to_string(target);
   }
   return result + (chain.size() == 0 ? "]" : "]]");
 }
