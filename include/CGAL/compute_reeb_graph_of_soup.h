@@ -82,10 +82,10 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
 /// The named parameters `keep_degree_two_nodes`, `ties`, `method`, `number_of_slabs`, `callback` and `visitor` are those
 /// of `compute_reeb_graph()`.
 ///
-/// Let there be \f$ n \f$ vertices, edges and triangles, \f$ c \f$ critical vertices, \f$ s \f$ lower link sectors of
-/// vertices at which a loop might close, and \f$ l \f$ the length of the contours that close loops. By default, this
-/// takes \f$ O(n + c \log c + (n + s) \log s + l \log l) \f$ steps of a union-find, and \f$ O(n + l) \f$ memory. There
-/// are at most as many contours that close loops as the first Betti number of the complex.
+/// Let there be \f$ n \f$ vertices, edges and triangles, and let \f$ l \f$ be the number of edges that are crossed by the
+/// contours that close loops, of which there are at most as many as the first Betti number of the complex. By default,
+/// this takes \f$ O(n \log n + l \log l) \f$ steps of a union-find, and \f$ O(n + l) \f$ memory. On parts that are
+/// simply connected or closed surfaces, the first summand is \f$ n + c \log c \f$ for \f$ c \f$ critical vertices.
 ///
 /// \exception Reeb_graph::Non_triangular_face_error if a face has not three vertices
 /// \exception Reeb_graph::Degenerate_face_error if a face has one vertex at two corners

@@ -10,6 +10,7 @@ the optional members do.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Reeb_graph_traits}
+\cgalHasModels{CGAL::Reeb_graph_soup_traits}
 \cgalHasModelsEnd
 */
 class ReebGraphTraits
@@ -18,7 +19,7 @@ public:
   /// \name Types
   /// @{
 
-  /// The type of the mesh, a model of `FaceListGraph`.
+  /// The type of the mesh, a model of `FaceListGraph`; any type if the graph is that of a soup.
   typedef unspecified_type Triangle_mesh;
 
   /// The type of the scalar field, a model of `ReadablePropertyMap` with the vertex descriptors of `Triangle_mesh` as

@@ -38,9 +38,10 @@ struct Timed_link
 // nodes at other links, or at which there is a question, are looked at any further.
 //
 // Proof of the bound: a link is kept in an interval only if it begins or ends inside, so in at most two intervals of
-// one size, and each interval has at most two nodes more per link that it keeps, and one per question. Intervals are
-// divided such that either half has at most half of the beginnings and ends. So m links and s nodes in question, at q
-// times, take O((m + s) log min(m, q)) steps of a union-find, and O(m + s + q) memory.
+// each depth, and an interval has at most two nodes per link that it keeps, and one per question. Either half of an
+// interval has at most half of its beginnings and ends, so the depth is at most log(2 m), and the links of all
+// intervals that are kept at once decrease geometrically. So m links and s nodes in question take O((m + s) log m)
+// steps of a union-find, and O(m + s) memory.
 class Offline_connectivity
 {
 public:
