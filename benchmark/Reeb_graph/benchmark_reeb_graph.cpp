@@ -8,8 +8,9 @@
 
 // Times and memory from a mesh to the finished graph with its chains, for both methods, with one thread and with more,
 // beside two floors that are measured in the same run: std::sort of (value, index) pairs, and one sweep over the
-// faces as flat triangles. Then how the time grows with the mesh. All surfaces are generated.
+// faces as flat triangles. Then how the time grows with the mesh, and complexes that are no surfaces. All is generated.
 
+#include "complex_table.h"
 #include "simplification_table.h"
 #include "tables.h"
 
@@ -27,7 +28,7 @@
 int main(int argc, char* argv[])
 {
   benchmark::Options options;
-  std::vector<std::string> tables = {"comparison", "simplification", "growth"};
+  std::vector<std::string> tables = {"comparison", "simplification", "growth", "complexes"};
   CLI::App app("Times and memory of Reeb graphs, beside sorting the field and sweeping over the faces");
   const auto add_list = [&](const std::string& name, auto& list, const std::string& description) {
     return app.add_option(name, list, description)->delimiter(',')->capture_default_str();
@@ -37,6 +38,8 @@ int main(int argc, char* argv[])
   add_list("--surfaces", options.surfaces, "Surfaces")->check(CLI::IsMember(benchmark::surface_names()));
   add_list("--fields", options.fields, "Fields")->check(CLI::IsMember(benchmark::field_names()));
   add_list("--growth-vertices", options.growth_sizes, "Numbers of vertices for the table of growth")
+    ->check(CLI::Range(100, 1000000000));
+  add_list("--triangles", options.numbers_of_triangles, "Numbers of triangles for the table of complexes")
     ->check(CLI::Range(100, 1000000000));
 #ifdef CGAL_REEB_GRAPH_BENCHMARK_VTK
   tables.push_back("vtk");
@@ -69,6 +72,8 @@ int main(int argc, char* argv[])
     benchmark::print_simplification(options);
   if(is_wanted("growth"))
     benchmark::print_growth(options);
+  if(is_wanted("complexes"))
+    benchmark::print_complexes(options);
 #ifdef CGAL_REEB_GRAPH_BENCHMARK_VTK
   if(is_wanted("vtk"))
     benchmark::print_vtk(options, vtk_size);

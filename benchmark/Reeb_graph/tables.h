@@ -28,6 +28,7 @@ struct Options
 {
   std::vector<std::size_t> sizes = {200000, 1000000};
   std::vector<std::size_t> growth_sizes = {50000, 100000, 200000, 400000, 800000, 1600000, 3200000};
+  std::vector<std::size_t> numbers_of_triangles = {50000, 200000, 1000000, 3000000};
   std::vector<std::string> surfaces = surface_names();
   std::vector<std::string> fields = field_names();
   std::size_t number_of_repetitions = 5;
