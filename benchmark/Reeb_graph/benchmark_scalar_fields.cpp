@@ -6,15 +6,17 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-// Times of harmonic and Poisson fields, beside a floor measured in the same run: a plain factorization and solution of
-// the Laplace equation with cotangent weights and the same two poles by Eigen.
+// Times of harmonic and Poisson fields, beside a plain factorization and solution of the Laplace equation with cotangent
+// weights and the same two poles by Eigen in the same run. Then how the times of harmonic fields, and the numbers of steps
+// of their iteration, grow with the mesh.
 //
-// Usage: benchmark_scalar_fields [NUMBER OF VERTICES] [REPETITIONS]
+// Usage: benchmark_scalar_fields [NUMBER OF VERTICES] [REPETITIONS] [LARGEST NUMBER OF VERTICES]
 
 #include "base/peak_memory.h"
 #include "generated_surfaces/build_mesh.h"
 #include "generated_surfaces/generated_surfaces.h"
 
+#include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
@@ -28,6 +30,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -41,6 +44,9 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef Mesh::Vertex_index Vertex;
 typedef Mesh::Property_map<Vertex, double> Scalar_map;
 typedef std::vector<std::pair<Vertex, double>> Constraints;
+typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>> Factorization;
+
+namespace fields = CGAL::Reeb_graph;
 
 namespace {
 double seconds(const std::function<void()>& function)
@@ -59,7 +65,7 @@ double median_of_seconds(std::size_t repetitions, const std::function<void()>& f
   return times[repetitions / 2];
 }
 
-// The floor: the sparse matrix of the triangles, SimplicialLDLT, one solution. The rows of the poles are those of the
+// The sparse matrix of the triangles, SimplicialLDLT, one solution. The rows of the poles are those of the
 // identity.
 void solve_plainly(const Mesh& mesh, const Constraints& poles, Scalar_map scalar_map)
 {
@@ -96,20 +102,24 @@ void solve_plainly(const Mesh& mesh, const Constraints& poles, Scalar_map scalar
     scalar_map[v] = solution[v];
 }
 
+Constraints far_apart_poles(const Mesh& mesh)
+{
+  std::vector<std::pair<Vertex, Vertex>> pairs;
+  CGAL::Reeb_graph::find_far_apart_vertices(mesh, std::back_inserter(pairs));
+  return {{pairs[0].first, 0.}, {pairs[0].second, 1.}};
+}
+
 void measure(const std::string& name, const generated_surfaces::Triangle_soup& soup, std::size_t repetitions)
 {
   Mesh mesh = generated_surfaces::make_mesh<Mesh>(soup);
   const Scalar_map field = mesh.add_property_map<Vertex, double>("v:field").first;
   const Scalar_map other_field = mesh.add_property_map<Vertex, double>("v:other").first;
-  std::vector<std::pair<Vertex, Vertex>> pairs;
-  CGAL::Reeb_graph::find_far_apart_vertices(mesh, std::back_inserter(pairs));
-  const Constraints poles = {{pairs[0].first, 0.}, {pairs[0].second, 1.}}, source = {poles[0]};
+  const Constraints poles = far_apart_poles(mesh), source = {poles[0]};
 
-  namespace fields = CGAL::Reeb_graph;
   const double plain = median_of_seconds(repetitions, [&] { solve_plainly(mesh, poles, other_field); });
   const auto print = [&](const std::string& field_name, const std::function<void()>& compute) {
     const double time = median_of_seconds(repetitions, compute);
-    std::printf("%-10s %-20s %9zu %8.2f %8.2f %8.2f %8zu\n", name.c_str(), field_name.c_str(),
+    std::printf("%-10s %-22s %9zu %8.2f %8.2f %8.2f %8zu\n", name.c_str(), field_name.c_str(),
                 std::size_t(mesh.number_of_vertices()), plain, time, time / plain,
                 reeb_graph_program::peak_memory_bytes() / 1000000);
     std::fflush(stdout);
@@ -119,31 +129,72 @@ void measure(const std::string& name, const generated_surfaces::Triangle_soup& s
       fields::compute_harmonic_field(mesh, field, poles, CGAL::parameters::laplacian_weights(weights));
     };
   };
+  print("mean value, factorized", [&] {
+    fields::compute_harmonic_field(mesh, field, poles, CGAL::parameters::sparse_linear_solver(Factorization()));
+  });
   print("harmonic, cotangent", harmonic(fields::Laplacian_weights::COTANGENT));
   print("harmonic, uniform", harmonic(fields::Laplacian_weights::UNIFORM));
   print("harmonic, mean value", harmonic(fields::Laplacian_weights::MEAN_VALUE));
   print("unit gradient", [&] { fields::compute_unit_gradient_field(mesh, field, other_field); });
   print("poisson", [&] { fields::compute_curvature_poisson_field(mesh, other_field, source); });
-  const std::array<Vertex, 1> sources = {pairs[0].first};
+  const std::array<Vertex, 1> sources = {poles[0].first};
   print("geodesic", [&] { fields::compute_geodesic_field(mesh, other_field, sources); });
 }
 
+// One line for each kind of weights: a mesh, and one with twenty times as many vertices.
+void measure_growth(std::size_t largest_number_of_vertices, std::size_t repetitions)
+{
+  const std::array<std::pair<const char*, fields::Laplacian_weights>, 3> kinds = {
+    {{"harmonic, cotangent", fields::Laplacian_weights::COTANGENT},
+     {"harmonic, uniform", fields::Laplacian_weights::UNIFORM},
+     {"harmonic, mean value", fields::Laplacian_weights::MEAN_VALUE}}};
+  std::array<std::array<double, 2>, kinds.size()> numbers_of_vertices, times;
+  std::array<std::array<std::size_t, 2>, kinds.size()> steps;
+  for(const std::size_t i : {0, 1})
+  {
+    Mesh mesh = generated_surfaces::make_mesh<Mesh>(
+      generated_surfaces::closed_surface(3, i == 0 ? largest_number_of_vertices / 20 : largest_number_of_vertices));
+    const Scalar_map field = mesh.add_property_map<Vertex, double>("v:field").first;
+    const Constraints poles = far_apart_poles(mesh);
+    for(std::size_t kind = 0; kind != kinds.size(); ++kind)
+    {
+      numbers_of_vertices[kind][i] = mesh.number_of_vertices();
+      times[kind][i] = median_of_seconds(repetitions, [&] {
+        const auto np = CGAL::parameters::laplacian_weights(kinds[kind].second);
+        steps[kind][i] = fields::compute_harmonic_field(mesh, field, poles, np).number_of_iterations;
+      });
+    }
+  }
+  std::printf("\ngrowth on genus 3; exponent: of the number of vertices; steps: of the iteration, 0 if factorized\n");
+  std::printf("%-22s %9s %8s %6s %9s %8s %6s %8s\n", "field", "vertices", "s", "steps", "vertices", "s", "steps",
+              "exponent");
+  for(std::size_t kind = 0; kind != kinds.size(); ++kind)
+  {
+    const auto& [few, many] = numbers_of_vertices[kind];
+    const auto& [short_time, long_time] = times[kind];
+    std::printf("%-22s %9.0f %8.3f %6zu %9.0f %8.3f %6zu %8.2f\n", kinds[kind].first, few, short_time, steps[kind][0],
+                many, long_time, steps[kind][1], std::log(long_time / short_time) / std::log(many / few));
+  }
+}
 } // namespace
 
 int main(int argc, char* argv[])
 {
   const std::size_t number_of_vertices = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 200000;
   const std::size_t repetitions = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 3;
-  if(number_of_vertices == 0 || repetitions == 0)
+  const std::size_t largest_number_of_vertices = argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 1000000;
+  if(number_of_vertices == 0 || repetitions == 0 || largest_number_of_vertices < 20)
   {
-    std::fprintf(stderr, "usage: benchmark_scalar_fields [NUMBER OF VERTICES] [REPETITIONS]\n");
+    std::fprintf(stderr,
+                 "usage: benchmark_scalar_fields [NUMBER OF VERTICES] [REPETITIONS] [LARGEST NUMBER OF VERTICES]\n");
     return EXIT_FAILURE;
   }
   std::printf("times in s, medians of %zu; one thread; plain: SimplicialLDLT of the cotangent Laplacian\n",
               repetitions);
-  std::printf("%-10s %-20s %9s %8s %8s %8s %8s\n", "surface", "field", "vertices", "plain", "field", "field", "memory");
-  std::printf("%-10s %-20s %9s %8s %8s %8s %8s\n", "", "", "", "s", "s", "/ plain", "MB, peak");
+  std::printf("%-10s %-22s %9s %8s %8s %8s %8s\n", "surface", "field", "vertices", "plain", "field", "field", "memory");
+  std::printf("%-10s %-22s %9s %8s %8s %8s %8s\n", "", "", "", "s", "s", "/ plain", "MB, peak");
   measure("genus 0", generated_surfaces::closed_surface(0, number_of_vertices), repetitions);
   measure("genus 3", generated_surfaces::closed_surface(3, number_of_vertices), repetitions);
+  measure_growth(largest_number_of_vertices, repetitions);
   return EXIT_SUCCESS;
 }

@@ -969,6 +969,31 @@ BOOST_AUTO_TEST_CASE(edges_are_lengthened_if_there_is_no_solution_without)
   }
 }
 
+// The error counts as a part of the range, wherever the fixed value lies.
+BOOST_AUTO_TEST_CASE(large_poisson_fields_are_those_that_factorization_finds)
+{
+  Surface_mesh mesh;
+  mesh_builders::build(mesh, generated_surfaces::closed_surface(2, 6000));
+  const Field_map field = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:field").first;
+  const Field_map direct_field = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:direct").first;
+  const auto np = CGAL::parameters::sparse_linear_solver(CGAL::Reeb_graph::internal::scalar_fields::Default_solver());
+  for(const double source_value : {0., 1e4})
+  {
+    const std::vector<std::pair<Surface_mesh::Vertex_index, double>> source = {
+      {Surface_mesh::Vertex_index(7), source_value}};
+    const Field_report report = compute_curvature_poisson_field(mesh, field, source);
+    BOOST_TEST(report.number_of_iterations > 0u);
+    BOOST_TEST(compute_curvature_poisson_field(mesh, direct_field, source, np).number_of_iterations == 0u);
+    double range = 0, difference = 0;
+    for(const auto v : mesh.vertices())
+    {
+      range = (std::max)(range, std::abs(direct_field[v] - source_value));
+      difference = (std::max)(difference, std::abs(field[v] - direct_field[v]));
+    }
+    BOOST_TEST(difference < 1e-9 * range);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_failing_solver_is_reported)
 {
   const auto compute = [](Surface_mesh& mesh, Field_map field) {

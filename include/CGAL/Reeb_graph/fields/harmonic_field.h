@@ -44,11 +44,11 @@ namespace Reeb_graph {
 /// parts of the surface around which all given values are the same, so that the solution is constant there. Where the
 /// plain solution keeps the promise, it is the result; elsewhere values are moved as little as it takes.
 ///
-/// From some thousand vertices on, the equations are solved by iteration: stabilized bi-conjugate gradients, with algebraic
-/// multigrid as preconditioner. On most meshes that takes ten to twenty steps, whatever the number \f$ n \f$ of vertices,
-/// and time and memory in proportion to it, plus \f$ O(n \log n) \f$ time. Where it takes too many steps, as on meshes
-/// of needles, and on small meshes, a matrix is factorized, which takes about \f$ O(n^{3/2}) \f$ time and \f$ O(n \log
-/// n) \f$ memory. Computing it again gives the same field, to the byte.
+/// From 5000 vertices on, the equations are solved by iteration: stabilized bi-conjugate gradients, with algebraic
+/// multigrid as preconditioner. On most meshes that takes ten to twenty steps, whatever the number of vertices
+/// \f$ n \f$, and time and memory in proportion to it, plus \f$ O(n \log n) \f$ time. Where it takes too many steps,
+/// as on meshes of needles, and on small meshes, a matrix is factorized, in about \f$ O(n^{3/2}) \f$ time and
+/// \f$ O(n \log n) \f$ memory. Computing it again gives the same field, to the byte.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
 /// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
@@ -83,8 +83,8 @@ namespace Reeb_graph {
 ///                           by the preconditioner; on bad meshes it can be a hundred times as large.}
 ///     \cgalParamType{a positive `double`}
 ///     \cgalParamDefault{10<sup>-12</sup>, so that 10<sup>-10</sup> is kept on bad meshes too. A digit takes about one
-///                       step, so 10<sup>-6</sup> is hardly a fifth faster; and errors above the differences between
-///                       neighbors make extrema that have to be removed.}
+///                       step, so 10<sup>-6</sup> saves an eighth of the time only; and errors above the differences
+///                       between neighbors make extrema that have to be removed.}
 ///     \cgalParamExtra{It is not used where the matrix itself is factorized: small meshes and solvers that are given,
 ///                     but for mean value weights.}
 ///     \cgalParamExtra{use the functions `parameters::solver_tolerance()`}
