@@ -188,8 +188,9 @@ public:
 
   /// \brief finds the place of each vertex of the complex in the graph: the segmentation by the arcs.
   ///
-  /// On a field with few critical vertices it takes linear time and hardly longer than computing the graph again; on
-  /// noise, that of sorting all vertices and computing the graph with all of them: near-linear for any field.
+  /// It takes hardly longer than computing the graph again where arcs are long for the size of the cells; else the time of
+  /// sorting all vertices and computing the graph with all of them: near-linear for any field. Where many contours meet
+  /// few vertices, as in solids, the first is so for very smooth fields only.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
