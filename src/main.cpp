@@ -36,7 +36,7 @@ using reeb_graph_program::Simplification_options;
 
 void add_input_options(CLI::App& command, Input_options& options)
 {
-  command.add_option("MESH", options.mesh_path, "Mesh: OFF, OBJ, PLY, STL, or TS file")->required();
+  command.add_option("MESH", options.mesh_path, "Mesh: OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file")->required();
   command.add_option("--scalars", options.scalars_path,
                      "The field: file of one number per line, in the vertex order of the mesh file, or CSV file");
   command.add_option("--column", options.column,
@@ -58,10 +58,11 @@ void add_input_options(CLI::App& command, Input_options& options)
 void add_field_option(CLI::App& command, Input_options& options)
 {
   command
-    .add_option("--field", options.field,
-                "The field: a coordinate x, y, or z; height; harmonic, between two vertices that are far apart if no "
-                "others are given; poisson, by mean curvature; geodesic, the distance from vertices; unit-gradient, of "
-                "the file --scalars, else of harmonic; or the name of a property of the vertices of a PLY file")
+    .add_option(
+      "--field", options.field,
+      "The field: a coordinate x, y, or z; height; harmonic, between two vertices that are far apart if no "
+      "others are given; poisson, by mean curvature; geodesic, the distance from vertices; unit-gradient, of "
+      "the file --scalars, else of harmonic; or the name of a property of the vertices of a PLY, VTK, or VTU file")
     ->check(CLI::Validator([](const std::string& name) { return name.empty() ? "it is empty" : ""; }, ""));
 }
 
@@ -126,7 +127,8 @@ void add_simplification_options(CLI::App& command, Simplification_options& optio
 
 void add_compute_command(CLI::App& app, Compute_options& options)
 {
-  CLI::App* command = app.add_subcommand("compute", "Compute the Reeb graph of a scalar field on a triangle mesh");
+  CLI::App* command =
+    app.add_subcommand("compute", "Compute the Reeb graph of a scalar field on a mesh of triangles or tetrahedra");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
   add_graph_options(*command, options.graph);
@@ -188,7 +190,10 @@ void add_contour_command(CLI::App& app, Contour_options& options)
   CLI::Option* t = command->add_option("--t", options.choice.t, "The place on the arc, between 0 (low) and 1 (high)");
   arc->needs(t);
   t->needs(arc);
-  command->add_option("--output", options.output_path, "Write the contours to this file, .polylines.txt")->required();
+  command
+    ->add_option("--output", options.output_path,
+                 "Write the contours to this file, .polylines.txt, or .off for those in tetrahedra")
+    ->required();
   command->callback(
     [&options] { run_with_threads(options.choice.graph.number_of_threads, [&options] { run_contour(options); }); });
 }

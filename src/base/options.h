@@ -23,7 +23,7 @@ struct Input_options
   std::string mesh_path;
   std::string scalars_path; // the field, or the one whose unit gradient field is taken; may be empty
   std::string column;       // of the file of scalars, by its name or number; empty if there is only one
-  // x, y, z, a name of scalar_fields.h, or a property of the vertices of a PLY file; empty if the field is that of the
+  // x, y, z, a name of scalar_fields.h, or a property of the vertices of the file; empty if the field is that of the
   // file of scalars
   std::string field;
   std::string weights; // of harmonic fields: mean-value, cotangent, or uniform; empty for the default

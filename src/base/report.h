@@ -31,6 +31,38 @@ struct Surface_counts
   std::optional<long> genus; // of a connected surface
 };
 
+// A complex that is no oriented manifold surface. Vertices are numbered from 0; edges come in the order of their two
+// vertices. Where there are tetrahedra, places are not counted.
+struct Complex_counts
+{
+  struct Edge_of_many_faces
+  {
+    std::size_t u = 0, v = 0, faces = 0;
+  };
+  struct Vertex_of_several_fans
+  {
+    std::size_t vertex = 0, fans = 0;
+  };
+
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t edges_without_triangles = 0;
+  std::size_t triangles = 0;
+  std::size_t tetrahedra = 0;
+  std::size_t components = 0;
+  long euler_characteristic() const
+  {
+    return static_cast<long>(vertices + triangles) - static_cast<long>(edges + tetrahedra);
+  }
+
+  std::size_t edges_of_many_faces = 0; // more than two
+  std::size_t vertices_of_several_fans = 0;
+  std::optional<Edge_of_many_faces> first_edge_of_many_faces;
+  std::optional<Vertex_of_several_fans> first_vertex_of_several_fans;
+  // That at which no orientation of its two triangles goes with those before it.
+  std::optional<std::pair<std::size_t, std::size_t>> first_edge_without_orientation;
+};
+
 struct Graph_counts
 {
   std::size_t nodes = 0;
@@ -80,6 +112,7 @@ struct Work_report
 struct Report : Work_report
 {
   Surface_counts surface;
+  std::optional<Complex_counts> complex; // instead of the surface
   CGAL::Reeb_graph::Critical_vertex_counts critical_vertices;
   Graph_counts graph;
   std::optional<Simplification_counts> simplification;

@@ -6,15 +6,18 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "base/complex.h"
 #include "base/report.h"
 #include "base/stopwatch.h"
 #include "commands/commands.h"
 #include "computation/analysis.h"
 #include "computation/augmentation.h"
+#include "computation/complex_graph.h"
 #include "computation/embedding.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/field_input.h"
+#include "input/input_error.h"
 #include "output/diagram_output.h"
 #include "output/graph_output.h"
 #include "output/mesh_output.h"
@@ -25,6 +28,7 @@
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -86,6 +90,14 @@ void write_pairs_and_diagram(const Compute_options& options,
                   options.simplification.threshold ? std::optional<double>(threshold) : std::nullopt);
 }
 
+std::vector<std::size_t> places_of(const Surface& surface, const Vertex_locations& locations)
+{
+  std::vector<std::size_t> places;
+  for(const Surface::Vertex_index v : surface.vertices())
+    places.push_back(locations.index(v));
+  return places;
+}
+
 // The vertices are located if one of the files or the table needs it.
 void write_files_of_surface(const Compute_options& options,
                             const Simplified_graph& graph,
@@ -111,7 +123,7 @@ void write_files_of_surface(const Compute_options& options,
     return;
   const Stopwatch output_stopwatch;
   if(!options.vertex_arcs_path.empty())
-    write_vertex_arcs(options.vertex_arcs_path, surface, locations, num_vertices(graph.result()));
+    write_vertex_arcs(options.vertex_arcs_path, places_of(surface, locations), num_vertices(graph.result()));
   if(!options.mesh_path.empty())
     write_mesh(options.mesh_path, surface, {scalar_map, locations, num_vertices(graph.result()), std::nullopt});
   if(is_graph_in_space(options))
@@ -175,15 +187,17 @@ void write_simplified_field(const Compute_options& options,
   report.seconds.emplace_back("simplified field", stopwatch.seconds());
 }
 
-} // namespace
-
-void run_compute(const Compute_options& options)
+void write_report(const Compute_options& options, const Report& report)
 {
-  check(options);
-  Report report;
-  Surface surface = read_surface(options.input, report);
-  const Scalar_map scalar_map = add_field(options.input, surface, report);
+  if(options.is_report_json)
+    write_json(std::cout, report);
+  else
+    write_text(std::cout, report);
+}
 
+void compute_on_surface(const Compute_options& options, Surface& surface, Report& report)
+{
+  const Scalar_map scalar_map = add_field(options.input, surface, report);
   const double threshold = threshold_in_units(options.simplification, surface, scalar_map);
   const Graph given = compute_and_time(surface, scalar_map, options.graph, report);
   const Stopwatch simplify_stopwatch;
@@ -200,10 +214,70 @@ void run_compute(const Compute_options& options)
   write_files_of_surface(options, graph, surface, scalar_map, report);
   write_graph_file(options, graph.result(), surface, report);
   write_page_file(options, given, surface, scalar_map, threshold, report);
-  if(options.is_report_json)
-    write_json(std::cout, report);
+  write_report(options, report);
+}
+
+// What needs contours that are curves, or faces with two sides.
+void check_for_complex(const Compute_options& options, const Complex& complex)
+{
+  const auto check_left_out = [&](bool is_left_out, const std::string& option) {
+    if(!is_left_out)
+      throw Input_error(options.input.mesh_path, option + " needs an oriented manifold surface; " + complex.obstacle);
+  };
+  check_left_out(options.page_path.empty(), "--html");
+  check_left_out(options.mesh_path.empty(), "--mesh-out");
+  check_left_out(options.simplified_scalars_path.empty(), "--simplified-scalars");
+  check_left_out(!options.is_table_wanted.value_or(false), "--table");
+  check_left_out(options.embedding_manner.value_or(CGAL::Reeb_graph::Embedding_manner::STRAIGHT)
+                   == CGAL::Reeb_graph::Embedding_manner::STRAIGHT,
+                 "--embedding but straight");
+}
+
+void compute_on_complex(const Compute_options& options, Mesh& mesh, Report& report)
+{
+  check_for_complex(options, *mesh.complex);
+  const Scalar_map scalar_map = add_field(options.input, mesh, report);
+  const double threshold = threshold_in_units(options.simplification, mesh.surface, scalar_map);
+  const Complex_graph given = compute_and_time(mesh, scalar_map, options.graph, report);
+  const Stopwatch simplify_stopwatch;
+  const Simplified_complex_graph graph(given, options.simplification, threshold);
+  const double simplify_seconds = simplify_stopwatch.seconds();
+  count_all(mesh, given, report);
+  if(options.simplification.is_anything_removed())
+    report.seconds.emplace_back("simplify", simplify_seconds);
+  const Stopwatch locate_stopwatch;
+  if(!options.vertex_arcs_path.empty())
+  {
+    write_vertex_arcs(options.vertex_arcs_path, locate_vertices(mesh, scalar_map, graph, options.graph),
+                      num_vertices(graph.result()));
+    report.seconds.emplace_back("locate", locate_stopwatch.seconds());
+  }
+  const bool are_chains_written = std::filesystem::path(options.graph_path).extension() == ".json";
+  const Graph result = graph_on_vertices(graph.result(), mesh.surface, are_chains_written);
+  if(options.simplification.is_anything_removed())
+    count_simplified(result, threshold, report);
+  write_pairs_and_diagram(options, graph_on_vertices(given, mesh.surface, false), mesh.surface, threshold, report);
+  if(is_graph_in_space(options))
+  {
+    const Stopwatch stopwatch;
+    write_graph_in_space(options.graph_path, result, embed_straight(result, mesh.surface), mesh.surface);
+    report.add_seconds("output", stopwatch.seconds());
+  }
+  write_graph_file(options, result, mesh.surface, report);
+  write_report(options, report);
+}
+
+} // namespace
+
+void run_compute(const Compute_options& options)
+{
+  check(options);
+  Report report;
+  Mesh mesh = read_mesh(options.input, report);
+  if(mesh.complex)
+    compute_on_complex(options, mesh, report);
   else
-    write_text(std::cout, report);
+    compute_on_surface(options, mesh.surface, report);
 }
 
 } // namespace reeb_graph_program

@@ -6,34 +6,68 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "base/complex.h"
 #include "commands/commands.h"
 #include "computation/augmentation.h"
+#include "computation/complex_graph.h"
 #include "input/field_input.h"
+#include "input/input_error.h"
 #include "output/polylines_output.h"
 #include "output/report_output.h"
 
+#include <cstddef>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
 namespace reeb_graph_program {
-void run_contour(const Contour_options& options)
+namespace {
+void check_is_there(bool is_any_there, double level)
 {
-  check_polylines_format(options.output_path);
-  check_simplification_options(options.choice.simplification);
-  Work_report report;
-  Surface surface = read_surface(options.input, report);
+  if(is_any_there)
+    return;
+  std::ostringstream message;
+  message << "there is no contour at the level " << level;
+  throw std::runtime_error(message.str());
+}
+
+std::size_t write_contours_on_surface(const Contour_options& options, Surface& surface, Work_report& report)
+{
   const Scalar_map scalar_map = add_field(options.input, surface, report);
   const std::vector<Polyline> polylines = find_contours(surface, scalar_map, options.choice);
-  if(polylines.empty())
-  {
-    std::ostringstream message;
-    message << "there is no contour at the level " << options.choice.level;
-    throw std::runtime_error(message.str());
-  }
+  check_is_there(!polylines.empty(), options.choice.level);
   write_polylines(options.output_path, polylines);
-  std::cout << polylines.size() << (polylines.size() == 1 ? " contour\n" : " contours\n");
+  return polylines.size();
+}
+
+std::size_t write_contours_in_complex(const Contour_options& options, Mesh& mesh, Work_report& report)
+{
+  if(mesh.complex->has_triangles_and_tetrahedra())
+    throw Input_error(options.input.mesh_path, "there are triangles that are faces of no tetrahedron: contours of such "
+                                               "a mesh are neither polylines nor triangles");
+  const Scalar_map scalar_map = add_field(options.input, mesh, report);
+  const Complex_contours contours = find_contours(mesh, scalar_map, options.choice);
+  check_is_there(contours.number > 0, options.choice.level);
+  if(mesh.complex->tetrahedra.empty())
+    write_polylines(options.output_path, contours.polylines);
+  else
+    write_triangles(options.output_path, contours.points, contours.triangles);
+  return contours.number;
+}
+} // namespace
+
+void run_contour(const Contour_options& options)
+{
+  check_contour_format(options.output_path);
+  check_simplification_options(options.choice.simplification);
+  Work_report report;
+  Mesh mesh = read_mesh(options.input, report);
+  const bool has_tetrahedra = mesh.complex && !mesh.complex->tetrahedra.empty();
+  check_contour_format(options.output_path, has_tetrahedra);
+  const std::size_t number = mesh.complex ? write_contours_in_complex(options, mesh, report)
+                                          : write_contours_on_surface(options, mesh.surface, report);
+  std::cout << number << (number == 1 ? " contour\n" : " contours\n");
   write_field_text(std::cout, report);
 }
 

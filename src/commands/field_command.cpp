@@ -18,10 +18,10 @@ namespace reeb_graph_program {
 void run_field(const Field_options& options)
 {
   Work_report report;
-  Surface surface = read_surface(options.input, report);
-  const Scalar_map scalar_map = add_field(options.input, surface, report);
+  Mesh mesh = read_mesh(options.input, report);
+  const Scalar_map scalar_map = add_field(options.input, mesh, report);
   const Stopwatch stopwatch;
-  write_scalars(options.output_path, surface, scalar_map);
+  write_scalars(options.output_path, mesh.surface, scalar_map);
   report.add_seconds("output", stopwatch.seconds());
   const Field_range range(scalar_map.begin(), scalar_map.end());
   if(options.is_report_json)

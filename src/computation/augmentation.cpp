@@ -15,9 +15,6 @@
 #include <CGAL/compute_reeb_graph.h>
 
 #include <functional>
-#include <iterator>
-#include <stdexcept>
-#include <string>
 
 namespace reeb_graph_program {
 namespace {
@@ -27,11 +24,8 @@ std::vector<Polyline> contour_of_arc(const Surface& surface,
                                      std::size_t arc,
                                      double t)
 {
-  if(arc >= num_edges(graph))
-    throw std::runtime_error("there is no arc " + std::to_string(arc) + ": the graph has "
-                             + std::to_string(num_edges(graph)) + ", numbered from 0");
-  const auto descriptor = *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(arc));
-  return {CGAL::Reeb_graph::polyline_of_contour(surface, augmentation, augmentation.contour(descriptor, t))};
+  return {
+    CGAL::Reeb_graph::polyline_of_contour(surface, augmentation, augmentation.contour(arc_of_number(graph, arc), t))};
 }
 
 std::vector<Polyline> contours_at_level(const Surface& surface, const Augmentation& augmentation, double level)

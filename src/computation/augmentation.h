@@ -15,7 +15,10 @@
 #include "computation/simplification.h"
 
 #include <cstddef>
+#include <iterator>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -32,6 +35,16 @@ std::vector<Arc_row> measure_arcs(const Surface& surface,
                                   Scalar_map scalar_map,
                                   const Graph& graph,
                                   const Vertex_locations& locations);
+
+// Throws std::runtime_error if there is no such arc.
+template <class AnyGraph>
+typename boost::graph_traits<AnyGraph>::edge_descriptor arc_of_number(const AnyGraph& graph, std::size_t arc)
+{
+  if(arc >= num_edges(graph))
+    throw std::runtime_error("there is no arc " + std::to_string(arc) + ": the graph has "
+                             + std::to_string(num_edges(graph)) + ", numbered from 0");
+  return *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(arc));
+}
 
 // Which contours of which graph.
 struct Contour_choice

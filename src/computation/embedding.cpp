@@ -13,6 +13,7 @@
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 
@@ -45,6 +46,24 @@ Graph_in_space embed_graph(const Augmentation& augmentation,
   Graph_in_space result = {CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(augmentation, np), {}};
   if(arcs)
     result.arc_attributes = measures(augmentation.graph(), *arcs);
+  return result;
+}
+
+Graph_in_space embed_straight(const Graph& graph, const Surface& surface)
+{
+  Graph_in_space result;
+  for(const auto node : CGAL::make_range(vertices(graph)))
+  {
+    result.embedding.node_points.push_back(surface.point(graph[node].vertex));
+    result.embedding.node_values.push_back(graph[node].value);
+  }
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const std::size_t lower = source(arc, graph), upper = target(arc, graph);
+    result.embedding.arc_polylines.push_back(
+      {result.embedding.node_points[lower], result.embedding.node_points[upper]});
+    result.embedding.arc_values.push_back({graph[lower].value, graph[upper].value});
+  }
   return result;
 }
 

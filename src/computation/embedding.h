@@ -32,6 +32,9 @@ Graph_in_space embed_graph(const Augmentation& augmentation,
                            CGAL::Reeb_graph::Embedding_manner manner,
                            const std::vector<Arc_row>* arcs);
 
+// Each arc is a straight line between the vertices of its nodes.
+Graph_in_space embed_straight(const Graph& graph, const Surface& surface);
+
 } // namespace reeb_graph_program
 
 #endif // CGAL_REEB_GRAPH_SRC_EMBEDDING_H

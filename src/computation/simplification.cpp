@@ -8,6 +8,7 @@
 
 #include "computation/simplification.h"
 
+#include "base/complex.h"
 #include "base/progress_bar.h"
 
 #include <CGAL/Reeb_graph/simplification/simplify.h>
@@ -48,7 +49,10 @@ double threshold_in_units(const Simplification_options& options, const Surface& 
   return threshold;
 }
 
-Simplified_graph::Simplified_graph(const Graph& given, const Simplification_options& options, double threshold)
+template <class AnyGraph>
+Simplified_graph_of<AnyGraph>::Simplified_graph_of(const AnyGraph& given,
+                                                   const Simplification_options& options,
+                                                   double threshold)
   : given_(given)
 {
   if(!options.is_anything_removed())
@@ -59,15 +63,18 @@ Simplified_graph::Simplified_graph(const Graph& given, const Simplification_opti
                                                parameters::cancel_loops(options.are_loops_cancelled, leaves));
 }
 
+template class Simplified_graph_of<Graph>;
+template class Simplified_graph_of<Complex_graph>;
+
 Augmentation Simplified_graph::augmentation(const Surface& surface,
                                             Scalar_map scalar_map,
                                             const Graph_options& options) const
 {
   Progress_bar progress_bar("surface");
   const auto np = named_parameters(options).callback(std::ref(progress_bar));
-  if(!simplification_)
-    return Augmentation(surface, scalar_map, given_, np);
-  return Augmentation(surface, scalar_map, simplified_, CGAL::parameters::simplification(*simplification_, np));
+  if(!simplification())
+    return Augmentation(surface, scalar_map, result(), np);
+  return Augmentation(surface, scalar_map, result(), CGAL::parameters::simplification(*simplification(), np));
 }
 
 std::vector<Persistence_pair> find_persistence_pairs(const Graph& graph)

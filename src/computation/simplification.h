@@ -34,26 +34,36 @@ void check_simplification_of_field(const Simplification_options& options);
 // The threshold in units of the field, infinite if only the number of leaves counts.
 double threshold_in_units(const Simplification_options& options, const Surface& surface, Scalar_map scalar_map);
 
-// A graph and, if anything is removed from it, the simplified graph.
-class Simplified_graph
+// A graph, `Graph` or `Complex_graph`, and, if anything is removed from it, the simplified graph.
+template <class AnyGraph>
+class Simplified_graph_of
 {
 public:
   // The threshold is that of threshold_in_units(). `given` has to outlive this object.
-  Simplified_graph(const Graph& given, const Simplification_options& options, double threshold);
-  Simplified_graph(const Graph&&, const Simplification_options&, double) = delete;
-  Simplified_graph(const Simplified_graph&) = delete;
-  Simplified_graph& operator=(const Simplified_graph&) = delete;
+  Simplified_graph_of(const AnyGraph& given, const Simplification_options& options, double threshold);
+  Simplified_graph_of(const AnyGraph&&, const Simplification_options&, double) = delete;
+  Simplified_graph_of(const Simplified_graph_of&) = delete;
+  Simplified_graph_of& operator=(const Simplified_graph_of&) = delete;
 
   // The simplified graph if there is one, else the given one.
-  const Graph& result() const { return simplification_ ? simplified_ : given_; }
+  const AnyGraph& result() const { return simplification_ ? simplified_ : given_; }
+
+  // Where the nodes and arcs of the given graph are in the simplified one.
+  const std::optional<CGAL::Reeb_graph::Simplification<AnyGraph>>& simplification() const { return simplification_; }
+
+private:
+  const AnyGraph& given_;
+  AnyGraph simplified_;
+  std::optional<CGAL::Reeb_graph::Simplification<AnyGraph>> simplification_;
+};
+
+class Simplified_graph : public Simplified_graph_of<Graph>
+{
+public:
+  using Simplified_graph_of<Graph>::Simplified_graph_of;
 
   // The way from the result to the surface. `options` are those that the given graph was computed with.
   Augmentation augmentation(const Surface& surface, Scalar_map scalar_map, const Graph_options& options) const;
-
-private:
-  const Graph& given_;
-  Graph simplified_;
-  std::optional<CGAL::Reeb_graph::Simplification<Graph>> simplification_;
 };
 
 std::vector<Persistence_pair> find_persistence_pairs(const Graph& graph);

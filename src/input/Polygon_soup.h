@@ -14,6 +14,7 @@
 #include <CGAL/Iterator_range.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -24,6 +25,12 @@ namespace reeb_graph_program {
 typedef std::uint32_t Corner;
 // Stands for all numbers that no vertex of a surface can have.
 constexpr Corner too_large_corner = 0xffffffff;
+
+// The number of a vertex, or the one that stands for all that are too large.
+inline Corner corner(std::size_t vertex)
+{
+  return static_cast<Corner>(std::min<std::size_t>(vertex, too_large_corner));
+}
 
 // Faces by the numbers of their vertices, one behind the other.
 class Polygons
@@ -36,10 +43,7 @@ public:
   std::size_t begin(std::size_t i) const { return i == 0 ? 0 : ends_[i - 1]; }
   Polygon operator[](std::size_t i) const { return Polygon(corners_.data() + begin(i), corners_.data() + ends_[i]); }
 
-  void add_corner(std::size_t vertex)
-  {
-    corners_.push_back(static_cast<Corner>(std::min<std::size_t>(vertex, too_large_corner)));
-  }
+  void add_corner(std::size_t vertex) { corners_.push_back(corner(vertex)); }
   // Ends the polygon of the corners that have been added since the last one.
   void end_polygon() { ends_.push_back(corners_.size()); }
 
@@ -66,6 +70,8 @@ struct Polygon_soup
 {
   std::vector<Point> points;
   Polygons polygons;
+  std::vector<std::array<Corner, 2>> edges; // besides those of the polygons
+  std::vector<std::array<Corner, 4>> tetrahedra;
   std::vector<double> scalars; // the property of the points that was asked for; empty if none was
 };
 

@@ -9,12 +9,15 @@
 #include "input/field_input.h"
 
 #include "base/stopwatch.h"
+#include "computation/distances_along_edges.h"
 #include "computation/scalar_fields.h"
+#include "input/input_error.h"
 #include "input/mesh_input.h"
 #include "input/scalar_input.h"
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -41,29 +44,58 @@ void read_field(const Input_options& options, const Surface& surface, Scalar_map
       scalar_map[v] = surface.point(v)[options.field[0] - 'x'];
 }
 
+// The map, with the field if it is read.
+Scalar_map add_given_field(const Input_options& options, Surface& surface, Work_report& report)
+{
+  const Stopwatch stopwatch;
+  const Scalar_map scalar_map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
+  read_field(options, surface, scalar_map);
+  report.add_seconds("read", stopwatch.seconds());
+  return scalar_map;
+}
+
 } // namespace
 
-Surface read_surface(const Input_options& options, Work_report& report)
+Mesh read_mesh(const Input_options& options, Work_report& report)
 {
   const Stopwatch stopwatch;
   check_field_options(options);
-  Surface surface = read_surface(options.mesh_path, options.are_faces_triangulated, vertex_property(options));
+  Mesh mesh = read_mesh(options.mesh_path, options.are_faces_triangulated, vertex_property(options));
   report.add_seconds("read", stopwatch.seconds());
-  return surface;
+  if(mesh.complex && is_computed(options.field) && options.field != "height" && options.field != "geodesic")
+    throw Input_error(options.mesh_path,
+                      "the field " + options.field + " needs an oriented manifold surface; " + mesh.complex->obstacle);
+  return mesh;
+}
+
+Surface read_surface(const Input_options& options, Work_report& report)
+{
+  Mesh mesh = read_mesh(options, report);
+  if(mesh.complex)
+    throw Input_error(options.mesh_path, "the mesh is no oriented manifold surface; " + mesh.complex->obstacle);
+  return std::move(mesh.surface);
 }
 
 Scalar_map add_field(const Input_options& options, Surface& surface, Work_report& report)
 {
-  const Stopwatch read_stopwatch;
-  Scalar_map scalar_map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
-  read_field(options, surface, scalar_map);
-  report.add_seconds("read", read_stopwatch.seconds());
+  const Scalar_map scalar_map = add_given_field(options, surface, report);
   if(is_computed(options.field))
   {
     const Stopwatch field_stopwatch;
     report.field = compute_scalar_field(options, surface, scalar_map);
     report.add_seconds("field", field_stopwatch.seconds());
   }
+  return scalar_map;
+}
+
+Scalar_map add_field(const Input_options& options, Mesh& mesh, Work_report& report)
+{
+  if(!mesh.complex || options.field != "geodesic")
+    return add_field(options, mesh.surface, report);
+  const Scalar_map scalar_map = add_given_field(options, mesh.surface, report);
+  const Stopwatch field_stopwatch;
+  compute_distances_along_edges(mesh, options.source_vertices, scalar_map);
+  report.add_seconds("field", field_stopwatch.seconds());
   return scalar_map;
 }
 

@@ -10,6 +10,7 @@
 #define CGAL_REEB_GRAPH_SRC_FIELD_INPUT_H
 
 #include "base/Field_label.h"
+#include "base/complex.h"
 #include "base/options.h"
 #include "base/report.h"
 #include "base/surface.h"
@@ -18,7 +19,10 @@
 
 namespace reeb_graph_program {
 // Reads the mesh, and the field if it is a property of its vertices. Throws Input_error, and std::runtime_error if the
-// options do not fit together. The time goes into the report.
+// options do not fit together, or there is no such field on a complex. The time goes into the report.
+Mesh read_mesh(const Input_options& options, Work_report& report);
+
+// The same for a mesh that has to be an oriented manifold surface.
 Surface read_surface(const Input_options& options, Work_report& report);
 
 // How the field is called in the input: by its name, or by that of its column or file.
@@ -27,6 +31,7 @@ Field_label field_label(const Input_options& options, const std::string& unit);
 // Adds the field to the surface that has been read, and tells the report what it took. Throws Input_error,
 // std::runtime_error, and the exceptions of the library.
 Scalar_map add_field(const Input_options& options, Surface& surface, Work_report& report);
+Scalar_map add_field(const Input_options& options, Mesh& mesh, Work_report& report);
 
 } // namespace reeb_graph_program
 

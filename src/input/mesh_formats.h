@@ -34,6 +34,14 @@ Polygon_soup read_stl(const std::string& path);
 // TS of GOCAD: the triangles of its surfaces.
 Polygon_soup read_ts(const std::string& path);
 
+// MESH of Medit, ASCII, as CGAL::IO::write_MEDIT() writes it: vertices, edges, triangles, quadrilaterals, and tetrahedra.
+Polygon_soup read_medit(const std::string& path);
+// VTK's legacy format, ASCII: the cells of an unstructured grid, or the polygons and lines of polygonal data.
+// `vertex_property` is the name of numbers of the points that become Polygon_soup::scalars, or empty.
+Polygon_soup read_vtk(const std::string& path, const std::string& vertex_property);
+// VTK's XML format of unstructured grids: numbers as text, in base64 code, or appended, that are not compressed.
+Polygon_soup read_vtu(const std::string& path, const std::string& vertex_property);
+
 } // namespace reeb_graph_program
 
 #endif // CGAL_REEB_GRAPH_SRC_MESH_FORMATS_H

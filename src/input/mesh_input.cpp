@@ -8,6 +8,7 @@
 
 #include "input/mesh_input.h"
 
+#include "computation/complex_counts.h"
 #include "input/assemble_surface.h"
 #include "input/input_error.h"
 #include "input/mesh_formats.h"
@@ -15,13 +16,14 @@
 #include "input/triangulate_faces.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -35,10 +37,14 @@ Polygon_soup read_soup(const std::string& path, const std::string& vertex_proper
   const std::string extension = lower_case_extension(path);
   if(extension == ".ply")
     return read_ply(path, vertex_property);
+  if(extension == ".vtk")
+    return read_vtk(path, vertex_property);
+  if(extension == ".vtu")
+    return read_vtu(path, vertex_property);
   if(!vertex_property.empty())
     throw Input_error(path, "there is no field " + quote(vertex_property)
                               + ": it is x, y, z, height, harmonic, poisson, geodesic, unit-gradient, or the name of a "
-                                "property of the vertices of a PLY file");
+                                "property of the vertices of a PLY, VTK, or VTU file");
   if(extension == ".off")
     return read_off(path);
   if(extension == ".obj")
@@ -47,7 +53,9 @@ Polygon_soup read_soup(const std::string& path, const std::string& vertex_proper
     return read_stl(path);
   if(extension == ".ts")
     return read_ts(path);
-  throw Input_error(path, "the extension of a mesh file is .off, .obj, .ply, .stl, or .ts");
+  if(extension == ".mesh")
+    return read_medit(path);
+  throw Input_error(path, "the extension of a mesh file is .off, .obj, .ply, .stl, .ts, .mesh, .vtk, or .vtu");
 }
 
 void check_points(const std::string& path, const std::vector<Point>& points)
@@ -95,6 +103,25 @@ void check_polygons(const std::string& path, const Polygon_soup& soup, bool are_
   }
 }
 
+template <std::size_t n>
+void check_simplices(const std::string& path,
+                     const std::string& name,
+                     const std::vector<std::array<Corner, n>>& simplices,
+                     std::size_t number_of_vertices)
+{
+  for(std::size_t i = 0; i < simplices.size(); ++i)
+  {
+    std::array<Corner, n> sorted = simplices[i];
+    std::sort(sorted.begin(), sorted.end());
+    if(sorted.back() >= number_of_vertices)
+      throw Input_error(path, name + " " + std::to_string(i) + " has a vertex that does not exist");
+    const auto repeated = std::adjacent_find(sorted.begin(), sorted.end());
+    if(repeated != sorted.end())
+      throw Input_error(path, name + " " + std::to_string(i) + " has vertex " + std::to_string(*repeated)
+                                + " at two of its corners");
+  }
+}
+
 // Notes the first place at which CGAL cannot orient the faces without cutting the surface open. CGAL copies the
 // visitor, hence the pointer.
 struct Obstacle_finder : PMP::Default_orientation_visitor
@@ -116,37 +143,37 @@ struct Obstacle_finder : PMP::Default_orientation_visitor
   std::optional<std::string>* obstacle;
 };
 
-// Adds one face after the other, which takes faces whose only gaps at a vertex are borders.
-bool assemble_face_by_face(const Polygon_soup& soup, Surface& surface)
+// Whether an edge of the soup is on none of its polygons.
+bool has_free_edges(const Polygon_soup& soup)
 {
-  surface.clear();
-  for(const Point& point : soup.points)
-    surface.add_vertex(point);
-  std::vector<Surface::Vertex_index> face;
+  if(soup.edges.empty())
+    return false;
+  std::vector<std::pair<Corner, Corner>> sides;
   for(std::size_t i = 0; i < soup.polygons.size(); ++i)
   {
-    face.clear();
-    for(const Corner v : soup.polygons[i])
-      face.emplace_back(v);
-    if(CGAL::Euler::add_face(face, surface) == Surface::null_face())
-      return false;
+    const Polygons::Polygon polygon = soup.polygons[i];
+    Corner previous = *(polygon.end() - 1);
+    for(const Corner v : polygon)
+    {
+      sides.emplace_back(std::minmax(previous, v));
+      previous = v;
+    }
   }
-  return true;
+  std::sort(sides.begin(), sides.end());
+  return std::any_of(soup.edges.begin(), soup.edges.end(), [&](const std::array<Corner, 2>& edge) {
+    return !std::binary_search(sides.begin(), sides.end(), std::pair<Corner, Corner>(std::minmax(edge[0], edge[1])));
+  });
 }
 
-bool assemble(const Polygon_soup& soup, Surface& surface)
-{
-  return assemble_surface(soup, surface) || assemble_face_by_face(soup, surface);
-}
-
-void orient(const std::string& path, Polygon_soup& soup)
+// Orients the faces consistently. Returns why that cannot be done, else an empty string.
+std::string orient(Polygon_soup& soup)
 {
   std::vector<std::vector<std::size_t>> polygons;
   for(std::size_t i = 0; i < soup.polygons.size(); ++i)
     polygons.emplace_back(soup.polygons[i].begin(), soup.polygons[i].end());
   std::optional<std::string> obstacle;
   if(!PMP::orient_polygon_soup(soup.points, polygons, CGAL::parameters::visitor(Obstacle_finder(obstacle))))
-    throw Input_error(path, obstacle.value_or("the surface is not manifold, or not orientable"));
+    return obstacle.value_or("the surface is not manifold, or not orientable");
   soup.polygons = Polygons();
   for(const std::vector<std::size_t>& polygon : polygons)
   {
@@ -154,6 +181,27 @@ void orient(const std::string& path, Polygon_soup& soup)
       soup.polygons.add_corner(v);
     soup.polygons.end_polygon();
   }
+  return "";
+}
+
+// Makes the surface of all that is in the soup. Returns why there is none, and what helps, else an empty string.
+std::string make_surface(const Polygon_soup& soup, Surface& surface)
+{
+  if(!soup.tetrahedra.empty())
+    return "the mesh has tetrahedra: the surface around a volume, as CGAL::facets_in_complex_3_to_triangle_mesh() "
+           "makes "
+           "it of a C3t3, is one";
+  if(has_free_edges(soup))
+    return "an edge is on no face";
+  if(assemble_surface(soup, surface))
+    return "";
+  Polygon_soup oriented = {soup.points, soup.polygons, {}, {}, {}};
+  std::string obstacle = orient(oriented);
+  if(obstacle.empty() && assemble_surface(oriented, surface))
+    return "";
+  if(obstacle.empty())
+    obstacle = "the faces do not form a manifold surface";
+  return obstacle + "; CGAL::Polygon_mesh_processing::orient_polygon_soup() cuts a mesh open there";
 }
 
 void triangulate(const std::string& path, Surface& surface)
@@ -164,31 +212,78 @@ void triangulate(const std::string& path, Surface& surface)
       throw Input_error(path, "face " + std::to_string(f.idx()) + " cannot be cut into triangles");
 }
 
+// The triangles of the polygons, each of which is cut into triangles by itself if it is none.
+std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::string& path, const Polygon_soup& soup)
+{
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Surface pieces;
+  std::vector<Corner> vertices_of_pieces;
+  std::vector<Surface::Vertex_index> face;
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+  {
+    const Polygons::Polygon polygon = soup.polygons[i];
+    if(polygon.size() == 3)
+    {
+      triangles.push_back({polygon.begin()[0], polygon.begin()[1], polygon.begin()[2]});
+      continue;
+    }
+    face.clear();
+    for(const Corner v : polygon)
+    {
+      face.push_back(pieces.add_vertex(soup.points[v]));
+      vertices_of_pieces.push_back(v);
+    }
+    pieces.add_face(face);
+  }
+  triangulate(path, pieces);
+  for(const Surface::Face_index f : pieces.faces())
+  {
+    std::array<std::uint32_t, 3> triangle = {};
+    std::size_t i = 0;
+    for(const Surface::Vertex_index v : pieces.vertices_around_face(pieces.halfedge(f)))
+      triangle[i++] = vertices_of_pieces[v];
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+// The vertices of a complex have their points, and nothing else.
+void make_vertices(const std::vector<Point>& points, Surface& surface)
+{
+  surface.clear();
+  surface.reserve(static_cast<Surface::size_type>(points.size()), 0, 0);
+  for(const Point& point : points)
+    surface.add_vertex(point);
+}
+
 } // namespace
 
 bool is_ply_file(const std::string& path) { return lower_case_extension(path) == ".ply"; }
 
-Surface read_surface(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property)
+Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property)
 {
   Polygon_soup soup = read_soup(path, vertex_property);
   check_points(path, soup.points);
   check_polygons(path, soup, are_faces_triangulated);
-  Surface surface;
-  if(!assemble(soup, surface))
+  check_simplices(path, "edge", soup.edges, soup.points.size());
+  check_simplices(path, "tetrahedron", soup.tetrahedra, soup.points.size());
+  Mesh mesh;
+  const std::string obstacle = make_surface(soup, mesh.surface);
+  if(!obstacle.empty())
   {
-    orient(path, soup);
-    if(!assemble(soup, surface))
-      throw Input_error(path, "the faces do not form a manifold surface");
+    mesh.complex = Complex{soup.edges, triangles_of(path, soup), soup.tetrahedra, obstacle};
+    remove_faces_of_cells(*mesh.complex);
+    make_vertices(soup.points, mesh.surface);
   }
   if(!vertex_property.empty())
   {
-    const Scalar_map scalar_map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
-    for(const Surface::Vertex_index v : surface.vertices())
+    const Scalar_map scalar_map = mesh.surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
+    for(const Surface::Vertex_index v : mesh.surface.vertices())
       scalar_map[v] = soup.scalars[v];
   }
-  if(are_faces_triangulated)
-    triangulate(path, surface);
-  return surface;
+  if(are_faces_triangulated && !mesh.complex)
+    triangulate(path, mesh.surface);
+  return mesh;
 }
 
 } // namespace reeb_graph_program

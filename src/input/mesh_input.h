@@ -9,16 +9,17 @@
 #ifndef CGAL_REEB_GRAPH_SRC_MESH_INPUT_H
 #define CGAL_REEB_GRAPH_SRC_MESH_INPUT_H
 
+#include "base/complex.h"
 #include "base/surface.h"
 #include "input/Polygon_soup.h"
 
 #include <string>
 
 namespace reeb_graph_program {
-// Reads an OFF, OBJ, PLY, STL, or TS file. Vertex i of the surface is vertex i of the file, isolated ones included.
-// Faces are oriented consistently if need be. The property of the vertices of a PLY file that is asked for, if any,
-// becomes the property map v:scalar. Throws Input_error.
-Surface read_surface(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property);
+// Reads an OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file. Vertex i of the surface is vertex i of the file, isolated ones
+// included. Faces are oriented consistently if need be; what is no oriented manifold surface then becomes a complex. The
+// property of the vertices that is asked for, if any, becomes the property map v:scalar. Throws Input_error.
+Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property);
 
 bool is_ply_file(const std::string& path);
 

@@ -117,19 +117,15 @@ void write_graph_in_space(const fs::path& path,
 }
 
 void write_vertex_arcs(const std::filesystem::path& path,
-                       const Surface& surface,
-                       const Vertex_locations& locations,
+                       const std::vector<std::size_t>& places,
                        std::size_t number_of_nodes)
 {
   write_file(path, [&](std::ostream& stream) {
-    for(const Surface::Vertex_index v : surface.vertices())
-    {
-      const std::size_t place = locations.index(v);
+    for(const std::size_t place : places)
       if(place < number_of_nodes)
         stream << "node " << place << '\n';
       else
         stream << "arc " << place - number_of_nodes << '\n';
-    }
   });
 }
 

@@ -46,8 +46,7 @@ void write_graph_in_space(const std::filesystem::path& path,
 // Writes for each vertex, on a line of its own, the node or the arc that it belongs to, by their numbers in the graph
 // files. `places` are those of locate_vertices().
 void write_vertex_arcs(const std::filesystem::path& path,
-                       const Surface& surface,
-                       const Vertex_locations& locations,
+                       const std::vector<std::size_t>& places,
                        std::size_t number_of_nodes);
 
 } // namespace reeb_graph_program

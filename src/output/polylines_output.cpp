@@ -10,16 +10,49 @@
 
 #include "output/output_file.h"
 
+#include <CGAL/IO/OFF.h>
 #include <CGAL/Reeb_graph/IO/polylines.h>
 
+#include <limits>
+#include <ostream>
 #include <stdexcept>
 
 namespace reeb_graph_program {
+namespace {
+bool ends_in(const std::string& path, const std::string& ending)
+{
+  return path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+}
+} // namespace
+
 void check_polylines_format(const std::string& path)
 {
-  const std::string ending = ".polylines.txt";
-  if(path.size() <= ending.size() || path.compare(path.size() - ending.size(), ending.size(), ending) != 0)
-    throw std::runtime_error(path + ": the file name of polylines ends in " + ending);
+  if(!ends_in(path, ".polylines.txt"))
+    throw std::runtime_error(path + ": the file name of polylines ends in .polylines.txt");
+}
+
+void check_contour_format(const std::string& path)
+{
+  if(!ends_in(path, ".off"))
+    check_polylines_format(path);
+}
+
+void check_contour_format(const std::string& path, bool are_contours_surfaces)
+{
+  if(!are_contours_surfaces)
+    check_polylines_format(path);
+  else if(!ends_in(path, ".off"))
+    throw std::runtime_error(path + ": contours in tetrahedra are surfaces, and their file name ends in .off");
+}
+
+void write_triangles(const std::string& path,
+                     const std::vector<Point>& points,
+                     const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  write_file(path, [&](std::ostream& stream) {
+    const int precision = std::numeric_limits<double>::max_digits10;
+    CGAL::IO::write_OFF(stream, points, triangles, CGAL::parameters::stream_precision(precision));
+  });
 }
 
 void write_polylines(const std::string& path, const std::vector<Polyline>& polylines)

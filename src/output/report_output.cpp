@@ -46,10 +46,84 @@ std::string count_parts(const Graph_counts& graph)
   return count(graph.nodes, "node") + ", " + count(graph.arcs, "arc") + ", " + count(graph.loops, "loop");
 }
 
+void write_counts(std::ostream& out, const Surface_counts& surface)
+{
+  out << "surface  " << count(surface.vertices, "vertex", "vertices") << ", " << count(surface.edges, "edge") << ", "
+      << count(surface.faces, "face") << "\n         " << count(surface.components, "component") << ", "
+      << count(surface.border_loops, "border loop") << ", Euler characteristic " << surface.euler_characteristic;
+  if(surface.genus)
+    out << ", genus " << *surface.genus;
+}
+
+void write_counts(std::ostream& out, const Complex_counts& complex)
+{
+  out << "complex  " << count(complex.vertices, "vertex", "vertices") << ", " << count(complex.edges, "edge") << ", "
+      << count(complex.triangles, "triangle");
+  if(complex.tetrahedra > 0)
+    out << ", " << count(complex.tetrahedra, "tetrahedron", "tetrahedra");
+  out << "\n         " << count(complex.components, "component") << ", Euler characteristic "
+      << complex.euler_characteristic();
+  if(complex.edges_without_triangles > 0)
+    out << "\n         " << count(complex.edges_without_triangles, "edge") << " on no triangle";
+  if(const auto& edge = complex.first_edge_of_many_faces)
+    out << "\n         " << count(complex.edges_of_many_faces, "edge")
+        << " with more than two triangles, the first one, "
+        << "of the vertices " << edge->u << " and " << edge->v << ", with " << edge->faces;
+  if(const auto& vertex = complex.first_vertex_of_several_fans)
+    out << "\n         " << count(complex.vertices_of_several_fans, "vertex", "vertices")
+        << " whose triangles form several fans, the first one, vertex " << vertex->vertex << ", with " << vertex->fans;
+  if(const auto& edge = complex.first_edge_without_orientation)
+    out << "\n         not orientable, which shows at the edge of the vertices " << edge->first << " and "
+        << edge->second;
+}
+
 // A number, or null, which also stands for infinity.
 nlohmann::ordered_json json_number(const std::optional<double>& number)
 {
   return number && std::isfinite(*number) ? nlohmann::ordered_json(*number) : nlohmann::ordered_json();
+}
+
+nlohmann::ordered_json json_of(const Surface_counts& surface)
+{
+  nlohmann::ordered_json json;
+  json["vertices"] = surface.vertices;
+  json["edges"] = surface.edges;
+  json["faces"] = surface.faces;
+  json["components"] = surface.components;
+  json["border_loops"] = surface.border_loops;
+  json["euler_characteristic"] = surface.euler_characteristic;
+  json["genus"] = nullptr;
+  if(surface.genus)
+    json["genus"] = *surface.genus;
+  json["complex"] = nullptr;
+  return json;
+}
+
+nlohmann::ordered_json json_of(const Complex_counts& complex)
+{
+  nlohmann::ordered_json json;
+  json["vertices"] = complex.vertices;
+  json["edges"] = complex.edges;
+  json["faces"] = complex.triangles;
+  json["components"] = complex.components;
+  json["border_loops"] = nullptr;
+  json["euler_characteristic"] = complex.euler_characteristic();
+  json["genus"] = nullptr;
+  nlohmann::ordered_json& places = json["complex"];
+  places["tetrahedra"] = complex.tetrahedra;
+  places["edges_without_faces"] = complex.edges_without_triangles;
+  places["edges_of_many_faces"] = complex.edges_of_many_faces;
+  places["first_edge_of_many_faces"] = nullptr;
+  if(const auto& edge = complex.first_edge_of_many_faces)
+    places["first_edge_of_many_faces"] = {{"vertices", {edge->u, edge->v}}, {"faces", edge->faces}};
+  places["vertices_of_several_fans"] = complex.vertices_of_several_fans;
+  places["first_vertex_of_several_fans"] = nullptr;
+  if(const auto& vertex = complex.first_vertex_of_several_fans)
+    places["first_vertex_of_several_fans"] = {{"vertex", vertex->vertex}, {"fans", vertex->fans}};
+  places["first_edge_without_orientation"] = nullptr;
+  if(const auto& edge = complex.first_edge_without_orientation)
+    places["first_edge_without_orientation"] = {edge->first, edge->second};
+  return json;
 }
 
 nlohmann::ordered_json json_of(const Simplification_counts& simplification)
@@ -142,13 +216,11 @@ void write_json(std::ostream& out, const Field_range& range, const Work_report& 
 
 void write_text(std::ostream& out, const Report& report)
 {
-  const Surface_counts& surface = report.surface;
   const auto& critical_vertices = report.critical_vertices;
-  out << "surface  " << count(surface.vertices, "vertex", "vertices") << ", " << count(surface.edges, "edge") << ", "
-      << count(surface.faces, "face") << "\n         " << count(surface.components, "component") << ", "
-      << count(surface.border_loops, "border loop") << ", Euler characteristic " << surface.euler_characteristic;
-  if(surface.genus)
-    out << ", genus " << *surface.genus;
+  if(report.complex)
+    write_counts(out, *report.complex);
+  else
+    write_counts(out, report.surface);
   out << "\nfield    " << count(critical_vertices.minima, "minimum", "minima") << ", "
       << count_saddles(critical_vertices) << ", " << count(critical_vertices.maxima, "maximum", "maxima");
   if(critical_vertices.border_saddles > 0)
@@ -174,16 +246,7 @@ void write_text(std::ostream& out, const Report& report)
 
 void write_json(std::ostream& out, const Report& report)
 {
-  nlohmann::ordered_json json;
-  json["vertices"] = report.surface.vertices;
-  json["edges"] = report.surface.edges;
-  json["faces"] = report.surface.faces;
-  json["components"] = report.surface.components;
-  json["border_loops"] = report.surface.border_loops;
-  json["euler_characteristic"] = report.surface.euler_characteristic;
-  json["genus"] = nullptr;
-  if(report.surface.genus)
-    json["genus"] = *report.surface.genus;
+  nlohmann::ordered_json json = report.complex ? json_of(*report.complex) : json_of(report.surface);
   json["minima"] = report.critical_vertices.minima;
   json["saddles"] = nlohmann::ordered_json::object();
   for(const auto& [multiplicity, number] : report.critical_vertices.saddles)

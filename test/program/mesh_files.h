@@ -131,6 +131,111 @@ inline std::string ts()
   return content + lines(triangles(), "TRGL ", "", 1) + "END\n";
 }
 
+// The octahedron around an axis: with these tetrahedra, the field z has the same graph.
+inline Rows tetrahedra() { return {{0, 5, 1, 2}, {0, 5, 2, 3}, {0, 5, 3, 4}, {0, 5, 4, 1}}; }
+
+inline std::string medit(const std::string& section, const Rows& cells)
+{
+  return "MeshVersionFormatted 2\nDimension\n3\n# an octahedron\nVertices\n6\n" + lines(points(), "", " 0")
+       + "Corners\n2\n1\n6\nEdges\n1\n1 2 0\n" + section + "\n" + std::to_string(cells.size()) + "\n"
+       + lines(cells, "", " 1", 1) + "End\n";
+}
+
+inline std::string vtk(const Rows& cells, const std::string& type)
+{
+  const std::size_t size = cells.front().size();
+  std::string content = "# vtk DataFile Version 3.0\nan octahedron\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 6 float\n"
+                      + lines(points(), "", "") + "CELLS " + std::to_string(cells.size()) + " "
+                      + std::to_string(cells.size() * (size + 1)) + "\n" + lines(cells, std::to_string(size) + " ", "")
+                      + "CELL_TYPES " + std::to_string(cells.size()) + "\n";
+  for(std::size_t i = 0; i < cells.size(); ++i)
+    content += type + "\n";
+  return content + "POINT_DATA 6\nSCALARS mass double 1\nLOOKUP_TABLE default\n1 2 3 4 5 6\nVECTORS force float\n"
+       + lines(points(), "", "");
+}
+
+inline std::string vtk_5()
+{
+  return "# vtk DataFile Version 5.1\nvtk output\nASCII\nDATASET POLYDATA\nPOINTS 6 float\n" + lines(points(), "", "")
+       + "METADATA\nINFORMATION 0\n\nPOLYGONS 9 24\nOFFSETS vtktypeint64\n0 3 6 9 12 15 18 21 24\n"
+         "CONNECTIVITY vtktypeint64\n"
+       + lines(triangles(), "", "") + "\nPOINT_DATA 6\nFIELD FieldData 1\nmass 1 6 double\n1 2 3 4 5 6\n";
+}
+
+inline std::string vtu_begin(std::size_t number_of_cells)
+{
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\" "
+         "header_type=\"UInt32\">\n<!-- an octahedron -->\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"6\" "
+         "NumberOfCells=\""
+       + std::to_string(number_of_cells) + "\">\n";
+}
+
+inline std::string vtu_array(const std::string& name, const std::string& type, const std::string& data)
+{
+  return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" + (name == "Points" ? "3" : "1")
+       + "\" " + data;
+}
+
+inline std::string ascii_vtu()
+{
+  const auto array = [](const std::string& name, const std::string& type, const std::string& numbers) {
+    return vtu_array(name, type, "format=\"ascii\">\n" + numbers + "</DataArray>\n");
+  };
+  return vtu_begin(4) + "<PointData Scalars=\"mass\">\n" + array("mass", "Float64", "1 2 3 4 5 6\n")
+       + "</PointData>\n<CellData/>\n<Points>\n" + array("Points", "Float32", lines(points(), "", ""))
+       + "</Points>\n<Cells>\n" + array("connectivity", "Int64", lines(tetrahedra(), "", ""))
+       + array("offsets", "Int64", "4 8 12 16\n") + array("types", "UInt8", "10 10 10 10\n")
+       + "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+// Bytes behind their number.
+template <class Number>
+std::string vtu_block(const Rows& rows)
+{
+  std::string bytes, block;
+  for(const auto& row : rows)
+    append<Number>(bytes, row);
+  append<std::uint32_t>(block, {static_cast<double>(bytes.size())});
+  return block + bytes;
+}
+
+inline std::string base64_code(const std::string& bytes)
+{
+  static const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string code;
+  for(std::size_t i = 0; i < bytes.size(); i += 3)
+  {
+    std::uint32_t bits = 0;
+    for(std::size_t j = 0; j < 3; ++j)
+      bits = bits << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0u);
+    for(std::size_t j = 0; j < 4; ++j)
+      code += i + j > bytes.size() ? '=' : digits[bits >> (18 - 6 * j) & 63];
+  }
+  return code;
+}
+
+// With raw data behind all elements, or with base64 code inside.
+inline std::string binary_vtu(bool is_appended)
+{
+  std::string content = vtu_begin(8), appended;
+  const auto add_array = [&](const std::string& name, const std::string& type, const std::string& block) {
+    const std::string offset = std::to_string(appended.size());
+    content += vtu_array(name, type,
+                         is_appended ? "format=\"appended\" offset=\"" + offset + "\"/>\n"
+                                     : "format=\"binary\">\n" + base64_code(block) + "\n</DataArray>\n");
+    appended += block;
+  };
+  content += "<Points>\n";
+  add_array("Points", "Float64", vtu_block<double>(points()));
+  content += "</Points>\n<Cells>\n";
+  add_array("connectivity", "Int32", vtu_block<std::int32_t>(triangles()));
+  add_array("offsets", "Int32", vtu_block<std::int32_t>({{3, 6, 9, 12, 15, 18, 21, 24}}));
+  add_array("types", "UInt8", vtu_block<std::uint8_t>({{5, 5, 5, 5, 5, 5, 5, 5}}));
+  content += "</Cells>\n</Piece>\n</UnstructuredGrid>\n";
+  return content + (is_appended ? "<AppendedData encoding=\"raw\">\n_" + appended + "</AppendedData>\n" : "")
+       + "</VTKFile>\n";
+}
+
 inline std::vector<Mesh_file> all_mesh_files()
 {
   const std::string off = "OFF\n# an octahedron\n6 8 12\n\n" + lines(points(), "", "") + lines(triangles(), "3 ", "");
@@ -152,7 +257,15 @@ inline std::vector<Mesh_file> all_mesh_files()
           {"big_endian_ply", ".ply", binary_ply("binary_big_endian", true)},
           {"ascii_stl", ".stl", ascii_stl()},
           {"binary_stl", ".stl", binary_stl()},
-          {"ts", ".ts", ts()}};
+          {"ts", ".ts", ts()},
+          {"medit", ".mesh", medit("Triangles", triangles())},
+          {"medit_tetrahedra", ".mesh", medit("Tetrahedra", tetrahedra())},
+          {"vtk", ".vtk", vtk(triangles(), "5")},
+          {"vtk_tetrahedra", ".vtk", vtk(tetrahedra(), "10")},
+          {"vtk_5", ".vtk", vtk_5()},
+          {"ascii_vtu", ".vtu", ascii_vtu()},
+          {"base64_vtu", ".vtu", binary_vtu(false)},
+          {"appended_vtu", ".vtu", binary_vtu(true)}};
 }
 
 } // namespace mesh_files

@@ -22,12 +22,14 @@ file(WRITE ${FOLDER}/truncated.off "OFF\n4 4 0\n0 0 0\n1 0 0\n")
 file(WRITE ${FOLDER}/no_faces_left.off "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
 file(WRITE ${FOLDER}/text.ply "ply\nThis is no mesh.\n")
 file(WRITE ${FOLDER}/text.obj "This is no mesh.\n")
-file(WRITE ${FOLDER}/text.stl "This is no mesh.\n")
+foreach(format stl mesh vtk vtu)
+  file(WRITE ${FOLDER}/text.${format} "This is no mesh.\n")
+endforeach()
 file(WRITE ${FOLDER}/mesh.unknown "${tetrahedron_off}")
 file(WRITE ${FOLDER}/mesh "${tetrahedron_off}")
 file(WRITE ${FOLDER}/truncated.stl "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n")
 foreach(name missing.off empty.off text.off truncated.off no_faces_left.off text.ply text.obj text.stl truncated.stl
-             mesh.unknown mesh .)
+             text.mesh text.vtk text.vtu mesh.unknown mesh .)
   expect_error("${name}" compute ${name} --field z ${graph})
 endforeach()
 
@@ -102,19 +104,77 @@ expect_error("face 1 has fewer than three vertices" compute two_corners.off --fi
 file(WRITE ${FOLDER}/quad.off "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n3 1 4 2\n4 0 1 2 3\n")
 expect_error("face 1 has 4 vertices and is not a triangle; --triangulate" compute quad.off --field x ${graph})
 
-# surfaces that are not manifold, or not orientable
+# curves need a surface that is manifold, and orientable
+set(pants --type pants --curves curves.polylines.txt)
 file(WRITE ${FOLDER}/three_faces_at_an_edge.off
      "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n")
-expect_error("edge between the vertices 0 and 1 has 3 faces" compute three_faces_at_an_edge.off --field z ${graph})
+expect_error("edge between the vertices 0 and 1 has 3 faces; .*orient_polygon_soup" curves three_faces_at_an_edge.off
+             --field z ${pants})
 file(WRITE ${FOLDER}/two_fans.off
      "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n3 0 1 2\n3 0 3 4\n")
-expect_error("vertex 0 is not manifold" compute two_fans.off --field x ${graph})
+expect_error("at vertex 0; .*orient_polygon_soup" curves two_fans.off --field x ${pants})
 file(WRITE ${FOLDER}/two_closed_fans.off "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n"
      "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 0 5 6\n")
-expect_error("at vertex 0" compute two_closed_fans.off --field x ${graph})
+expect_error("at vertex 0" curves two_closed_fans.off --field x ${pants})
 file(WRITE ${FOLDER}/moebius_strip.off "OFF\n5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n0 0 2\n"
      "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n")
-expect_error("not orientable, at vertex [0-4]" compute moebius_strip.off --field z ${graph})
+expect_error("not orientable, at vertex [0-4]" curves moebius_strip.off --field z ${pants})
+
+# what else needs one
+foreach(option "--html page.html" "--mesh-out mesh.ply" "--table" "--embedding centroids;--graph graph.obj"
+               "--embedding on-surface;--graph graph.json" "--simplified-scalars scalars.txt;--leaves 2")
+  string(REPLACE " " ";" option "${option}")
+  list(GET option 0 name)
+  expect_error("${name}.* needs an oriented manifold surface; the edge between" compute three_faces_at_an_edge.off
+               --field z ${option})
+endforeach()
+foreach(field harmonic poisson unit-gradient)
+  expect_error("the field ${field} needs an oriented manifold surface; the edge" compute three_faces_at_an_edge.off
+               --field ${field} ${graph})
+endforeach()
+expect_error("there is no vertex 5: the mesh has 5" compute three_faces_at_an_edge.off --field geodesic --source 5 ${graph})
+
+# cells that are wrong
+set(medit_points "MeshVersionFormatted 1\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n")
+foreach(content
+    "tetrahedron 0 has a vertex that does not exist|Tetrahedra 1\n1 2 3 5 0\nEnd\n"
+    "tetrahedron 1 has vertex 2 at two of its corners|Tetrahedra 2\n1 2 3 4 0\n1 3 2 3 0\nEnd\n"
+    "face 0 has a vertex that does not exist|Triangles 1\n1 2 9 0\nEnd\n"
+    "edge 0 has vertex 1 at two of its corners|Edges 1\n2 2 0\nEnd\n"
+    "wrong.mesh:10: there is no vertex 0|Tetrahedra 1\n0 2 3 4 0\nEnd\n"
+    "wrong.mesh:9: 'Hexahedra' is no section|Hexahedra 1\n1 2 3 4 1 2 3 4 0\nEnd\n"
+    "no line End|Tetrahedra 1\n1 2 3 4 0\n")
+  string(REPLACE "|" ";" content "${content}")
+  list(GET content 0 pattern)
+  list(GET content 1 cells)
+  file(WRITE ${FOLDER}/wrong.mesh "${medit_points}${cells}")
+  expect_error("${pattern}" compute wrong.mesh --field z ${graph})
+endforeach()
+set(vtk_points "# vtk DataFile Version 3.0\nwrong\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
+               "0 0 0 1 0 0 0 1 0 0 0 1\n")
+string(JOIN "" vtk_points ${vtk_points})
+foreach(content
+    "cells of type 12 of VTK are not read|CELLS 1 9\n8 0 1 2 3 0 1 2 3\nCELL_TYPES 1\n12\n"
+    "a cell of type 10 of VTK cannot have 3 vertices|CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n"
+    "there are 1 cells, and types of 0|CELLS 1 5\n4 0 1 2 3\n"
+    "tetrahedron 0 has a vertex that does not exist|CELLS 1 5\n4 0 1 2 4\nCELL_TYPES 1\n10\n"
+    "the cells have 5 numbers instead of 6|CELLS 1 6\n4 0 1 2 3\nCELL_TYPES 1\n10\n")
+  string(REPLACE "|" ";" content "${content}")
+  list(GET content 0 pattern)
+  list(GET content 1 cells)
+  file(WRITE ${FOLDER}/wrong.vtk "${vtk_points}${cells}")
+  expect_error("${pattern}" compute wrong.vtk --field z ${graph})
+endforeach()
+file(WRITE ${FOLDER}/field.vtk "${vtk_points}CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n")
+expect_error("there is no field 'mass'" compute field.vtk --field mass ${graph})
+file(WRITE ${FOLDER}/binary.vtk "# vtk DataFile Version 3.0\nwrong\nBINARY\n")
+expect_error("binary VTK files are not read" compute binary.vtk --field z ${graph})
+file(WRITE ${FOLDER}/compressed.vtu "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkZLibDataCompressor\"></VTKFile>")
+expect_error("compressed data are not read" compute compressed.vtu --field z ${graph})
+expect_error("contours in tetrahedra are surfaces, and their file name ends in .off" contour field.vtk --field z
+             --level 0.5 --output contour.polylines.txt)
+expect_error("polylines ends in .polylines.txt" contour three_faces_at_an_edge.off --field z --level 0.5
+             --output contour.off)
 
 # scalars
 foreach(content "0\n1\n2\n" "")

@@ -1,0 +1,24 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_COMPLEX_COUNTS_H
+#define CGAL_REEB_GRAPH_SRC_COMPLEX_COUNTS_H
+
+#include "base/complex.h"
+#include "base/report.h"
+
+namespace reeb_graph_program {
+// Counts the cells of the complex, and the places where it is no surface.
+Complex_counts count_complex(const Complex& complex);
+
+// Takes out of the complex what is a face of its other cells, and what is there before.
+void remove_faces_of_cells(Complex& complex);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_COMPLEX_COUNTS_H

@@ -1,0 +1,132 @@
+# Meshes that are no oriented manifold surfaces: any triangles, and tetrahedra.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+
+# three pages at one edge, with a page above and two below: a tree
+file(WRITE ${FOLDER}/book.off "OFF\n5 3 0\n0 0 0\n1 0 0.5\n0 1 2\n0 0 -1\n0 -1 -2\n3 0 1 2\n3 0 1 3\n3 0 1 4\n")
+set(book ARGUMENTS book.off --field z)
+expect_json(4 nodes ${book})
+expect_json(3 arcs ${book})
+expect_json(0 loops ${book})
+expect_json(1 euler_characteristic ${book})
+expect_json(1 complex edges_of_many_faces ${book})
+expect_json(3 complex first_edge_of_many_faces faces ${book})
+expect_json(1 complex first_edge_of_many_faces vertices 1 ${book})
+expect_json(0 complex vertices_of_several_fans ${book})
+expect_json("" genus ${book})
+expect_success(compute book.off --field z)
+expect_match("${output}" "1 edge with more than two triangles, the first one, of the vertices 0 and 1, with 3\n")
+file(WRITE ${FOLDER}/surface.off "${tetrahedron_off}")
+expect_json("" complex ARGUMENTS surface.off --field z)
+
+# two closed fans, and a Moebius strip
+file(WRITE ${FOLDER}/two_closed_fans.off "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n"
+     "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 0 5 6\n")
+file(WRITE ${FOLDER}/two_fans.off "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n3 0 1 2\n3 0 3 4\n")
+foreach(name two_closed_fans two_fans)
+  expect_json(1 complex vertices_of_several_fans ARGUMENTS ${name}.off --field x)
+  expect_json(0 complex first_vertex_of_several_fans vertex ARGUMENTS ${name}.off --field x)
+  expect_json(2 complex first_vertex_of_several_fans fans ARGUMENTS ${name}.off --field x)
+  expect_json("" complex first_edge_without_orientation ARGUMENTS ${name}.off --field x)
+endforeach()
+expect_success(compute two_fans.off --field x)
+expect_match("${output}" "1 vertex whose triangles form several fans, the first one, vertex 0, with 2\n")
+file(WRITE ${FOLDER}/moebius_strip.off "OFF\n5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n0 0 2\n"
+     "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n")
+expect_success(compute moebius_strip.off --field z --json)
+string(JSON value GET "${output}" complex first_edge_without_orientation 0)
+expect_match("${value}" "^[0-4]$")
+expect_success(compute moebius_strip.off --field z)
+expect_match("${output}" "\n         not orientable, which shows at the edge of the vertices [0-4] and [0-4]\n")
+
+# faces that are no triangles
+file(WRITE ${FOLDER}/polygons.off "OFF\n8 3 0\n0 0 0\n1 0 0.1\n0 1 2\n1 1 2.5\n0 -1 -1\n1 -1 -1.5\n0 0 3\n1 0 3.5\n"
+     "4 0 1 3 2\n4 0 1 5 4\n4 0 1 7 6\n")
+expect_json(6 faces ARGUMENTS polygons.off --field z --triangulate)
+expect_json(1 complex edges_of_many_faces ARGUMENTS polygons.off --field z --triangulate)
+expect_json(3 arcs ARGUMENTS polygons.off --field z --triangulate)
+
+# the graph is the same in all files
+foreach(file graph.graphml graph.dot graph.svg graph.vtp graph.obj graph.polylines.txt graph.json graph.csv)
+  expect_success(compute book.off --field z --graph ${file})
+endforeach()
+file(READ ${FOLDER}/graph.json content)
+string(JSON value GET "${content}" arcs 0 chain 0 0)
+expect_equal("${value}" 4)
+string(JSON value GET "${content}" nodes 0 vertex)
+expect_equal("${value}" 4)
+file(STRINGS ${FOLDER}/graph.arcs.csv lines)
+list(LENGTH lines number)
+expect_equal("${number}" 4)
+expect_success(compute book.off --field z --pairs pairs.csv --diagram diagram.svg --vertex-arcs arcs.txt)
+file(READ ${FOLDER}/arcs.txt content)
+expect_equal("${content}" "node 2\narc 2\nnode 3\nnode 1\nnode 0\n")
+expect_success(compute book.off --field z --leaves 2 --vertex-arcs arcs.txt)
+file(READ ${FOLDER}/arcs.txt content)
+expect_match("${content}" "^arc 0\narc 0\nnode 1\n[^\n]*\nnode 0\n$")
+foreach(method critical-sets contour-trees)
+  expect_success(compute two_closed_fans.off --field x --method ${method} --graph ${method}.graphml)
+endforeach()
+expect_same_file(critical-sets.graphml contour-trees.graphml)
+
+# contours with branch points
+expect_success(contour book.off --field z --level 0.25 --output contour.polylines.txt)
+expect_equal("${output}" "1 contour\n")
+file(STRINGS ${FOLDER}/contour.polylines.txt lines)
+list(LENGTH lines number)
+expect_equal("${number}" 3)
+expect_success(contour book.off --field z --arc 2 --t 0.5 --output contour.polylines.txt)
+
+# distances along edges
+expect_success(field book.off --type geodesic --source 2 --output distances.txt)
+file(STRINGS ${FOLDER}/distances.txt lines)
+list(GET lines 2 value)
+expect_equal("${value}" 0)
+list(GET lines 0 value)
+expect_match("${value}" "^2.23606")
+expect_success(field book.off --type height --direction 0,0,2 --output heights.txt)
+expect_success(compute book.off --field geodesic)
+file(WRITE ${FOLDER}/apart.off "OFF\n6 3 0\n0 0 0\n1 0 0.5\n0 1 2\n0 0 -1\n0 -1 -2\n9 9 9\n3 0 1 2\n3 0 1 3\n3 0 1 4\n")
+expect_success(compute apart.off --field geodesic)
+expect_error("no edges lead from a source to vertex 5" compute apart.off --field geodesic --source 0)
+
+# tetrahedra: a ring of three around an edge is a ball; two of them that have an edge in common
+set(points "Vertices\n5\n0 0 -1 0\n0 0 1 0\n1 0 0.25 0\n-1 1 0.5 0\n-1 -1 0.125 0\n")
+set(begin "MeshVersionFormatted 2\nDimension 3\n${points}")
+file(WRITE ${FOLDER}/ball.mesh "${begin}Tetrahedra\n3\n1 2 3 4 0\n1 2 4 5 0\n1 2 5 3 0\nEnd\n")
+set(ball ARGUMENTS ball.mesh --field z)
+expect_json(3 complex tetrahedra ${ball})
+expect_json(9 faces ${ball})
+expect_json(1 euler_characteristic ${ball})
+expect_json(1 arcs ${ball})
+expect_success(compute ball.mesh --field z)
+expect_match("${output}" "^complex  5 vertices, 10 edges, 9 triangles, 3 tetrahedra\n         1 component, Euler char")
+expect_success(contour ball.mesh --field z --level 0.75 --output isosurface.off)
+expect_success(compute isosurface.off --field x)
+expect_match("${output}" "^surface  4 vertices, 6 edges, 3 faces\n         1 component, 1 border loop")
+
+# faces of tetrahedra that are listed, too, change nothing; other triangles and edges belong to the complex
+file(WRITE ${FOLDER}/ball_with_faces.mesh "${begin}Triangles\n1\n2 1 3 7\nEdges\n1\n2 1 7\n"
+     "Tetrahedra\n3\n1 2 3 4 0\n1 2 4 5 0\n1 2 5 3 0\nEnd\n")
+file(WRITE ${FOLDER}/mixed.mesh "${begin}Tetrahedra\n1\n1 2 3 4 0\nTriangles\n1\n1 2 5 0\nEnd\n")
+file(WRITE ${FOLDER}/edges.mesh "${begin}Edges\n4\n1 3 0\n3 2 0\n2 4 0\n4 1 0\nEnd\n")
+foreach(name ball ball_with_faces)
+  expect_success(compute ${name}.mesh --field z --graph ${name}.graphml)
+  expect_success(contour ${name}.mesh --field z --level 0.75 --output ${name}.off)
+endforeach()
+expect_same_file(ball.graphml ball_with_faces.graphml)
+expect_same_file(ball.off ball_with_faces.off)
+expect_json(5 faces ARGUMENTS mixed.mesh --field z)
+expect_json(1 arcs ARGUMENTS mixed.mesh --field z)
+expect_error("faces of no tetrahedron" contour mixed.mesh --field z --level 0 --output mixed.off)
+expect_json(1 loops ARGUMENTS edges.mesh --field z)
+expect_json(4 complex edges_without_faces ARGUMENTS edges.mesh --field z)
+expect_json(2 components ARGUMENTS edges.mesh --field z)
+
+# fields of the points of VTK files
+file(WRITE ${FOLDER}/field.vtk "# vtk DataFile Version 3.0\na field\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
+     "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 2 8\n4 0 1 2 3\n2 0 1\nCELL_TYPES 2\n10\n3\nPOINT_DATA 4\n"
+     "SCALARS mass double\nLOOKUP_TABLE default\n4 7 5 6\n")
+expect_success(field field.vtk --type height --output heights.txt)
+expect_success(compute field.vtk --field mass --vertex-arcs arcs.txt)
+file(READ ${FOLDER}/arcs.txt content)
+expect_equal("${content}" "node 0\nnode 1\narc 0\narc 0\n")
