@@ -625,6 +625,49 @@ BOOST_AUTO_TEST_CASE(the_way_back_from_a_simplified_graph)
     }
 }
 
+// Small complexes with many critical vertices are swept. Spreading has to find the same arcs on them.
+BOOST_AUTO_TEST_CASE(arcs_spread_to_the_vertices_of_complexes_that_sweeping_gives_them)
+{
+  for(std::size_t seed = 0; seed < 1000; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      namespace internal = CGAL::Reeb_graph::internal;
+      typedef CGAL::Sequential_tag Tag;
+      Random random(seed);
+      const auto complex_class = static_cast<Complex_class>(seed % static_cast<int>(Complex_class::NUMBER_OF_CLASSES));
+      const Complex complex = random_complexes::skeleton(random_complexes::random_complex(complex_class, random));
+      const std::size_t size = complex.number_of_vertices;
+      const auto values = random_complexes::random_values(size, random);
+      const auto np = CGAL::parameters::keep_degree_two_nodes(true, CGAL::parameters::edges(complex.edges));
+      Graph graph;
+      CGAL::compute_reeb_graph_of_soup(size, complex.triangles, values, graph, np);
+      const auto locations = Soup_augmentation(size, complex.triangles, values, graph, np).locate_vertices();
+
+      const CGAL::Reeb_graph_soup_traits<double> traits;
+      const auto soup = internal::flatten_triangles(size, complex.triangles, values, traits, np);
+      const internal::Vertex_order order(soup.values, traits.less_scalar_object());
+      const auto critical_vertices = internal::classify_vertices<Tag>(soup.complex, order);
+      const auto arcs = internal::find_arcs<Tag>(soup.complex, order, critical_vertices,
+                                                 CGAL::Reeb_graph::Method::CONTOUR_TREES, 1, internal::No_progress());
+      internal::Arc_spreading spreading(soup.complex, order, critical_vertices, arcs);
+      typename decltype(spreading)::Arc_of_vertex arc_of_vertex;
+      BOOST_TEST_REQUIRE(spreading.template find_arcs_of_vertices<Tag>(arc_of_vertex, 1000.));
+      const std::vector<arc_descriptor> graph_arcs(edges(graph).first, edges(graph).second);
+      for(std::size_t v = 0; v < size; ++v)
+      {
+        const std::size_t place = locations.index(v);
+        const internal::Slab_arc_index arc = arc_of_vertex[internal::Vertex_index(v)];
+        BOOST_TEST((arc == internal::no_index) == (place < num_vertices(graph)));
+        if(arc == internal::no_index || place < num_vertices(graph))
+          continue;
+        const Edge first = graph[graph_arcs[place - num_vertices(graph)]].chain.front();
+        const auto found = internal::edge_of(arcs[arc].first_step.edge);
+        BOOST_TEST((complex_oracle::make_edge(first.first, first.second)
+                    == Edge(soup.complex.lower_end(found).number(), soup.complex.higher_end(found).number())));
+      }
+    }
+}
+
 // On large complexes most places are found by spreading the arcs, some along contours.
 BOOST_AUTO_TEST_CASE(places_of_vertices_in_large_complexes)
 {
