@@ -117,14 +117,16 @@ void write_page(const fs::path& path, const Page_request& request)
 {
   const Simplified_graph wanted(request.graph, request.simplification, request.threshold);
   const std::optional<double> threshold = threshold_for_page(request.graph, wanted.result(), request.threshold);
-  Simplification_options smaller = request.simplification;
+  std::optional<Simplified_graph> smaller;
   if(threshold)
   {
-    smaller.threshold = {*threshold, false};
-    smaller.number_of_leaves.reset();
-    smaller.are_loops_cancelled = true;
+    Simplification_options options = request.simplification;
+    options.threshold = {*threshold, false};
+    options.number_of_leaves.reset();
+    options.are_loops_cancelled = true;
+    smaller.emplace(request.graph, options, *threshold);
   }
-  const Simplified_graph shown(request.graph, smaller, threshold.value_or(request.threshold));
+  const Simplified_graph& shown = smaller ? *smaller : wanted;
   const Augmentation augmentation = shown.augmentation(request.surface, request.scalar_map, request.graph_options);
   nlohmann::ordered_json data = page_data(
     {augmentation, request.scalar_map, request.title, request.field_label, request.patch_map, request.curves});
