@@ -181,6 +181,53 @@ BOOST_AUTO_TEST_CASE(bad_soups_leave_the_graph_as_it_was)
   BOOST_TEST((plain_of_soup(graph) == before));
 }
 
+// An order that contradicts itself, in a way that the seed decides.
+namespace {
+struct Contradictory_traits : Traits
+{
+  struct Less_scalar
+  {
+    std::size_t seed;
+    bool operator()(double a, double b) const
+    {
+      if(seed % 3 == 0)
+        return a <= b;
+      const std::size_t code =
+        (static_cast<std::size_t>(a) * 31 + static_cast<std::size_t>(b) + seed) * 2654435761u >> 7;
+      return code % (seed % 3 == 1 ? 2 : 9) == 0 ? a > b : a < b;
+    }
+  };
+  Less_scalar less_scalar_object() const { return {seed}; }
+  std::size_t seed = 0;
+};
+} // namespace
+
+BOOST_AUTO_TEST_CASE(orders_that_contradict_themselves_end)
+{
+  std::size_t number_of_graphs = 0, number_of_exceptions = 0;
+  for(std::size_t seed = 0; seed < 1000; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      const auto complex_class = static_cast<Complex_class>(seed % static_cast<int>(Complex_class::NUMBER_OF_CLASSES));
+      const Complex complex = random_complexes::random_complex(complex_class, random);
+      const auto values = random_complexes::random_values(complex.number_of_vertices, random);
+      Contradictory_traits traits;
+      traits.seed = seed;
+      try
+      {
+        graph_of(complex, values, params::geom_traits(traits));
+        ++number_of_graphs;
+      }
+      catch(const rg::Unordered_scalar_error&)
+      {
+        ++number_of_exceptions;
+      }
+    }
+  BOOST_TEST(number_of_graphs > 50);
+  BOOST_TEST(number_of_exceptions > 50);
+}
+
 // Finds for all vertices with several lower sectors which are in one contour, and returns the steps that it takes.
 namespace {
 template <class ForEachTriangle>

@@ -77,10 +77,17 @@ public:
       const Number sector = sector_at_root_[root];
       if(sector < roots_[side].size() && roots_[side][sector] == root)
         return add_to_sector(places[side][sector], order_, side, neighbor, halfedge);
+      if(roots_[side].size() == numbers_of_sectors_[vertex][side])
+        complex_.throw_contradiction_near(vertex);
       sector_at_root_[root] = static_cast<Number>(roots_[side].size());
       places[side][roots_[side].size()] = {neighbor, halfedge};
       roots_[side].push_back(root);
     });
+    for(const Side side : both_sides)
+    {
+      if(roots_[side].size() != numbers_of_sectors_[vertex][side])
+        complex_.throw_contradiction_near(vertex);
+    }
   }
 
 private:
@@ -92,6 +99,8 @@ private:
     // The place of the vertex that is below, or above, both other ones.
     const std::size_t lowest = is_01 ? (is_02 ? 0 : 2) : (is_12 ? 1 : 2);
     const std::size_t highest = is_01 ? (is_12 ? 2 : 1) : (is_02 ? 2 : 0);
+    if(lowest == highest)
+      complex_.throw_contradiction_near(v[lowest]);
     join(Side::UPPER, v[lowest], edges[lowest == 2], edges[lowest == 0 ? 1 : 2]);
     join(Side::LOWER, v[highest], edges[highest == 2], edges[highest == 0 ? 1 : 2]);
   }
