@@ -141,8 +141,12 @@ private:
   {
     std::string section;
     bool has_end = false;
-    for(Tag tag = next_tag(0); !tag.name.empty() && !has_end; tag = next_tag(tag.end))
+    for(std::size_t place = 0; !has_end;)
     {
+      const Tag tag = next_tag(place);
+      if(tag.name.empty())
+        break;
+      place = tag.end;
       if(tag.name == "VTKFile")
         read_file_tag(tag);
       else if(tag.name == "Piece")

@@ -130,3 +130,11 @@ expect_success(field field.vtk --type height --output heights.txt)
 expect_success(compute field.vtk --field mass --vertex-arcs arcs.txt)
 file(READ ${FOLDER}/arcs.txt content)
 expect_equal("${content}" "node 0\nnode 1\narc 0\narc 0\n")
+
+# raw bytes of a VTU file that look like a tag are none
+file(WRITE ${FOLDER}/raw.vtu "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid>"
+     "<Piece NumberOfPoints=\"3\" NumberOfCells=\"1\"><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\">"
+     "0 0 0 1 0 1 0 1 2</DataArray></Points><Cells><DataArray Name=\"connectivity\" type=\"Int32\">0 1 2</DataArray>"
+     "<DataArray Name=\"offsets\" type=\"Int32\">3</DataArray><DataArray Name=\"types\" type=\"Int32\">5</DataArray>"
+     "</Cells></Piece></UnstructuredGrid><AppendedData encoding=\"raw\">_<a b=c>d</AppendedData></VTKFile>")
+expect_json(1 arcs ARGUMENTS raw.vtu --field z)
