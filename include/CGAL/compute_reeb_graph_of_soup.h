@@ -97,7 +97,8 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
 /// \exception Reeb_graph::Cancelled_error if `callback` returns `false`
 /// \exception Reeb_graph::Mesh_size_error if there are too many vertices, edges or triangles for 32-bit indices
 ///
-/// When one of these is thrown, `graph` is as it was before. When anything else is, it can be empty instead.
+/// When one of these is thrown, `graph` is as it was before. When anything else is, such as `std::bad_alloc`, or as the
+/// order of the values contradicts itself, it can be empty instead.
 template <class ConcurrencyTag = Sequential_tag,
           class PointsOrNumber,
           class TriangleRange,

@@ -8,22 +8,26 @@
 
 #include "complex_oracle.h"
 #include "generated_surfaces/generated_complexes.h"
+#include "generated_surfaces/generated_surfaces.h"
 #include "generated_surfaces/mesh_builders.h"
 #include "generated_surfaces/random_meshes.h"
 #include "graph_checks.h"
 #include "random_complexes.h"
 #include "random_fields.h"
 
+#include <CGAL/Reeb_graph/internal/level_sets/Contour_search.h>
 #include <CGAL/Reeb_graph/internal/level_sets/Contours_of_sectors.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -245,7 +249,9 @@ std::pair<std::size_t, std::size_t> count_steps(std::size_t number_of_vertices,
     if(critical_vertices.number_of_lower_sectors(i) > 1)
       vertices.push_back(i);
   stages::Contours_of_sectors contours(complex, order, critical_vertices, vertices);
-  contours([](stages::Vertex_index) { return false; });
+  stages::Indexed_vector<stages::Sector_index, stages::Number> names(
+    critical_vertices.total_number_of_sectors(stages::Side::LOWER), stages::no_index);
+  contours([](stages::Vertex_index) { return false; }, names);
   return {complex.number_of_triangles(), contours.number_of_steps()};
 }
 
@@ -284,6 +290,79 @@ BOOST_AUTO_TEST_CASE(the_steps_of_noise_are_near_linear)
     BOOST_TEST(growth > triangles / 2);
     BOOST_TEST(growth < 1.6 * triangles);
     BOOST_TEST(counts[1].second < 4 * counts[1].first * std::log2(static_cast<double>(counts[1].first)));
+  }
+}
+
+// Contours of one edge beside a contour at whose edge all pages of a book meet, one at a time and all at once.
+BOOST_AUTO_TEST_CASE(the_steps_of_short_contours_do_not_depend_on_the_long_ones)
+{
+  namespace stages = CGAL::Reeb_graph::internal;
+  using stages::Vertex_index;
+  constexpr std::size_t number_of_pages = 1000;
+  // Below the level are vertex 0 and the second half of the other ones, above it vertex 1 and the first half.
+  const auto for_each_triangle = [&](const auto& visit) {
+    for(std::size_t i = 0; i < number_of_pages; ++i)
+      visit(Vertex_index(0), Vertex_index(1), Vertex_index(2 + i));
+  };
+  const auto for_each_edge = [&](const auto& visit) {
+    for(std::size_t i = 0; i < number_of_pages; ++i)
+      visit(Vertex_index(2 + i), Vertex_index(2 + number_of_pages + i));
+  };
+  const stages::Simplicial_complex complex(2 + 2 * number_of_pages, for_each_triangle, for_each_edge);
+  const auto is_below = [&](Vertex_index v) { return v.number() == 0 || v.number() >= 2 + number_of_pages; };
+  const auto spine = complex.find_halfedge(Vertex_index(0), Vertex_index(1));
+  std::vector<stages::Halfedge_index> all = {spine};
+  std::size_t number_of_visited = 0;
+  const auto visit = [&](const std::vector<stages::Halfedge_index>& crossed_edges) {
+    number_of_visited += crossed_edges.size() == 1 ? 1 : 0;
+  };
+  stages::Contour_search one_at_a_time(complex), all_at_once(complex);
+  for(std::size_t i = 0; i < number_of_pages; ++i)
+  {
+    all.push_back(complex.find_halfedge(Vertex_index(2 + i), Vertex_index(2 + number_of_pages + i)));
+    one_at_a_time.visit_all_but_one({spine, all.back()}, is_below, visit);
+  }
+  BOOST_TEST(number_of_visited == number_of_pages);
+  BOOST_TEST(one_at_a_time.number_of_steps() <= 2 * number_of_pages);
+  all_at_once.visit_all_but_one(all, is_below, visit);
+  BOOST_TEST(number_of_visited == 2 * number_of_pages);
+  BOOST_TEST(all_at_once.number_of_steps() <= 2 * number_of_pages);
+}
+
+// A sphere with crosscaps has no loop, but its contours pass each of the one-sided saddles twice.
+BOOST_AUTO_TEST_CASE(contours_that_close_no_loop_are_found_at_once)
+{
+  // A projective plane of six vertices, and its copies glued at one triangle each to the triangles of a sphere.
+  const std::vector<std::array<std::size_t, 3>> plane = {{0, 1, 2}, {0, 1, 3}, {0, 2, 4}, {0, 3, 5}, {0, 4, 5},
+                                                         {1, 2, 5}, {1, 3, 4}, {1, 4, 5}, {2, 3, 4}, {2, 3, 5}};
+  const auto sphere = generated_surfaces::closed_surface(0, 300);
+  for(unsigned seed = 0; seed < 20; ++seed)
+  {
+    std::mt19937 random(seed);
+    std::vector<double> values;
+    for(const auto& point : sphere.points)
+      values.push_back(point[2]);
+    std::vector<std::vector<std::size_t>> triangles;
+    for(const auto& t : sphere.triangles)
+    {
+      if(random() % 2 == 0)
+      {
+        triangles.push_back({t[0], t[1], t[2]});
+        continue;
+      }
+      std::vector<std::size_t> names(t.begin(), t.end());
+      for(int i = 0; i < 3; ++i)
+      {
+        names.push_back(values.size());
+        values.push_back(values[t[random() % 3]] + 1e-3 * static_cast<double>(random() % 1000));
+      }
+      for(std::size_t i = 1; i < plane.size(); ++i)
+        triangles.push_back({names[plane[i][0]], names[plane[i][1]], names[plane[i][2]]});
+    }
+    Graph graph, expected;
+    CGAL::compute_reeb_graph_of_soup(values.size(), triangles, values, graph);
+    CGAL::compute_reeb_graph_of_soup(values.size(), triangles, values, expected, params::method(Method::CRITICAL_SETS));
+    BOOST_TEST(graph_checks::are_identical(graph, expected), "seed " << seed);
   }
 }
 

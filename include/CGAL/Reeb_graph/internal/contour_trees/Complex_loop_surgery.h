@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
+#include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Loop_surgery.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Merge_tree.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
@@ -28,7 +29,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -51,24 +51,16 @@ public:
       critical_vertices_(slab.critical_vertices()),
       join_tree_(join_tree),
       split_tree_(split_tree),
-      search_(slab.complex())
+      search_(slab.complex()),
+      last_vertices_at_edges_(slab.complex().number_of_edges()),
+      contours_(critical_vertices_.total_number_of_sectors(Side::LOWER), no_index)
   {
-    std::vector<Swept_index> vertices;
-    for(const Swept_index i : critical_vertices_.ascending())
-    {
-      if(join_tree.is_class_shared[i])
-        vertices.push_back(i);
-    }
+    const auto& shared = join_tree.is_class_shared;
+    const auto number_of_shared = std::count(shared.begin(), shared.end(), true);
     // To look at each triangle once pays if otherwise most would be looked at several times.
-    if(vertices.size() > complex_.number_of_vertices() / 1024)
+    if(static_cast<std::size_t>(number_of_shared) > complex_.number_of_vertices() / 1024)
       components_.emplace(complex_);
-    const auto is_decided = [&](Vertex_index v) {
-      return components_ && (components_->is_simply_connected(v) || components_->is_closed(v));
-    };
-    vertices.erase(std::remove_if(vertices.begin(), vertices.end(),
-                                  [&](Swept_index i) { return is_decided(critical_vertices_.vertex(i)); }),
-                   vertices.end());
-    contours_ = Contours_of_sectors<Order>(complex_, order, critical_vertices_, vertices)(is_decided);
+    find_contours([&](Vertex_index v) { return is_simply_connected(v) || is_closed(v); });
   }
 
   bool can_close_loop(Swept_index critical)
@@ -76,10 +68,10 @@ public:
     if(!join_tree_.is_class_shared[critical])
       return false;
     const Vertex_index vertex = critical_vertices_.vertex(critical);
-    if(components_ && components_->is_simply_connected(vertex))
+    if(is_simply_connected(vertex))
       return false;
     sort_contours(critical);
-    if(components_ && components_->is_closed(vertex) && !can_close_loop_of_curves(critical))
+    if(is_closed(vertex) && !can_close_loop_of_curves(critical))
       return false;
     for(std::size_t i = 1; i < contours_of_vertex_.size(); ++i)
     {
@@ -102,13 +94,43 @@ public:
       starts.clear();
       for(; end != contours_of_vertex_.end() && end->sublevel_class == sublevel_class; ++end)
         starts.push_back(critical_vertices_.sector(Side::LOWER, end->sector).edge);
+      const std::size_t number_of_earlier_steps = search_.number_of_steps();
+      bool is_loop_closed = false;
       search_.visit_all_but_one(starts, is_below, [&](const std::vector<Halfedge_index>& crossed_edges) {
+        is_loop_closed = true;
         visit(sublevel_class, crossed_edges, false);
       });
+      number_of_lost_steps_ += is_loop_closed ? 0 : search_.number_of_steps() - number_of_earlier_steps;
+    }
+    // On closed components, searches that close no loop are rare but where contours pass one-sided saddles twice: there,
+    // they could take quadratic time.
+    if(!are_all_found_ && number_of_lost_steps_ > complex_.number_of_triangles())
+    {
+      find_contours([&](Vertex_index v) { return is_simply_connected(v) || !is_closed(v); });
+      are_all_found_ = true;
     }
   }
 
 private:
+  bool is_simply_connected(Vertex_index vertex) const
+  {
+    return components_ && components_->is_simply_connected(vertex);
+  }
+  bool is_closed(Vertex_index vertex) const { return components_ && components_->is_closed(vertex); }
+
+  // Finds the contours of all vertices in question, those in components that are left out excepted.
+  template <class IsLeftOut>
+  void find_contours(const IsLeftOut& is_left_out)
+  {
+    std::vector<Swept_index> vertices;
+    for(const Swept_index i : critical_vertices_.ascending())
+    {
+      if(join_tree_.is_class_shared[i] && !is_left_out(critical_vertices_.vertex(i)))
+        vertices.push_back(i);
+    }
+    Contours_of_sectors<Order>(complex_, order_, critical_vertices_, vertices)(is_left_out, contours_);
+  }
+
   // A lower contour of a vertex, and one sector that it passes.
   struct Lower_contour
   {
@@ -161,9 +183,8 @@ private:
   Number largest_number_of_contours(Vertex_index vertex)
   {
     Number result = 0;
-    edges_of_fans_.clear();
     complex_.for_each_edge_around(vertex, [&](Vertex_index, Halfedge_index halfedge) {
-      if(edges_of_fans_.count(edge_of(halfedge).number()) == 0)
+      if(last_vertices_at_edges_[edge_of(halfedge)] != vertex.number() + 1)
         result += count_changes_around(vertex, edge_of(halfedge)) / 2 + 1;
     });
     return result;
@@ -181,7 +202,7 @@ private:
     Triangle_index triangle = *complex_.triangles_of(first).begin();
     do
     {
-      edges_of_fans_.insert(edge.number());
+      last_vertices_at_edges_[edge] = vertex.number() + 1;
       const std::array<Edge_index, 3>& edges = complex_.edges_of(triangle);
       const auto is_next = [&](Edge_index e) {
         return e != edge && (complex_.lower_end(e) == vertex || complex_.higher_end(e) == vertex);
@@ -202,10 +223,12 @@ private:
   const Merge_tree& split_tree_;
   std::optional<Components_of_complex> components_; // if there are many vertices to ask about
   Contour_search search_;
-  Indexed_vector<Sector_index, Number> contours_; // by lower sector
+  Zeroed_array<Edge_index, Number> last_vertices_at_edges_; // whose fans have been turned around; from 1 on
+  Indexed_vector<Sector_index, Number> contours_;           // by lower sector; no_index where none has been looked for
+  std::size_t number_of_lost_steps_ = 0;                    // of searches that have closed no loop
+  bool are_all_found_ = false;
   std::vector<Lower_contour> contours_of_vertex_; // of the last one
   std::vector<Slab_node> upper_classes_;
-  std::unordered_set<Number> edges_of_fans_;
 };
 
 } // namespace internal

@@ -121,6 +121,11 @@ private:
       const auto [lower, higher] = ends[i];
       const Edge_index edge = edge_of(crossed_edges[i]);
       correct_components(lower, [edge](const Link_sector& sector) { return edge_of(sector.edge) == edge; });
+      if(are_corrections_expensive())
+      {
+        are_paths_walked_late_ = true;
+        break;
+      }
       if(lower != last)
       {
         last = lower;
@@ -134,16 +139,26 @@ private:
       const Vertex_index vertex = corrected.back();
       corrected.pop_back();
       complex_.for_each_edge_around(vertex, [&](Vertex_index neighbor, Halfedge_index) {
+        ++number_of_steps_;
         if(!order_(neighbor, vertex))
           return;
         correct_components(neighbor, [vertex](const Link_sector& sector) { return sector.extreme_neighbor == vertex; });
         if(is_on_known_path(neighbor, vertex))
           correct_path_end(neighbor, corrected);
       });
-      are_paths_walked_late_ = number_of_corrections_ >= critical_vertices_.size();
+      are_paths_walked_late_ = number_of_corrections_ >= critical_vertices_.size() || are_corrections_expensive();
     }
     if(are_paths_walked_late_)
       sweep_.forget_path_ends();
+  }
+
+  // Whether corrections have looked at far more edges and sectors than there are, as many cuts near one vertex that has
+  // many of them do.
+  bool are_corrections_expensive() const
+  {
+    constexpr std::size_t most_steps_per_sector = 16;
+    return number_of_steps_
+         > complex_.number_of_edges() + most_steps_per_sector * critical_vertices_.total_number_of_sectors(Side::UPPER);
   }
 
   void number_critical_vertices()
@@ -160,6 +175,7 @@ private:
     const Number number = (*critical_numbers_)[vertex];
     if(number == 0)
       return;
+    number_of_steps_ += critical_vertices_.number_of_upper_sectors(Swept_index(number - 1));
     for(const Sector_index i : critical_vertices_.sectors(Swept_index(number - 1), Side::UPPER))
     {
       if(is_changed(critical_vertices_.sector(Side::UPPER, i)))
@@ -206,6 +222,7 @@ private:
   std::optional<Zeroed_array<Vertex_index, Number>> critical_numbers_; // from 1 on; 0 if it is not critical
   bool are_paths_walked_late_ = true;                                  // each when its vertex is merged
   std::size_t number_of_corrections_ = 0;
+  std::size_t number_of_steps_ = 0; // of corrections
 };
 
 } // namespace internal

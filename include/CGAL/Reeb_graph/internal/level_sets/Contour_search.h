@@ -17,6 +17,7 @@
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/walks/contour_of_complex.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -25,8 +26,9 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Searches the contours at several edges that cross one level, all at once, so that the largest contour costs no more
-// than the other ones. Edges keep the name of the search that has found them, so no search has to forget anything.
+// Searches the contours at several edges that cross one level, all at once, triangle by triangle, so that the largest
+// contour costs no more than the next one, and the other ones cost nothing when they are complete. Edges keep the name
+// of the search that has found them, so no search has to forget anything.
 class Contour_search
 {
 public:
@@ -41,45 +43,73 @@ public:
     contours_.assign(starts.size(), Contour());
     leaders_.resize(starts.size());
     std::iota(leaders_.begin(), leaders_.end(), std::size_t(0));
-    number_of_contours_ = starts.size();
+    incomplete_ = leaders_;
     for(std::size_t i = 0; i != starts.size(); ++i)
     {
       ++last_search_;
       reach(i, edge_of(starts[i]));
     }
-    while(number_of_contours_ > 1)
+    remove_joined();
+    while(incomplete_.size() > 1)
     {
-      for(std::size_t i = 0; i != starts.size() && number_of_contours_ > 1; ++i)
+      std::size_t number_of_kept = 0;
+      for(const std::size_t i : incomplete_)
       {
-        if(leaders_[i] != i || contours_[i].is_complete)
+        if(leaders_[i] != i)
           continue;
-        if(contours_[i].pending.empty())
-        {
-          contours_[i].is_complete = true;
-          --number_of_contours_;
-          visit(contours_[i].crossed_edges);
-        }
+        if(go_on(i, is_below))
+          incomplete_[number_of_kept++] = i;
         else
-          go_on(i, is_below);
+          completed_.push_back(i);
       }
+      incomplete_.resize(number_of_kept);
+      remove_joined();
+      // One contour stays, even if all have come to their end in this round.
+      if(incomplete_.empty() && !completed_.empty())
+        completed_.pop_back();
+      for(const std::size_t i : completed_)
+        visit(contours_[i].crossed_edges);
+      completed_.clear();
     }
   }
 
+  // How many triangles have been looked at, in all searches.
+  std::size_t number_of_steps() const { return number_of_steps_; }
+
 private:
+  // An edge that has been found, and how many of its triangles have been looked at.
+  struct Pending_edge
+  {
+    Edge_index edge;
+    Number number_of_triangles;
+  };
+
   struct Contour
   {
     std::vector<Halfedge_index> crossed_edges;
-    std::vector<Edge_index> pending; // whose triangles have not been looked at
-    bool is_complete = false;
+    std::vector<Pending_edge> pending;
   };
 
+  // Looks at one triangle. Returns whether there was one.
   template <class IsBelow>
-  void go_on(std::size_t i, const IsBelow& is_below)
+  bool go_on(std::size_t i, const IsBelow& is_below)
   {
-    const Edge_index edge = contours_[i].pending.back();
-    contours_[i].pending.pop_back();
-    for_each_crossed_edge_beside(complex_, edge, is_below,
-                                 [&](Edge_index beside, Triangle_index) { reach(leader(i), beside); });
+    std::vector<Pending_edge>& pending = contours_[i].pending;
+    while(!pending.empty() && pending.back().number_of_triangles == complex_.triangles_of(pending.back().edge).size())
+      pending.pop_back();
+    if(pending.empty())
+      return false;
+    const Edge_index edge = pending.back().edge;
+    const Triangle_index triangle = complex_.triangles_of(edge).begin()[pending.back().number_of_triangles++];
+    ++number_of_steps_;
+    reach(i, crossed_edge_beside(complex_, edge, triangle, is_below));
+    return true;
+  }
+
+  void remove_joined()
+  {
+    const auto is_joined = [this](std::size_t i) { return leaders_[i] != i; };
+    incomplete_.erase(std::remove_if(incomplete_.begin(), incomplete_.end(), is_joined), incomplete_.end());
   }
 
   // An edge belongs to a contour now. If it does already, and to another one, these two are one.
@@ -89,7 +119,7 @@ private:
     {
       searches_[edge] = first_search_ + static_cast<Number>(i);
       contours_[i].crossed_edges.push_back(even_halfedge(edge));
-      contours_[i].pending.push_back(edge);
+      contours_[i].pending.push_back({edge, 0});
       return;
     }
     const std::size_t other = leader(searches_[edge] - first_search_);
@@ -106,7 +136,6 @@ private:
     large.pending.insert(large.pending.end(), small.pending.begin(), small.pending.end());
     small = Contour();
     leaders_[is_smaller ? i : other] = is_smaller ? other : i;
-    --number_of_contours_;
   }
 
   std::size_t leader(std::size_t i) const
@@ -122,7 +151,9 @@ private:
   Number last_search_ = 0;
   std::vector<Contour> contours_;
   std::vector<std::size_t> leaders_;
-  std::size_t number_of_contours_ = 0;
+  std::vector<std::size_t> incomplete_; // and those that have been joined in the present round
+  std::vector<std::size_t> completed_;  // in the present round
+  std::size_t number_of_steps_ = 0;
 };
 
 } // namespace internal

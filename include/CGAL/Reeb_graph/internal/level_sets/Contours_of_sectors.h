@@ -47,11 +47,13 @@ public:
       vertices_(vertices)
   {}
 
-  // By lower sector: the name of its contour, among those of its vertex; no_index at other vertices. Components of the
-  // complex in which none of the vertices in question is can be left out: is_left_out(vertex).
+  // Sets by lower sector of the vertices: the name of its contour, among those of its vertex. Components of the complex
+  // in which none of the vertices in question is can be left out: is_left_out(vertex).
   template <class IsLeftOut>
-  Indexed_vector<Sector_index, Number> operator()(const IsLeftOut& is_left_out)
+  void operator()(const IsLeftOut& is_left_out, Indexed_vector<Sector_index, Number>& contours)
   {
+    if(vertices_.empty())
+      return;
     find_times(is_left_out);
     std::vector<Graph_node> questions;
     std::vector<Number> first_questions;
@@ -66,12 +68,10 @@ public:
     Offline_connectivity connectivity(questions, first_questions);
     const std::vector<Number> components = connectivity(complex_.number_of_edges(), find_links());
     number_of_steps_ = connectivity.number_of_steps();
-    Indexed_vector<Sector_index, Number> result(critical_vertices_.total_number_of_sectors(Side::LOWER), no_index);
     auto component = components.begin();
     for(const Swept_index i : vertices_)
       for(const Sector_index sector : critical_vertices_.sectors(i, Side::LOWER))
-        result[sector] = *component++;
-    return result;
+        contours[sector] = *component++;
   }
 
   std::size_t number_of_steps() const { return number_of_steps_; }

@@ -24,6 +24,24 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+// The other edge that the level crosses of a triangle at a crossed edge.
+template <class IsBelow>
+Edge_index crossed_edge_beside(const Simplicial_complex& complex,
+                               Edge_index crossed_edge,
+                               Triangle_index triangle,
+                               const IsBelow& is_below)
+{
+  // The edges of a triangle are those of its vertices 0 and 1, 0 and 2, 1 and 2.
+  constexpr std::array<std::array<std::size_t, 2>, 3> other_edges = {{{1, 2}, {0, 2}, {0, 1}}};
+  const std::array<Edge_index, 3>& edges = complex.edges_of(triangle);
+  const std::size_t place = edges[0] == crossed_edge ? 0 : (edges[1] == crossed_edge ? 1 : 2);
+  // The first of the two other edges has the lower end of the crossed one; it is not crossed if the apex is on the side
+  // of that end.
+  const bool is_apex_with_end =
+    is_below(complex.vertices_of(triangle)[2 - place]) == is_below(complex.lower_end(crossed_edge));
+  return edges[other_edges[place][is_apex_with_end ? 1 : 0]];
+}
+
 // Calls visit(edge, triangle) for the other edge of each triangle at a crossed edge that the level crosses.
 template <class IsBelow, class Visit>
 void for_each_crossed_edge_beside(const Simplicial_complex& complex,
@@ -31,19 +49,8 @@ void for_each_crossed_edge_beside(const Simplicial_complex& complex,
                                   const IsBelow& is_below,
                                   const Visit& visit)
 {
-  // The edges of a triangle are those of its vertices 0 and 1, 0 and 2, 1 and 2.
-  constexpr std::array<std::array<std::size_t, 2>, 3> other_edges = {{{1, 2}, {0, 2}, {0, 1}}};
-  const Vertex_index end = complex.lower_end(crossed_edge);
-  const bool is_end_below = is_below(end);
   for(const Triangle_index triangle : complex.triangles_of(crossed_edge))
-  {
-    const std::array<Edge_index, 3>& edges = complex.edges_of(triangle);
-    const std::size_t place = edges[0] == crossed_edge ? 0 : (edges[1] == crossed_edge ? 1 : 2);
-    // The first of the two other edges has the lower end of the crossed one; it is not crossed if the apex is on the
-    // side of that end.
-    const bool is_apex_with_end = is_below(complex.vertices_of(triangle)[2 - place]) == is_end_below;
-    visit(edges[other_edges[place][is_apex_with_end ? 1 : 0]], triangle);
-  }
+    visit(crossed_edge_beside(complex, crossed_edge, triangle, is_below), triangle);
 }
 
 // Calls visit(halfedge) for the edges of the contour that crosses the edge of `start`, until a call returns true; see
