@@ -103,6 +103,23 @@ private:
     return number;
   }
 
+  // The end of the tag that begins at a place: the first closing bracket that is not in a quoted value.
+  std::size_t end_of_tag(std::size_t place) const
+  {
+    char quotation = '\0';
+    for(; place < text_.size(); ++place)
+    {
+      const char c = text_[place];
+      if(quotation == '\0' && c == '>')
+        return place;
+      if(quotation == '\0' && (c == '"' || c == '\''))
+        quotation = c;
+      else if(c == quotation)
+        quotation = '\0';
+    }
+    return std::string_view::npos;
+  }
+
   // The next tag from a place on; one without a name at the end of the text. Comments and declarations are left out.
   Tag next_tag(std::size_t begin) const
   {
@@ -114,7 +131,7 @@ private:
       else if(text_.substr(begin, 2) != "<?" && text_.substr(begin, 2) != "<!")
         break;
     }
-    tag.end = begin == std::string_view::npos ? begin : text_.find('>', begin);
+    tag.end = end_of_tag(begin);
     if(tag.end == std::string_view::npos)
       return tag;
     std::string_view inside = text_.substr(begin + 1, tag.end++ - begin - 1);

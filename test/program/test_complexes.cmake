@@ -104,6 +104,10 @@ expect_success(contour ball.mesh --field z --level 0.75 --output isosurface.off)
 expect_success(compute isosurface.off --field x)
 expect_match("${output}" "^surface  4 vertices, 6 edges, 3 faces\n         1 component, 1 border loop")
 
+# a file may end without End
+file(WRITE ${FOLDER}/open.mesh "${begin}Tetrahedra\n3\n1 2 3 4 0\n1 2 4 5 0\n1 2 5 3 0")
+expect_json(3 complex tetrahedra ARGUMENTS open.mesh --field z)
+
 # faces of tetrahedra that are listed, too, change nothing; other triangles and edges belong to the complex
 file(WRITE ${FOLDER}/ball_with_faces.mesh "${begin}Triangles\n1\n2 1 3 7\nEdges\n1\n2 1 7\n"
      "Tetrahedra\n3\n1 2 3 4 0\n1 2 4 5 0\n1 2 5 3 0\nEnd\n")
@@ -138,3 +142,15 @@ file(WRITE ${FOLDER}/raw.vtu "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGr
      "<DataArray Name=\"offsets\" type=\"Int32\">3</DataArray><DataArray Name=\"types\" type=\"Int32\">5</DataArray>"
      "</Cells></Piece></UnstructuredGrid><AppendedData encoding=\"raw\">_<a b=c>d</AppendedData></VTKFile>")
 expect_json(1 arcs ARGUMENTS raw.vtu --field z)
+
+# brackets in attributes of XML end no tag
+file(WRITE ${FOLDER}/brackets.vtu "<VTKFile type=\"UnstructuredGrid\" title='1 > \"0\"'>\n"
+     "<Piece NumberOfPoints=\"4\" NumberOfCells=\"1\">\n<PointData>\n"
+     "<DataArray type=\"Float64\" Name=\"mass > 1\" format=\"ascii\">4 7 5 6</DataArray>\n</PointData>\n<Points>\n"
+     "<DataArray type=\"Float32\" NumberOfComponents=\"3\">0 0 0 1 0 0 0 1 0 0 0 1</DataArray>\n</Points>\n<Cells>\n"
+     "<DataArray type=\"Int32\" Name=\"connectivity\">0 1 2 3</DataArray>\n"
+     "<DataArray type=\"Int32\" Name=\"offsets\">4</DataArray>\n"
+     "<DataArray type=\"UInt8\" Name=\"types\">10</DataArray>\n</Cells>\n</Piece>\n</VTKFile>\n")
+expect_success(compute brackets.vtu --field "mass > 1" --vertex-arcs arcs.txt)
+file(READ ${FOLDER}/arcs.txt content)
+expect_equal("${content}" "node 0\nnode 1\narc 0\narc 0\n")

@@ -143,7 +143,7 @@ foreach(content
     "edge 0 has vertex 1 at two of its corners|Edges 1\n2 2 0\nEnd\n"
     "wrong.mesh:10: there is no vertex 0|Tetrahedra 1\n0 2 3 4 0\nEnd\n"
     "wrong.mesh:9: 'Hexahedra' is no section|Hexahedra 1\n1 2 3 4 1 2 3 4 0\nEnd\n"
-    "no line End|Tetrahedra 1\n1 2 3 4 0\n")
+    "a number is missing|Tetrahedra 2\n1 2 3 4 0\n")
   string(REPLACE "|" ";" content "${content}")
   list(GET content 0 pattern)
   list(GET content 1 cells)
