@@ -52,7 +52,8 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
 /// ascending pairs of indices.
 ///
 /// \tparam ConcurrencyTag as for `compute_reeb_graph()`. The complex is built by one thread.
-/// \tparam PointsOrNumber a range of points, or an integer type
+/// \tparam PointsOrNumber any range of points, as they are only counted, or an integer type; the constructors of
+///         `Reeb_graph::Soup_augmentation` and `Reeb_graph::Tetrahedra_augmentation` need a random access range
 /// \tparam TriangleRange a range of ranges of indices, as for the polygon soups of \cgal, such as
 ///         `std::vector<std::array<std::size_t, 3>>` and `std::vector<std::vector<int>>`
 /// \tparam ScalarRange a random access range of scalar values
@@ -80,7 +81,8 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
 /// \cgalNamedParamsEnd
 ///
 /// The named parameters `keep_degree_two_nodes`, `ties`, `method`, `number_of_slabs`, `callback` and `visitor` are those
-/// of `compute_reeb_graph()`.
+/// of `compute_reeb_graph()`. Each slab looks at the whole complex once, so many slabs cost more than the default, which
+/// is one.
 ///
 /// Let there be \f$ n \f$ vertices, edges and triangles, and let \f$ l \f$ be the number of edges that are crossed by the
 /// contours that close loops, of which there are at most as many as the first Betti number of the complex. By default,

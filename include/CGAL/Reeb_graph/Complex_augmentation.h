@@ -141,7 +141,9 @@ public:
   Contour contour_above(arc_descriptor arc, vertex_descriptor v) const { return contours_.above_vertex(arc, v); }
 
   /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
-  /// connected components of a level set, in the order of the arcs. No two of them have a point in common.
+  /// connected components of a level set, in the order of the arcs. No two of them have a point in common. It takes time
+  /// linear in the arcs of the graph, and for each contour that of `contour()`, with the degree of the lower-numbered end
+  /// of the edge it starts from.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether the contours are
   ///         traced in parallel
@@ -176,7 +178,8 @@ public:
   }
 
   /// \brief returns what a node stands for: the contours just below and just above it that touch it, each with its
-  /// arc, and its star.
+  /// arc, and its star. It takes the time of `contour()` for each of its arcs, so the degree of the node can count once
+  /// for each of them.
   ///
   /// \exception Unknown_node_error if `node` is not a node of the graph
   Critical_set critical_set(node_descriptor node) const
@@ -188,9 +191,9 @@ public:
 
   /// \brief finds the place of each vertex of the complex in the graph: the segmentation by the arcs.
   ///
-  /// It takes hardly longer than computing the graph again where arcs are long for the size of the cells; else the time of
-  /// sorting all vertices and computing the graph with all of them: near-linear for any field. Where many contours meet
-  /// few vertices, as in solids, the first is so for very smooth fields only.
+  /// It takes hardly longer than computing the graph again where arcs are long for the size of the cells; else the time
+  /// of sorting all vertices and computing the graph with all of them: near-linear for any field. Where many contours
+  /// meet few vertices, as in solids, the first is so for very smooth fields only.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

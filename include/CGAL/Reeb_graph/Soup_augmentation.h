@@ -29,8 +29,8 @@ namespace Reeb_graph {
 ///
 /// \brief the way from the Reeb graph of a triangle soup back to it.
 ///
-/// A contour is a graph in the triangles, see `Soup_contour`: on a surface a curve, elsewhere curves that meet where an edge
-/// has more than two triangles.
+/// A contour is a graph in the triangles, see `Soup_contour`: on a surface a curve, elsewhere curves that meet where an
+/// edge has more than two triangles.
 ///
 /// \tparam Scalar the type of the scalar values. It is deduced by
 ///         `Soup_augmentation augmentation(points, triangles, scalars, graph, np)`, as the other types are.
@@ -64,8 +64,8 @@ public:
   ///        `geom_traits` count; and for a graph made by `simplify()`, what that has returned, as named parameter
   ///        `simplification`, if vertices are to be located
   ///
-  /// \exception Graph_mismatch_error if a node is not a vertex with its value, or an arc none that `ties` gives. That all
-  ///            nodes and arcs are there is checked by `locate_vertices()` only.
+  /// \exception Graph_mismatch_error if a node is not a vertex with its value, or an arc none that `ties` gives. That
+  ///            all nodes and arcs are there is checked by `locate_vertices()` only.
   ///
   /// and the exceptions of `compute_reeb_graph_of_soup()`.
   template <class PointsOrNumber,

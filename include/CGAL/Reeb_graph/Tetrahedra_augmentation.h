@@ -29,10 +29,11 @@ namespace Reeb_graph {
 ///
 /// \brief the way from the Reeb graph of a tetrahedral mesh back to it.
 ///
-/// A contour is a component of an isosurface, see `Isosurface_patch`. Which side of it is the higher one, the points tell,
-/// if they are those of a three-dimensional kernel; tetrahedra of volume zero, and all if only the number of vertices is
-/// given, are taken as positively oriented, as in \cgal: the last vertex is on the side from which the others appear
-/// counterclockwise. Where tetrahedra contradict their neighbors, the triangles are oriented as most of them are.
+/// A contour is a component of an isosurface, see `Isosurface_patch`. Which side of it is the higher one, the points
+/// tell, if they are those of a three-dimensional kernel; tetrahedra of volume zero, and all if only the number of
+/// vertices is given, are taken as positively oriented, as in \cgal: the last vertex is on the side from which the
+/// others appear counterclockwise. Where tetrahedra contradict their neighbors, the triangles are oriented as most of
+/// them are.
 ///
 /// \tparam Scalar the type of the scalar values. It is deduced by
 ///         `Tetrahedra_augmentation augmentation(points, tetrahedra, scalars, graph, np)`, as the other types are.
@@ -66,8 +67,8 @@ public:
   ///        `geom_traits` count; and for a graph made by `simplify()`, what that has returned, as named parameter
   ///        `simplification`, if vertices are to be located
   ///
-  /// \exception Graph_mismatch_error if a node is not a vertex with its value, or an arc none that `ties` gives. That all
-  ///            nodes and arcs are there is checked by `locate_vertices()` only.
+  /// \exception Graph_mismatch_error if a node is not a vertex with its value, or an arc none that `ties` gives. That
+  ///            all nodes and arcs are there is checked by `locate_vertices()` only.
   ///
   /// and the exceptions of `compute_reeb_graph_of_tetrahedra()`.
   template <class PointsOrNumber,

@@ -105,7 +105,8 @@ Field_report compute_mean_curvature(const FaceListGraph& mesh,
 /// \param field_map the result
 /// \param right_side_map the function \f$ h \f$
 /// \param constraints vertices with their values, at least one in each connected component
-/// \param np `sparse_linear_solver`, `solver_tolerance`, `callback` and `vertex_point_map` as for `compute_harmonic_field()`
+/// \param np `sparse_linear_solver`, `solver_tolerance`, `callback` and `vertex_point_map` as for
+///        `compute_harmonic_field()`
 ///
 /// \returns what was changed because of bad faces, see `Field_report`
 ///

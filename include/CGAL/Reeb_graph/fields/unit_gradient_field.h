@@ -51,12 +51,13 @@ namespace Reeb_graph {
 /// \param mesh the triangulated surface, of any number of components; it is only read
 /// \param scalar_map the field
 /// \param field_map the result
-/// \param np `sparse_linear_solver`, `solver_tolerance`, `callback` and `vertex_point_map` as for `compute_harmonic_field()`
+/// \param np `sparse_linear_solver`, `solver_tolerance`, `callback` and `vertex_point_map` as for
+///        `compute_harmonic_field()`
 ///
 /// \returns what was changed because of bad faces, see `Field_report`
 ///
-/// The exceptions are those of `compute_gradient()`, `Solver_tolerance_error`, `Linear_solver_error`, and `Cancelled_error`. When one is thrown,
-/// `field_map` is as it was before.
+/// The exceptions are those of `compute_gradient()`, `Solver_tolerance_error`, `Linear_solver_error`, and
+/// `Cancelled_error`. When one is thrown, `field_map` is as it was before.
 template <class FaceListGraph,
           class ScalarMap,
           class FieldMap,

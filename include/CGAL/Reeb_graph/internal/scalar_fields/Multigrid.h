@@ -67,8 +67,8 @@ Row_matrix make_row_matrix(const Problem& problem)
 }
 
 // A preconditioner for matrices with a positive diagonal and mostly negative entries beside it, which come from a graph
-// and are symmetric or nearly so: one V-cycle of algebraic multigrid by smoothed aggregation. It takes time and memory
-// in proportion to the entries of the matrix.
+// and are symmetric or nearly so: one V-cycle of algebraic multigrid by smoothed aggregation. It usually takes time and
+// memory in proportion to the entries of the matrix; rows of many entries can make the coarser ones dense.
 class Multigrid
 {
 public:
