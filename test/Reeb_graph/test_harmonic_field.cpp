@@ -13,6 +13,7 @@
 #include "generated_surfaces/random_meshes.h"
 
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/solve_iteratively.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <CGAL/Polygon_mesh_processing/border.h>
@@ -651,6 +652,36 @@ BOOST_AUTO_TEST_CASE(multigrid_finds_the_field_that_factorization_finds)
         }
         BOOST_TEST(field_checks::fault_of_extrema(soup, poles, field.values) == "");
       }
+}
+
+BOOST_AUTO_TEST_CASE(a_solution_after_half_a_step_is_kept)
+{
+  typedef std::vector<double> Values;
+  // x / 4 = b without a preconditioner: after the first half of a step, the residual is exactly zero.
+  struct System
+  {
+    void multiply(const Values& x, Values& product) const
+    {
+      std::transform(x.begin(), x.end(), product.begin(), [](double value) { return value / 4; });
+    }
+
+    void compute_residual(const Values& x, Values& residual) const
+    {
+      multiply(x, residual);
+      std::transform(residual.begin(), residual.end(), right_side.begin(), residual.begin(),
+                     [](double product, double value) { return value - product; });
+    }
+
+    void precondition(const Values& residual, Values& correction) const { correction = residual; }
+
+    Values right_side;
+  };
+  System system = {{1, -2, 3}};
+  const auto solution =
+    CGAL::Reeb_graph::internal::scalar_fields::solve_iteratively(system, system.right_side, {1e-12, 0}, 10);
+  BOOST_TEST(solution.is_accurate);
+  BOOST_TEST(solution.number_of_steps == 1);
+  BOOST_TEST(solution.values == Values({4, -8, 12}), boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(where_multigrid_fails_a_matrix_is_factorized)

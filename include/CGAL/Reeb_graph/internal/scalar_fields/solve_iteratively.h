@@ -96,13 +96,15 @@ std::size_t take_biconjugate_steps(System& system, Values residual, const Step_l
     system.precondition(direction, y);
     system.multiply(y, v);
     alpha = rho / inner_product(shadow, v);
+    if(!std::isfinite(alpha))
+      return step;
+    add(solution, alpha, y);
     add(residual, -alpha, v);
     system.precondition(residual, z);
     system.multiply(z, t);
     omega = inner_product(t, residual) / inner_product(t, t);
-    if(!std::isfinite(alpha) || !std::isfinite(omega) || omega == 0)
-      return step;
-    add(solution, alpha, y);
+    if(!std::isfinite(omega) || omega == 0)
+      return step + 1; // a residual of zero after the first half of the step, which is the solution, gives 0 / 0
     add(solution, omega, z);
     add(residual, -omega, t);
     if(std::abs(alpha) * largest_absolute_value(y) + std::abs(omega) * largest_absolute_value(z) < limits.change)
