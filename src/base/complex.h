@@ -14,9 +14,9 @@
 #include <CGAL/Reeb_graph_soup_traits.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -31,7 +31,9 @@ struct Complex
   std::vector<std::array<std::uint32_t, 4>> tetrahedra;
   bool has_triangles_and_tetrahedra() const { return !triangles.empty() && !tetrahedra.empty(); }
 
-  std::string obstacle; // why they are no oriented manifold surface, and what helps
+  // Faces of the file that repeat an earlier one, in either orientation.
+  std::size_t duplicate_faces = 0;
+  std::optional<std::size_t> first_duplicate_face;
 };
 
 // What a mesh file has: an oriented manifold surface or, if there is a complex, a surface that has its vertices only.

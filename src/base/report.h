@@ -32,7 +32,7 @@ struct Surface_counts
 };
 
 // A complex that is no oriented manifold surface. Vertices are numbered from 0; edges come in the order of their two
-// vertices. Where there are tetrahedra, places are not counted.
+// vertices. Where there are tetrahedra, neither edges of many faces nor fans are counted.
 struct Complex_counts
 {
   struct Edge_of_many_faces
@@ -55,8 +55,11 @@ struct Complex_counts
     return static_cast<long>(vertices + triangles) - static_cast<long>(edges + tetrahedra);
   }
 
+  std::size_t duplicate_faces = 0;     // that repeat an earlier one of the file
   std::size_t edges_of_many_faces = 0; // more than two
   std::size_t vertices_of_several_fans = 0;
+  std::optional<std::pair<std::size_t, std::size_t>> first_edge_without_triangles;
+  std::optional<std::size_t> first_duplicate_face;
   std::optional<Edge_of_many_faces> first_edge_of_many_faces;
   std::optional<Vertex_of_several_fans> first_vertex_of_several_fans;
   // That at which no orientation of its two triangles goes with those before it.

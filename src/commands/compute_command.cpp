@@ -12,6 +12,7 @@
 #include "commands/commands.h"
 #include "computation/analysis.h"
 #include "computation/augmentation.h"
+#include "computation/complex_counts.h"
 #include "computation/complex_graph.h"
 #include "computation/embedding.h"
 #include "computation/simplification.h"
@@ -222,7 +223,8 @@ void check_for_complex(const Compute_options& options, const Complex& complex)
 {
   const auto check_left_out = [&](bool is_left_out, const std::string& option) {
     if(!is_left_out)
-      throw Input_error(options.input.mesh_path, option + " needs an oriented manifold surface; " + complex.obstacle);
+      throw Input_error(options.input.mesh_path,
+                        option + " needs an oriented manifold surface; " + describe_obstacle(complex));
   };
   check_left_out(options.page_path.empty(), "--html");
   check_left_out(options.mesh_path.empty(), "--mesh-out");

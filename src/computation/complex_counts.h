@@ -12,9 +12,14 @@
 #include "base/complex.h"
 #include "base/report.h"
 
+#include <string>
+
 namespace reeb_graph_program {
-// Counts the cells of the complex, and the places where it is no surface.
+// Counts the cells of the complex, none of whose edges is one of a triangle, and the places where it is no surface.
 Complex_counts count_complex(const Complex& complex);
+
+// Why the complex is no oriented manifold surface, and what helps.
+std::string describe_obstacle(const Complex& complex);
 
 // Takes out of the complex what is a face of its other cells, and what is there before.
 void remove_faces_of_cells(Complex& complex);

@@ -9,6 +9,7 @@
 #include "input/field_input.h"
 
 #include "base/stopwatch.h"
+#include "computation/complex_counts.h"
 #include "computation/distances_along_edges.h"
 #include "computation/scalar_fields.h"
 #include "input/input_error.h"
@@ -63,8 +64,8 @@ Mesh read_mesh(const Input_options& options, Work_report& report)
   Mesh mesh = read_mesh(options.mesh_path, options.are_faces_triangulated, vertex_property(options));
   report.add_seconds("read", stopwatch.seconds());
   if(mesh.complex && is_computed(options.field) && options.field != "height" && options.field != "geodesic")
-    throw Input_error(options.mesh_path,
-                      "the field " + options.field + " needs an oriented manifold surface; " + mesh.complex->obstacle);
+    throw Input_error(options.mesh_path, "the field " + options.field + " needs an oriented manifold surface; "
+                                           + describe_obstacle(*mesh.complex));
   return mesh;
 }
 
@@ -72,7 +73,8 @@ Surface read_surface(const Input_options& options, Work_report& report)
 {
   Mesh mesh = read_mesh(options, report);
   if(mesh.complex)
-    throw Input_error(options.mesh_path, "the mesh is no oriented manifold surface; " + mesh.complex->obstacle);
+    throw Input_error(options.mesh_path,
+                      "the mesh is no oriented manifold surface; " + describe_obstacle(*mesh.complex));
   return std::move(mesh.surface);
 }
 

@@ -10,6 +10,7 @@
 
 #include "computation/complex_counts.h"
 #include "input/assemble_surface.h"
+#include "input/find_duplicates.h"
 #include "input/input_error.h"
 #include "input/mesh_formats.h"
 #include "input/text_input.h"
@@ -122,27 +123,6 @@ void check_simplices(const std::string& path,
   }
 }
 
-// Notes the first place at which CGAL cannot orient the faces without cutting the surface open. CGAL copies the
-// visitor, hence the pointer.
-struct Obstacle_finder : PMP::Default_orientation_visitor
-{
-  explicit Obstacle_finder(std::optional<std::string>& obstacle) : obstacle(&obstacle) {}
-
-  void non_manifold_edge(std::size_t u, std::size_t v, std::size_t number_of_faces)
-  {
-    if(!*obstacle)
-      *obstacle = "the edge between the vertices " + std::to_string(u) + " and " + std::to_string(v) + " has "
-                + std::to_string(number_of_faces) + " faces";
-  }
-  void duplicated_vertex(std::size_t v, std::size_t)
-  {
-    if(!*obstacle)
-      *obstacle = "the surface is not manifold, or not orientable, at vertex " + std::to_string(v);
-  }
-
-  std::optional<std::string>* obstacle;
-};
-
 // Whether an edge of the soup is on none of its polygons.
 bool has_free_edges(const Polygon_soup& soup)
 {
@@ -165,15 +145,14 @@ bool has_free_edges(const Polygon_soup& soup)
   });
 }
 
-// Orients the faces consistently. Returns why that cannot be done, else an empty string.
-std::string orient(Polygon_soup& soup)
+// Orients the faces consistently. Returns whether that can be done.
+bool orient(Polygon_soup& soup)
 {
   std::vector<std::vector<std::size_t>> polygons;
   for(std::size_t i = 0; i < soup.polygons.size(); ++i)
     polygons.emplace_back(soup.polygons[i].begin(), soup.polygons[i].end());
-  std::optional<std::string> obstacle;
-  if(!PMP::orient_polygon_soup(soup.points, polygons, CGAL::parameters::visitor(Obstacle_finder(obstacle))))
-    return obstacle.value_or("the surface is not manifold, or not orientable");
+  if(!PMP::orient_polygon_soup(soup.points, polygons))
+    return false;
   soup.polygons = Polygons();
   for(const std::vector<std::size_t>& polygon : polygons)
   {
@@ -181,27 +160,21 @@ std::string orient(Polygon_soup& soup)
       soup.polygons.add_corner(v);
     soup.polygons.end_polygon();
   }
-  return "";
+  return true;
 }
 
-// Makes the surface of all that is in the soup. Returns why there is none, and what helps, else an empty string.
-std::string make_surface(const Polygon_soup& soup, Surface& surface)
+// Makes the surface of all that is in the soup. Returns false if there is none. The two sides of a polygon are a closed
+// surface, but the same side twice is no matter of orientation.
+bool make_surface(const Polygon_soup& soup, Surface& surface)
 {
-  if(!soup.tetrahedra.empty())
-    return "the mesh has tetrahedra: the surface around a volume, as CGAL::facets_in_complex_3_to_triangle_mesh() "
-           "makes "
-           "it of a C3t3, is one";
-  if(has_free_edges(soup))
-    return "an edge is on no face";
+  if(!soup.tetrahedra.empty() || has_free_edges(soup))
+    return false;
   if(assemble_surface(soup, surface))
-    return "";
+    return true;
+  if(find_duplicates(soup.polygons, true).number > 0)
+    return false;
   Polygon_soup oriented = {soup.points, soup.polygons, {}, {}, {}};
-  std::string obstacle = orient(oriented);
-  if(obstacle.empty() && assemble_surface(oriented, surface))
-    return "";
-  if(obstacle.empty())
-    obstacle = "the faces do not form a manifold surface";
-  return obstacle + "; CGAL::Polygon_mesh_processing::orient_polygon_soup() cuts a mesh open there";
+  return orient(oriented) && assemble_surface(oriented, surface);
 }
 
 void triangulate(const std::string& path, Surface& surface)
@@ -268,10 +241,10 @@ Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::
   check_simplices(path, "edge", soup.edges, soup.points.size());
   check_simplices(path, "tetrahedron", soup.tetrahedra, soup.points.size());
   Mesh mesh;
-  const std::string obstacle = make_surface(soup, mesh.surface);
-  if(!obstacle.empty())
+  if(!make_surface(soup, mesh.surface))
   {
-    mesh.complex = Complex{soup.edges, triangles_of(path, soup), soup.tetrahedra, obstacle};
+    const Duplicates duplicates = find_duplicates(soup.polygons, false);
+    mesh.complex = Complex{soup.edges, triangles_of(path, soup), soup.tetrahedra, duplicates.number, duplicates.first};
     remove_faces_of_cells(*mesh.complex);
     make_vertices(soup.points, mesh.surface);
   }

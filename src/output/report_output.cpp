@@ -63,8 +63,13 @@ void write_counts(std::ostream& out, const Complex_counts& complex)
     out << ", " << count(complex.tetrahedra, "tetrahedron", "tetrahedra");
   out << "\n         " << count(complex.components, "component") << ", Euler characteristic "
       << complex.euler_characteristic();
-  if(complex.edges_without_triangles > 0)
-    out << "\n         " << count(complex.edges_without_triangles, "edge") << " on no triangle";
+  if(const auto& edge = complex.first_edge_without_triangles)
+    out << "\n         " << count(complex.edges_without_triangles, "edge") << " on no triangle, the first one, "
+        << "of the vertices " << edge->first << " and " << edge->second;
+  if(complex.first_duplicate_face)
+    out << "\n         "
+        << count(complex.duplicate_faces, "face that repeats an earlier one", "faces that repeat earlier ones")
+        << ", the first one, face " << *complex.first_duplicate_face;
   if(const auto& edge = complex.first_edge_of_many_faces)
     out << "\n         " << count(complex.edges_of_many_faces, "edge")
         << " with more than two triangles, the first one, "
@@ -109,14 +114,24 @@ nlohmann::ordered_json json_of(const Complex_counts& complex)
   json["border_loops"] = nullptr;
   json["euler_characteristic"] = complex.euler_characteristic();
   json["genus"] = nullptr;
+  const auto number_of_places = [&](std::size_t number) { // which are not counted where there are tetrahedra
+    return complex.tetrahedra == 0 ? nlohmann::ordered_json(number) : nlohmann::ordered_json();
+  };
   nlohmann::ordered_json& places = json["complex"];
   places["tetrahedra"] = complex.tetrahedra;
   places["edges_without_faces"] = complex.edges_without_triangles;
-  places["edges_of_many_faces"] = complex.edges_of_many_faces;
+  places["first_edge_without_faces"] = nullptr;
+  if(const auto& edge = complex.first_edge_without_triangles)
+    places["first_edge_without_faces"] = {edge->first, edge->second};
+  places["duplicate_faces"] = complex.duplicate_faces;
+  places["first_duplicate_face"] = nullptr;
+  if(complex.first_duplicate_face)
+    places["first_duplicate_face"] = *complex.first_duplicate_face;
+  places["edges_of_many_faces"] = number_of_places(complex.edges_of_many_faces);
   places["first_edge_of_many_faces"] = nullptr;
   if(const auto& edge = complex.first_edge_of_many_faces)
     places["first_edge_of_many_faces"] = {{"vertices", {edge->u, edge->v}}, {"faces", edge->faces}};
-  places["vertices_of_several_fans"] = complex.vertices_of_several_fans;
+  places["vertices_of_several_fans"] = number_of_places(complex.vertices_of_several_fans);
   places["first_vertex_of_several_fans"] = nullptr;
   if(const auto& vertex = complex.first_vertex_of_several_fans)
     places["first_vertex_of_several_fans"] = {{"vertex", vertex->vertex}, {"fans", vertex->fans}};

@@ -112,13 +112,21 @@ expect_error("edge between the vertices 0 and 1 has 3 faces; .*orient_polygon_so
              --field z ${pants})
 file(WRITE ${FOLDER}/two_fans.off
      "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n3 0 1 2\n3 0 3 4\n")
-expect_error("at vertex 0; .*orient_polygon_soup" curves two_fans.off --field x ${pants})
+expect_error("the faces at vertex 0 form 2 fans; .*orient_polygon_soup" curves two_fans.off --field x ${pants})
 file(WRITE ${FOLDER}/two_closed_fans.off "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n"
      "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 0 5 6\n")
-expect_error("at vertex 0" curves two_closed_fans.off --field x ${pants})
+expect_error("the faces at vertex 0 form 2 fans" curves two_closed_fans.off --field x ${pants})
 file(WRITE ${FOLDER}/moebius_strip.off "OFF\n5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n0 0 2\n"
      "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n")
-expect_error("not orientable, at vertex [0-4]" curves moebius_strip.off --field z ${pants})
+expect_error("cannot be oriented, which shows at the edge of the vertices [0-4] and [0-4]; .*orient_polygon_soup"
+             curves moebius_strip.off --field z ${pants})
+file(WRITE ${FOLDER}/duplicate.off "OFF\n4 5 0\n0 0 0\n1 0 1\n0 1 2\n1 1 3\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n3 3 0 2\n")
+expect_error("1 face repeats an earlier one, the first one, face 4; .*merge_duplicate_polygons_in_polygon_soup"
+             curves duplicate.off --field z ${pants})
+file(WRITE ${FOLDER}/free_edges.mesh "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 1 0\n0 1 2 0\n"
+     "0 0 3 0\n0 0 4 0\nTriangles\n1\n1 2 3 0\nEdges\n3\n1 2 0\n5 4 0\n4 2 0\nEnd\n")
+expect_error("2 edges are on no face, the first one, of the vertices 1 and 3; without such edges" curves free_edges.mesh
+             --field z ${pants})
 
 # what else needs one
 foreach(option "--html page.html" "--mesh-out mesh.ply" "--table" "--embedding centroids;--graph graph.obj"

@@ -1,0 +1,30 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_FIND_DUPLICATES_H
+#define CGAL_REEB_GRAPH_SRC_FIND_DUPLICATES_H
+
+#include "input/Polygon_soup.h"
+
+#include <cstddef>
+#include <optional>
+
+namespace reeb_graph_program {
+// Polygons that repeat an earlier one.
+struct Duplicates
+{
+  std::size_t number = 0;
+  std::optional<std::size_t> first;
+};
+
+// Polygons are the same if their vertices are, in the same cyclic order, or, unless that is asked for, the opposite one.
+Duplicates find_duplicates(const Polygons& polygons, bool have_same_orientation);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_FIND_DUPLICATES_H
