@@ -56,6 +56,7 @@ int main(int argc, char* argv[])
   // the product of the distances to two points: their surroundings are apart up to a value, and one above it
   const Point a(0.31, 0.35, 0.42), b(0.72, 0.64, 0.55);
   std::vector<double> values;
+  values.reserve(points.size());
   for(const Point& p : points)
     values.push_back(std::sqrt(CGAL::squared_distance(p, a) * CGAL::squared_distance(p, b)));
 

@@ -29,6 +29,7 @@ int main(int argc, char* argv[])
   }
 
   std::vector<double> heights;
+  heights.reserve(points.size());
   for(const Point& point : points)
     heights.push_back(point.z());
 
