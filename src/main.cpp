@@ -144,7 +144,8 @@ void add_compute_command(CLI::App& app, Compute_options& options)
     ->add_option_function<std::string>("--embedding", set_embedding,
                                        "Where the arcs of a graph in space are: centroids of contours (centroids, the "
                                        "default), chains (on-surface), or straight lines (straight, the default for "
-                                       ".csv), which leave nodes at their vertices")
+                                       ".csv), which leave nodes at their vertices; what is no oriented manifold "
+                                       "surface has straight ones only")
     ->check(CLI::IsMember({"centroids", "on-surface", "straight"}));
   command->add_option(
     "--mesh-out", options.mesh_path,

@@ -43,9 +43,6 @@ std::size_t write_contours_on_surface(const Contour_options& options, Surface& s
 
 std::size_t write_contours_in_complex(const Contour_options& options, Mesh& mesh, Work_report& report)
 {
-  if(mesh.complex->has_triangles_and_tetrahedra())
-    throw Input_error(options.input.mesh_path, "there are triangles that are faces of no tetrahedron: contours of such "
-                                               "a mesh are neither polylines nor triangles");
   const Scalar_map scalar_map = add_field(options.input, mesh, report);
   const Complex_contours contours = find_contours(mesh, scalar_map, options.choice);
   check_is_there(contours.number > 0, options.choice.level);
@@ -63,6 +60,9 @@ void run_contour(const Contour_options& options)
   check_simplification_options(options.choice.simplification);
   Work_report report;
   Mesh mesh = read_mesh(options.input, report);
+  if(mesh.complex && mesh.complex->has_triangles_and_tetrahedra())
+    throw Input_error(options.input.mesh_path, "there are triangles that are faces of no tetrahedron: contours of such "
+                                               "a mesh are neither polylines nor triangles");
   const bool has_tetrahedra = mesh.complex && !mesh.complex->tetrahedra.empty();
   check_contour_format(options.output_path, has_tetrahedra);
   const std::size_t number = mesh.complex ? write_contours_in_complex(options, mesh, report)

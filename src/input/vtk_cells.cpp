@@ -53,7 +53,8 @@ Corner_counts corner_counts(const std::string& path, std::size_t type)
   case TETRA: return {4, 4};
   default:
     throw Input_error(path, "cells of type " + std::to_string(type)
-                              + " of VTK are not read: cells are points, lines, triangles, polygons, or tetrahedra");
+                              + " of VTK are not read: the types are 1 to 10, points, lines, triangles, strips of "
+                                "triangles, polygons, pixels, quadrilaterals, and tetrahedra");
   }
 }
 

@@ -162,7 +162,7 @@ set(vtk_points "# vtk DataFile Version 3.0\nwrong\nASCII\nDATASET UNSTRUCTURED_G
                "0 0 0 1 0 0 0 1 0 0 0 1\n")
 string(JOIN "" vtk_points ${vtk_points})
 foreach(content
-    "cells of type 12 of VTK are not read|CELLS 1 9\n8 0 1 2 3 0 1 2 3\nCELL_TYPES 1\n12\n"
+    "cells of type 12 of VTK are not read: the types are 1 to 10|CELLS 1 9\n8 0 1 2 3 0 1 2 3\nCELL_TYPES 1\n12\n"
     "a cell of type 10 of VTK cannot have 3 vertices|CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n"
     "there are 1 cells, and types of 0|CELLS 1 5\n4 0 1 2 3\n"
     "tetrahedron 0 has a vertex that does not exist|CELLS 1 5\n4 0 1 2 4\nCELL_TYPES 1\n10\n"
