@@ -92,7 +92,7 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
 ///
 /// \exception Reeb_graph::Non_triangular_face_error if a face has not three vertices
 /// \exception Reeb_graph::Degenerate_face_error if a face has one vertex at two corners
-/// \exception Reeb_graph::Degenerate_edge_error if an edge has one vertex at both ends
+/// \exception Reeb_graph::Degenerate_edge_error if an edge has not two different vertices
 /// \exception Reeb_graph::Vertex_out_of_range_error if an index is not one of a vertex
 /// \exception Reeb_graph::Scalar_count_error if there is not one value for each vertex
 /// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN, or the order of the values is found to be

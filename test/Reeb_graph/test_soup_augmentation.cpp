@@ -521,6 +521,16 @@ BOOST_AUTO_TEST_CASE(graphs_and_arguments_that_do_not_fit)
                     Vertex_out_of_range_error);
   BOOST_CHECK_THROW(augment(5, std::vector<std::vector<int>>{{0, 1, 0}}, values, graph, np), Degenerate_face_error);
   BOOST_CHECK_THROW(Tetrahedra_augmentation(5, complex.triangles, values, graph), Non_tetrahedral_cell_error);
+  for(const std::vector<int>& edge : {std::vector<int>{2}, std::vector<int>{0, 1, 2}, std::vector<int>{2, 2}})
+  {
+    const std::vector<std::vector<int>> edges = {{0, 1}, edge};
+    BOOST_CHECK_EXCEPTION(augment(5, complex.triangles, values, graph, parameters::edges(edges)), Degenerate_edge_error,
+                          [](const auto& error) {
+                            return error.edge() == 1
+                                && std::string(error.what()).find("edge 1 has not two different vertices")
+                                     != std::string::npos;
+                          });
+  }
 
   // the ties of another graph
   const std::vector<double> tied_values = {1, 1, 1, 1, 1};

@@ -120,7 +120,8 @@ file(WRITE ${FOLDER}/moebius_strip.off "OFF\n5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n
      "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n")
 expect_error("cannot be oriented, which shows at the edge of the vertices [0-4] and [0-4]; .*orient_polygon_soup"
              curves moebius_strip.off --field z ${pants})
-file(WRITE ${FOLDER}/duplicate.off "OFF\n4 5 0\n0 0 0\n1 0 1\n0 1 2\n1 1 3\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n3 3 0 2\n")
+file(WRITE ${FOLDER}/duplicate.off "OFF\n4 5 0\n0 0 0\n1 0 1\n0 1 2\n1 1 3\n"
+     "3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n3 3 0 2\n")
 expect_error("1 face repeats an earlier one, the first one, face 4; .*merge_duplicate_polygons_in_polygon_soup"
              curves duplicate.off --field z ${pants})
 file(WRITE ${FOLDER}/free_edges.mesh "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 1 0\n0 1 2 0\n"

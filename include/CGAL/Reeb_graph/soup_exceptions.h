@@ -22,13 +22,13 @@ namespace Reeb_graph {
 /// \addtogroup PkgReebGraphExceptions
 /// @{
 
-/// \brief thrown for an edge of the named parameter `edges` that has the same vertex at both ends.
+/// \brief thrown for an edge of the named parameter `edges` that has not two different vertices.
 class Degenerate_edge_error : public Error
 {
 public:
   /// constructs the exception for the edge at position `edge`.
   explicit Degenerate_edge_error(std::size_t edge)
-    : Error(message("edge ", edge, " has one vertex at both ends")),
+    : Error(message("edge ", edge, " has not two different vertices")),
       edge_(edge)
   {}
 
