@@ -15,7 +15,8 @@ set(rooms_below_simplification base mesh scalar_fields)
 set(rooms_below_curves base mesh scalar_fields simplification)
 set(rooms_below_embedding base mesh)
 set(rooms_below_drawing base output simplification)
-set(rooms ${stages} augmentation embedding scalar_fields simplification curves drawing)
+set(rooms_below_distributed ${stages} public)
+set(rooms ${stages} augmentation embedding scalar_fields simplification curves drawing distributed)
 
 # the public headers that the stages may include: small ones, which include none of the others
 set(small_headers exceptions.h soup_exceptions.h options.h Node_kind.h Critical_vertex_counts.h)
@@ -23,6 +24,7 @@ set(small_headers exceptions.h soup_exceptions.h options.h Node_kind.h Critical_
 set(room_of_fields scalar_fields)
 set(room_of_simplification simplification)
 set(room_of_curves curves)
+set(room_of_distributed distributed)
 # the public headers outside of these folders that belong to a room on top
 set(headers_of_drawing CGAL/Reeb_graph/plane_layout.h CGAL/Reeb_graph/IO/svg.h)
 # the public folder that is not on top
@@ -63,7 +65,7 @@ foreach(header IN LISTS headers)
     if(NOT room IN_LIST rooms)
       message(SEND_ERROR "${header} lies in no room: ${rooms}")
     endif()
-  elseif(header MATCHES "^CGAL/Reeb_graph/(fields|simplification|curves)/")
+  elseif(header MATCHES "^CGAL/Reeb_graph/(fields|simplification|curves|distributed)/")
     set(room ${room_of_${CMAKE_MATCH_1}})
   elseif(header IN_LIST headers_of_drawing)
     set(room drawing)

@@ -1,0 +1,93 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+#ifndef CGAL_REEB_GRAPH_DISTRIBUTED_EXCEPTIONS_H
+#define CGAL_REEB_GRAPH_DISTRIBUTED_EXCEPTIONS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \addtogroup PkgReebGraphExceptions
+/// @{
+
+/// \brief thrown for ranges of vertices that are not all indices from 0, each one once.
+class Vertex_ranges_error : public Vertex_error
+{
+public:
+  /// constructs the exception for the least index that is in no range, or in two of them.
+  explicit Vertex_ranges_error(std::size_t vertex)
+    : Vertex_error(vertex, message("vertex ", vertex, " is not in exactly one of the ranges of the ranks"))
+  {}
+};
+
+/// \brief thrown for an edge that is on more than two triangles.
+class Non_manifold_edge_error : public Error
+{
+public:
+  /// constructs the exception for the edge between two vertices, the lower index first.
+  explicit Non_manifold_edge_error(const std::pair<std::size_t, std::size_t>& edge)
+    : Error("the edge from vertex " + std::to_string(edge.first) + " to vertex " + std::to_string(edge.second)
+            + " is on more than two triangles"),
+      edge_(edge)
+  {}
+
+  /// the indices of the two vertices of the edge, the lower one first.
+  const std::pair<std::size_t, std::size_t>& edge() const { return edge_; }
+
+private:
+  std::pair<std::size_t, std::size_t> edge_;
+};
+
+/// \brief thrown for an edge at which the orientations of two triangles disagree.
+class Inconsistent_orientation_error : public Error
+{
+public:
+  /// constructs the exception for the edge between two vertices, the lower index first.
+  explicit Inconsistent_orientation_error(const std::pair<std::size_t, std::size_t>& edge)
+    : Error("the two triangles at the edge from vertex " + std::to_string(edge.first) + " to vertex "
+            + std::to_string(edge.second) + " are not oriented alike"),
+      edge_(edge)
+  {}
+
+  /// the indices of the two vertices of the edge, the lower one first.
+  const std::pair<std::size_t, std::size_t>& edge() const { return edge_; }
+
+private:
+  std::pair<std::size_t, std::size_t> edge_;
+};
+
+/// \brief thrown if another rank has thrown what is no exception of the package and not `std::bad_alloc`.
+class Other_rank_error : public Error
+{
+public:
+  /// constructs the exception from the number of the rank and the message of its exception.
+  Other_rank_error(int rank, const std::string& message)
+    : Error("rank " + std::to_string(rank) + ": " + message),
+      rank_(rank)
+  {}
+
+  /// the rank.
+  int rank() const { return rank_; }
+
+private:
+  int rank_;
+};
+
+/// @}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_DISTRIBUTED_EXCEPTIONS_H
