@@ -7,8 +7,8 @@
 // Author(s)     : The Reeb_graph authors
 
 #include "base/threads.h"
+#include "commands/command_line.h"
 #include "commands/commands.h"
-#include "input/threshold_input.h"
 
 #include <CGAL/version.h>
 
@@ -20,159 +20,24 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace {
+using reeb_graph_program::add_compute_command;
+using reeb_graph_program::add_field_option;
+using reeb_graph_program::add_graph_options;
+using reeb_graph_program::add_input_options;
+using reeb_graph_program::add_json_option;
+using reeb_graph_program::add_page_options;
+using reeb_graph_program::add_simplification_options;
+using reeb_graph_program::add_threads_option;
 using reeb_graph_program::Compute_options;
 using reeb_graph_program::Contour_options;
 using reeb_graph_program::Curves_options;
 using reeb_graph_program::Curves_type;
 using reeb_graph_program::Demo_options;
+using reeb_graph_program::describe;
 using reeb_graph_program::Field_options;
-using reeb_graph_program::Graph_options;
-using reeb_graph_program::Input_options;
 using reeb_graph_program::run_with_threads;
-using reeb_graph_program::Simplification_options;
-
-void add_input_options(CLI::App& command, Input_options& options)
-{
-  command.add_option("MESH", options.mesh_path, "Mesh: OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file")->required();
-  command.add_option("--scalars", options.scalars_path,
-                     "The field: file of one number per line, in the vertex order of the mesh file, or CSV file");
-  command.add_option("--column", options.column,
-                     "The column of the CSV file, by its name, or its number from 0, if there is more than one");
-  command.add_option("--min", options.lowest_vertex, "For harmonic: the vertex of value 0, from 0 as in the mesh file");
-  command.add_option("--max", options.highest_vertex, "For harmonic: the vertex of value 1");
-  command.add_option("--weights", options.weights, "For harmonic: mean-value (the default), cotangent, or uniform")
-    ->check(CLI::IsMember({"mean-value", "cotangent", "uniform"}));
-  command
-    .add_option("--source", options.source_vertices, "For poisson and geodesic: the vertices of value 0, as V,W,...")
-    ->delimiter(',')
-    ->allow_extra_args(false);
-  command.add_option("--direction", options.direction, "For height: the direction, as X,Y,Z; by default 0,0,1")
-    ->delimiter(',')
-    ->expected(3);
-  command.add_flag("--triangulate", options.are_faces_triangulated, "Cut faces that are not triangles into triangles");
-}
-
-void add_field_option(CLI::App& command, Input_options& options)
-{
-  command
-    .add_option(
-      "--field", options.field,
-      "The field: a coordinate x, y, or z; height; harmonic, between two vertices that are far apart if no "
-      "others are given; poisson, by mean curvature; geodesic, the distance from vertices; unit-gradient, of "
-      "the file --scalars, else of harmonic; or the name of a property of the vertices of a PLY, VTK, or VTU file")
-    ->check(CLI::Validator([](const std::string& name) { return name.empty() ? "it is empty" : ""; }, ""));
-}
-
-void add_page_options(CLI::App& command, std::string& page_path, std::string& unit)
-{
-  command.add_option("--html", page_path, "Write a page to this file, .html, that shows the graph on the surface");
-  command.add_option("--unit", unit, "The unit of the field, for the page and for the drawing of the graph");
-}
-
-void add_threads_option(CLI::App& command, std::size_t& number_of_threads)
-{
-  command.add_option("--threads", number_of_threads, "Work with this many threads, by default one per core")
-    ->check(CLI::Range(std::size_t(1), reeb_graph_program::largest_number_of_threads));
-}
-
-void add_json_option(CLI::App& command, bool& is_report_json)
-{
-  command.add_flag("--json", is_report_json, "Print the report as one JSON object");
-}
-
-void add_graph_options(CLI::App& command, Graph_options& options)
-{
-  using CGAL::Reeb_graph::Method;
-  using CGAL::Reeb_graph::Ties;
-  command.add_flag("--keep-degree-2", options.are_degree_two_nodes_kept,
-                   "Keep critical vertices with one arc below and one above as nodes");
-  const auto set_ties = [&options](const std::string& name) {
-    options.ties = name == "contract" ? Ties::CONTRACT : Ties::PERTURB;
-  };
-  command
-    .add_option_function<std::string>("--ties", set_ties,
-                                      "Order vertices of equal value by their numbers (perturb, the default), or "
-                                      "contract arcs of length zero (contract)")
-    ->check(CLI::IsMember({"perturb", "contract"}));
-  const auto set_method = [&options](const std::string& name) {
-    options.method = name == "critical-sets" ? Method::CRITICAL_SETS
-                   : name == "contour-trees" ? Method::CONTOUR_TREES
-                                             : Method::AUTOMATIC;
-  };
-  command
-    .add_option_function<std::string>("--method", set_method,
-                                      "How the arcs are found: auto (the default), critical-sets, or "
-                                      "contour-trees; the graph is the same")
-    ->check(CLI::IsMember({"auto", "critical-sets", "contour-trees"}));
-  add_threads_option(command, options.number_of_threads);
-  command
-    .add_option("--slabs", options.number_of_slabs,
-                "Cut the surface at level sets into this many slabs, which threads share; the graph is the same")
-    ->check(CLI::PositiveNumber);
-}
-
-void add_simplification_options(CLI::App& command, Simplification_options& options)
-{
-  command.add_option_function<std::string>(
-    "--simplify",
-    [&options](const std::string& text) { options.threshold = reeb_graph_program::parse_threshold(text); },
-    "Remove branches of the graph that are less persistent: X in units of the field, or P% of its range");
-  command.add_option("--leaves", options.number_of_leaves, "Remove branches until the graph has this many leaves")
-    ->check(CLI::NonNegativeNumber);
-  command.add_flag("--cancel-loops", options.are_loops_cancelled, "With --simplify: remove loops as well");
-}
-
-void add_compute_command(CLI::App& app, Compute_options& options)
-{
-  CLI::App* command =
-    app.add_subcommand("compute", "Compute the Reeb graph of a scalar field on a mesh of triangles or tetrahedra");
-  add_input_options(*command, options.input);
-  add_field_option(*command, options.input);
-  add_graph_options(*command, options.graph);
-  command->add_option("--graph", options.graph_path,
-                      "Write the graph to this file: .graphml, .dot, .svg, or in space .vtp, .obj, .polylines.txt, "
-                      ".json, or .csv, which stands for two files, .nodes.csv and .arcs.csv");
-  const auto set_embedding = [&options](const std::string& name) {
-    options.embedding_manner = name == "on-surface" ? CGAL::Reeb_graph::Embedding_manner::ON_SURFACE
-                             : name == "straight"   ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
-                                                    : CGAL::Reeb_graph::Embedding_manner::CENTROIDS;
-  };
-  command
-    ->add_option_function<std::string>("--embedding", set_embedding,
-                                       "Where the arcs of a graph in space are: centroids of contours (centroids, the "
-                                       "default), chains (on-surface), or straight lines (straight, the default for "
-                                       ".csv), which leave nodes at their vertices; what is no oriented manifold "
-                                       "surface has straight ones only")
-    ->check(CLI::IsMember({"centroids", "on-surface", "straight"}));
-  command->add_option(
-    "--mesh-out", options.mesh_path,
-    "Write the mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex, "
-    "and colours");
-  command->add_option("--vertex-arcs", options.vertex_arcs_path,
-                      "Write to this file, for each vertex on a line, the arc or node of the graph that it belongs to");
-  command->add_option(
-    "--pairs", options.pairs_path,
-    "Write the pairs of extended persistence of the given graph to this file, .csv, or .pers for GUDHI");
-  command->add_option("--diagram", options.diagram_path, "Draw the persistence diagram of the given graph, .svg");
-  add_page_options(*command, options.page_path, options.unit);
-  add_simplification_options(*command, options.simplification);
-  command->add_option("--simplified-scalars", options.simplified_scalars_path,
-                      "With --simplify or --leaves: write a field that has the simplified graph to this file");
-  CLI::Option* table = command->add_flag_callback(
-    "--table", [&options] { options.is_table_wanted = true; },
-    "Print a table of the arcs with their ends, lengths, areas and numbers of vertices; by default for graphs of up to "
-    "40 arcs");
-  command
-    ->add_flag_callback(
-      "--no-table", [&options] { options.is_table_wanted = false; }, "Print no such table")
-    ->excludes(table);
-  add_json_option(*command, options.is_report_json);
-  command->callback(
-    [&options] { run_with_threads(options.graph.number_of_threads, [&options] { run_compute(options); }); });
-}
 
 void add_contour_command(CLI::App& app, Contour_options& options)
 {
@@ -265,20 +130,6 @@ void add_demo_command(CLI::App& app, Demo_options& options)
   command->callback([&options] { run_demo(options); });
 }
 
-// What is wrong with the command line; a missing or unknown command is named with those that there are.
-std::string describe(const CLI::App& app, const CLI::ParseError& error)
-{
-  std::string message = error.what();
-  if(app.get_subcommands().empty() && error.get_name() == "RequiredError")
-  {
-    const std::vector<std::string> words = app.remaining();
-    message = words.empty() ? "a command is needed" : "there is no command '" + words.front() + "'";
-    for(const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-      message += (message.find(": ") == std::string::npos ? ": " : ", ") + command->get_name();
-  }
-  return message + "\nRun with --help for more information.";
-}
-
 int report_error(const std::string& message)
 {
   std::cerr << "reeb_graph: error: " << message << '\n';
@@ -297,7 +148,9 @@ int main(int argc, char** argv)
   Curves_options curves_options;
   Field_options field_options;
   Demo_options demo_options;
-  add_compute_command(app, compute_options);
+  add_compute_command(app, compute_options)->callback([&options = compute_options] {
+    run_with_threads(options.graph.number_of_threads, [&options] { run_compute(options); });
+  });
   add_contour_command(app, contour_options);
   add_curves_command(app, curves_options);
   add_field_command(app, field_options);

@@ -72,11 +72,7 @@ void check(const Compute_options& options)
 }
 
 // The pairs are found if they are asked for: those of the given graph.
-void write_pairs_and_diagram(const Compute_options& options,
-                             const Graph& graph,
-                             const Surface& surface,
-                             double threshold,
-                             Report& report)
+void write_pairs_and_diagram(const Compute_options& options, const Graph& graph, double threshold, Report& report)
 {
   if(options.pairs_path.empty() && options.diagram_path.empty() && !options.is_report_json)
     return;
@@ -85,7 +81,7 @@ void write_pairs_and_diagram(const Compute_options& options,
   report.suggested_threshold = suggest_threshold(graph, pairs);
   report.seconds.emplace_back("pairs", stopwatch.seconds());
   if(!options.pairs_path.empty())
-    write_pairs(options.pairs_path, graph, pairs, surface);
+    write_pairs(options.pairs_path, graph, pairs);
   if(!options.diagram_path.empty())
     write_diagram(options.diagram_path, graph, pairs,
                   options.simplification.threshold ? std::optional<double>(threshold) : std::nullopt);
@@ -140,12 +136,12 @@ void write_files_of_surface(const Compute_options& options,
   report.add_seconds("output", output_stopwatch.seconds());
 }
 
-void write_graph_file(const Compute_options& options, const Graph& graph, const Surface& surface, Report& report)
+void write_graph_file(const Compute_options& options, const Graph& graph, Report& report)
 {
   if(options.graph_path.empty() || is_graph_in_space(options))
     return;
   const Stopwatch stopwatch;
-  write_graph(options.graph_path, graph, surface, field_label(options.input, options.unit));
+  write_graph(options.graph_path, graph, field_label(options.input, options.unit));
   report.add_seconds("output", stopwatch.seconds());
 }
 
@@ -211,9 +207,9 @@ void compute_on_surface(const Compute_options& options, Surface& surface, Report
     count_simplified(graph.result(), threshold, report);
   }
   write_simplified_field(options, surface, scalar_map, threshold, report);
-  write_pairs_and_diagram(options, given, surface, threshold, report);
+  write_pairs_and_diagram(options, given, threshold, report);
   write_files_of_surface(options, graph, surface, scalar_map, report);
-  write_graph_file(options, graph.result(), surface, report);
+  write_graph_file(options, graph.result(), report);
   write_page_file(options, given, surface, scalar_map, threshold, report);
   write_report(options, report);
 }
@@ -258,14 +254,14 @@ void compute_on_complex(const Compute_options& options, Mesh& mesh, Report& repo
   const Graph result = graph_on_vertices(graph.result(), mesh.surface, are_chains_written);
   if(options.simplification.is_anything_removed())
     count_simplified(result, threshold, report);
-  write_pairs_and_diagram(options, graph_on_vertices(given, mesh.surface, false), mesh.surface, threshold, report);
+  write_pairs_and_diagram(options, graph_on_vertices(given, mesh.surface, false), threshold, report);
   if(is_graph_in_space(options))
   {
     const Stopwatch stopwatch;
     write_graph_in_space(options.graph_path, result, embed_straight(result, mesh.surface), mesh.surface);
     report.add_seconds("output", stopwatch.seconds());
   }
-  write_graph_file(options, result, mesh.surface, report);
+  write_graph_file(options, result, report);
   write_report(options, report);
 }
 

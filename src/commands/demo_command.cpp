@@ -53,7 +53,7 @@ void run_demo(const Demo_options& options)
   write_coloured_surface(folder / "surface_coloured.ply", surface, scalar_map);
   const Field_label field_label = {"height", "m"};
   for(const char* name : {"graph.svg", "graph.graphml", "graph.dot"})
-    write_graph(folder / name, graph, surface, field_label);
+    write_graph(folder / name, graph, field_label);
 
   if(is_page_available())
   {

@@ -71,21 +71,23 @@ std::vector<fs::path> graph_files(const fs::path& path)
   return {path};
 }
 
-void write_graph(const fs::path& path, const Graph& graph, const Surface& surface, const Field_label& field_label)
+void write_graph(const fs::path& path,
+                 const Graph& graph,
+                 const Field_label& field_label,
+                 const Vertex_numbers& vertex_numbers)
 {
-  const auto vertex_index_map = get(boost::vertex_index, surface);
   const std::string ending = format_of(path).ending;
   write_file(path, [&](std::ostream& stream) {
     if(ending == ".graphml")
-      CGAL::Reeb_graph::write_graphml(stream, graph, vertex_index_map);
+      CGAL::Reeb_graph::write_graphml(stream, graph, vertex_numbers);
     else if(ending == ".svg")
       CGAL::Reeb_graph::write_svg(
         stream, graph,
         CGAL::parameters::field_name(
           field_label.name,
-          CGAL::parameters::field_unit(field_label.unit, CGAL::parameters::vertex_index_map(vertex_index_map))));
+          CGAL::parameters::field_unit(field_label.unit, CGAL::parameters::vertex_index_map(vertex_numbers))));
     else
-      CGAL::Reeb_graph::write_graphviz(stream, graph, vertex_index_map);
+      CGAL::Reeb_graph::write_graphviz(stream, graph, vertex_numbers);
   });
 }
 

@@ -10,6 +10,7 @@
 #define CGAL_REEB_GRAPH_SRC_GRAPH_OUTPUT_H
 
 #include "base/Field_label.h"
+#include "base/Vertex_numbers.h"
 #include "base/surface.h"
 #include "computation/augmentation.h"
 #include "computation/embedding.h"
@@ -34,8 +35,8 @@ std::vector<std::filesystem::path> graph_files(const std::filesystem::path& path
 // Writes a graph in a format that needs no points. The label is that of the axis of a drawing.
 void write_graph(const std::filesystem::path& path,
                  const Graph& graph,
-                 const Surface& surface,
-                 const Field_label& field_label);
+                 const Field_label& field_label,
+                 const Vertex_numbers& vertex_numbers = {});
 
 // Writes a graph in a format in space.
 void write_graph_in_space(const std::filesystem::path& path,

@@ -19,15 +19,15 @@ namespace {
 void write_csv(std::ostream& stream,
                const Graph& graph,
                const std::vector<Persistence_pair>& pairs,
-               const Surface& surface)
+               const Vertex_numbers& vertex_numbers)
 {
-  const auto number = get(boost::vertex_index, surface);
   stream << "kind,lower_vertex,upper_vertex,lower_value,upper_value,persistence\n";
   for(const Persistence_pair& pair : pairs)
   {
     const auto &lower = graph[pair.lower_node], &upper = graph[pair.upper_node];
-    stream << to_string(pair.kind) << ',' << get(number, lower.vertex) << ',' << get(number, upper.vertex) << ','
-           << lower.value << ',' << upper.value << ',' << CGAL::Reeb_graph::persistence(graph, pair) << '\n';
+    stream << to_string(pair.kind) << ',' << get(vertex_numbers, lower.vertex) << ','
+           << get(vertex_numbers, upper.vertex) << ',' << lower.value << ',' << upper.value << ','
+           << CGAL::Reeb_graph::persistence(graph, pair) << '\n';
   }
 }
 
@@ -58,13 +58,13 @@ void check_pairs_format(const std::filesystem::path& path)
 void write_pairs(const std::filesystem::path& path,
                  const Graph& graph,
                  const std::vector<Persistence_pair>& pairs,
-                 const Surface& surface)
+                 const Vertex_numbers& vertex_numbers)
 {
   check_pairs_format(path);
   write_file(path, [&](std::ostream& stream) {
     stream.precision(std::numeric_limits<double>::max_digits10);
     if(path.extension() == ".csv")
-      write_csv(stream, graph, pairs, surface);
+      write_csv(stream, graph, pairs, vertex_numbers);
     else
       write_pers(stream, graph, pairs);
   });

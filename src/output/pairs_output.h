@@ -9,6 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_PAIRS_OUTPUT_H
 #define CGAL_REEB_GRAPH_SRC_PAIRS_OUTPUT_H
 
+#include "base/Vertex_numbers.h"
 #include "base/surface.h"
 #include "computation/simplification.h"
 
@@ -20,12 +21,12 @@ namespace reeb_graph_program {
 void check_pairs_format(const std::filesystem::path& path);
 
 // Writes the pairs of a graph, one per line: .csv with kind, vertices, and values; .pers for GUDHI, with dimension,
-// birth, and death as its extended persistence has them. Vertices are numbered as in the surface. Throws
+// birth, and death as its extended persistence has them. Vertices are numbered as in the surface if no numbers are given. Throws
 // std::runtime_error if the file cannot be written.
 void write_pairs(const std::filesystem::path& path,
                  const Graph& graph,
                  const std::vector<Persistence_pair>& pairs,
-                 const Surface& surface);
+                 const Vertex_numbers& vertex_numbers = {});
 
 } // namespace reeb_graph_program
 
