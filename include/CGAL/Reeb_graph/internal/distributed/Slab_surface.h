@@ -26,18 +26,21 @@ namespace internal {
 // The index of a vertex among those of all ranks.
 typedef std::uint64_t Global_vertex;
 
+// The slabs as a rank sees them: all that is below its own one, its own one, and all that is above.
+struct Slabs_of_rank
+{
+  static constexpr Slab_index below() { return Slab_index(0); }
+  static constexpr Slab_index inside() { return Slab_index(1); }
+  static constexpr Slab_index above() { return Slab_index(2); }
+};
+
 // The part of the surface that a rank holds: each triangle that meets its slab, also those that only pass it, and each
 // vertex of the slab. A level between two slabs crosses only triangles with vertices on both sides of it, and these meet
 // both slabs, so both ranks hold all of the level, and find and close its contours alike. A vertex of the slab has its
 // whole star here, and any other one any part of it. Rank r has slab r; a rank beyond the slabs has empty arrays.
 template <class Scalar>
-struct Slab_surface
+struct Slab_surface : Slabs_of_rank
 {
-  // The slabs as the rank sees them: all that is below its own one, its own one, and all that is above.
-  static constexpr Slab_index below() { return Slab_index(0); }
-  static constexpr Slab_index inside() { return Slab_index(1); }
-  static constexpr Slab_index above() { return Slab_index(2); }
-
   bool has_slab() const { return slab < number_of_slabs; }
   bool is_lowest() const { return slab == 0; }
   bool is_highest() const { return slab + 1 == number_of_slabs; }

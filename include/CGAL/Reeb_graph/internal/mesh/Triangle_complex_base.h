@@ -127,6 +127,17 @@ public:
     }
   }
 
+  // Whether all triangles at a vertex are there. A derived class that is a part of a surface hides this.
+  bool has_star(Vertex_index) const { return true; }
+
+  // Whether fans with as many corners of triangles, some of which are at the border, are all that there is: every
+  // corner belongs to a fan, and the halfedges are as many as the corners, and one more that leaves each border vertex.
+  bool has_no_others(std::size_t number_of_corners, std::size_t number_of_border_fans) const
+  {
+    return number_of_corners == 3 * complex().number_of_faces()
+        && number_of_corners + number_of_border_fans == 2 * complex().number_of_live_edges();
+  }
+
   // The position in vertices(mesh), in which removed vertices do not count.
   std::size_t position(Vertex_index vertex) const
   {
@@ -139,7 +150,7 @@ public:
   // Throws the error of an order of the vertices that contradicts itself, which has shown near `vertex`.
   [[noreturn]] void throw_contradiction_near(Vertex_index vertex) const
   {
-    throw Unordered_scalar_error::contradiction_near(position(vertex));
+    throw Unordered_scalar_error::contradiction_near(complex().position(vertex));
   }
 
 protected:

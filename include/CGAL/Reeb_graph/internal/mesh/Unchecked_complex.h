@@ -98,12 +98,10 @@ public:
   }
 
   // The complex, if the sums of the counts are right. Throws if a face is no triangle, or has a corner that belongs to
-  // no fan: a mesh leads to one fan per vertex only, but there may be more. Throws if an edge has no face: the
-  // halfedges of the other ones are as many as the corners, and one more leaves each border vertex.
+  // no fan: a mesh leads to one fan per vertex only, but there may be more. Throws if an edge has no face.
   Complex check(const Fan_counts& counts) &&
   {
-    const bool has_other_halfedges = counts.corners + counts.border_fans != 2 * complex_.number_of_live_edges();
-    if(counts.bad_fans != 0 || counts.corners != 3 * complex_.number_of_faces() || has_other_halfedges)
+    if(counts.bad_fans != 0 || !complex_.has_no_others(counts.corners, counts.border_fans))
     {
       complex_.check_faces();
       complex_.check_edges();
@@ -134,7 +132,7 @@ private:
     Indexed_vector<Vertex_index, Number> unreached(number_of_vertices(), 0);
     for(const Halfedge_index h : Index_range<Halfedge_index>(complex_.number_of_halfedges()))
     {
-      if(complex_.has_edge(edge_of(h)) && complex_.has_triangle(h))
+      if(complex_.has_edge(edge_of(h)) && complex_.has_triangle(h) && complex_.has_star(complex_.target(h)))
         ++unreached[complex_.target(h)];
     }
     for(const Vertex_index v : complex_.vertices())

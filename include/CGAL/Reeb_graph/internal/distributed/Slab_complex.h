@@ -1,0 +1,78 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_SLAB_COMPLEX_H
+#define CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_SLAB_COMPLEX_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/distributed/Slab_surface.h>
+#include <CGAL/Reeb_graph/internal/mesh/Triangle_complex.h>
+#include <CGAL/Reeb_graph/internal/mesh/Triangle_complex_base.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The surface that a rank holds, of which only the vertices of its slab count as vertices: each has its whole star
+// here. What is beyond them is known as far as levels in the slab cross it. It refers to the arrays of a Slab_surface.
+class Slab_complex : public Triangle_complex_base<Slab_complex>
+{
+public:
+  Slab_complex(Halfedge_arrays arrays,
+               const Indexed_vector<Vertex_index, Global_vertex>& global_vertices,
+               const Indexed_vector<Vertex_index, Slab_index>& slabs_of_vertices)
+    : Triangle_complex_base<Slab_complex>(std::move(arrays.halfedges_of_vertices)),
+      halfedges_(std::move(arrays.halfedges)),
+      global_vertices_(&global_vertices),
+      slabs_of_vertices_(&slabs_of_vertices)
+  {}
+
+  Number number_of_halfedges() const { return static_cast<Number>(halfedges_.size()); }
+  bool has_vertex(Vertex_index vertex) const { return (*slabs_of_vertices_)[vertex] == Slabs_of_rank::inside(); }
+  bool has_star(Vertex_index vertex) const { return has_vertex(vertex); }
+  bool has_edge(Edge_index) const { return true; }
+
+  Vertex_index target(Halfedge_index halfedge) const { return halfedges_[halfedge].target; }
+  Halfedge_index next(Halfedge_index halfedge) const { return halfedges_[halfedge].next; }
+  bool has_triangle(Halfedge_index halfedge) const { return next(halfedge) != no_index; }
+
+  Global_vertex global_vertex(Vertex_index vertex) const { return (*global_vertices_)[vertex]; }
+  std::size_t position(Vertex_index vertex) const { return static_cast<std::size_t>(global_vertex(vertex)); }
+
+  // For Unchecked_complex. The triangles have three vertices, and there are no edges without them.
+  Halfedge_index halfedge_of_face_at(Vertex_index vertex) const { return first_halfedge(vertex); }
+  bool has_no_others(std::size_t number_of_corners, std::size_t) const
+  {
+    return number_of_corners
+        == static_cast<std::size_t>(std::count_if(halfedges_.begin(), halfedges_.end(), [&](const Halfedge& halfedge) {
+             return halfedge.next != no_index && has_vertex(halfedge.target);
+           }));
+  }
+  void check_faces() const {}
+  void check_edges() const {}
+
+private:
+  Indexed_vector<Halfedge_index, Halfedge> halfedges_;
+  const Indexed_vector<Vertex_index, Global_vertex>* global_vertices_;
+  const Indexed_vector<Vertex_index, Slab_index>* slabs_of_vertices_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_SLAB_COMPLEX_H

@@ -1,0 +1,107 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_SOLVE_SLAB_H
+#define CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_SOLVE_SLAB_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/arcs/find_arcs.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Side.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/distributed/Slab_complex.h>
+#include <CGAL/Reeb_graph/internal/distributed/Slab_surface.h>
+#include <CGAL/Reeb_graph/internal/distributed/link_triangles.h>
+#include <CGAL/Reeb_graph/internal/mesh/Unchecked_complex.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Bounding_level.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
+
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The levels between the slab of a rank and those of its neighbors, as far as there are any.
+class Levels_of_rank
+{
+public:
+  template <class Scalar>
+  Levels_of_rank(const Slab_complex& complex, const Slab_surface<Scalar>& surface)
+  {
+    if(surface.has_slab() && !surface.is_lowest())
+      levels_[Side::LOWER].emplace(complex.number_of_edges());
+    if(surface.has_slab() && !surface.is_highest())
+      levels_[Side::UPPER].emplace(complex.number_of_edges());
+    const auto& slabs = surface.slabs_of_vertices;
+    for(const Edge_index edge : Index_range<Edge_index>(complex.number_of_edges()))
+    {
+      const Slab_index a = slabs[complex.source(even_halfedge(edge))], b = slabs[complex.target(even_halfedge(edge))];
+      if(a == b)
+        continue;
+      if(levels_[Side::LOWER] && (a == surface.below() || b == surface.below()))
+        levels_[Side::LOWER]->add_crossed_edge(edge);
+      if(levels_[Side::UPPER] && (a == surface.above() || b == surface.above()))
+        levels_[Side::UPPER]->add_crossed_edge(edge);
+    }
+    if(levels_[Side::LOWER])
+      levels_[Side::LOWER]->find_contours(complex, [&](Vertex_index u) { return slabs[u] == surface.below(); });
+    if(levels_[Side::UPPER])
+      levels_[Side::UPPER]->find_contours(complex, [&](Vertex_index u) { return slabs[u] != surface.above(); });
+  }
+
+  const Bounding_level* level(Side side) const { return levels_[side] ? &*levels_[side] : nullptr; }
+  Number number_of_contours(Side side) const { return levels_[side] ? levels_[side]->number_of_contours() : 0; }
+
+private:
+  By_side<std::optional<Bounding_level>> levels_;
+};
+
+// What a rank finds in its slab. Contours of a level are numbered by their first edges, and edges by their vertices, so
+// the two ranks at a level know each of its contours by the same number.
+struct Solved_slab
+{
+  Slab_complex complex;
+  Swept_vertices critical_vertices;
+  By_side<Number> numbers_of_contours;
+  Slab_arcs arcs; // between the nodes of a Slab
+};
+
+// Checks the surface at the vertices of the rank's slab, finds the critical ones, and the arcs between them and the
+// contours of the bounding levels. Takes the triangles, and leaves the other arrays of the surface, to which the result
+// refers. Calls report(fraction) now and then.
+template <class Scalar, class Order, class ChosenMethod, class Report>
+Solved_slab solve_slab(Slab_surface<Scalar>& surface, const Order& order, ChosenMethod method, const Report& report)
+{
+  Halfedge_arrays arrays = Triangle_linking(std::move(surface.triangles), surface.global_vertices)();
+  surface.triangles = {};
+  report(0.3);
+  auto [complex, critical_vertices] = check_and_classify_vertices<Sequential_tag>(
+    Unchecked_complex(Slab_complex(std::move(arrays), surface.global_vertices, surface.slabs_of_vertices)), order);
+  report(0.5);
+  const Levels_of_rank levels(complex, surface);
+  const Slab<Slab_complex> slab(complex, critical_vertices, surface.slabs_of_vertices, surface.inside(),
+                                {levels.level(Side::LOWER), levels.level(Side::UPPER)});
+  Slab_arcs arcs = find_arcs_of_slab<Sequential_tag>(slab, order, method, report);
+  return {std::move(complex),
+          std::move(critical_vertices),
+          {levels.number_of_contours(Side::LOWER), levels.number_of_contours(Side::UPPER)},
+          std::move(arcs)};
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_SOLVE_SLAB_H
