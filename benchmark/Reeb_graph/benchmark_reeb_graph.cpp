@@ -8,9 +8,11 @@
 
 // Times and memory from a mesh to the finished graph with its chains, for both methods, with one thread and with more,
 // beside two floors that are measured in the same run: std::sort of (value, index) pairs, and one sweep over the
-// faces as flat triangles. Then how the time grows with the mesh, and complexes that are no surfaces. All is generated.
+// faces as flat triangles. Then meshes in a bad order, how the time grows with the mesh, and complexes that are no
+// surfaces. All is generated.
 
 #include "complex_table.h"
+#include "shuffled_table.h"
 #include "simplification_table.h"
 #include "tables.h"
 
@@ -21,6 +23,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -28,7 +31,7 @@
 int main(int argc, char* argv[])
 {
   benchmark::Options options;
-  std::vector<std::string> tables = {"comparison", "simplification", "growth", "complexes"};
+  std::vector<std::string> tables = {"comparison", "shuffled", "simplification", "growth", "complexes"};
   CLI::App app("Times and memory of Reeb graphs, beside sorting the field and sweeping over the faces");
   const auto add_list = [&](const std::string& name, auto& list, const std::string& description) {
     return app.add_option(name, list, description)->delimiter(',')->capture_default_str();
@@ -63,20 +66,20 @@ int main(int argc, char* argv[])
     ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
-  const auto is_wanted = [&](const std::string& table) {
-    return std::find(tables.begin(), tables.end(), table) != tables.end();
+  const auto print = [&](const std::string& table, const auto& print_table) {
+    if(std::find(tables.begin(), tables.end(), table) == tables.end())
+      return;
+    const benchmark::Stopwatch stopwatch;
+    print_table(options);
+    std::printf("\n%s: %.0f seconds\n", table.c_str(), stopwatch.milliseconds() / 1000);
   };
-  if(is_wanted("comparison"))
-    benchmark::print_comparison_and_stages(options);
-  if(is_wanted("simplification"))
-    benchmark::print_simplification(options);
-  if(is_wanted("growth"))
-    benchmark::print_growth(options);
-  if(is_wanted("complexes"))
-    benchmark::print_complexes(options);
+  print("comparison", benchmark::print_comparison_and_stages);
+  print("shuffled", benchmark::print_shuffled);
+  print("simplification", benchmark::print_simplification);
+  print("growth", benchmark::print_growth);
+  print("complexes", benchmark::print_complexes);
 #ifdef CGAL_REEB_GRAPH_BENCHMARK_VTK
-  if(is_wanted("vtk"))
-    benchmark::print_vtk(options, vtk_size);
+  print("vtk", [&](const benchmark::Options& options) { benchmark::print_vtk(options, vtk_size); });
 #endif
   return EXIT_SUCCESS;
 }

@@ -15,6 +15,7 @@
 #include "base/peak_memory.h"
 #include "generated_surfaces/build_mesh.h"
 #include "generated_surfaces/generated_surfaces.h"
+#include "measurements.h"
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
@@ -27,10 +28,7 @@
 
 #include <Eigen/SparseCholesky>
 
-#include <algorithm>
 #include <array>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -49,20 +47,12 @@ typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matri
 namespace fields = CGAL::Reeb_graph;
 
 namespace {
-double seconds(const std::function<void()>& function)
-{
-  const auto start = std::chrono::steady_clock::now();
-  function();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 double median_of_seconds(std::size_t repetitions, const std::function<void()>& function)
 {
-  std::vector<double> times;
+  benchmark::Sample seconds;
   for(std::size_t i = 0; i != repetitions; ++i)
-    times.push_back(seconds(function));
-  std::nth_element(times.begin(), times.begin() + repetitions / 2, times.end());
-  return times[repetitions / 2];
+    seconds.add(benchmark::milliseconds(function) / 1000);
+  return *seconds.median();
 }
 
 // The sparse matrix of the triangles, SimplicialLDLT, one solution. The rows of the poles are those of the
@@ -141,39 +131,46 @@ void measure(const std::string& name, const generated_surfaces::Triangle_soup& s
   print("geodesic", [&] { fields::compute_geodesic_field(mesh, other_field, sources); });
 }
 
-// One line for each kind of weights: a mesh, and one with twenty times as many vertices.
+// One line for each field: three meshes, each with four or five times as many vertices as the one before.
 void measure_growth(std::size_t largest_number_of_vertices, std::size_t repetitions)
 {
-  const std::array<std::pair<const char*, fields::Laplacian_weights>, 3> kinds = {
-    {{"harmonic, cotangent", fields::Laplacian_weights::COTANGENT},
-     {"harmonic, uniform", fields::Laplacian_weights::UNIFORM},
-     {"harmonic, mean value", fields::Laplacian_weights::MEAN_VALUE}}};
-  std::array<std::array<double, 2>, kinds.size()> numbers_of_vertices, times;
-  std::array<std::array<std::size_t, 2>, kinds.size()> steps;
-  for(const std::size_t i : {0, 1})
+  const std::array<std::string, 4> names = {"harmonic, cotangent", "harmonic, uniform", "harmonic, mean value",
+                                            "poisson"};
+  std::array<std::vector<std::pair<double, double>>, names.size()> times;
+  std::array<std::vector<std::size_t>, names.size()> steps;
+  for(const std::size_t divisor : {20, 5, 1})
   {
-    Mesh mesh = generated_surfaces::make_mesh<Mesh>(
-      generated_surfaces::closed_surface(3, i == 0 ? largest_number_of_vertices / 20 : largest_number_of_vertices));
+    Mesh mesh =
+      generated_surfaces::make_mesh<Mesh>(generated_surfaces::closed_surface(3, largest_number_of_vertices / divisor));
     const Scalar_map field = mesh.add_property_map<Vertex, double>("v:field").first;
-    const Constraints poles = far_apart_poles(mesh);
-    for(std::size_t kind = 0; kind != kinds.size(); ++kind)
+    const Constraints poles = far_apart_poles(mesh), source = {poles[0]};
+    const auto harmonic = [&](fields::Laplacian_weights weights) {
+      return fields::compute_harmonic_field(mesh, field, poles, CGAL::parameters::laplacian_weights(weights));
+    };
+    const std::array<std::function<fields::Field_report()>, names.size()> computations = {
+      [&] { return harmonic(fields::Laplacian_weights::COTANGENT); },
+      [&] { return harmonic(fields::Laplacian_weights::UNIFORM); },
+      [&] { return harmonic(fields::Laplacian_weights::MEAN_VALUE); },
+      [&] { return fields::compute_curvature_poisson_field(mesh, field, source); }};
+    for(std::size_t i = 0; i != names.size(); ++i)
     {
-      numbers_of_vertices[kind][i] = mesh.number_of_vertices();
-      times[kind][i] = median_of_seconds(repetitions, [&] {
-        const auto np = CGAL::parameters::laplacian_weights(kinds[kind].second);
-        steps[kind][i] = fields::compute_harmonic_field(mesh, field, poles, np).number_of_iterations;
-      });
+      fields::Field_report report;
+      const double time = median_of_seconds(repetitions, [&] { report = computations[i](); });
+      times[i].emplace_back(mesh.number_of_vertices(), time);
+      steps[i].push_back(report.number_of_iterations);
     }
   }
-  std::printf("\ngrowth on genus 3; exponent: of the number of vertices; steps: of the iteration, 0 if factorized\n");
-  std::printf("%-22s %9s %8s %6s %9s %8s %6s %8s\n", "field", "vertices", "s", "steps", "vertices", "s", "steps",
-              "exponent");
-  for(std::size_t kind = 0; kind != kinds.size(); ++kind)
+  std::printf("\ngrowth on genus 3; steps: of the iteration, 0 if factorized; exponent: of the number of vertices\n");
+  std::printf("%-22s", "field");
+  for(std::size_t i = 0; i != times[0].size(); ++i)
+    std::printf(" %9s %8s %6s", "vertices", "s", "steps");
+  std::printf(" %8s\n", "exponent");
+  for(std::size_t i = 0; i != names.size(); ++i)
   {
-    const auto& [few, many] = numbers_of_vertices[kind];
-    const auto& [short_time, long_time] = times[kind];
-    std::printf("%-22s %9.0f %8.3f %6zu %9.0f %8.3f %6zu %8.2f\n", kinds[kind].first, few, short_time, steps[kind][0],
-                many, long_time, steps[kind][1], std::log(long_time / short_time) / std::log(many / few));
+    std::printf("%-22s", names[i].c_str());
+    for(std::size_t j = 0; j != times[i].size(); ++j)
+      std::printf(" %9.0f %8.3f %6zu", times[i][j].first, times[i][j].second, steps[i][j]);
+    std::printf(" %8.2f\n", benchmark::growth_exponent(times[i]));
   }
 }
 } // namespace
@@ -189,12 +186,16 @@ int main(int argc, char* argv[])
                  "usage: benchmark_scalar_fields [NUMBER OF VERTICES] [REPETITIONS] [LARGEST NUMBER OF VERTICES]\n");
     return EXIT_FAILURE;
   }
+  benchmark::Stopwatch stopwatch;
   std::printf("times in s, medians of %zu; one thread; plain: SimplicialLDLT of the cotangent Laplacian\n",
               repetitions);
   std::printf("%-10s %-22s %9s %8s %8s %8s %8s\n", "surface", "field", "vertices", "plain", "field", "field", "memory");
   std::printf("%-10s %-22s %9s %8s %8s %8s %8s\n", "", "", "", "s", "s", "/ plain", "MB, peak");
   measure("genus 0", generated_surfaces::closed_surface(0, number_of_vertices), repetitions);
   measure("genus 3", generated_surfaces::closed_surface(3, number_of_vertices), repetitions);
+  std::printf("%.0f seconds\n", stopwatch.milliseconds() / 1000);
+  stopwatch = benchmark::Stopwatch();
   measure_growth(largest_number_of_vertices, repetitions);
+  std::printf("%.0f seconds\n", stopwatch.milliseconds() / 1000);
   return EXIT_SUCCESS;
 }

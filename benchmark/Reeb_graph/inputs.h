@@ -11,6 +11,7 @@
 
 #include "generated_surfaces/build_mesh.h"
 #include "generated_surfaces/generated_surfaces.h"
+#include "generated_surfaces/random_meshes.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -52,13 +54,38 @@ inline generated_surfaces::Triangle_soup make_surface(const std::string& name, s
   return generated_surfaces::closed_surface(genus, number_of_vertices);
 }
 
+// Puts the vertices and the triangles in a random order.
+inline void shuffle(generated_surfaces::Triangle_soup& soup)
+{
+  random_meshes::Random random(1);
+  std::vector<std::size_t> new_numbers(soup.points.size());
+  std::iota(new_numbers.begin(), new_numbers.end(), std::size_t(0));
+  random.shuffle(new_numbers);
+  const auto points = soup.points;
+  for(std::size_t v = 0; v < points.size(); ++v)
+    soup.points[new_numbers[v]] = points[v];
+  for(auto& triangle : soup.triangles)
+    for(std::size_t& v : triangle)
+      v = new_numbers[v];
+  random.shuffle(soup.triangles);
+}
+
+enum class Mesh_order
+{
+  GENERATED,
+  SHUFFLED
+};
+
 // A mesh with a field, and its triangles as flat triples.
 class Input
 {
 public:
-  Input(const std::string& surface, std::size_t number_of_vertices) : surface_(surface)
+  Input(const std::string& surface, std::size_t number_of_vertices, Mesh_order order = Mesh_order::GENERATED)
+    : surface_(surface)
   {
-    const auto soup = make_surface(surface, number_of_vertices);
+    auto soup = make_surface(surface, number_of_vertices);
+    if(order == Mesh_order::SHUFFLED)
+      shuffle(soup);
     generated_surfaces::build(mesh_, soup);
     triangles_.reserve(soup.triangles.size());
     for(const auto& t : soup.triangles)
