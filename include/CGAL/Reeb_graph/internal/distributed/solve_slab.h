@@ -91,8 +91,11 @@ Solved_slab solve_slab(Slab_surface<Scalar>& surface, const Order& order, Chosen
     Unchecked_complex(Slab_complex(std::move(arrays), surface.global_vertices, surface.slabs_of_vertices)), order);
   report(0.5);
   const Levels_of_rank levels(complex, surface);
-  const Slab<Slab_complex> slab(complex, critical_vertices, surface.slabs_of_vertices, surface.inside(),
-                                {levels.level(Side::LOWER), levels.level(Side::UPPER)});
+  const Slab<Slab_complex> slab =
+    surface.number_of_slabs == 1
+      ? Slab<Slab_complex>(complex, critical_vertices)
+      : Slab<Slab_complex>(complex, critical_vertices, surface.slabs_of_vertices, surface.inside(),
+                           {levels.level(Side::LOWER), levels.level(Side::UPPER)});
   Slab_arcs arcs = find_arcs_of_slab<Sequential_tag>(slab, order, method, report);
   return {std::move(complex),
           std::move(critical_vertices),

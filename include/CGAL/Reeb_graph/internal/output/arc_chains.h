@@ -60,14 +60,13 @@ std::vector<Halfedge_index> walk_pieces(const Complex& complex,
   for(const Chain_piece* piece = begin; piece != end; ++piece)
   {
     *begins_of_pieces++ = halfedges.size();
-    Ascending_step step = piece->first_step;
-    for(add(step); order(step.target, piece->upper_vertex); add(step))
-    {
-      const Vertex_index vertex = step.target;
-      step = steepest_step(complex, order, vertex);
-      if(step.edge == no_index || halfedges.size() == most)
+    add(piece->first_step);
+    const auto is_below = [&](Vertex_index vertex) { return order(vertex, piece->upper_vertex); };
+    climb(complex, order, piece->first_step.target, is_below, [&](Vertex_index vertex, const Ascending_step& step) {
+      if(halfedges.size() == most)
         complex.throw_contradiction_near(vertex);
-    }
+      add(step);
+    });
   }
   return halfedges;
 }

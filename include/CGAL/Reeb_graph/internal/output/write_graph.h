@@ -52,10 +52,8 @@ auto chain_halfedges(const FaceListGraph& mesh,
 }
 
 // Replaces the content of `graph` by the nodes, and by the arcs without their chains.
-template <class FaceListGraph, class Scalar, class ReebGraph>
-void write_nodes_and_arcs(const Flat_field<FaceListGraph, Scalar>& field,
-                          const Flat_graph& flat_graph,
-                          ReebGraph& graph)
+template <class Field, class ReebGraph>
+void write_nodes_and_arcs(const Field& field, const Flat_graph& flat_graph, ReebGraph& graph)
 {
   typedef typename boost::vertex_bundle_type<ReebGraph>::type Node;
   graph.clear();
@@ -79,6 +77,27 @@ void write_nodes_and_arcs(const Flat_field<FaceListGraph, Scalar>& field,
     if(flat_graph.arcs.contains(later))
       prefetch(&graph[flat_graph.arcs[later].upper.number()]);
     add_edge(flat_graph.arcs[i].lower.number(), flat_graph.arcs[i].upper.number(), graph);
+  }
+}
+
+// Gives the arcs their numbers and their chains, which are parts of `halfedges`.
+template <class HalfedgeDescriptor, class ReebGraph>
+void write_chains(const std::shared_ptr<const std::vector<HalfedgeDescriptor>>& halfedges,
+                  const Flat_chains& chains,
+                  const Flat_graph& flat_graph,
+                  ReebGraph& graph)
+{
+  constexpr std::size_t ahead = 12;
+  Arc_index i(0);
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const Arc_index later(i.number() + ahead);
+    if(flat_graph.arcs.contains(later))
+      prefetch(&chains.begins_of_pieces[flat_graph.arcs[later].first_piece]);
+    const Flat_arc& flat_arc = flat_graph.arcs[i];
+    set_arc_index(graph, arc, i.number());
+    ++i;
+    graph[arc].chain = {halfedges, chains.begin(flat_arc), chains.end(flat_arc) - chains.begin(flat_arc)};
   }
 }
 
@@ -113,18 +132,7 @@ void write_graph(const FaceListGraph& mesh,
       graph.clear();
     throw;
   }
-  constexpr std::size_t ahead = 12;
-  Arc_index i(0);
-  for(const auto arc : CGAL::make_range(edges(graph)))
-  {
-    const Arc_index later(i.number() + ahead);
-    if(flat_graph.arcs.contains(later))
-      prefetch(&chains.begins_of_pieces[flat_graph.arcs[later].first_piece]);
-    const Flat_arc& flat_arc = flat_graph.arcs[i];
-    set_arc_index(graph, arc, i.number());
-    ++i;
-    graph[arc].chain = {halfedges, chains.begin(flat_arc), chains.end(flat_arc) - chains.begin(flat_arc)};
-  }
+  write_chains(halfedges, chains, flat_graph, graph);
 }
 
 } // namespace internal

@@ -39,6 +39,26 @@ Ascending_step steepest_step(const Complex& complex, const Order& order, Vertex_
   return step;
 }
 
+// Takes steepest steps from `vertex` on as long as goes_on(vertex reached), and calls visit(vertex, step from it) before
+// each. Returns the vertex reached.
+template <class Complex, class Order, class GoesOn, class Visit>
+Vertex_index climb(const Complex& complex,
+                   const Order& order,
+                   Vertex_index vertex,
+                   const GoesOn& goes_on,
+                   const Visit& visit)
+{
+  while(goes_on(vertex))
+  {
+    const Ascending_step step = steepest_step(complex, order, vertex);
+    if(step.edge == no_index)
+      complex.throw_contradiction_near(vertex);
+    visit(vertex, step);
+    vertex = step.target;
+  }
+  return vertex;
+}
+
 } // namespace internal
 } // namespace Reeb_graph
 } // namespace CGAL
