@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -33,6 +34,19 @@ public:
   std::uint64_t bytes_sent = 0;   ///< from this rank to other ones
   std::uint64_t border_edges = 0; ///< of the whole surface
   std::uint64_t border_loops = 0; ///< of the whole surface
+
+  /// a part of the chain of an arc: an ascending path of vertices, at least two of them
+  struct Chain_part
+  {
+    std::size_t arc;   ///< the number of the arc in the graph of rank 0
+    std::size_t begin; ///< the place of the first vertex in `chain_vertices`
+    std::size_t size;  ///< how many vertices follow each other there
+  };
+
+  /// the parts of chains whose steps begin in the slab of this rank, if chains are not gathered. Those of one arc are in
+  /// the order of the chain, and the parts of a rank are before those of higher ranks.
+  std::vector<Chain_part> chain_parts;
+  std::vector<std::uint64_t> chain_vertices; ///< the vertices of all parts
 };
 
 } // namespace Reeb_graph

@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_complex.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_surface.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
@@ -20,31 +19,35 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// A piece of a chain that has been walked as far as a vertex, and goes on up to the level just below another one.
+// A piece of a chain that has been walked as far as a vertex, up to the level just below another one.
 template <class Scalar>
 struct Climbing_piece
 {
   Global_vertex vertex;
+  Global_vertex vertex_before; // from which the first step has led there
   Global_vertex upper_vertex;
   Scalar value_of_upper_vertex;
+  Number arc;
   Number piece;
+  Number goes_on; // whether the upper vertex is above the one that has been reached
 };
 
-// How many vertices follow in a part of a piece.
+// How many vertices a part of a piece has.
 struct Part_of_piece
 {
+  Number arc;
   Number piece;
   Number size;
 };
 
-// The parts of chains in the slab of a rank.
+// The parts of chains on a rank: the steps that begin in its slab, as sequences of vertices.
 template <class Scalar, class Order>
 class Chain_parts
 {
@@ -55,31 +58,54 @@ public:
       order_(order)
   {}
 
-  // Walks pieces, and returns those that go on above the slab. A path that has entered an arc cannot leave it below the
-  // upper node, so comparisons tell the end.
-  std::vector<Climbing_piece<Scalar>> walk(std::vector<Climbing_piece<Scalar>> pieces)
+  // Walks pieces that begin in the slab with the step that is known.
+  void begin(const std::vector<Climbing_piece<Scalar>>& pieces)
   {
-    std::vector<Climbing_piece<Scalar>> leaving;
-    for(Climbing_piece<Scalar>& piece : pieces)
+    for(const Climbing_piece<Scalar>& piece : pieces)
     {
-      const std::size_t size = vertices_.size();
-      const auto is_inside = [&](Vertex_index v) { return surface_.slabs_of_vertices[v] == surface_.inside(); };
-      const Vertex_index end = climb(
-        complex_, order_, find_vertex(piece.vertex), [&](Vertex_index v) { return is_inside(v) && is_below(v, piece); },
-        [&](Vertex_index, const Ascending_step& step) { vertices_.push_back(surface_.global_vertices[step.target]); });
-      if(vertices_.size() != size)
-        parts_.push_back({piece.piece, static_cast<Number>(vertices_.size() - size)});
-      piece.vertex = surface_.global_vertices[end];
-      if(is_below(end, piece))
-        leaving.push_back(piece);
+      vertices_.push_back(piece.vertex_before);
+      walk(piece);
     }
-    return leaving;
   }
 
+  // Walks pieces that have come from below.
+  void go_on(const std::vector<Climbing_piece<Scalar>>& pieces)
+  {
+    for(const Climbing_piece<Scalar>& piece : pieces)
+      walk(piece);
+  }
+
+  // The pieces that go on above the slab; they are none then.
+  std::vector<Climbing_piece<Scalar>> take_leaving() { return std::exchange(leaving_, {}); }
+
   const std::vector<Part_of_piece>& parts() const { return parts_; }
-  const std::vector<Global_vertex>& vertices() const { return vertices_; }
+  const std::vector<Global_vertex>& vertices() const { return vertices_; } // of all parts
 
 private:
+  // A path that has entered an arc cannot leave it below the upper node, so comparisons tell the end. A part of one
+  // vertex, where the piece only passes the slab, is none.
+  void walk(Climbing_piece<Scalar> piece)
+  {
+    vertices_.push_back(piece.vertex);
+    if(piece.goes_on != 0)
+    {
+      const auto is_below = [&](Vertex_index v) { return is_lower(v, piece); };
+      const auto goes_on = [&](Vertex_index v) { return complex_.has_vertex(v) && is_below(v); };
+      const auto add = [&](Vertex_index, const Ascending_step& step) {
+        vertices_.push_back(complex_.global_vertex(step.target));
+      };
+      const Vertex_index end = climb(complex_, order_, find_vertex(piece.vertex), goes_on, add);
+      piece.vertex = complex_.global_vertex(end);
+      if(is_below(end))
+        leaving_.push_back(piece);
+    }
+    const std::size_t size = vertices_.size() - end_of_parts_;
+    if(size == 1)
+      return vertices_.pop_back();
+    parts_.push_back({piece.arc, piece.piece, checked_index(size)});
+    end_of_parts_ = vertices_.size();
+  }
+
   Vertex_index find_vertex(Global_vertex global) const
   {
     const auto& vertices = surface_.global_vertices;
@@ -88,17 +114,19 @@ private:
   }
 
   // Whether the vertex is below the upper one of the piece, which may be on another rank.
-  bool is_below(Vertex_index v, const Climbing_piece<Scalar>& piece) const
+  bool is_lower(Vertex_index v, const Climbing_piece<Scalar>& piece) const
   {
     return order_.is_lower(v, piece.value_of_upper_vertex)
-        || (!order_.is_higher(v, piece.value_of_upper_vertex) && surface_.global_vertices[v] < piece.upper_vertex);
+        || (!order_.is_higher(v, piece.value_of_upper_vertex) && complex_.global_vertex(v) < piece.upper_vertex);
   }
 
   const Slab_surface<Scalar>& surface_;
   const Slab_complex& complex_;
   const Order& order_;
+  std::vector<Climbing_piece<Scalar>> leaving_;
   std::vector<Part_of_piece> parts_;
-  std::vector<Global_vertex> vertices_; // of all parts
+  std::vector<Global_vertex> vertices_;
+  std::size_t end_of_parts_ = 0; // among the vertices
 };
 
 } // namespace internal

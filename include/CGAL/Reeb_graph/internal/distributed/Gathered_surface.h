@@ -17,6 +17,7 @@
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/link_sectors.h>
+#include <CGAL/Reeb_graph/internal/distributed/Place.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_block.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_surface.h>
 #include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
@@ -33,14 +34,6 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// A critical vertex as all ranks know it.
-template <class Scalar>
-struct Global_vertex_with_value
-{
-  Global_vertex vertex;
-  Scalar value;
-};
-
 // The critical vertices and the arcs between them, of all ranks, as rank 0 takes them where a whole surface has been
 // before: a surface without triangles, of the critical vertices and the ends of the first steps from them, where each
 // arc has one halfedge, its first step.
@@ -48,8 +41,7 @@ template <class Scalar>
 class Gathered_surface
 {
 public:
-  Gathered_surface(const std::vector<Global_vertex_with_value<Scalar>>& critical_vertices,
-                   const std::vector<Critical_arc<Scalar>>& arcs)
+  Gathered_surface(const std::vector<Place<Scalar>>& critical_vertices, const std::vector<Critical_arc<Scalar>>& arcs)
   {
     collect_vertices(critical_vertices, arcs);
     first_vertices_.reserve(arcs.size());
@@ -88,21 +80,21 @@ private:
     void write(Vertex_index, const By_side<Link_sector*>&) const {}
   };
 
-  void collect_vertices(const std::vector<Global_vertex_with_value<Scalar>>& critical_vertices,
+  void collect_vertices(const std::vector<Place<Scalar>>& critical_vertices,
                         const std::vector<Critical_arc<Scalar>>& arcs)
   {
-    std::vector<Global_vertex_with_value<Scalar>> all;
+    std::vector<Place<Scalar>> all;
     all.reserve(critical_vertices.size() + arcs.size());
     all = critical_vertices;
     for(const Critical_arc<Scalar>& arc : arcs)
-      all.push_back({arc.first_target, arc.value_of_first_target});
+      all.push_back({arc.value_of_first_target, arc.first_target});
     const auto is_before = [](const auto& a, const auto& b) { return a.vertex < b.vertex; };
     const auto is_same = [](const auto& a, const auto& b) { return a.vertex == b.vertex; };
     std::sort(all.begin(), all.end(), is_before);
     all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
     global_vertices_.reserve(checked_index(all.size()));
     values_.reserve(all.size());
-    for(const Global_vertex_with_value<Scalar>& v : all)
+    for(const Place<Scalar>& v : all)
     {
       global_vertices_.push_back(v.vertex);
       values_.push_back(v.value);
@@ -115,7 +107,7 @@ private:
     return Vertex_index(static_cast<std::size_t>(place - global_vertices_.begin()));
   }
 
-  void sort_critical_vertices(const std::vector<Global_vertex_with_value<Scalar>>& critical_vertices)
+  void sort_critical_vertices(const std::vector<Place<Scalar>>& critical_vertices)
   {
     critical_vertices_.resize(critical_vertices.size(), {0, 0});
     No_sectors no_sectors;

@@ -53,12 +53,12 @@ public:
   Slab_block() = default;
 
   // One slab, whose critical vertices are numbered from `first_critical` on.
-  Slab_block(const Solved_slab& solved, const Slab_surface<Scalar>& surface, Number first_critical)
-    : ends_of_contours_(solved.numbers_of_contours[Side::LOWER])
+  Slab_block(const Arcs_of_slab& found, const Slab_surface<Scalar>& surface, Number first_critical)
+    : ends_of_contours_(found.numbers_of_contours[Side::LOWER])
   {
-    const Slab_node first_contour(solved.critical_vertices.size());
-    const Slab_node first_upper_contour(first_contour.number() + solved.numbers_of_contours[Side::LOWER]);
-    for(const Slab_arc& arc : solved.arcs)
+    const Slab_node first_contour(found.number_of_critical_vertices);
+    const Slab_node first_upper_contour(first_contour.number() + found.numbers_of_contours[Side::LOWER]);
+    for(const Slab_arc& arc : found.arcs)
     {
       const bool is_open = arc.upper >= first_contour;
       const Number upper =

@@ -13,10 +13,8 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_block.h>
-#include <CGAL/Reeb_graph/internal/distributed/agreement.h>
+#include <CGAL/Reeb_graph/internal/distributed/exchange.h>
 #include <CGAL/Reeb_graph/internal/distributed/pass_arrays.h>
-
-#include <boost/mpi/communicator.hpp>
 
 #include <cstddef>
 #include <utility>
@@ -30,18 +28,18 @@ namespace internal {
 // to all of them. Afterwards, each arc between critical vertices is in the block of the rank where its last two parts
 // have met. Collective.
 template <class Scalar>
-void glue_slabs(const boost::mpi::communicator& communicator, std::size_t number_of_slabs, Slab_block<Scalar>& block)
+void glue_slabs(Exchange& exchange, std::size_t number_of_slabs, Slab_block<Scalar>& block)
 {
-  const std::size_t slab = static_cast<std::size_t>(communicator.rank());
+  const std::size_t slab = exchange.rank();
   for(std::size_t size = 1; size < number_of_slabs; size *= 2)
   {
     const bool is_leader = slab % (2 * size) == 0 && slab + size < number_of_slabs;
     const bool is_on_top = slab % (2 * size) == size && slab < number_of_slabs;
     const int to = is_on_top ? static_cast<int>(slab - size) : no_rank;
     const int from = is_leader ? static_cast<int>(slab + size) : no_rank;
-    const auto ends_of_contours = pass_array(communicator, block.ends_of_contours(), to, from);
-    auto open_arcs = pass_array(communicator, block.open_arcs(), to, from);
-    run_in_agreement(communicator, [&] {
+    const auto ends_of_contours = pass_array(exchange, block.ends_of_contours(), to, from);
+    auto open_arcs = pass_array(exchange, block.open_arcs(), to, from);
+    exchange.in_agreement([&] {
       if(is_leader)
         block.put_on_top(ends_of_contours, std::move(open_arcs));
     });

@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/distributed/agreement.h>
+#include <CGAL/Reeb_graph/internal/distributed/exchange.h>
 
-#include <boost/mpi/communicator.hpp>
+#include <boost/mpi/collectives.hpp>
 #include <boost/mpi/exception.hpp>
 #include <mpi.h>
 
@@ -36,7 +36,7 @@ constexpr int no_rank = MPI_PROC_NULL;
 
 // Sends one array and receives another one, in pieces, as MPI counts by int. Each rank can be no_rank.
 template <class T>
-void send_and_receive(const boost::mpi::communicator& communicator,
+void send_and_receive(Exchange& exchange,
                       const T* sent,
                       std::size_t number_of_sent,
                       int to,
@@ -45,30 +45,32 @@ void send_and_receive(const boost::mpi::communicator& communicator,
                       int from)
 {
   static_assert(std::is_trivially_copyable_v<T>);
+  if(to != no_rank)
+    exchange.count_bytes(number_of_sent * sizeof(T));
   constexpr std::size_t piece = (std::size_t(1) << 26) / sizeof(T);
   for(std::size_t i = 0; i < number_of_sent || i < number_of_received; i += piece)
   {
     const auto bytes = [&](std::size_t size) {
       return i < size ? static_cast<int>((std::min)(piece, size - i) * sizeof(T)) : 0;
     };
-    BOOST_MPI_CHECK_RESULT(MPI_Sendrecv,
-                           (sent + (std::min)(i, number_of_sent), bytes(number_of_sent), MPI_BYTE,
-                            i < number_of_sent ? to : no_rank, tag_of_arrays,
-                            received + (std::min)(i, number_of_received), bytes(number_of_received), MPI_BYTE,
-                            i < number_of_received ? from : no_rank, tag_of_arrays, communicator, MPI_STATUS_IGNORE));
+    BOOST_MPI_CHECK_RESULT(MPI_Sendrecv, (sent + (std::min)(i, number_of_sent), bytes(number_of_sent), MPI_BYTE,
+                                          i < number_of_sent ? to : no_rank, tag_of_arrays,
+                                          received + (std::min)(i, number_of_received), bytes(number_of_received),
+                                          MPI_BYTE, i < number_of_received ? from : no_rank, tag_of_arrays,
+                                          exchange.communicator(), MPI_STATUS_IGNORE));
   }
 }
 
 // Gives an array to one rank, and returns that of another one; either can be no_rank. Collective.
 template <class T>
-std::vector<T> pass_array(const boost::mpi::communicator& communicator, const std::vector<T>& array, int to, int from)
+std::vector<T> pass_array(Exchange& exchange, const std::vector<T>& array, int to, int from)
 {
   const std::uint64_t size = array.size();
   std::uint64_t size_of_received = 0;
-  send_and_receive(communicator, &size, 1, to, &size_of_received, from == no_rank ? 0 : 1, from);
+  send_and_receive(exchange, &size, 1, to, &size_of_received, from == no_rank ? 0 : 1, from);
   std::vector<T> received;
-  run_in_agreement(communicator, [&] { received.resize(size_of_received); });
-  send_and_receive(communicator, array.data(), to == no_rank ? 0 : array.size(), to, received.data(), received.size(),
+  exchange.in_agreement([&] { received.resize(size_of_received); });
+  send_and_receive(exchange, array.data(), to == no_rank ? 0 : array.size(), to, received.data(), received.size(),
                    from);
   return received;
 }
@@ -82,56 +84,56 @@ struct Gathered_arrays
 };
 
 // The sizes of the arrays of all ranks as places where they begin, at rank 0. Collective.
-inline std::vector<std::size_t> gather_begins(const boost::mpi::communicator& communicator, std::size_t size)
+inline std::vector<std::size_t> gather_begins(Exchange& exchange, std::size_t size)
 {
-  std::vector<std::size_t> begins(static_cast<std::size_t>(communicator.size()) + 1, 0);
-  boost::mpi::gather(communicator, size, begins.data() + 1, 0);
+  std::vector<std::size_t> begins(static_cast<std::size_t>(exchange.communicator().size()) + 1, 0);
+  boost::mpi::gather(exchange.communicator(), size, begins.data() + 1, 0);
   std::partial_sum(begins.begin(), begins.end(), begins.begin());
   return begins;
 }
 
 // Gathers an array of each rank at rank 0. Collective.
 template <class T>
-Gathered_arrays<T> gather_arrays(const boost::mpi::communicator& communicator, const std::vector<T>& array)
+Gathered_arrays<T> gather_arrays(Exchange& exchange, const std::vector<T>& array)
 {
-  Gathered_arrays<T> gathered = {{}, gather_begins(communicator, array.size())};
-  const bool is_root = communicator.rank() == 0;
-  run_in_agreement(communicator, [&] {
+  Gathered_arrays<T> gathered = {{}, gather_begins(exchange, array.size())};
+  const bool is_root = exchange.communicator().rank() == 0;
+  exchange.in_agreement([&] {
     if(is_root)
       gathered.elements.resize(gathered.begins.back());
   });
   if(!is_root)
   {
-    send_and_receive<T>(communicator, array.data(), array.size(), 0, nullptr, 0, no_rank);
+    send_and_receive<T>(exchange, array.data(), array.size(), 0, nullptr, 0, no_rank);
     return gathered;
   }
   std::copy(array.begin(), array.end(), gathered.elements.begin());
-  for(int rank = 1; rank != communicator.size(); ++rank)
-    send_and_receive<T>(communicator, nullptr, 0, no_rank, gathered.elements.data() + gathered.begins[rank],
+  for(int rank = 1; rank != exchange.communicator().size(); ++rank)
+    send_and_receive<T>(exchange, nullptr, 0, no_rank, gathered.elements.data() + gathered.begins[rank],
                         gathered.begins[rank + 1] - gathered.begins[rank], rank);
   return gathered;
 }
 
 // The part of a rank of what rank 0 has. Collective.
 template <class T>
-std::vector<T> scatter_arrays(const boost::mpi::communicator& communicator, const Gathered_arrays<T>& all)
+std::vector<T> scatter_arrays(Exchange& exchange, const Gathered_arrays<T>& all)
 {
   std::vector<std::size_t> sizes;
-  if(communicator.rank() == 0)
+  if(exchange.communicator().rank() == 0)
     for(std::size_t rank = 0; rank + 1 != all.begins.size(); ++rank)
       sizes.push_back(all.begins[rank + 1] - all.begins[rank]);
   std::size_t size = 0;
-  boost::mpi::scatter(communicator, sizes.data(), size, 0);
+  boost::mpi::scatter(exchange.communicator(), sizes.data(), size, 0);
   std::vector<T> part;
-  run_in_agreement(communicator, [&] { part.resize(size); });
-  if(communicator.rank() != 0)
+  exchange.in_agreement([&] { part.resize(size); });
+  if(exchange.communicator().rank() != 0)
   {
-    send_and_receive<T>(communicator, nullptr, 0, no_rank, part.data(), part.size(), 0);
+    send_and_receive<T>(exchange, nullptr, 0, no_rank, part.data(), part.size(), 0);
     return part;
   }
   std::copy_n(all.elements.begin(), size, part.begin());
-  for(int rank = 1; rank != communicator.size(); ++rank)
-    send_and_receive<T>(communicator, all.elements.data() + all.begins[rank], sizes[rank], rank, nullptr, 0, no_rank);
+  for(int rank = 1; rank != exchange.communicator().size(); ++rank)
+    send_and_receive<T>(exchange, all.elements.data() + all.begins[rank], sizes[rank], rank, nullptr, 0, no_rank);
   return part;
 }
 

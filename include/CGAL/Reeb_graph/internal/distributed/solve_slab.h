@@ -68,39 +68,45 @@ private:
   By_side<std::optional<Bounding_level>> levels_;
 };
 
-// What a rank finds in its slab. Contours of a level are numbered by their first edges, and edges by their vertices, so
-// the two ranks at a level know each of its contours by the same number.
-struct Solved_slab
-{
-  Slab_complex complex;
-  Swept_vertices critical_vertices;
-  By_side<Number> numbers_of_contours;
-  Slab_arcs arcs; // between the nodes of a Slab
-};
-
-// Checks the surface at the vertices of the rank's slab, finds the critical ones, and the arcs between them and the
-// contours of the bounding levels. Takes the triangles, and leaves the other arrays of the surface, to which the result
-// refers. Calls report(fraction) now and then.
-template <class Scalar, class Order, class ChosenMethod, class Report>
-Solved_slab solve_slab(Slab_surface<Scalar>& surface, const Order& order, ChosenMethod method, const Report& report)
+// Checks the surface at the vertices of the rank's slab, and finds the critical ones. Takes the triangles, and leaves the
+// other arrays of the surface, to which the result refers.
+template <class Scalar, class Order>
+Classified_complex<Slab_complex> link_and_classify(Slab_surface<Scalar>& surface, const Order& order)
 {
   Halfedge_arrays arrays = Triangle_linking(std::move(surface.triangles), surface.global_vertices)();
   surface.triangles = {};
-  report(0.3);
-  auto [complex, critical_vertices] = check_and_classify_vertices<Sequential_tag>(
+  return check_and_classify_vertices<Sequential_tag>(
     Unchecked_complex(Slab_complex(std::move(arrays), surface.global_vertices, surface.slabs_of_vertices)), order);
-  report(0.5);
+}
+
+// The arcs between the nodes of a Slab. Contours of a level are numbered by their first edges, and edges by their
+// vertices, so the two ranks at a level know each of its contours by the same number.
+struct Arcs_of_slab
+{
+  Slab_arcs arcs;
+  Number number_of_critical_vertices = 0;
+  By_side<Number> numbers_of_contours = {0, 0};
+};
+
+// Finds the arcs between the critical vertices of the rank's slab and the contours of its bounding levels. Calls
+// report(fraction) now and then.
+template <class Scalar, class Order, class ChosenMethod, class Report>
+Arcs_of_slab solve_slab(const Slab_surface<Scalar>& surface,
+                        const Classified_complex<Slab_complex>& classified,
+                        const Order& order,
+                        ChosenMethod method,
+                        const Report& report)
+{
+  const auto& [complex, critical_vertices] = classified;
   const Levels_of_rank levels(complex, surface);
   const Slab<Slab_complex> slab =
     surface.number_of_slabs == 1
       ? Slab<Slab_complex>(complex, critical_vertices)
       : Slab<Slab_complex>(complex, critical_vertices, surface.slabs_of_vertices, surface.inside(),
                            {levels.level(Side::LOWER), levels.level(Side::UPPER)});
-  Slab_arcs arcs = find_arcs_of_slab<Sequential_tag>(slab, order, method, report);
-  return {std::move(complex),
-          std::move(critical_vertices),
-          {levels.number_of_contours(Side::LOWER), levels.number_of_contours(Side::UPPER)},
-          std::move(arcs)};
+  return {find_arcs_of_slab<Sequential_tag>(slab, order, method, report),
+          critical_vertices.size(),
+          {levels.number_of_contours(Side::LOWER), levels.number_of_contours(Side::UPPER)}};
 }
 
 } // namespace internal

@@ -1,0 +1,87 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_DESCRIBE_SLAB_H
+#define CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_DESCRIBE_SLAB_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/distributed/Distributed_slab.h>
+#include <CGAL/Reeb_graph/internal/distributed/Chain_parts.h>
+#include <CGAL/Reeb_graph/internal/distributed/Slab_complex.h>
+#include <CGAL/Reeb_graph/internal/distributed/Slab_surface.h>
+#include <CGAL/Reeb_graph/internal/distributed/count_borders.h>
+#include <CGAL/Reeb_graph/internal/distributed/distribute_surface.h>
+#include <CGAL/Reeb_graph/internal/distributed/exchange.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The parts of chains for the user: those of each arc in their order.
+template <class Scalar>
+void describe_chains(const std::vector<Part_of_piece>& parts,
+                     const std::vector<Global_vertex>& vertices,
+                     Distributed_slab<Scalar>& slab)
+{
+  std::vector<std::size_t> begins, order;
+  std::size_t begin = 0;
+  for(const Part_of_piece& part : parts)
+  {
+    order.push_back(begins.size());
+    begins.push_back(begin);
+    begin += part.size;
+  }
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::tie(parts[a].arc, parts[a].piece) < std::tie(parts[b].arc, parts[b].piece);
+  });
+  slab.chain_vertices = vertices;
+  slab.chain_parts.reserve(parts.size());
+  for(const std::size_t i : order)
+    slab.chain_parts.push_back({parts[i].arc, begins[i], parts[i].size});
+}
+
+// Tells the user what the rank holds. Collective.
+template <class Scalar, class ChainParts>
+void describe_slab(Exchange& exchange,
+                   const Slab_surface<Scalar>& surface,
+                   const Slab_complex& complex,
+                   const Distribution_counts& counts,
+                   std::size_t number_of_triangles,
+                   const ChainParts& parts,
+                   bool are_chains_kept,
+                   Distributed_slab<Scalar>& slab)
+{
+  const Border_counts borders = count_borders(exchange, complex, surface);
+  Distributed_slab<Scalar> result;
+  exchange.in_agreement([&] {
+    if(are_chains_kept)
+      describe_chains(parts.parts(), parts.vertices(), result);
+  });
+  result.number_of_slabs = surface.number_of_slabs;
+  result.crossings_per_triangle = counts.slabs_per_triangle_if_all;
+  result.vertices = counts.vertices;
+  result.triangles = number_of_triangles;
+  result.copies = counts.copies;
+  result.bytes_sent = exchange.bytes_sent();
+  result.border_edges = borders.edges;
+  result.border_loops = borders.loops;
+  slab = std::move(result);
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_DESCRIBE_SLAB_H
