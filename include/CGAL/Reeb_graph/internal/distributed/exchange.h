@@ -86,6 +86,7 @@ public:
   std::size_t number_of_ranks() const { return static_cast<std::size_t>(communicator_.size()); }
   std::size_t rank() const { return static_cast<std::size_t>(communicator_.rank()); }
   std::uint64_t bytes_sent() const { return bytes_sent_; }
+  void count_bytes(std::size_t number) { bytes_sent_ += number; }
 
   template <class Function>
   void in_agreement(const Function& function) const
