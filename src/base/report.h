@@ -112,8 +112,28 @@ struct Work_report
   }
 };
 
+// What a rank of MPI did.
+struct Rank_report
+{
+  std::size_t vertices = 0;   // in its slab
+  std::size_t triangles = 0;  // that meet its slab
+  std::size_t copies = 0;     // those of them that a lower rank has as well
+  std::size_t bytes_sent = 0; // to other ranks
+  std::size_t peak_memory_bytes = 0;
+  std::vector<std::pair<std::string, double>> cpu_seconds; // of each step, and of all in the end
+};
+
+// What all ranks of MPI did.
+struct Ranks_report
+{
+  std::size_t slabs = 0;
+  double slabs_per_triangle = 0; // that a triangle would meet if there were a slab for each rank, on a sample
+  std::vector<Rank_report> ranks;
+};
+
 struct Report : Work_report
 {
+  std::optional<Ranks_report> ranks; // of a computation on several processes
   Surface_counts surface;
   std::optional<Complex_counts> complex; // instead of the surface
   CGAL::Reeb_graph::Critical_vertex_counts critical_vertices;

@@ -9,7 +9,9 @@
 #ifndef CGAL_REEB_GRAPH_SRC_COMMANDS_H
 #define CGAL_REEB_GRAPH_SRC_COMMANDS_H
 
+#include "base/Vertex_numbers.h"
 #include "base/options.h"
+#include "base/report.h"
 #include "computation/augmentation.h"
 
 #include <cstddef>
@@ -71,6 +73,13 @@ struct Demo_options
 {
   std::filesystem::path folder = "reeb_graph_demo";
 };
+
+// A part of run_compute(): finds the pairs of the given graph if they are asked for, and writes them.
+void write_pairs_and_diagram(const Compute_options& options,
+                             const Graph& graph,
+                             double threshold,
+                             Report& report,
+                             const Vertex_numbers& vertex_numbers = {});
 
 // They print to std::cout and throw an exception derived from std::exception for any error.
 void run_compute(const Compute_options& options);

@@ -71,22 +71,6 @@ void check(const Compute_options& options)
   check_simplification_of_field(options.simplification);
 }
 
-// The pairs are found if they are asked for: those of the given graph.
-void write_pairs_and_diagram(const Compute_options& options, const Graph& graph, double threshold, Report& report)
-{
-  if(options.pairs_path.empty() && options.diagram_path.empty() && !options.is_report_json)
-    return;
-  const Stopwatch stopwatch;
-  const std::vector<Persistence_pair> pairs = find_persistence_pairs(graph);
-  report.suggested_threshold = suggest_threshold(graph, pairs);
-  report.seconds.emplace_back("pairs", stopwatch.seconds());
-  if(!options.pairs_path.empty())
-    write_pairs(options.pairs_path, graph, pairs);
-  if(!options.diagram_path.empty())
-    write_diagram(options.diagram_path, graph, pairs,
-                  options.simplification.threshold ? std::optional<double>(threshold) : std::nullopt);
-}
-
 std::vector<std::size_t> places_of(const Surface& surface, const Vertex_locations& locations)
 {
   std::vector<std::size_t> places;
@@ -266,6 +250,25 @@ void compute_on_complex(const Compute_options& options, Mesh& mesh, Report& repo
 }
 
 } // namespace
+
+void write_pairs_and_diagram(const Compute_options& options,
+                             const Graph& graph,
+                             double threshold,
+                             Report& report,
+                             const Vertex_numbers& vertex_numbers)
+{
+  if(options.pairs_path.empty() && options.diagram_path.empty() && !options.is_report_json)
+    return;
+  const Stopwatch stopwatch;
+  const std::vector<Persistence_pair> pairs = find_persistence_pairs(graph);
+  report.suggested_threshold = suggest_threshold(graph, pairs);
+  report.seconds.emplace_back("pairs", stopwatch.seconds());
+  if(!options.pairs_path.empty())
+    write_pairs(options.pairs_path, graph, pairs, vertex_numbers);
+  if(!options.diagram_path.empty())
+    write_diagram(options.diagram_path, graph, pairs,
+                  options.simplification.threshold ? std::optional<double>(threshold) : std::nullopt);
+}
 
 void run_compute(const Compute_options& options)
 {

@@ -30,9 +30,7 @@ Surface_counts count_surface(const Surface& surface, const Graph& graph, std::si
   counts.faces = surface.number_of_faces();
   counts.components = CGAL::Reeb_graph::number_of_components(graph); // as many as the surface has
   counts.border_loops = PMP::number_of_borders(surface);
-  counts.euler_characteristic = static_cast<long>(counts.vertices + counts.faces) - static_cast<long>(counts.edges);
-  if(counts.components == 1 && number_of_isolated_vertices == 0)
-    counts.genus = (2 - counts.euler_characteristic - static_cast<long>(counts.border_loops)) / 2;
+  count_handles(counts, number_of_isolated_vertices);
   return counts;
 }
 
@@ -49,12 +47,24 @@ Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Grap
   return graph;
 }
 
-void count_all(const Surface& surface, const Graph& graph, Report& report)
+void count_handles(Surface_counts& counts, std::size_t number_of_isolated_vertices)
 {
-  report.surface = count_surface(surface, graph, report.critical_vertices.isolated);
+  counts.euler_characteristic = static_cast<long>(counts.vertices + counts.faces) - static_cast<long>(counts.edges);
+  if(counts.components == 1 && number_of_isolated_vertices == 0)
+    counts.genus = (2 - counts.euler_characteristic - static_cast<long>(counts.border_loops)) / 2;
+}
+
+void count_graph_of_surface(const Graph& graph, Report& report)
+{
   report.graph = count_graph(graph, report.surface.components);
   if(report.surface.genus && report.surface.border_loops == 0)
     report.graph.hidden_handles = *report.surface.genus - static_cast<long>(report.graph.loops);
+}
+
+void count_all(const Surface& surface, const Graph& graph, Report& report)
+{
+  report.surface = count_surface(surface, graph, report.critical_vertices.isolated);
+  count_graph_of_surface(graph, report);
 }
 
 void count_simplified(const Graph& simplified, double threshold, Report& report)

@@ -13,9 +13,17 @@
 #include "base/report.h"
 #include "base/surface.h"
 
+#include <cstddef>
+
 namespace reeb_graph_program {
 // Computes the Reeb graph, and adds what it took to the report.
 Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report);
+
+// Adds the Euler characteristic and the genus to the other counts.
+void count_handles(Surface_counts& counts, std::size_t number_of_isolated_vertices);
+
+// Adds the counts of the graph behind those of the surface.
+void count_graph_of_surface(const Graph& graph, Report& report);
 
 // Counts what the report tells of the surface and of the graph.
 void count_all(const Surface& surface, const Graph& graph, Report& report);

@@ -34,19 +34,30 @@ void check_simplification_of_field(const Simplification_options& options)
     throw std::runtime_error("--cancel-loops does not go with a field: on this mesh, each field has its loops");
 }
 
-double threshold_in_units(const Simplification_options& options, const Surface& surface, Scalar_map scalar_map)
+double threshold_in_units(const Simplification_options& options,
+                          const std::function<std::optional<Value_range>()>& find_range)
 {
   if(!options.threshold)
     return std::numeric_limits<double>::infinity();
   if(!options.threshold->is_percentage)
     return options.threshold->number;
-  if(surface.number_of_vertices() == 0)
+  const std::optional<Value_range> range = find_range();
+  if(!range)
     return 0;
-  const auto [lowest, highest] = std::minmax_element(scalar_map.begin(), scalar_map.end());
-  const double threshold = (*highest - *lowest) * (options.threshold->number / 100);
+  const double threshold = (range->second - range->first) * (options.threshold->number / 100);
   if(!std::isfinite(threshold))
     throw std::runtime_error("a percentage needs a field of finite range");
   return threshold;
+}
+
+double threshold_in_units(const Simplification_options& options, const Surface& surface, Scalar_map scalar_map)
+{
+  return threshold_in_units(options, [&]() -> std::optional<Value_range> {
+    if(surface.number_of_vertices() == 0)
+      return std::nullopt;
+    const auto [lowest, highest] = std::minmax_element(scalar_map.begin(), scalar_map.end());
+    return Value_range(*lowest, *highest);
+  });
 }
 
 template <class AnyGraph>

@@ -18,7 +18,9 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -31,7 +33,13 @@ void check_simplification_options(const Simplification_options& options);
 // Throws std::runtime_error if there is no field that has the simplified graph.
 void check_simplification_of_field(const Simplification_options& options);
 
-// The threshold in units of the field, infinite if only the number of leaves counts.
+// The least and the greatest value of a field.
+typedef std::pair<double, double> Value_range;
+
+// The threshold in units of the field, infinite if only the number of leaves counts. The range is asked for where it
+// matters only, and is none if there are no vertices. Throws std::runtime_error if it is not finite.
+double threshold_in_units(const Simplification_options& options,
+                          const std::function<std::optional<Value_range>()>& find_range);
 double threshold_in_units(const Simplification_options& options, const Surface& surface, Scalar_map scalar_map);
 
 // A graph, `Graph` or `Complex_graph`, and, if anything is removed from it, the simplified graph.

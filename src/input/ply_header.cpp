@@ -75,7 +75,26 @@ Property read_property(Text_input& input)
   return property;
 }
 
+std::string names_of_numbers(const Element& element)
+{
+  std::string names;
+  for(const Property& property : element.properties)
+    if(!property.is_list())
+      names += (names.empty() ? "" : ", ") + property.name;
+  return names;
+}
+
 } // namespace
+
+std::size_t find_scalars(const Text_input& input, const Element& element, const std::string& name)
+{
+  const std::size_t place = element.find({name});
+  if(place == element.properties.size())
+    input.fail("the vertices have no property " + quote(name) + ", but " + names_of_numbers(element));
+  if(element.properties[place].is_list())
+    input.fail("the property " + quote(name) + " of the vertices is a list, and no field");
+  return place;
+}
 
 Header read_header(Text_input& input)
 {

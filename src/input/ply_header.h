@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -74,9 +75,34 @@ struct Header
 
 inline bool is_integer(Type type) { return type < Type::FLOAT32; }
 
+// Calls the function with a number of the type.
+template <class Function>
+auto call_with_number(Type type, const Function& function)
+{
+  switch(type)
+  {
+  case Type::INT8: return function(std::int8_t());
+  case Type::UINT8: return function(std::uint8_t());
+  case Type::INT16: return function(std::int16_t());
+  case Type::UINT16: return function(std::uint16_t());
+  case Type::INT32: return function(std::int32_t());
+  case Type::UINT32: return function(std::uint32_t());
+  case Type::FLOAT32: return function(float());
+  default: return function(double());
+  }
+}
+
+inline std::size_t size_in_bytes(Type type)
+{
+  return call_with_number(type, [](auto number) { return sizeof(number); });
+}
+
 // Reads the header from its first line on, up to the line that ends it. Throws Input_error if it is none, as if a
 // property belongs to no element.
 Header read_header(Text_input& input);
+
+// The place of the property of the vertices that is asked for as field. Throws Input_error if there is none.
+std::size_t find_scalars(const Text_input& input, const Element& element, const std::string& name);
 
 } // namespace ply
 

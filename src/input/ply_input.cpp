@@ -7,6 +7,7 @@
 // Author(s)     : The Reeb_graph authors
 
 #include "input/File_contents.h"
+#include "input/binary_numbers.h"
 #include "input/mesh_formats.h"
 #include "input/ply_header.h"
 #include "input/text_input.h"
@@ -30,21 +31,6 @@ using ply::Format;
 using ply::Property;
 using ply::Type;
 
-std::size_t size_in_bytes(Type type)
-{
-  switch(type)
-  {
-  case Type::INT8:
-  case Type::UINT8: return 1;
-  case Type::INT16:
-  case Type::UINT16: return 2;
-  case Type::INT32:
-  case Type::UINT32:
-  case Type::FLOAT32: return 4;
-  default: return 8;
-  }
-}
-
 // The numbers behind the header.
 class Data
 {
@@ -60,12 +46,13 @@ public:
   {
     if(format_ == Format::ASCII)
       return read_word(type);
-    const std::size_t size = size_in_bytes(type);
+    const std::size_t size = ply::size_in_bytes(type);
     if(bytes_.size() < size)
       input_.fail("the file ends too early");
     const char* const first = bytes_.data();
     bytes_.remove_prefix(size);
-    return is_reversed() ? read_reversed(type, first) : decode(type, first);
+    const bool is_order_reversed = is_reversed();
+    return ply::call_with_number(type, [&](auto n) -> double { return decode<decltype(n)>(first, is_order_reversed); });
   }
 
   // Reads a property: one number, or those of a list.
@@ -98,81 +85,15 @@ private:
   double read_word(Type type)
   {
     const std::string_view word = input_.word_of_file();
-    switch(type)
-    {
-    case Type::INT8: return input_.number<std::int8_t>(word);
-    case Type::UINT8: return input_.number<std::uint8_t>(word);
-    case Type::INT16: return input_.number<std::int16_t>(word);
-    case Type::UINT16: return input_.number<std::uint16_t>(word);
-    case Type::INT32: return input_.number<std::int32_t>(word);
-    case Type::UINT32: return input_.number<std::uint32_t>(word);
-    case Type::FLOAT32: return input_.number<float>(word);
-    default: return input_.number<double>(word);
-    }
-  }
-
-  static double decode(Type type, const char* bytes)
-  {
-    switch(type)
-    {
-    case Type::INT8: return decode<std::int8_t>(bytes);
-    case Type::UINT8: return decode<std::uint8_t>(bytes);
-    case Type::INT16: return decode<std::int16_t>(bytes);
-    case Type::UINT16: return decode<std::uint16_t>(bytes);
-    case Type::INT32: return decode<std::int32_t>(bytes);
-    case Type::UINT32: return decode<std::uint32_t>(bytes);
-    case Type::FLOAT32: return decode<float>(bytes);
-    default: return decode<double>(bytes);
-    }
-  }
-
-  template <class Number>
-  static Number decode(const char* bytes)
-  {
-    Number number;
-    std::memcpy(&number, bytes, sizeof(Number));
-    return number;
-  }
-
-  static double read_reversed(Type type, const char* bytes)
-  {
-    std::array<char, sizeof(double)> reversed;
-    std::reverse_copy(bytes, bytes + size_in_bytes(type), reversed.begin());
-    return decode(type, reversed.data());
+    return ply::call_with_number(type, [&](auto n) -> double { return input_.number<decltype(n)>(word); });
   }
 
   bool is_reversed() const { return (format_ == Format::BINARY_BIG_ENDIAN) != is_machine_big_endian(); }
-
-  static bool is_machine_big_endian()
-  {
-    const std::uint16_t number = 1;
-    return decode<std::uint8_t>(reinterpret_cast<const char*>(&number)) == 0;
-  }
 
   Text_input& input_;
   std::string_view bytes_; // that have not been read, of a binary file
   Format format_;
 };
-
-std::string names_of_numbers(const Element& element)
-{
-  std::string names;
-  for(const Property& property : element.properties)
-    if(!property.is_list())
-      names += (names.empty() ? "" : ", ") + property.name;
-  return names;
-}
-
-// The place of the property of the vertices that was asked for.
-std::size_t find_scalars(Text_input& input, const Element& element, const std::string& name)
-{
-  const std::size_t place = element.find({name});
-  if(place == element.properties.size())
-    input.fail("the vertices have no property " + quote(name) + ", but " + names_of_numbers(element));
-  if(element.properties[place].is_list())
-    input.fail("the property " + quote(name) + " of the vertices is a list, and no field");
-  return place;
-}
 
 void read_points(Text_input& input,
                  const Element& element,
@@ -184,7 +105,7 @@ void read_points(Text_input& input,
   for(const std::size_t place : places)
     if(place == element.properties.size() || element.properties[place].is_list())
       input.fail("the vertices have no x, y and z");
-  const std::size_t scalar_place = scalar_name.empty() ? 0 : find_scalars(input, element, scalar_name);
+  const std::size_t scalar_place = scalar_name.empty() ? 0 : ply::find_scalars(input, element, scalar_name);
   std::vector<double> numbers(element.properties.size()), list;
   for(std::size_t i = 0; i < element.number; ++i)
   {
@@ -247,17 +168,9 @@ Vertex_property<Number> add_property(Surface& surface, const std::string& name)
 
 Any_vertex_property add_property(Surface& surface, const Property& property)
 {
-  switch(property.type)
-  {
-  case Type::INT8: return add_property<std::int8_t>(surface, property.name);
-  case Type::UINT8: return add_property<std::uint8_t>(surface, property.name);
-  case Type::INT16: return add_property<std::int16_t>(surface, property.name);
-  case Type::UINT16: return add_property<std::uint16_t>(surface, property.name);
-  case Type::INT32: return add_property<std::int32_t>(surface, property.name);
-  case Type::UINT32: return add_property<std::uint32_t>(surface, property.name);
-  case Type::FLOAT32: return add_property<float>(surface, property.name);
-  default: return add_property<double>(surface, property.name);
-  }
+  return ply::call_with_number(property.type, [&](auto number) -> Any_vertex_property {
+    return add_property<decltype(number)>(surface, property.name);
+  });
 }
 
 void read_vertex_properties(const Element& element,

@@ -179,6 +179,63 @@ void write_table(std::ostream& out, const std::vector<Arc_row>& rows)
   }
 }
 
+std::size_t largest_peak_memory_bytes(const Ranks_report& report)
+{
+  std::size_t largest = 0;
+  for(const Rank_report& rank : report.ranks)
+    largest = std::max(largest, rank.peak_memory_bytes);
+  return largest;
+}
+
+// The sum over all ranks, step by step.
+std::vector<std::pair<std::string, double>> cpu_seconds(const Ranks_report& report)
+{
+  Work_report sums;
+  for(const Rank_report& rank : report.ranks)
+    for(const auto& [step, seconds] : rank.cpu_seconds)
+      sums.add_seconds(step, seconds);
+  return sums.seconds;
+}
+
+nlohmann::ordered_json json_of_steps(const std::vector<std::pair<std::string, double>>& steps)
+{
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for(const auto& [step, seconds] : steps)
+    json[step] = seconds;
+  return json;
+}
+
+void add_ranks(nlohmann::ordered_json& json, const Ranks_report& report)
+{
+  json["ranks"] = report.ranks.size();
+  json["slabs"] = report.slabs;
+  json["slabs_per_triangle"] = json_number(report.slabs_per_triangle);
+  json["cpu_seconds"] = json_of_steps(cpu_seconds(report));
+  json["per_rank"] = nlohmann::ordered_json::array();
+  for(const Rank_report& rank : report.ranks)
+  {
+    nlohmann::ordered_json row;
+    row["vertices"] = rank.vertices;
+    row["triangles"] = rank.triangles;
+    row["copies"] = rank.copies;
+    row["bytes_sent"] = rank.bytes_sent;
+    row["cpu_seconds"] = json_of_steps(rank.cpu_seconds);
+    row["peak_memory_bytes"] = rank.peak_memory_bytes;
+    json["per_rank"].push_back(row);
+  }
+}
+
+void write_ranks(std::ostream& out, const Ranks_report& report)
+{
+  out << "ranks    " << report.ranks.size() << " on " << count(report.slabs, "slab");
+  if(report.slabs < report.ranks.size())
+    out << ": with one for each rank, a triangle would meet " << std::fixed << std::setprecision(1)
+        << report.slabs_per_triangle << " of them";
+  out << "\n         " << std::fixed << std::setprecision(3)
+      << (report.ranks.empty() ? 0. : cpu_seconds(report).back().second) << " seconds of CPU in all, at most "
+      << std::setprecision(1) << static_cast<double>(largest_peak_memory_bytes(report)) / 1e6 << " MB on a rank\n";
+}
+
 void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report)
 {
   json["bad_faces"] = json["added_length"] = json["marched_components"] = nullptr;
@@ -255,6 +312,8 @@ void write_text(std::ostream& out, const Report& report)
   for(std::size_t i = 0; i < report.seconds.size(); ++i)
     out << (i == 0 ? "" : ", ") << report.seconds[i].first << " " << report.seconds[i].second;
   out << "\nmemory   " << std::setprecision(1) << static_cast<double>(peak_memory_bytes()) / 1e6 << " MB at the peak\n";
+  if(report.ranks)
+    write_ranks(out, *report.ranks);
   if(report.arc_table && !report.arc_table->empty())
     write_table(out, *report.arc_table);
 }
@@ -283,6 +342,11 @@ void write_json(std::ostream& out, const Report& report)
   for(std::size_t arc = 0; report.arc_table && arc < report.arc_table->size(); ++arc)
     json["arc_table"].push_back(json_of((*report.arc_table)[arc], arc));
   add_field_and_costs(json, report);
+  if(report.ranks)
+  {
+    json["peak_memory_bytes"] = largest_peak_memory_bytes(*report.ranks);
+    add_ranks(json, *report.ranks);
+  }
   out << json.dump(2) << '\n';
 }
 

@@ -1,0 +1,88 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "mpi/Shared_file.h"
+
+#include "input/input_error.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+namespace reeb_graph_program {
+namespace {
+constexpr std::size_t most_bytes_at_once = std::size_t(1) << 28;
+
+std::runtime_error write_error(const std::string& path)
+{
+  return std::runtime_error(path + ": the file cannot be written");
+}
+
+int number_of_bytes_done(MPI_Status& status)
+{
+  int number = 0;
+  MPI_Get_count(&status, MPI_BYTE, &number);
+  return number;
+}
+
+} // namespace
+
+Shared_file::Shared_file(const std::string& path, Access access) : path_(path)
+{
+  const bool is_read = access == Access::READ;
+  if(is_read && !std::filesystem::is_regular_file(path))
+    throw Input_error(path, "the file cannot be read");
+  const int mode = is_read ? MPI_MODE_RDONLY : MPI_MODE_WRONLY;
+  if(MPI_File_open(MPI_COMM_SELF, path.c_str(), mode, MPI_INFO_NULL, &file_) != MPI_SUCCESS)
+    throw is_read ? Input_error(path, "the file cannot be read") : write_error(path);
+  MPI_Offset size = 0;
+  MPI_File_get_size(file_, &size);
+  size_ = static_cast<std::uint64_t>(size);
+}
+
+Shared_file::~Shared_file()
+{
+  if(file_ != MPI_FILE_NULL)
+    MPI_File_close(&file_);
+}
+
+void Shared_file::read(std::uint64_t offset, char* bytes, std::size_t number_of_bytes) const
+{
+  for(std::size_t begin = 0; begin < number_of_bytes;)
+  {
+    const int number = static_cast<int>(std::min(number_of_bytes - begin, most_bytes_at_once));
+    MPI_Status status;
+    const int error =
+      MPI_File_read_at(file_, static_cast<MPI_Offset>(offset + begin), bytes + begin, number, MPI_BYTE, &status);
+    if(error != MPI_SUCCESS || number_of_bytes_done(status) != number)
+      throw Input_error(path_, "the file cannot be read");
+    begin += static_cast<std::size_t>(number);
+  }
+}
+
+void Shared_file::write(std::uint64_t offset, const char* bytes, std::size_t number_of_bytes) const
+{
+  for(std::size_t begin = 0; begin < number_of_bytes;)
+  {
+    const int number = static_cast<int>(std::min(number_of_bytes - begin, most_bytes_at_once));
+    MPI_Status status;
+    const int error =
+      MPI_File_write_at(file_, static_cast<MPI_Offset>(offset + begin), bytes + begin, number, MPI_BYTE, &status);
+    if(error != MPI_SUCCESS || number_of_bytes_done(status) != number)
+      throw write_error(path_);
+    begin += static_cast<std::size_t>(number);
+  }
+}
+
+void Shared_file::close()
+{
+  if(MPI_File_close(&file_) != MPI_SUCCESS)
+    throw write_error(path_);
+}
+
+} // namespace reeb_graph_program

@@ -1,0 +1,39 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_COMMANDS_ON_RANKS_H
+#define CGAL_REEB_GRAPH_SRC_COMMANDS_ON_RANKS_H
+
+#include "commands/commands.h"
+#include "mpi/generated_input.h"
+#include "mpi/ranks.h"
+
+#include <string>
+
+namespace reeb_graph_program {
+struct Compute_on_ranks_options
+{
+  Compute_options compute;
+  Generation_options generation;
+};
+
+struct Generate_options
+{
+  Generation_options generation;
+  Input_options input; // the field
+  std::string path;    // .ply or .raw
+};
+
+// Rank 0 prints to std::cout and writes the files of the graph. All ranks throw the same exception, derived from
+// std::exception, for any error. Collective.
+void run_compute_on_ranks(const Communicator& communicator, const Compute_on_ranks_options& options);
+void run_generate(const Communicator& communicator, const Generate_options& options);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_COMMANDS_ON_RANKS_H

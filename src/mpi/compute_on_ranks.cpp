@@ -1,0 +1,293 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "base/peak_memory.h"
+#include "base/progress_bar.h"
+#include "computation/Report_visitor.h"
+#include "computation/analysis.h"
+#include "computation/embedding.h"
+#include "computation/simplification.h"
+#include "input/field_input.h"
+#include "mpi/Rank_visitor.h"
+#include "mpi/commands_on_ranks.h"
+#include "mpi/local_input.h"
+#include "output/diagram_output.h"
+#include "output/graph_output.h"
+#include "output/output_file.h"
+#include "output/pairs_output.h"
+#include "output/report_output.h"
+
+#include <CGAL/Reeb_graph/distributed/compute_reeb_graph_distributed.h>
+#include <CGAL/Reeb_graph/graph_topology.h>
+
+#include <boost/mpi/collectives.hpp>
+#include <boost/range/irange.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace reeb_graph_program {
+namespace {
+typedef CGAL::Reeb_graph_soup_traits<double>::Graph Graph_of_ranks;
+typedef CGAL::Reeb_graph::Distributed_slab<double> Slab;
+
+[[noreturn]] void refuse(const std::string& option, const std::string& reason)
+{
+  throw std::runtime_error(option + " cannot be had on ranks: " + reason);
+}
+
+// What needs the whole surface in one memory.
+void check_left_out(const Compute_options& options)
+{
+  const std::string surface = "it needs the whole surface in one memory, as the program reeb_graph has it";
+  const std::pair<bool, const char*> given[] = {{!options.page_path.empty(), "--html"},
+                                                {!options.mesh_path.empty(), "--mesh-out"},
+                                                {!options.vertex_arcs_path.empty(), "--vertex-arcs"},
+                                                {!options.simplified_scalars_path.empty(), "--simplified-scalars"},
+                                                {options.is_table_wanted.value_or(false), "--table"},
+                                                {options.input.are_faces_triangulated, "--triangulate"},
+                                                {options.input.lowest_vertex.has_value(), "--min"},
+                                                {options.input.highest_vertex.has_value(), "--max"},
+                                                {!options.input.weights.empty(), "--weights"},
+                                                {!options.input.source_vertices.empty(), "--source"}};
+  for(const auto& [is_given, name] : given)
+    if(is_given)
+      refuse(name, surface);
+  for(const char* field : {"harmonic", "poisson", "geodesic", "unit-gradient"})
+    if(options.input.field == field)
+      refuse("--field " + options.input.field, surface);
+  if(!options.input.scalars_path.empty() || !options.input.column.empty())
+    refuse("--scalars", "the field is a coordinate, height, a property of the vertices, or in a raw file");
+  if(!options.input.direction.empty() && options.input.field != "height")
+    throw std::runtime_error("--direction goes with the field height only");
+  if(options.graph.number_of_threads > 1)
+    refuse("--threads", "each rank works with one thread; more ranks do more at a time");
+}
+
+bool is_graph_in_space(const Compute_options& options)
+{
+  return !options.graph_path.empty() && is_format_in_space(options.graph_path);
+}
+
+void check(const Compute_on_ranks_options& all_options)
+{
+  const Compute_options& options = all_options.compute;
+  if(options.input.mesh_path.empty() == all_options.generation.surface.empty())
+    throw std::runtime_error("either MESH or --generate is needed");
+  check_left_out(options);
+  if(!options.graph_path.empty())
+    check_graph_format(options.graph_path);
+  if(is_graph_in_space(options))
+  {
+    if(has_arc_attributes(options.graph_path))
+      refuse(options.graph_path, "the format has lengths and areas of arcs; .graphml, .dot, .svg, .obj, and "
+                                 ".polylines.txt have none");
+    if(options.embedding_manner != CGAL::Reeb_graph::Embedding_manner::STRAIGHT)
+      refuse(options.graph_path, "arcs are drawn through contours; --embedding straight leaves them straight");
+  }
+  else if(options.embedding_manner)
+    throw std::runtime_error("--embedding straight goes with --graph and .obj or .polylines.txt only");
+  if(!options.pairs_path.empty())
+    check_pairs_format(options.pairs_path);
+  if(!options.diagram_path.empty())
+    check_diagram_format(options.diagram_path);
+  check_distinct_paths({options.graph_path, options.pairs_path, options.diagram_path});
+  check_simplification_options(options.simplification);
+}
+
+// Collective.
+std::optional<Value_range> find_range(const Communicator& communicator, const Local_mesh& mesh)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Value_range range(infinity, -infinity);
+  if(!mesh.scalars.empty())
+  {
+    const auto [lowest, highest] = std::minmax_element(mesh.scalars.begin(), mesh.scalars.end());
+    range = {*lowest, *highest};
+  }
+  range.first = boost::mpi::all_reduce(communicator, range.first, boost::mpi::minimum<double>());
+  range.second = boost::mpi::all_reduce(communicator, range.second, boost::mpi::maximum<double>());
+  return mesh.number_of_vertices == 0 ? std::nullopt : std::make_optional(range);
+}
+
+Graph_of_ranks compute(const Communicator& communicator,
+                       const Local_mesh& mesh,
+                       const Graph_options& options,
+                       Slab& slab,
+                       Report& report,
+                       Rank_report& rank)
+{
+  namespace parameters = CGAL::parameters;
+  const bool is_shown = communicator.rank() == 0 && isatty(STDERR_FILENO) == 1;
+  Progress_bar progress_bar("graph", is_shown ? &std::cerr : nullptr, 0.5);
+  Rank_visitor visitor(report, rank);
+  Graph_of_ranks graph;
+  const Timed_computation timed(report);
+  const double cpu_seconds = cpu_seconds_of_process();
+  const auto place = static_cast<std::ptrdiff_t>(rank.cpu_seconds.size());
+  const auto vertices = boost::irange<std::uint64_t>(mesh.first_vertex, mesh.first_vertex + mesh.scalars.size());
+  const auto np = parameters::slab(std::ref(slab), parameters::gather_chains(false, named_parameters(options)))
+                    .visitor(std::ref(visitor))
+                    .callback(std::ref(progress_bar));
+  std::visit(
+    [&](const auto& triangles) {
+      CGAL::compute_reeb_graph_distributed(communicator, vertices, triangles, mesh.scalars, graph, np);
+    },
+    mesh.triangles);
+  rank.cpu_seconds.insert(rank.cpu_seconds.begin() + place, {"compute", cpu_seconds_of_process() - cpu_seconds});
+  return graph;
+}
+
+// The graph with the descriptors of a surface that has the vertices of its nodes only, for the functions that write
+// graphs.
+struct Graph_of_nodes
+{
+  std::vector<std::uint64_t> numbers; // of the vertices
+  Surface surface;
+  Graph graph;
+};
+
+void put_on_nodes(const Graph_of_ranks& graph, const Local_mesh& mesh, bool are_points_wanted, Graph_of_nodes& result)
+{
+  typedef CGAL::Reeb_graph_traits<Surface, Scalar_map> Traits;
+  for(const auto node : CGAL::make_range(vertices(graph)))
+  {
+    const std::uint64_t number = graph[node].vertex;
+    result.numbers.push_back(number);
+    const auto v = result.surface.add_vertex(are_points_wanted ? mesh.point(number) : Point());
+    add_vertex(Traits::Node{graph[node].value, v, graph[node].kind}, result.graph);
+  }
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const auto added = add_edge(source(arc, graph), target(arc, graph), result.graph).first;
+    put(boost::edge_index, result.graph, added, get(boost::edge_index, graph, arc));
+  }
+}
+
+void count_surface(const Local_mesh& mesh, const Slab& slab, const Graph& graph, Report& report)
+{
+  Surface_counts& counts = report.surface;
+  counts.vertices = mesh.number_of_vertices;
+  counts.faces = mesh.number_of_triangles;
+  counts.edges = (3 * mesh.number_of_triangles + slab.border_edges) / 2;
+  counts.components = CGAL::Reeb_graph::number_of_components(graph); // as many as the surface has
+  counts.border_loops = slab.border_loops;
+  count_handles(counts, report.critical_vertices.isolated);
+  count_graph_of_surface(graph, report);
+}
+
+Field_label label(const Compute_options& options)
+{
+  Field_label result = field_label(options.input, options.unit);
+  if(result.name.empty()) // that of a raw file
+    result.name = std::filesystem::path(options.input.mesh_path).stem().string();
+  return result;
+}
+
+// What rank 0 does with the graph.
+void write_results(const Compute_options& options,
+                   const Graph_of_ranks& graph,
+                   const Local_mesh& mesh,
+                   double threshold,
+                   const Slab& slab,
+                   Report& report)
+{
+  Graph_of_nodes given;
+  put_on_nodes(graph, mesh, is_graph_in_space(options), given);
+  count_surface(mesh, slab, given.graph, report);
+  const Stopwatch simplify_stopwatch;
+  const Simplified_graph simplified(given.graph, options.simplification, threshold);
+  if(options.simplification.is_anything_removed())
+  {
+    report.seconds.emplace_back("simplify", simplify_stopwatch.seconds());
+    count_simplified(simplified.result(), threshold, report);
+  }
+  const Vertex_numbers numbers(given.numbers);
+  write_pairs_and_diagram(options, given.graph, threshold, report, numbers);
+  if(options.graph_path.empty())
+    return;
+  const Stopwatch stopwatch;
+  if(is_graph_in_space(options))
+    write_graph_in_space(options.graph_path, simplified.result(), embed_straight(simplified.result(), given.surface),
+                         given.surface);
+  else
+    write_graph(options.graph_path, simplified.result(), label(options), numbers);
+  report.add_seconds("output", stopwatch.seconds());
+}
+
+// Collective.
+Ranks_report gather(const Communicator& communicator, const Slab& slab, Rank_report& rank)
+{
+  rank.vertices = slab.vertices;
+  rank.triangles = slab.triangles;
+  rank.copies = slab.copies;
+  rank.bytes_sent = slab.bytes_sent;
+  rank.peak_memory_bytes = peak_memory_bytes();
+  rank.cpu_seconds.emplace_back("total", cpu_seconds_of_process());
+  Ranks_report report;
+  report.slabs = slab.number_of_slabs;
+  report.slabs_per_triangle = slab.crossings_per_triangle;
+  boost::mpi::gather(communicator, rank, report.ranks, 0);
+  return report;
+}
+
+} // namespace
+
+template <class Archive>
+void serialize(Archive& archive, Rank_report& rank, unsigned)
+{
+  archive& rank.vertices& rank.triangles& rank.copies& rank.bytes_sent& rank.peak_memory_bytes& rank.cpu_seconds;
+}
+
+void run_compute_on_ranks(const Communicator& communicator, const Compute_on_ranks_options& all_options)
+{
+  check(all_options);
+  const Compute_options& options = all_options.compute;
+  Report report;
+  Rank_report rank;
+  Step read("read", report, rank);
+  const Local_mesh mesh = all_options.generation.surface.empty()
+                          ? read_local_mesh(communicator, options.input)
+                          : make_local_mesh(communicator, all_options.generation, options.input);
+  if(is_graph_in_space(options) && !mesh.point)
+    refuse(options.graph_path, "a raw file has no points");
+  const double threshold = threshold_in_units(options.simplification, [&] { return find_range(communicator, mesh); });
+  read.end();
+  Slab slab;
+  const Graph_of_ranks graph = compute(communicator, mesh, options.graph, slab, report, rank);
+  const double cpu_seconds = cpu_seconds_of_process();
+  run_on_rank_0(communicator, [&] { write_results(options, graph, mesh, threshold, slab, report); });
+  rank.cpu_seconds.emplace_back("output", cpu_seconds_of_process() - cpu_seconds);
+  report.ranks = gather(communicator, slab, rank);
+  run_on_rank_0(communicator, [&] {
+    if(options.is_report_json)
+      write_json(std::cout, report);
+    else
+      write_text(std::cout, report);
+    if(!std::cout.flush())
+      throw std::runtime_error("standard output cannot be written");
+  });
+}
+
+} // namespace reeb_graph_program

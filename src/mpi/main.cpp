@@ -1,0 +1,133 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "commands/command_line.h"
+#include "mpi/commands_on_ranks.h"
+#include "mpi/ranks.h"
+
+#include <CGAL/version.h>
+
+#include <CLI/CLI.hpp>
+
+#include <boost/mpi/environment.hpp>
+
+#include <mpi.h>
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+namespace {
+using reeb_graph_program::Communicator;
+using reeb_graph_program::Compute_on_ranks_options;
+using reeb_graph_program::Generate_options;
+using reeb_graph_program::Generation_options;
+
+void add_generation_options(CLI::App& command, Generation_options& options)
+{
+  command
+    .add_option("--triangles", options.number_of_triangles,
+                "For a surface that is generated: about how many triangles it has")
+    ->capture_default_str();
+}
+
+void add_compute_on_ranks_command(CLI::App& app, Compute_on_ranks_options& options)
+{
+  CLI::App* command = add_compute_command(app, options.compute);
+  command->description("Compute the Reeb graph of a scalar field on a surface that the ranks share");
+  command->get_option("MESH")->required(false)->description("Mesh: a binary PLY file of triangles, or a raw file");
+  command->add_option("--generate", options.generation.surface,
+                      "Instead of MESH: a closed surface that the ranks make, genus-0, genus-1, ..., with the field x, "
+                      "y, z, height, smooth, or noise");
+  add_generation_options(*command, options.generation);
+}
+
+void add_generate_command(CLI::App& app, Generate_options& options)
+{
+  CLI::App* command =
+    app.add_subcommand("generate", "Write a closed surface with a field, of which each rank makes a part");
+  command->add_option("FILE", options.path, "The file: a binary .ply, or a .raw, with the values of the field")
+    ->required();
+  options.generation.surface = "genus-3";
+  options.input.field = "smooth";
+  command->add_option("--surface", options.generation.surface, "genus-0, genus-1, ...")->capture_default_str();
+  command->add_option("--field", options.input.field, "x, y, z, height, smooth, or noise")->capture_default_str();
+  add_generation_options(*command, options.generation);
+}
+
+// Waits for the other ranks. Returns whether all of them have come: if one has failed alone, the others still wait for
+// it elsewhere.
+bool do_all_come(MPI_Comm communicator)
+{
+  constexpr double patience = 10; // seconds
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Ibarrier(communicator, &request);
+  int have_come = 0;
+  for(const double start = MPI_Wtime(); have_come == 0 && MPI_Wtime() - start < patience;)
+    MPI_Test(&request, &have_come, MPI_STATUS_IGNORE);
+  return have_come != 0;
+}
+
+// Rank 0 says what is wrong. A rank that fails alone does, and ends all of them.
+int end_with_error(const Communicator& communicator, const Communicator& meeting, const std::string& message)
+{
+  const bool is_common = do_all_come(meeting);
+  if(communicator.rank() == 0 || !is_common)
+    std::cerr << "reeb_graph_mpi: error: " << message << std::endl;
+  if(!is_common)
+    communicator.abort(EXIT_FAILURE);
+  return EXIT_FAILURE;
+}
+
+int run(int argc, char** argv, const Communicator& communicator, const Communicator& meeting)
+{
+  CLI::App app("Exact Reeb graphs of scalar fields on surfaces that the ranks of MPI share", "reeb_graph_mpi");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "reeb_graph_mpi " REEB_GRAPH_VERSION " (CGAL " CGAL_VERSION_STR ")");
+  Compute_on_ranks_options compute_options;
+  Generate_options generate_options;
+  add_compute_on_ranks_command(app, compute_options);
+  add_generate_command(app, generate_options);
+  try
+  {
+    app.parse(argc, argv);
+    if(app.got_subcommand("compute"))
+      run_compute_on_ranks(communicator, compute_options);
+    else
+      run_generate(communicator, generate_options);
+    return EXIT_SUCCESS;
+  }
+  catch(const CLI::Success& request_for_help)
+  {
+    return communicator.rank() == 0 ? app.exit(request_for_help) : EXIT_SUCCESS;
+  }
+  catch(const CLI::ParseError& error)
+  {
+    return end_with_error(communicator, meeting, reeb_graph_program::describe(app, error));
+  }
+  catch(const std::bad_alloc&)
+  {
+    return end_with_error(communicator, meeting, "out of memory");
+  }
+  catch(const std::exception& error)
+  {
+    return end_with_error(communicator, meeting, error.what());
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const boost::mpi::environment environment(argc, argv);
+  const Communicator communicator;
+  const Communicator meeting(communicator, boost::mpi::comm_duplicate);
+  return run(argc, argv, communicator, meeting);
+}

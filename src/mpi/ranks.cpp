@@ -1,0 +1,63 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "mpi/ranks.h"
+
+#include <boost/mpi/collectives.hpp>
+#include <boost/mpi/operations.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+namespace reeb_graph_program {
+void run_together(const Communicator& communicator, const std::function<void()>& work)
+{
+  std::string message;
+  int failed_rank = communicator.size(); // none
+  try
+  {
+    work();
+  }
+  catch(const std::bad_alloc&)
+  {
+    message = "out of memory";
+    failed_rank = communicator.rank();
+  }
+  catch(const std::exception& error)
+  {
+    message = error.what();
+    failed_rank = communicator.rank();
+  }
+  const int first = boost::mpi::all_reduce(communicator, failed_rank, boost::mpi::minimum<int>());
+  if(first == communicator.size())
+    return;
+  boost::mpi::broadcast(communicator, message, first);
+  throw std::runtime_error(message);
+}
+
+void run_on_rank_0(const Communicator& communicator, const std::function<void()>& work)
+{
+  run_together(communicator, [&] {
+    if(communicator.rank() == 0)
+      work();
+  });
+}
+
+Part part_of_rank(const Communicator& communicator, std::uint64_t number)
+{
+  const auto size = static_cast<std::uint64_t>(communicator.size());
+  const auto rank = static_cast<std::uint64_t>(communicator.rank());
+  const std::uint64_t each = number / size, more = number % size;
+  const auto first = [&](std::uint64_t r) { return r * each + std::min(r, more); };
+  return {first(rank), first(rank + 1)};
+}
+
+} // namespace reeb_graph_program
