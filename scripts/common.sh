@@ -3,12 +3,19 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+# are_installed PACKAGE...: whether all of the Debian packages are there.
+are_installed() {
+  local package
+  for package in "$@"; do
+    [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null)" == installed ]] || return 1
+  done
+}
+
 # install_packages PACKAGE...: installs those of the Debian packages that are missing; no network if all are there.
 install_packages() {
   local package missing=() as_root=()
   for package in "$@"; do
-    [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null)" == installed ]] ||
-      missing+=("$package")
+    are_installed "$package" || missing+=("$package")
   done
   [[ ${#missing[@]} -gt 0 ]] || return 0
   echo "Installing ${missing[*]}"
@@ -27,6 +34,14 @@ number_of_jobs() {
   echo $((jobs < 1 ? 1 : jobs < cores ? jobs : cores))
 }
 
+# run_on_ranks NUMBER PROGRAM...: runs a program on so many ranks of MPI, also on fewer cores. They are all on this
+# machine, and need no network; Open MPI asks to be told if root may do so.
+run_on_ranks() {
+  OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 PRTE_ALLOW_RUN_AS_ROOT=1 PRTE_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
+    OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe \
+    OMPI_MCA_pml=ob1 OMPI_MCA_btl=^tcp mpiexec -n "$@"
+}
+
 # Sources of one program are compiled several at a time, so that the templates that they share are compiled once.
 together=(-DCMAKE_UNITY_BUILD=ON)
 
@@ -34,4 +49,6 @@ packages_of_program=(g++ cmake make libcgal-dev libboost-dev libboost-test-dev l
                      nlohmann-json3-dev libjs-three)
 # What only some tests read results with, or check the scripts of the page with; they are skipped without.
 packages_of_readers=(chromium chromium-driver python3-selenium python3-vtk9 python3-networkx nodejs eslint graphviz)
+# With these, scripts/test builds and tests the program for ranks of MPI as well.
+packages_of_mpi=(libboost-mpi-dev libopenmpi-dev openmpi-bin)
 packages_of_tests=("${packages_of_program[@]}" doxygen libgudhi-dev python3)
