@@ -23,16 +23,41 @@
 #include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
-#include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+// The total order of vertices that are not numbered as on the surface: by value, then by global index.
+template <class Scalar>
+class Gathered_order : public Vertex_order<Scalar, std::less<Scalar>>
+{
+  typedef Vertex_order<Scalar, std::less<Scalar>> Base;
+
+public:
+  Gathered_order(const Indexed_vector<Vertex_index, Scalar>& values,
+                 const Indexed_vector<Vertex_index, Global_vertex>& global_vertices)
+    : Base(values, std::less<Scalar>()),
+      values_(&values),
+      global_vertices_(&global_vertices)
+  {}
+
+  using Base::operator();
+  bool operator()(Vertex_index u, Vertex_index v) const { return place(u) < place(v); }
+
+private:
+  Place<Scalar> place(Vertex_index v) const { return {(*values_)[v], (*global_vertices_)[v]}; }
+
+  const Indexed_vector<Vertex_index, Scalar>* values_;
+  const Indexed_vector<Vertex_index, Global_vertex>* global_vertices_;
+};
 
 // The critical vertices and the arcs between them, of all ranks, as rank 0 takes them where a whole surface has been
 // before: a surface without triangles, of the critical vertices and the ends of the first steps from them, where each
@@ -41,32 +66,32 @@ template <class Scalar>
 class Gathered_surface
 {
 public:
-  Gathered_surface(const std::vector<Place<Scalar>>& critical_vertices, const std::vector<Critical_arc<Scalar>>& arcs)
+  // The critical vertices have to be in ascending order.
+  Gathered_surface(const std::vector<Place<Scalar>>& critical_vertices,
+                   const std::vector<Critical_arc<Scalar>>& arcs,
+                   Ties ties)
   {
-    collect_vertices(critical_vertices, arcs);
-    first_vertices_.reserve(arcs.size());
-    arcs_.reserve(arcs.size());
-    for(const Critical_arc<Scalar>& arc : arcs)
-    {
-      const Halfedge_index first_step(first_vertices_.size());
-      first_vertices_.push_back(vertex(critical_vertices[arc.lower].vertex));
-      arcs_.push_back({Slab_node(arc.lower), Slab_node(arc.upper), {first_step, vertex(arc.first_target)}});
-    }
-    sort_critical_vertices(critical_vertices);
+    values_.reserve(critical_vertices.size() + arcs.size());
+    global_vertices_.reserve(values_.capacity());
+    for(const Place<Scalar>& place : critical_vertices)
+      add_vertex(place);
+    add_first_targets(arcs, ties);
+    critical_vertices_.resize(critical_vertices.size(), {0, 0});
+    No_sectors no_sectors;
+    for(const Swept_index i : critical_vertices_.indices())
+      critical_vertices_.set(i, *this, Vertex_index(i.number()), no_sectors, {0, 0});
+    critical_vertices_.template sort<Sequential_tag>(order());
   }
 
   const Indexed_vector<Vertex_index, Global_vertex>& global_vertices() const { return global_vertices_; }
   const Indexed_vector<Vertex_index, Scalar>& values() const { return values_; }
-  Vertex_order<Scalar, std::less<Scalar>> order() const { return {values_, std::less<Scalar>()}; }
+  Gathered_order<Scalar> order() const { return {values_, global_vertices_}; }
   const Swept_vertices& critical_vertices() const { return critical_vertices_; }
   const Slab_arcs& arcs() const { return arcs_; }
 
   // What is asked of a complex here.
-  Vertex_index source(Halfedge_index first_step) const { return first_vertices_[first_step]; }
-  Vertex_index target(Halfedge_index first_step) const
-  {
-    return arcs_[Slab_arc_index(first_step.number())].first_step.target;
-  }
+  Vertex_index source(Halfedge_index first_step) const { return Vertex_index(arc(first_step).lower.number()); }
+  Vertex_index target(Halfedge_index first_step) const { return arc(first_step).first_step.target; }
   bool is_on_border(Vertex_index) const { return false; }
   [[noreturn]] void throw_contradiction_near(Vertex_index vertex) const
   {
@@ -80,46 +105,39 @@ private:
     void write(Vertex_index, const By_side<Link_sector*>&) const {}
   };
 
-  void collect_vertices(const std::vector<Place<Scalar>>& critical_vertices,
-                        const std::vector<Critical_arc<Scalar>>& arcs)
+  const Slab_arc& arc(Halfedge_index first_step) const { return arcs_[Slab_arc_index(first_step.number())]; }
+
+  void add_vertex(const Place<Scalar>& place)
   {
-    std::vector<Place<Scalar>> all;
-    all.reserve(critical_vertices.size() + arcs.size());
-    all = critical_vertices;
-    for(const Critical_arc<Scalar>& arc : arcs)
-      all.push_back({arc.value_of_first_target, arc.first_target});
-    const auto is_before = [](const auto& a, const auto& b) { return a.vertex < b.vertex; };
-    const auto is_same = [](const auto& a, const auto& b) { return a.vertex == b.vertex; };
-    std::sort(all.begin(), all.end(), is_before);
-    all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
-    global_vertices_.reserve(checked_index(all.size()));
-    values_.reserve(all.size());
-    for(const Place<Scalar>& v : all)
+    checked_index(values_.size());
+    values_.push_back(place.value);
+    global_vertices_.push_back(place.vertex);
+  }
+
+  // Where ties are contracted, first steps from several vertices of a plateau can end at one vertex, which gets one
+  // number then; otherwise, nobody compares those that do.
+  void add_first_targets(const std::vector<Critical_arc<Scalar>>& arcs, Ties ties)
+  {
+    std::vector<Number> order(checked_index(arcs.size()));
+    std::iota(order.begin(), order.end(), Number(0));
+    if(ties == Ties::CONTRACT)
+      std::sort(order.begin(), order.end(),
+                [&](Number a, Number b) { return arcs[a].first_target < arcs[b].first_target; });
+    arcs_.resize(arcs.size());
+    const Critical_arc<Scalar>* last = nullptr;
+    for(const Number i : order)
     {
-      global_vertices_.push_back(v.vertex);
-      values_.push_back(v.value);
+      if(last == nullptr || last->first_target != arcs[i].first_target)
+        add_vertex({arcs[i].value_of_first_target, arcs[i].first_target});
+      last = &arcs[i];
+      arcs_[Slab_arc_index(i)] = {
+        Slab_node(last->lower), Slab_node(last->upper), {Halfedge_index(i), values_.last_key()}};
     }
   }
 
-  Vertex_index vertex(Global_vertex global) const
-  {
-    const auto place = std::lower_bound(global_vertices_.begin(), global_vertices_.end(), global);
-    return Vertex_index(static_cast<std::size_t>(place - global_vertices_.begin()));
-  }
-
-  void sort_critical_vertices(const std::vector<Place<Scalar>>& critical_vertices)
-  {
-    critical_vertices_.resize(critical_vertices.size(), {0, 0});
-    No_sectors no_sectors;
-    for(const Swept_index i : critical_vertices_.indices())
-      critical_vertices_.set(i, *this, vertex(critical_vertices[i.number()].vertex), no_sectors, {0, 0});
-    critical_vertices_.template sort<Sequential_tag>(order());
-  }
-
-  Indexed_vector<Vertex_index, Global_vertex> global_vertices_; // ascending, so local indices break ties as global ones
+  Indexed_vector<Vertex_index, Global_vertex> global_vertices_; // the critical ones, ascending, then others
   Indexed_vector<Vertex_index, Scalar> values_;
-  Indexed_vector<Halfedge_index, Vertex_index> first_vertices_; // by first step
-  Swept_vertices critical_vertices_;                            // numbered slab by slab
+  Swept_vertices critical_vertices_;
   Slab_arcs arcs_;
 };
 

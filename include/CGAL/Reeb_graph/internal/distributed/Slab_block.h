@@ -12,7 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_surface.h>
 #include <CGAL/Reeb_graph/internal/distributed/solve_slab.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
@@ -28,7 +30,7 @@ namespace Reeb_graph {
 namespace internal {
 
 // An arc that begins at a critical vertex, as all ranks know it, and the first step of its chain. Critical vertices are
-// numbered slab by slab.
+// numbered in ascending order.
 template <class Scalar>
 struct Critical_arc
 {
@@ -52,25 +54,25 @@ class Slab_block
 public:
   Slab_block() = default;
 
-  // One slab, whose critical vertices are numbered from `first_critical` on.
-  Slab_block(const Arcs_of_slab& found, const Slab_surface<Scalar>& surface, Number first_critical)
+  // One slab. `names` has the numbers of its critical vertices among those of all slabs.
+  Slab_block(const Arcs_of_slab& found,
+             const Slab_surface<Scalar>& surface,
+             const Indexed_vector<Swept_index, Number>& names)
     : ends_of_contours_(found.numbers_of_contours[Side::LOWER])
   {
-    const Slab_node first_contour(found.number_of_critical_vertices);
+    const Slab_node first_contour(names.size());
     const Slab_node first_upper_contour(first_contour.number() + found.numbers_of_contours[Side::LOWER]);
     for(const Slab_arc& arc : found.arcs)
     {
       const bool is_open = arc.upper >= first_contour;
-      const Number upper =
-        is_open ? arc.upper.number() - first_upper_contour.number() : first_critical + arc.upper.number();
+      const Number upper = is_open ? arc.upper.number() - first_upper_contour.number() : names[arc.upper_vertex()];
       if(arc.lower >= first_contour)
       {
         ends_of_contours_[arc.lower.number() - first_contour.number()] = {upper, is_open ? Number(1) : Number(0)};
         continue;
       }
       const Vertex_index target = arc.first_step.target;
-      add({first_critical + arc.lower.number(), upper, surface.global_vertices[target], surface.values[target]},
-          is_open);
+      add({names[arc.lower_vertex()], upper, surface.global_vertices[target], surface.values[target]}, is_open);
     }
   }
 

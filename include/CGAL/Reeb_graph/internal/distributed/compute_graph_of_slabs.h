@@ -68,14 +68,17 @@ Gathered_graph<Scalar> glue_and_gather(Exchange& exchange,
   Slab_block<Scalar> block;
   std::vector<Place<Scalar>> places;
   exchange.in_agreement([&] {
-    block = Slab_block<Scalar>(found, surface, checked_index(end) - static_cast<Number>(size));
-    found = Arcs_of_slab();
+    Indexed_vector<Swept_index, Number> names(size);
+    Number name = checked_index(end) - static_cast<Number>(size);
     places.reserve(size);
-    for(const Swept_index i : critical_vertices.indices())
+    for(const Swept_index i : critical_vertices.ascending())
     {
+      names[i] = name++;
       const Vertex_index vertex = critical_vertices.vertex(i);
       places.push_back({surface.values[vertex], surface.global_vertices[vertex]});
     }
+    block = Slab_block<Scalar>(found, surface, names);
+    found = Arcs_of_slab();
   });
   glue_slabs(exchange, surface.number_of_slabs, block);
 
@@ -86,7 +89,7 @@ Gathered_graph<Scalar> glue_and_gather(Exchange& exchange,
     if(exchange.rank() != 0)
       return;
     gathered.begins_of_ranks = all_places.begins;
-    const auto& whole = gathered.surface.emplace(all_places.elements, all_arcs.elements);
+    const auto& whole = gathered.surface.emplace(all_places.elements, all_arcs.elements, ties);
     gathered.graph = reduce_arcs<Sequential_tag>(whole, whole.order(), whole.critical_vertices(), whole.arcs(), ties,
                                                  are_degree_two_nodes_kept, false);
   });

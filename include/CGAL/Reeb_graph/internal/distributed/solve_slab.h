@@ -84,7 +84,6 @@ Classified_complex<Slab_complex> link_and_classify(Slab_surface<Scalar>& surface
 struct Arcs_of_slab
 {
   Slab_arcs arcs;
-  Number number_of_critical_vertices = 0;
   By_side<Number> numbers_of_contours = {0, 0};
 };
 
@@ -105,7 +104,6 @@ Arcs_of_slab solve_slab(const Slab_surface<Scalar>& surface,
       : Slab<Slab_complex>(complex, critical_vertices, surface.slabs_of_vertices, surface.inside(),
                            {levels.level(Side::LOWER), levels.level(Side::UPPER)});
   return {find_arcs_of_slab<Sequential_tag>(slab, order, method, report),
-          critical_vertices.size(),
           {levels.number_of_contours(Side::LOWER), levels.number_of_contours(Side::UPPER)}};
 }
 
