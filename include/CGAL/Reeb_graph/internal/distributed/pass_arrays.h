@@ -123,7 +123,7 @@ std::vector<T> scatter_arrays(Exchange& exchange, const Gathered_arrays<T>& all)
     for(std::size_t rank = 0; rank + 1 != all.begins.size(); ++rank)
       sizes.push_back(all.begins[rank + 1] - all.begins[rank]);
   std::size_t size = 0;
-  boost::mpi::scatter(exchange.communicator(), sizes.data(), size, 0);
+  boost::mpi::scatter(exchange.communicator(), sizes, size, 0);
   std::vector<T> part;
   exchange.in_agreement([&] { part.resize(size); });
   if(exchange.communicator().rank() != 0)
