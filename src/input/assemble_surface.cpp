@@ -10,177 +10,158 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
 namespace {
 typedef Surface::size_type Index;
-constexpr Index none = static_cast<Index>(-1);
+typedef Surface::Halfedge_index Halfedge;
 
-// The sides of the faces, by the vertex at which each begins: a side leads from a corner of a face to the next one.
-class Sides_by_vertex
+// Links one face after the other to those that share its edges, in one turn over them. Edges are numbered in the order of
+// their first sides, which are their even halfedges.
+//
+// The faces at a vertex that are joined so far are fans. The border halfedge that leads to the vertex along an open fan
+// has the one that leads away along it as the next one, so that a face finds the far ends of the fans that it joins.
+class Face_linking
 {
 public:
-  struct Side
-  {
-    Corner target;
-    Index number; // that of the corner at which it begins
-  };
-
-  Sides_by_vertex(const Polygons& polygons, std::size_t number_of_vertices)
-    : begins_(number_of_vertices + 2),
-      sides_(polygons.number_of_corners())
+  Face_linking(const Polygons& polygons, std::size_t number_of_vertices, Surface& surface)
+    : polygons_(polygons),
+      surface_(surface),
+      numbers_of_corners_(number_of_vertices),
+      last_edges_(number_of_vertices, none)
   {
     for(std::size_t i = 0; i < polygons.size(); ++i)
       for(const Corner v : polygons[i])
-        ++begins_[v + 2];
-    for(std::size_t v = 2; v < begins_.size(); ++v)
-      begins_[v] += begins_[v - 1];
-    Index number = 0;
-    for(std::size_t i = 0; i < polygons.size(); ++i)
-    {
-      const Polygons::Polygon polygon = polygons[i];
-      for(auto corner = polygon.begin(); corner != polygon.end(); ++corner)
-        sides_[begins_[*corner + 1]++] = Side{corner + 1 == polygon.end() ? *polygon.begin() : corner[1], number++};
-    }
+        ++numbers_of_corners_[v];
+    const auto least_edges = static_cast<Index>(polygons.number_of_corners() / 2); // all if there is no border
+    surface_.resize(static_cast<Index>(number_of_vertices), least_edges, static_cast<Index>(polygons.size()));
+    earlier_edges_.reserve(least_edges);
   }
 
-  // Returns false if two sides lead from one vertex to the same one.
-  bool sort()
+  // Returns false if two faces are on one side of an edge, or the faces at a vertex are several fans.
+  bool link()
   {
-    const auto by_target = [](const Side& a, const Side& b) { return a.target < b.target; };
-    const auto have_same_target = [](const Side& a, const Side& b) { return a.target == b.target; };
-    for(std::size_t v = 0; v + 2 < begins_.size(); ++v)
-    {
-      std::sort(sides_.begin() + begins_[v], sides_.begin() + begins_[v + 1], by_target);
-      if(std::adjacent_find(sides_.begin() + begins_[v], sides_.begin() + begins_[v + 1], have_same_target)
-         != sides_.begin() + begins_[v + 1])
+    for(std::size_t i = 0; i < polygons_.size(); ++i)
+      if(!link(Surface::Face_index(static_cast<Index>(i)), polygons_[i]))
         return false;
+    resize(number_of_edges());
+    if(!is_each_vertex_in_one_fan())
+      return false;
+    link_vertices_to_borders();
+    return true;
+  }
+
+private:
+  static constexpr Index none = static_cast<Index>(-1);
+
+  static bool is_first_side(Halfedge h) { return h.idx() % 2 == 0; }
+  Index number_of_edges() const { return static_cast<Index>(earlier_edges_.size()); }
+  void resize(Index number_of_edges)
+  {
+    surface_.resize(surface_.number_of_vertices(), number_of_edges, surface_.number_of_faces());
+  }
+
+  bool link(Surface::Face_index face, Polygons::Polygon polygon)
+  {
+    sides_.clear();
+    for(const Corner* source = polygon.begin(); source != polygon.end(); ++source)
+    {
+      const Corner target = source + 1 == polygon.end() ? *polygon.begin() : source[1];
+      sides_.push_back(find_or_add_side(*source, target));
+      if(sides_.back() == Surface::null_halfedge())
+        return false;
+    }
+    Halfedge previous = sides_.back();
+    surface_.set_halfedge(face, previous);
+    for(const Halfedge side : sides_)
+    {
+      surface_.set_face(side, face);
+      link_at_corner(previous, side);
+      previous = side;
     }
     return true;
   }
 
-  Index number_at(Corner v) const { return begins_[v + 1] - begins_[v]; }
-
-  // The number of the side from `source` to `target`, `none` if there is none.
-  Index find(Corner source, Corner target) const
+  // The side of a face, none if it is taken. An edge is listed at the end with fewer corners, so that lists are short
+  // even where a vertex has many edges.
+  Halfedge find_or_add_side(Corner source, Corner target)
   {
-    const auto end = sides_.begin() + begins_[source + 1];
-    const auto side = std::lower_bound(sides_.begin() + begins_[source], end, target,
-                                       [](const Side& s, Corner v) { return s.target < v; });
-    return side != end && side->target == target ? side->number : none;
+    const auto key = [&](Corner v) { return std::make_pair(numbers_of_corners_[v], v); };
+    Index& last_edge = last_edges_[key(source) < key(target) ? source : target];
+    for(Index edge = last_edge; edge != none; edge = earlier_edges_[edge])
+    {
+      const Halfedge first(2 * edge), second(2 * edge + 1);
+      const Corner first_target = surface_.target(first), second_target = surface_.target(second);
+      if(first_target == source && second_target == target)
+        return surface_.is_border(second) ? second : Surface::null_halfedge();
+      if(first_target == target && second_target == source)
+        return Surface::null_halfedge();
+    }
+    const Index edge = number_of_edges();
+    if(edge == surface_.number_of_edges())
+      resize(edge + edge / 8 + 64);
+    surface_.set_target(Halfedge(2 * edge), Surface::Vertex_index(target));
+    surface_.set_target(Halfedge(2 * edge + 1), Surface::Vertex_index(source));
+    earlier_edges_.push_back(last_edge);
+    last_edge = edge;
+    return Halfedge(2 * edge);
   }
 
-private:
-  std::vector<Index> begins_; // of each vertex; one behind while they are filled
-  std::vector<Side> sides_;
+  // Joins the corner of a face between two of its sides to the fans along them.
+  void link_at_corner(Halfedge to_vertex, Halfedge from_vertex)
+  {
+    const Halfedge next = is_first_side(to_vertex) ? surface_.opposite(to_vertex) : surface_.next(to_vertex);
+    const Halfedge previous = is_first_side(from_vertex) ? surface_.opposite(from_vertex) : surface_.prev(from_vertex);
+    if(next == from_vertex)
+      ++number_of_closed_fans_;
+    else
+      surface_.set_next(previous, next);
+    surface_.set_next(to_vertex, from_vertex);
+    surface_.set_halfedge(surface_.target(to_vertex), to_vertex);
+  }
+
+  // Whether there are no more fans than vertices with faces. Each corner begins as a fan, each edge between two faces
+  // joins two of them at both ends, and that makes one fewer unless it closes a fan.
+  bool is_each_vertex_in_one_fan() const
+  {
+    const std::size_t number_of_corners = polygons_.number_of_corners();
+    const std::size_t number_of_joins = 2 * (number_of_corners - number_of_edges());
+    const auto number_of_isolated_vertices =
+      static_cast<std::size_t>(std::count(numbers_of_corners_.begin(), numbers_of_corners_.end(), Index(0)));
+    return number_of_corners + number_of_closed_fans_
+        == number_of_joins + numbers_of_corners_.size() - number_of_isolated_vertices;
+  }
+
+  void link_vertices_to_borders()
+  {
+    if(polygons_.number_of_corners() == 2 * std::size_t(number_of_edges()))
+      return;
+    for(const Halfedge h : surface_.halfedges())
+      if(surface_.is_border(h))
+        surface_.set_halfedge(surface_.target(h), h);
+  }
+
+  const Polygons& polygons_;
+  Surface& surface_;
+  std::vector<Index> numbers_of_corners_; // at the vertices
+  std::vector<Index> last_edges_;         // listed at the vertices, and for each edge the one listed before
+  std::vector<Index> earlier_edges_;
+  std::vector<Halfedge> sides_; // of the face that is linked
+  std::size_t number_of_closed_fans_ = 0;
 };
-
-// The halfedge of each side, by the number of the side. Edges are numbered in the order of their first sides.
-std::vector<Index> number_halfedges(const Polygons& polygons, const Sides_by_vertex& sides, Index& number_of_edges)
-{
-  std::vector<Index> halfedges(polygons.number_of_corners(), none);
-  number_of_edges = 0;
-  for(std::size_t i = 0; i < polygons.size(); ++i)
-  {
-    const Polygons::Polygon polygon = polygons[i];
-    const Index first = static_cast<Index>(polygons.begin(i)), size = static_cast<Index>(polygon.size());
-    for(Index j = 0; j < size; ++j)
-    {
-      if(halfedges[first + j] != none)
-        continue;
-      halfedges[first + j] = 2 * number_of_edges++;
-      const Index opposite = sides.find(polygon.begin()[j + 1 == size ? 0 : j + 1], polygon.begin()[j]);
-      if(opposite != none)
-        halfedges[opposite] = halfedges[first + j] + 1;
-    }
-  }
-  return halfedges;
-}
-
-// The halfedge that leads to a vertex is that of its last face, as long as the vertex is on no border.
-void link_faces(const Polygons& polygons, const std::vector<Index>& halfedges, Surface& surface)
-{
-  typedef Surface::Halfedge_index Halfedge;
-  for(std::size_t i = 0; i < polygons.size(); ++i)
-  {
-    const Surface::Face_index f(static_cast<Index>(i));
-    const Polygons::Polygon polygon = polygons[i];
-    const Index* const sides = halfedges.data() + polygons.begin(i);
-    Halfedge previous(sides[polygon.size() - 1]);
-    surface.set_halfedge(f, previous);
-    for(std::size_t j = 0; j < polygon.size(); ++j)
-    {
-      const Halfedge h(sides[j]);
-      const Surface::Vertex_index source(polygon.begin()[j]);
-      surface.set_target(previous, source);
-      surface.set_target(surface.opposite(h), source);
-      surface.set_halfedge(source, previous);
-      surface.set_face(h, f);
-      surface.set_next(previous, h);
-      previous = h;
-    }
-  }
-}
-
-// Returns false if a vertex has two gaps between its faces.
-bool link_borders(Surface& surface)
-{
-  std::vector<Surface::Halfedge_index> border_halfedges;
-  for(const Surface::Halfedge_index h : surface.halfedges())
-    if(surface.is_border(h))
-    {
-      border_halfedges.push_back(h);
-      surface.set_halfedge(surface.target(h), h);
-    }
-  for(const Surface::Halfedge_index h : border_halfedges)
-  {
-    const Surface::Halfedge_index previous = surface.halfedge(surface.source(h));
-    if(surface.halfedge(surface.target(h)) != h)
-      return false;
-    surface.set_next(previous, h);
-  }
-  return true;
-}
-
-// Whether the faces at each vertex are one fan: the turn around it meets all of them.
-bool are_vertices_manifold(const Surface& surface, const Sides_by_vertex& sides)
-{
-  for(const Surface::Vertex_index v : surface.vertices())
-  {
-    const Surface::Halfedge_index begin = surface.halfedge(v);
-    if(begin == Surface::null_halfedge())
-      continue;
-    Index number = 0;
-    Surface::Halfedge_index h = begin;
-    do
-    {
-      number += surface.is_border(h) ? 0 : 1;
-      h = surface.opposite(surface.next(h));
-    } while(h != begin);
-    if(number != sides.number_at(v))
-      return false;
-  }
-  return true;
-}
 
 } // namespace
 
 bool assemble_surface(const Polygon_soup& soup, Surface& surface)
 {
-  const Polygons& polygons = soup.polygons;
-  Sides_by_vertex sides(polygons, soup.points.size());
-  if(!sides.sort())
-    return false;
-  Index number_of_edges = 0;
-  const std::vector<Index> halfedges = number_halfedges(polygons, sides, number_of_edges);
   surface.clear();
-  surface.resize(static_cast<Index>(soup.points.size()), number_of_edges, static_cast<Index>(polygons.size()));
+  if(!Face_linking(soup.polygons, soup.points.size(), surface).link())
+    return false;
   for(const Surface::Vertex_index v : surface.vertices())
     surface.point(v) = soup.points[v];
-  link_faces(polygons, halfedges, surface);
-  return link_borders(surface) && are_vertices_manifold(surface, sides);
+  return true;
 }
 
 } // namespace reeb_graph_program
