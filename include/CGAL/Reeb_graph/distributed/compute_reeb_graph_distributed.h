@@ -130,7 +130,7 @@ namespace CGAL {
 /// \exception Reeb_graph::Cancelled_error if `callback` returns `false`
 /// \exception Reeb_graph::Mesh_size_error if a rank has too many vertices or halfedges for 32-bit indices, or all ranks
 ///            together have too many critical vertices
-/// \exception Reeb_graph::Other_rank_error if another rank has thrown what is none of these, nor `std::bad_alloc`
+/// \exception Reeb_graph::Other_rank_error if another rank has thrown an exception of another kind
 ///
 /// When one of these is thrown, `graph` is as it was before. When anything else is, such as `std::bad_alloc`, it can be
 /// empty instead.
