@@ -32,14 +32,14 @@ int number_of_bytes_done(MPI_Status& status)
 
 } // namespace
 
-Shared_file::Shared_file(const std::string& path, Access access) : path_(path)
+Shared_file::Shared_file(const std::string& path, Access access, const std::string& shown_path) : path_(shown_path)
 {
   const bool is_read = access == Access::READ;
   if(is_read && !std::filesystem::is_regular_file(path))
-    throw Input_error(path, "the file cannot be read");
+    throw Input_error(path_, "the file cannot be read");
   const int mode = is_read ? MPI_MODE_RDONLY : MPI_MODE_WRONLY;
   if(MPI_File_open(MPI_COMM_SELF, path.c_str(), mode, MPI_INFO_NULL, &file_) != MPI_SUCCESS)
-    throw is_read ? Input_error(path, "the file cannot be read") : write_error(path);
+    throw is_read ? Input_error(path_, "the file cannot be read") : write_error(path_);
   MPI_Offset size = 0;
   MPI_File_get_size(file_, &size);
   size_ = static_cast<std::uint64_t>(size);

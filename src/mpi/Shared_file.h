@@ -28,7 +28,9 @@ public:
   };
 
   // Throws Input_error, or std::runtime_error where it is to be written.
-  Shared_file(const std::string& path, Access access);
+  Shared_file(const std::string& path, Access access) : Shared_file(path, access, path) {}
+  // The same with another name in messages.
+  Shared_file(const std::string& path, Access access, const std::string& shown_path);
   Shared_file(const Shared_file&) = delete;
   Shared_file& operator=(const Shared_file&) = delete;
   ~Shared_file();

@@ -149,6 +149,7 @@ private:
 // Collective.
 void write_parts(const Communicator& communicator,
                  const std::string& path,
+                 const std::string& shown_path,
                  const Formula_surface& surface,
                  const Mesh_format& format)
 {
@@ -157,10 +158,10 @@ void write_parts(const Communicator& communicator,
     header << format.header();
     header.close();
     if(!header)
-      throw std::runtime_error(path + ": the file cannot be written");
+      throw std::runtime_error(shown_path + ": the file cannot be written");
   });
   run_together(communicator, [&] {
-    Shared_file file(path, Shared_file::Access::WRITE);
+    Shared_file file(path, Shared_file::Access::WRITE, shown_path);
     format.write_vertices(file, part_of_rank(communicator, surface.number_of_vertices()));
     format.write_triangles(file, part_of_rank(communicator, surface.number_of_cells()));
     file.close();
@@ -179,7 +180,7 @@ void run_generate(const Communicator& communicator, const Generate_options& opti
     boost::mpi::broadcast(communicator, path, 0);
     is_told = true;
     if(!path.empty())
-      write_parts(communicator, path, surface, format);
+      write_parts(communicator, path, options.path, surface, format);
   };
   run_together(communicator, [&] {
     if(communicator.rank() != 0)
