@@ -217,3 +217,15 @@ endif()
 if(EXISTS ${FOLDER}/killed.dot)
   message(SEND_ERROR "after the end of a rank, a file is left")
 endif()
+
+# what needs more memory than there may be in one process, four ranks do, each with as little
+set(limit 420000) # kB
+expect_success_on_ranks(4 generate large.ply --triangles 4000000)
+execute_process(COMMAND sh -c "ulimit -v ${limit} && exec ${sequential_program} compute large.ply --field smooth --graph limited.dot"
+                WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE exit_code OUTPUT_QUIET ERROR_VARIABLE error)
+expect_match("${exit_code} ${error}" "^1 reeb_graph: error: out of memory")
+execute_process(COMMAND ${RUN_ON_RANKS} 4 sh -c "ulimit -v ${limit} && exec ${RANKS_PROGRAM} compute large.ply --field smooth --graph on_ranks.dot"
+                WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE exit_code OUTPUT_QUIET ERROR_VARIABLE error)
+expect_equal("${exit_code} ${error}" "0 ")
+run_sequentially(compute large.ply --field smooth --graph unlimited.dot)
+expect_same_file(unlimited.dot on_ranks.dot)
