@@ -11,10 +11,11 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/distributed/Fault.h>
+#include <CGAL/Reeb_graph/internal/distributed/wait_for.h>
 
 #include <boost/mpi/collectives.hpp>
 #include <boost/mpi/communicator.hpp>
-#include <boost/mpi/operations.hpp>
+#include <boost/mpi/exception.hpp>
 
 #include <exception>
 #include <string>
@@ -30,7 +31,13 @@ inline void throw_first_fault(const boost::mpi::communicator& communicator,
                               const std::exception_ptr& own_exception)
 {
   namespace mpi = boost::mpi;
-  if(!mpi::all_reduce(communicator, static_cast<int>(own_exception != nullptr), mpi::maximum<int>()))
+  const int is_thrown = own_exception != nullptr ? 1 : 0;
+  int is_thrown_anywhere = 0;
+  MPI_Request request = MPI_REQUEST_NULL;
+  BOOST_MPI_CHECK_RESULT(MPI_Iallreduce,
+                         (&is_thrown, &is_thrown_anywhere, 1, MPI_INT, MPI_MAX, communicator, &request));
+  wait_for(request); // Most waiting for ranks with more work is here.
+  if(is_thrown_anywhere == 0)
     return;
   const auto numbers = own.numbers();
   std::vector<Fault::Numbers::value_type> all(numbers.size() * static_cast<std::size_t>(communicator.size()));
