@@ -51,4 +51,5 @@ packages_of_program=(g++ cmake make libcgal-dev libboost-dev libboost-test-dev l
 packages_of_readers=(chromium chromium-driver python3-selenium python3-vtk9 python3-networkx nodejs eslint graphviz)
 # With these, scripts/test builds and tests the program for ranks of MPI as well.
 packages_of_mpi=(libboost-mpi-dev libopenmpi-dev openmpi-bin)
+has_mpi() { if are_installed "${packages_of_mpi[@]}"; then echo ON; else echo OFF; fi; }
 packages_of_tests=("${packages_of_program[@]}" doxygen libgudhi-dev python3)
