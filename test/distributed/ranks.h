@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Reeb_graph authors
+
 #ifndef REEB_GRAPH_TEST_RANKS_H
 #define REEB_GRAPH_TEST_RANKS_H
 

@@ -5,15 +5,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Reeb_graph authors
+
 // The Reeb graphs of surfaces on ranks of MPI are those of the whole surfaces, whoever brings what, and what is wrong on
 // one rank is told by all. Each rank makes the whole surface, and takes its part of it.
 
 #include "ranks.h"
 
 #include "generated_surfaces/generated_surfaces.h"
+#include "generated_surfaces/mesh_builders.h"
 #include "graph_checks.h"
 #include "random_fields.h"
 
+#include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/internal/distributed/distribute_surface.h>
 
 #include <boost/test/unit_test.hpp>
@@ -290,7 +293,7 @@ BOOST_AUTO_TEST_CASE(ranks_hold_what_meets_their_slabs)
         surface.values.resize(surface.mesh.number_of_vertices, 5);
       }
       internal::Splitters<double> splitters;
-      for(std::size_t slab = 1 + random.below(2); slab < number_of_ranks(); ++slab)
+      for(std::size_t slab = 1 + random.below(2); slab < number_of_ranks() && !surface.values.empty(); ++slab)
       {
         const std::size_t v = random.below(surface.values.size());
         splitters.push_back({surface.values[v], v});
@@ -392,6 +395,79 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_triangles_is_told_by_all)
       check_thrown(random_part(wrong, random), rg::Non_manifold_vertex_error(20));
     }
   compare(surface, random, params::default_values());
+}
+
+namespace {
+typedef rg::Distributed_slab<double>::Contour Contour;
+typedef std::vector<std::pair<std::uint64_t, std::uint64_t>> Edges;
+
+std::pair<std::uint64_t, std::uint64_t> sorted_edge(const std::pair<std::uint64_t, std::uint64_t>& edge)
+{
+  return std::minmax(edge.first, edge.second);
+}
+
+// The contours of one process, as those of ranks should be.
+std::vector<Contour> contours_of_whole(const Surface<double>& surface, double value)
+{
+  typedef mesh_builders::Surface_mesh Mesh;
+  const auto mesh = mesh_builders::make_mesh<Mesh>(surface.mesh);
+  const mesh_builders::Mesh_numbers<Mesh> numbers(mesh);
+  const auto scalar_map = rg::make_scalar_map(mesh, surface.values);
+  const auto graph = graph_checks::compute(mesh, surface.values);
+  const rg::Augmentation augmentation(mesh, scalar_map, graph);
+  std::vector<Contour> contours;
+  for(const auto& contour : augmentation.contours_at_value(value))
+  {
+    Edges edges;
+    for(const auto h : contour.halfedges)
+      edges.emplace_back(numbers.vertex(source(h, mesh)), numbers.vertex(target(h, mesh)));
+    if(contour.is_closed)
+      std::rotate(edges.begin(),
+                  std::min_element(edges.begin(), edges.end(),
+                                   [](const auto& a, const auto& b) { return sorted_edge(a) < sorted_edge(b); }),
+                  edges.end());
+    contours.push_back({contour.is_closed, edges});
+  }
+  const auto least_edge = [](const Contour& contour) {
+    std::pair<std::uint64_t, std::uint64_t> least = sorted_edge(contour.edges.front());
+    for(const auto& edge : contour.edges)
+      least = (std::min)(least, sorted_edge(edge));
+    return least;
+  };
+  std::sort(contours.begin(), contours.end(),
+            [&](const Contour& a, const Contour& b) { return least_edge(a) < least_edge(b); });
+  return contours;
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(contours_are_those_of_the_whole)
+{
+  for(std::size_t seed = 0; seed < 40; ++seed)
+  {
+    Random random(3000 + seed);
+    const Surface<double> surface = random_surface(seed, random);
+    rg::Distributed_slab<double> slab;
+    slab.is_surface_kept = seed != 0;
+    graph_on_ranks(random_part(surface, random), params::slab(std::ref(slab)));
+    for(int i = 0; i < 4; ++i)
+      BOOST_TEST_CONTEXT("seed " << seed << ", value " << i)
+      {
+        const std::size_t size = surface.values.size();
+        const double value = (size == 0 ? 0 : surface.values[random.below(size)]) + (i == 3 ? 0.5 : 0);
+        const int number_of_ranks_with_level =
+          boost::mpi::all_reduce(world(), slab.has_level(value) ? 1 : 0, std::plus<int>());
+        BOOST_TEST(number_of_ranks_with_level == 1);
+        const auto contours = slab.contours_at_value(value);
+        const bool has_any = slab.is_surface_kept && slab.has_level(value);
+        const auto expected = has_any ? contours_of_whole(surface, value) : std::vector<Contour>();
+        BOOST_REQUIRE(contours.size() == expected.size());
+        for(std::size_t c = 0; c < contours.size(); ++c)
+        {
+          BOOST_TEST(contours[c].is_closed == expected[c].is_closed);
+          BOOST_TEST((contours[c].edges == expected[c].edges));
+        }
+      }
+  }
 }
 
 // The callback of rank 0 cancels the work of all, or throws.

@@ -11,8 +11,14 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/distributed/Linked_slab.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -47,6 +53,60 @@ public:
   /// the order of the chain, and the parts of a rank are before those of higher ranks.
   std::vector<Chain_part> chain_parts;
   std::vector<std::uint64_t> chain_vertices; ///< the vertices of all parts
+
+  /// whether this rank is to keep its part of the surface for `contours_at_value()`. Set it before the computation.
+  bool is_surface_kept = false;
+
+  bool has_slab = false; ///< whether this rank has a slab
+  /// the least value whose level this rank has; none if it has the lowest slab
+  std::optional<Scalar> lower_bound;
+  /// the value from which on levels belong to higher ranks; none if it has the highest slab
+  std::optional<Scalar> upper_bound;
+
+  /// a contour: the edges that one connected component of a level set crosses
+  struct Contour
+  {
+    /// `true` if the contour is a closed curve, `false` if it leads from border to border
+    bool is_closed;
+    /// the crossed edges, from the lower to the higher vertex, in the order in which they follow each other; the higher
+    /// side is on the left. Closed contours begin with their least edge, by its lower, then its higher index.
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> edges;
+  };
+
+  /// returns whether the level just above the last vertex of value at most `value` is one of this rank. Each value has
+  /// one rank that has its level.
+  bool has_level(const Scalar& value) const
+  {
+    return has_slab && !(lower_bound && value < *lower_bound) && !(upper_bound && !(value < *upper_bound));
+  }
+
+  /// \brief returns the contours of the whole surface at the level just above the last vertex of value at most `value`,
+  /// in the order of their least edges.
+  ///
+  /// There are none if `has_level(value)` is `false`, or the surface has not been kept. It takes time proportional to the
+  /// number of triangles that this rank holds.
+  std::vector<Contour> contours_at_value(const Scalar& value) const
+  {
+    std::vector<Contour> contours;
+    if(linked_slab_ == nullptr || !has_level(value))
+      return contours;
+    const auto& complex = linked_slab_->classified->complex;
+    internal::for_each_contour(*linked_slab_, value, [&](const auto& halfedges, bool is_closed) {
+      contours.push_back({is_closed, {}});
+      contours.back().edges.reserve(halfedges.size());
+      for(const internal::Halfedge_index halfedge : halfedges)
+        contours.back().edges.emplace_back(complex.global_vertex(complex.source(halfedge)),
+                                           complex.global_vertex(complex.target(halfedge)));
+    });
+    return contours;
+  }
+
+  /// \cond
+  void keep(std::shared_ptr<const internal::Linked_slab<Scalar>> linked_slab) { linked_slab_ = std::move(linked_slab); }
+
+private:
+  std::shared_ptr<const internal::Linked_slab<Scalar>> linked_slab_;
+  /// \endcond
 };
 
 } // namespace Reeb_graph

@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/count_critical_vertices.h>
+#include <CGAL/Reeb_graph/internal/distributed/Linked_slab.h>
 #include <CGAL/Reeb_graph/internal/distributed/Stages_of_rank.h>
 #include <CGAL/Reeb_graph/internal/distributed/compute_graph_of_slabs.h>
 #include <CGAL/Reeb_graph/internal/distributed/describe_slab.h>
@@ -34,7 +35,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
-#include <optional>
+#include <memory>
 #include <type_traits>
 #include <utility>
 
@@ -168,13 +169,15 @@ void compute_reeb_graph_distributed(const boost::mpi::communicator& communicator
   stages::Stages_of_rank stage(exchange, visitor, np);
   stage.go_on(0, Stage::FLATTEN);
   stages::Distribution_counts counts;
-  stages::Slab_surface<Scalar> surface = stages::distribute_surface<Scalar>(exchange, local_vertices, local_triangles,
-                                                                            local_scalars, number_of_slabs, counts);
+  const auto linked_slab = std::make_shared<stages::Linked_slab<Scalar>>();
+  stages::Slab_surface<Scalar>& surface = linked_slab->surface;
+  auto& classified = linked_slab->classified;
+  surface = stages::distribute_surface<Scalar>(exchange, local_vertices, local_triangles, local_scalars,
+                                               number_of_slabs, counts);
   const stages::Vertex_order order(surface.values, std::less<Scalar>());
   const std::size_t number_of_triangles = surface.triangles.size();
 
   stage.go_on(0.4, Stage::CLASSIFY);
-  std::optional<stages::Classified_complex<stages::Slab_complex>> classified;
   exchange.in_agreement([&] { classified.emplace(stages::link_and_classify(surface, order)); });
   auto& [complex, critical_vertices] = *classified;
   stage.tell_critical_vertices(stages::sum_counts(exchange, stages::count_critical_vertices(critical_vertices)));
@@ -197,7 +200,7 @@ void compute_reeb_graph_distributed(const boost::mpi::communicator& communicator
   if constexpr(is_slab_wanted)
   {
     auto slab_parameter = get_parameter(np, stages::slab_of_rank);
-    stages::describe_slab(exchange, surface, complex, counts, number_of_triangles, parts, !are_chains_gathered,
+    stages::describe_slab(exchange, linked_slab, counts, number_of_triangles, parts, !are_chains_gathered,
                           stages::unwrap_reference(slab_parameter));
   }
   stage.end();

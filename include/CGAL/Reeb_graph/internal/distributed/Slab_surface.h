@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -51,6 +52,8 @@ struct Slab_surface : Slabs_of_rank
   std::vector<std::array<Vertex_index, 3>> triangles;         // in no order
   std::size_t slab = 0;
   std::size_t number_of_slabs = 1;
+  // the values of the levels between the slab and its neighbors, as far as it has any
+  std::optional<Scalar> lower_bound, upper_bound;
 };
 
 } // namespace internal

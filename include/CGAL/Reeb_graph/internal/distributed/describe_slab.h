@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/distributed/Distributed_slab.h>
 #include <CGAL/Reeb_graph/internal/distributed/Chain_parts.h>
-#include <CGAL/Reeb_graph/internal/distributed/Slab_complex.h>
+#include <CGAL/Reeb_graph/internal/distributed/Linked_slab.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_surface.h>
 #include <CGAL/Reeb_graph/internal/distributed/count_borders.h>
 #include <CGAL/Reeb_graph/internal/distributed/distribute_surface.h>
@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -55,20 +56,26 @@ void describe_chains(const std::vector<Part_of_piece>& parts,
 // Tells the user what the rank holds. Collective.
 template <class Scalar, class ChainParts>
 void describe_slab(Exchange& exchange,
-                   const Slab_surface<Scalar>& surface,
-                   const Slab_complex& complex,
+                   const std::shared_ptr<Linked_slab<Scalar>>& linked_slab,
                    const Distribution_counts& counts,
                    std::size_t number_of_triangles,
                    const ChainParts& parts,
                    bool are_chains_kept,
                    Distributed_slab<Scalar>& slab)
 {
-  const Border_counts borders = count_borders(exchange, complex, surface);
+  const Slab_surface<Scalar>& surface = linked_slab->surface;
+  const Border_counts borders = count_borders(exchange, linked_slab->classified->complex, surface);
   Distributed_slab<Scalar> result;
   exchange.in_agreement([&] {
     if(are_chains_kept)
       describe_chains(parts.parts(), parts.vertices(), result);
   });
+  result.is_surface_kept = slab.is_surface_kept;
+  if(result.is_surface_kept)
+    result.keep(linked_slab);
+  result.has_slab = surface.has_slab();
+  result.lower_bound = surface.lower_bound;
+  result.upper_bound = surface.upper_bound;
   result.number_of_slabs = surface.number_of_slabs;
   result.crossings_per_triangle = counts.slabs_per_triangle_if_all;
   result.vertices = counts.vertices;

@@ -164,6 +164,10 @@ Slab_surface<Scalar> exchange_surface(Exchange& exchange,
   Slab_surface<Scalar> surface;
   surface.slab = exchange.rank();
   surface.number_of_slabs = splitters.size() + 1;
+  if(surface.has_slab() && !surface.is_lowest())
+    surface.lower_bound = splitters[surface.slab - 1].value;
+  if(surface.has_slab() && !surface.is_highest())
+    surface.upper_bound = splitters[surface.slab].value;
   auto received = send_triangles<Vertex>(exchange, part.triangles(), slabs, expected.triangles, vertices);
   std::vector<Slab_range>().swap(slabs);
   exchange.in_agreement([&] {
