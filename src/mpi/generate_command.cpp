@@ -179,7 +179,7 @@ void run_generate(const Communicator& communicator, const Generate_options& opti
     std::string path = temporary_path.string();
     boost::mpi::broadcast(communicator, path, 0);
     is_told = true;
-    if(!path.empty())
+    if(!path.empty()) // the ranks come back alike, or throw alike
       write_parts(communicator, path, options.path, surface, format);
   };
   run_together(communicator, [&] {
