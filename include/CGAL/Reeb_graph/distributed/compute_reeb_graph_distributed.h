@@ -13,31 +13,15 @@
 
 #include <CGAL/Reeb_graph/distributed/Distributed_slab.h>
 #include <CGAL/Reeb_graph/distributed/exceptions.h>
-#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/critical_vertices/count_critical_vertices.h>
-#include <CGAL/Reeb_graph/internal/distributed/Linked_slab.h>
-#include <CGAL/Reeb_graph/internal/distributed/Stages_of_rank.h>
-#include <CGAL/Reeb_graph/internal/distributed/compute_graph_of_slabs.h>
-#include <CGAL/Reeb_graph/internal/distributed/describe_slab.h>
-#include <CGAL/Reeb_graph/internal/distributed/distribute_surface.h>
-#include <CGAL/Reeb_graph/internal/distributed/exchange.h>
-#include <CGAL/Reeb_graph/internal/distributed/solve_slab.h>
-#include <CGAL/Reeb_graph/internal/distributed/sum_counts.h>
-#include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
+#include <CGAL/Reeb_graph/internal/distributed/run_on_ranks.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-#include <CGAL/Reeb_graph/options.h>
 #include <CGAL/Reeb_graph/visitor.h>
 #include <CGAL/Reeb_graph_soup_traits.h>
 
 #include <boost/mpi/communicator.hpp>
 
-#include <cstddef>
-#include <functional>
 #include <iterator>
-#include <memory>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 
@@ -147,63 +131,42 @@ void compute_reeb_graph_distributed(const boost::mpi::communicator& communicator
                                     ReebGraph& graph,
                                     const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using Reeb_graph::Stage;
-  namespace stages = Reeb_graph::internal;
+  namespace internal = Reeb_graph::internal;
   typedef std::decay_t<decltype(*std::begin(local_scalars))> Scalar;
-  static_assert(std::is_arithmetic_v<Scalar> && !std::is_same_v<Scalar, bool>,
-                "On ranks of MPI, scalar values are built-in numbers, and not of type bool.");
-  static_assert(stages::Graph_of_field<ReebGraph, stages::Simplicial_complex, Scalar>::value);
+  if constexpr(internal::are_types_for_ranks<Scalar, ReebGraph>())
+    internal::run_on_ranks<internal::Oriented_surface>(communicator, local_vertices, local_triangles, local_scalars,
+                                                       graph, np);
+}
 
-  auto visitor_parameter = choose_parameter<Reeb_graph::Default_visitor>(get_parameter(np, internal_np::visitor));
-  auto& visitor = stages::unwrap_reference(visitor_parameter);
-  const auto method = choose_parameter(get_parameter(np, stages::method), stages::Default_method());
-  const auto ties = choose_parameter(get_parameter(np, stages::ties), Reeb_graph::Ties::PERTURB);
-  const bool are_degree_two_nodes_kept = choose_parameter(get_parameter(np, stages::keep_degree_two_nodes), false);
-  const bool are_chains_gathered = choose_parameter(get_parameter(np, stages::gather_chains), true);
-  const std::size_t number_of_slabs = choose_parameter(get_parameter(np, stages::number_of_slabs), std::size_t(0));
-  constexpr bool is_slab_wanted = stages::is_given<decltype(get_parameter(np, stages::slab_of_rank))>;
-
-  stages::Exchange exchange(communicator);
-  stages::Stages_of_rank stage(exchange, visitor, np);
-  stage.go_on(0, Stage::FLATTEN);
-  stages::Distribution_counts counts;
-  const auto linked_slab = std::make_shared<stages::Linked_slab<Scalar>>();
-  stages::Slab_surface<Scalar>& surface = linked_slab->surface;
-  auto& classified = linked_slab->classified;
-  surface = stages::distribute_surface<Scalar>(exchange, local_vertices, local_triangles, local_scalars,
-                                               number_of_slabs, counts);
-  const stages::Vertex_order order(surface.values, std::less<Scalar>());
-  const std::size_t number_of_triangles = surface.triangles.size();
-
-  stage.go_on(0.4, Stage::CLASSIFY);
-  exchange.in_agreement([&] { classified.emplace(stages::link_and_classify(surface, order)); });
-  auto& [complex, critical_vertices] = *classified;
-  stage.tell_critical_vertices(stages::sum_counts(exchange, stages::count_critical_vertices(critical_vertices)));
-
-  stage.go_on(0.7, Stage::ARCS);
-  stages::Arcs_of_slab found;
-  exchange.in_agreement([&] { found = stages::solve_slab(surface, *classified, order, method, stage.part(0.7, 0.9)); });
-  const auto gathered =
-    stages::glue_and_gather(exchange, surface, critical_vertices, std::move(found), ties, are_degree_two_nodes_kept);
-  critical_vertices = stages::Swept_vertices();
-
-  stage.go_on(0.9, Stage::WRITE);
-  stages::Chain_parts parts(surface, complex, order);
-  if(are_chains_gathered || is_slab_wanted)
-    stages::walk_chains(exchange, gathered, parts);
-  if(are_chains_gathered)
-    stages::write_gathered_graph(exchange, gathered, parts.parts(), parts.vertices(), graph);
-  else
-    stages::write_gathered_graph(exchange, gathered, {}, {}, graph);
-  if constexpr(is_slab_wanted)
-  {
-    auto slab_parameter = get_parameter(np, stages::slab_of_rank);
-    stages::describe_slab(exchange, linked_slab, counts, number_of_triangles, parts, !are_chains_gathered,
-                          stages::unwrap_reference(slab_parameter));
-  }
-  stage.end();
+/// \ingroup PkgReebGraphRef
+///
+/// \brief computes the augmented Reeb graph of a scalar field on any set of triangles that is spread over the ranks of a
+/// communicator of MPI.
+///
+/// All that is said of `compute_reeb_graph_distributed()` holds here, but that the triangles need not be a surface: any
+/// number of them can meet at an edge, and any number of fans at a vertex; they need not be orientable, nor oriented
+/// alike. If one is listed twice, it counts once. The graph is that of `compute_reeb_graph_of_soup()`. It takes
+/// the time and about the memory of that function for the triangles that meet a slab, which is more than for a surface;
+/// `Reeb_graph::Distributed_slab` does not count borders.
+///
+/// The exceptions are those of `compute_reeb_graph_distributed()`, but the three that say what is no oriented surface.
+template <class VertexRange,
+          class TriangleRange,
+          class ScalarRange,
+          class ReebGraph,
+          class NamedParameters = parameters::Default_named_parameters>
+void compute_reeb_graph_of_soup_distributed(const boost::mpi::communicator& communicator,
+                                            const VertexRange& local_vertices,
+                                            const TriangleRange& local_triangles,
+                                            const ScalarRange& local_scalars,
+                                            ReebGraph& graph,
+                                            const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Reeb_graph::internal;
+  typedef std::decay_t<decltype(*std::begin(local_scalars))> Scalar;
+  if constexpr(internal::are_types_for_ranks<Scalar, ReebGraph>())
+    internal::run_on_ranks<internal::Any_triangles>(communicator, local_vertices, local_triangles, local_scalars, graph,
+                                                    np);
 }
 
 } // namespace CGAL

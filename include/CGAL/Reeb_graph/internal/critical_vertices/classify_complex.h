@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// What classify_vertices.h does for surfaces, for any complex: finds the vertices whose numbers of lower and upper
-// sectors is_wanted(numbers) takes. Both sides count, as they do not alternate around a vertex. Two sweeps on one
+// What classify_vertices.h does for surfaces, for any complex: finds the vertices that is_wanted(vertex, its numbers of
+// lower and upper sectors) takes. Both sides count, as they do not alternate around a vertex. Two sweeps on one
 // thread; only sorting uses more.
 template <class ConcurrencyTag, class Order, class IsWanted>
 Swept_vertices find_vertices_of_complex(const Simplicial_complex& complex,
@@ -49,7 +49,7 @@ Swept_vertices find_vertices_of_complex(const Simplicial_complex& complex,
     for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
     {
       const By_side<Number> numbers = forests.numbers_of_sectors(v);
-      if(!is_wanted(numbers))
+      if(!is_wanted(v, numbers))
         continue;
       wanted.push_back(v);
       for(const Side side : both_sides)
@@ -78,11 +78,16 @@ Swept_vertices find_vertices_of_complex(const Simplicial_complex& complex,
   return result;
 }
 
+inline bool has_critical_numbers_of_sectors(const By_side<Number>& numbers_of_sectors)
+{
+  return numbers_of_sectors[Side::LOWER] != 1 || numbers_of_sectors[Side::UPPER] != 1;
+}
+
 template <class ConcurrencyTag, class Order>
 Swept_vertices classify_vertices(const Simplicial_complex& complex, const Order& order)
 {
-  return find_vertices_of_complex<ConcurrencyTag>(complex, order, [](const By_side<Number>& numbers_of_sectors) {
-    return numbers_of_sectors[Side::LOWER] != 1 || numbers_of_sectors[Side::UPPER] != 1;
+  return find_vertices_of_complex<ConcurrencyTag>(complex, order, [](Vertex_index, const By_side<Number>& numbers) {
+    return has_critical_numbers_of_sectors(numbers);
   });
 }
 
@@ -97,7 +102,8 @@ Classified_complex<Simplicial_complex> check_and_classify_vertices(Simplicial_co
 template <class ConcurrencyTag, class Order>
 Swept_vertices sort_all_vertices(const Simplicial_complex& complex, const Order& order)
 {
-  return find_vertices_of_complex<ConcurrencyTag>(complex, order, [](const By_side<Number>&) { return true; });
+  return find_vertices_of_complex<ConcurrencyTag>(complex, order,
+                                                  [](Vertex_index, const By_side<Number>&) { return true; });
 }
 
 } // namespace internal

@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/distributed/Slab_complex.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_surface.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
@@ -48,11 +47,11 @@ struct Part_of_piece
 };
 
 // The parts of chains on a rank: the steps that begin in its slab, as sequences of vertices.
-template <class Scalar, class Order>
+template <class Scalar, class Complex, class Order>
 class Chain_parts
 {
 public:
-  Chain_parts(const Slab_surface<Scalar>& surface, const Slab_complex& complex, const Order& order)
+  Chain_parts(const Slab_surface<Scalar>& surface, const Complex& complex, const Order& order)
     : surface_(surface),
       complex_(complex),
       order_(order)
@@ -90,12 +89,14 @@ private:
     if(piece.goes_on != 0)
     {
       const auto is_below = [&](Vertex_index v) { return is_lower(v, piece); };
-      const auto goes_on = [&](Vertex_index v) { return complex_.has_vertex(v) && is_below(v); };
+      const auto goes_on = [&](Vertex_index v) {
+        return surface_.slabs_of_vertices[v] == surface_.inside() && is_below(v);
+      };
       const auto add = [&](Vertex_index, const Ascending_step& step) {
-        vertices_.push_back(complex_.global_vertex(step.target));
+        vertices_.push_back(surface_.global_vertices[step.target]);
       };
       const Vertex_index end = climb(complex_, order_, find_vertex(piece.vertex), goes_on, add);
-      piece.vertex = complex_.global_vertex(end);
+      piece.vertex = surface_.global_vertices[end];
       if(is_below(end))
         leaving_.push_back(piece);
     }
@@ -117,11 +118,11 @@ private:
   bool is_lower(Vertex_index v, const Climbing_piece<Scalar>& piece) const
   {
     return order_.is_lower(v, piece.value_of_upper_vertex)
-        || (!order_.is_higher(v, piece.value_of_upper_vertex) && complex_.global_vertex(v) < piece.upper_vertex);
+        || (!order_.is_higher(v, piece.value_of_upper_vertex) && surface_.global_vertices[v] < piece.upper_vertex);
   }
 
   const Slab_surface<Scalar>& surface_;
-  const Slab_complex& complex_;
+  const Complex& complex_;
   const Order& order_;
   std::vector<Climbing_piece<Scalar>> leaving_;
   std::vector<Part_of_piece> parts_;

@@ -25,7 +25,7 @@ namespace Reeb_graph {
 namespace internal {
 
 // The surface that a rank holds, after its triangles have been linked. The complex refers to the arrays of the surface.
-template <class Scalar>
+template <class Scalar, class Complex = Slab_complex>
 struct Linked_slab
 {
   Linked_slab() = default;
@@ -33,7 +33,7 @@ struct Linked_slab
   Linked_slab& operator=(const Linked_slab&) = delete;
 
   Slab_surface<Scalar> surface;
-  std::optional<Classified_complex<Slab_complex>> classified;
+  std::optional<Classified_complex<Complex>> classified;
 };
 
 // Calls visit(halfedges, is_closed) for each contour at the level just above the last vertex of value at most `value`,

@@ -57,7 +57,11 @@ public:
     });
   }
 
-  void tell_critical_vertices(const Critical_vertex_counts& counts) { visitor_.critical_vertices(counts); }
+  // Collective.
+  void tell_critical_vertices(const Critical_vertex_counts& counts)
+  {
+    exchange_.in_agreement([&] { visitor_.critical_vertices(counts); });
+  }
 
   Stage_progress part(double begin, double end) const { return {progress_, begin, end}; }
 

@@ -20,7 +20,6 @@
 #include <CGAL/Reeb_graph/internal/distributed/Chain_parts.h>
 #include <CGAL/Reeb_graph/internal/distributed/Gathered_surface.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_block.h>
-#include <CGAL/Reeb_graph/internal/distributed/Slab_complex.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_surface.h>
 #include <CGAL/Reeb_graph/internal/distributed/distributed_chains.h>
 #include <CGAL/Reeb_graph/internal/distributed/exchange.h>
@@ -97,8 +96,8 @@ Gathered_graph<Scalar> glue_and_gather(Exchange& exchange,
 }
 
 // Walks the chains on the ranks. Collective.
-template <class Scalar, class Order>
-void walk_chains(Exchange& exchange, const Gathered_graph<Scalar>& gathered, Chain_parts<Scalar, Order>& parts)
+template <class Scalar, class ChainParts>
+void walk_chains(Exchange& exchange, const Gathered_graph<Scalar>& gathered, ChainParts& parts)
 {
   Gathered_arrays<Climbing_piece<Scalar>> pieces;
   exchange.in_agreement([&] {

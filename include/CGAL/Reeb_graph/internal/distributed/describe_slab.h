@@ -54,9 +54,9 @@ void describe_chains(const std::vector<Part_of_piece>& parts,
 }
 
 // Tells the user what the rank holds. Collective.
-template <class Scalar, class ChainParts>
+template <class Scalar, class Complex, class ChainParts>
 void describe_slab(Exchange& exchange,
-                   const std::shared_ptr<Linked_slab<Scalar>>& linked_slab,
+                   const std::shared_ptr<Linked_slab<Scalar, Complex>>& linked_slab,
                    const Distribution_counts& counts,
                    std::size_t number_of_triangles,
                    const ChainParts& parts,
@@ -64,15 +64,20 @@ void describe_slab(Exchange& exchange,
                    Distributed_slab<Scalar>& slab)
 {
   const Slab_surface<Scalar>& surface = linked_slab->surface;
-  const Border_counts borders = count_borders(exchange, linked_slab->classified->complex, surface);
   Distributed_slab<Scalar> result;
   exchange.in_agreement([&] {
     if(are_chains_kept)
       describe_chains(parts.parts(), parts.vertices(), result);
   });
   result.is_surface_kept = slab.is_surface_kept;
-  if(result.is_surface_kept)
-    result.keep(linked_slab);
+  if constexpr(Complex::is_surface)
+  {
+    if(result.is_surface_kept)
+      result.keep(linked_slab);
+    const Border_counts borders = count_borders(exchange, linked_slab->classified->complex, surface);
+    result.border_edges = borders.edges;
+    result.border_loops = borders.loops;
+  }
   result.has_slab = surface.has_slab();
   result.lower_bound = surface.lower_bound;
   result.upper_bound = surface.upper_bound;
@@ -81,9 +86,6 @@ void describe_slab(Exchange& exchange,
   result.vertices = counts.vertices;
   result.triangles = number_of_triangles;
   result.copies = counts.copies;
-  result.bytes_sent = exchange.bytes_sent();
-  result.border_edges = borders.edges;
-  result.border_loops = borders.loops;
   slab = std::move(result);
 }
 

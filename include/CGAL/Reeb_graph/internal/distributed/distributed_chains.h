@@ -71,10 +71,8 @@ Gathered_arrays<Climbing_piece<Scalar>> list_pieces(const Gathered_surface<Scala
 
 // Walks pieces slab by slab: each rank those in its slab, and hands them on upwards, until no rank has any left.
 // Collective.
-template <class Scalar, class Order>
-void walk_slab_by_slab(Exchange& exchange,
-                       std::vector<Climbing_piece<Scalar>> pieces,
-                       Chain_parts<Scalar, Order>& parts)
+template <class Scalar, class ChainParts>
+void walk_slab_by_slab(Exchange& exchange, std::vector<Climbing_piece<Scalar>> pieces, ChainParts& parts)
 {
   const int rank = exchange.communicator().rank();
   const int above = rank + 1 < exchange.communicator().size() ? rank + 1 : no_rank;

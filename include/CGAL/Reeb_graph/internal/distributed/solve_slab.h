@@ -16,16 +16,19 @@
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/classify_complex.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_complex.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_surface.h>
 #include <CGAL/Reeb_graph/internal/distributed/link_triangles.h>
+#include <CGAL/Reeb_graph/internal/mesh/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/Unchecked_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Bounding_level.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -37,8 +40,8 @@ namespace internal {
 class Levels_of_rank
 {
 public:
-  template <class Scalar>
-  Levels_of_rank(const Slab_complex& complex, const Slab_surface<Scalar>& surface)
+  template <class Complex, class Scalar>
+  Levels_of_rank(const Complex& complex, const Slab_surface<Scalar>& surface)
   {
     if(surface.has_slab() && !surface.is_lowest())
       levels_[Side::LOWER].emplace(complex.number_of_edges());
@@ -79,6 +82,23 @@ Classified_complex<Slab_complex> link_and_classify(Slab_surface<Scalar>& surface
     Unchecked_complex(Slab_complex(std::move(arrays), surface.global_vertices, surface.slabs_of_vertices)), order);
 }
 
+// The same for any triangles.
+template <class Scalar, class Order>
+Classified_complex<Simplicial_complex> list_and_classify(Slab_surface<Scalar>& surface, const Order& order)
+{
+  const auto for_each_triangle = [&](const auto& visit) {
+    for(const std::array<Vertex_index, 3>& t : surface.triangles)
+      visit(t[0], t[1], t[2]);
+  };
+  Simplicial_complex complex(surface.global_vertices.size(), for_each_triangle, [](const auto&) {});
+  surface.triangles = {};
+  Swept_vertices critical_vertices =
+    find_vertices_of_complex<Sequential_tag>(complex, order, [&](Vertex_index v, const By_side<Number>& numbers) {
+      return surface.slabs_of_vertices[v] == surface.inside() && has_critical_numbers_of_sectors(numbers);
+    });
+  return {std::move(complex), std::move(critical_vertices)};
+}
+
 // The arcs between the nodes of a Slab. Contours of a level are numbered by their first edges, and edges by their
 // vertices, so the two ranks at a level know each of its contours by the same number.
 struct Arcs_of_slab
@@ -89,20 +109,19 @@ struct Arcs_of_slab
 
 // Finds the arcs between the critical vertices of the rank's slab and the contours of its bounding levels. Calls
 // report(fraction) now and then.
-template <class Scalar, class Order, class ChosenMethod, class Report>
+template <class Scalar, class Complex, class Order, class ChosenMethod, class Report>
 Arcs_of_slab solve_slab(const Slab_surface<Scalar>& surface,
-                        const Classified_complex<Slab_complex>& classified,
+                        const Classified_complex<Complex>& classified,
                         const Order& order,
                         ChosenMethod method,
                         const Report& report)
 {
   const auto& [complex, critical_vertices] = classified;
   const Levels_of_rank levels(complex, surface);
-  const Slab<Slab_complex> slab =
-    surface.number_of_slabs == 1
-      ? Slab<Slab_complex>(complex, critical_vertices)
-      : Slab<Slab_complex>(complex, critical_vertices, surface.slabs_of_vertices, surface.inside(),
-                           {levels.level(Side::LOWER), levels.level(Side::UPPER)});
+  const Slab<Complex> slab = surface.number_of_slabs == 1
+                             ? Slab<Complex>(complex, critical_vertices)
+                             : Slab<Complex>(complex, critical_vertices, surface.slabs_of_vertices, surface.inside(),
+                                             {levels.level(Side::LOWER), levels.level(Side::UPPER)});
   return {find_arcs_of_slab<Sequential_tag>(slab, order, method, report),
           {levels.number_of_contours(Side::LOWER), levels.number_of_contours(Side::UPPER)}};
 }
