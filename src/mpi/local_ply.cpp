@@ -46,6 +46,9 @@ std::size_t offset_in_record(const ply::Element& element, std::size_t place)
   return offset;
 }
 
+// The place of the list of the vertices of a face.
+std::size_t find_polygon(const ply::Element& element) { return element.find({"vertex_indices", "vertex_index"}); }
+
 double decode_number(ply::Type type, const char* bytes, bool is_reversed)
 {
   return ply::call_with_number(type, [&](auto n) -> double { return decode<decltype(n)>(bytes, is_reversed); });
@@ -101,10 +104,11 @@ private:
     const bool are_faces = element.name == "face" || element.name == "faces";
     if((are_vertices && vertices_ != nullptr) || (are_faces && faces_ != nullptr))
       fail("there are two elements of " + element.name);
+    const std::size_t place_of_polygon = are_faces ? find_polygon(element) : element.properties.size();
     Records records = {end_, element.number, 0};
     for(const ply::Property& property : element.properties)
     {
-      const bool is_polygon = are_faces && (property.name == "vertex_indices" || property.name == "vertex_index");
+      const bool is_polygon = &property == element.properties.data() + place_of_polygon;
       if(property.is_list() && !is_polygon && element.number > 0)
         fail("the property " + quote(property.name) + " of the element " + quote(element.name)
              + " is a list: ranks share PLY files with no other lists than the vertices of faces");
@@ -240,7 +244,7 @@ void read_faces(const Communicator& communicator,
                 Local_mesh& mesh)
 {
   const ply::Element& element = *layout.faces();
-  const std::size_t i = element.find({"vertex_indices", "vertex_index"});
+  const std::size_t i = find_polygon(element);
   if(i == element.properties.size() || !element.properties[i].is_list() || !ply::is_integer(element.properties[i].type))
     layout.fail("the faces have no list of vertices");
   const ply::Property& property = element.properties[i];
