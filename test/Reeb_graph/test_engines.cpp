@@ -15,10 +15,14 @@
 #include "random_fields.h"
 
 #include <CGAL/Reeb_graph/internal/contour_trees/Contour_trees_engine.h>
+#include <CGAL/Reeb_graph/internal/mesh/Regular_vertices.h>
+
+#include <boost/mpl/list.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <set>
 #include <type_traits>
@@ -94,6 +98,7 @@ Combinatorial_mesh surface_of_high_genus(Random& random)
 typedef CGAL::Reeb_graph_traits<Surface_mesh, Scalar_map> Traits;
 typedef stages::Vertex_order<double, Traits::Less_scalar> Order;
 typedef stages::Surface_mesh_complex<Surface_mesh::Point> Complex;
+typedef boost::mpl::list<Surface_mesh, mesh_builders::Polyhedron> Meshes;
 
 // Kinds of indices do not become each other, nor numbers, unless told so.
 static_assert(!std::is_convertible_v<stages::Vertex_index, stages::Halfedge_index>);
@@ -375,6 +380,113 @@ BOOST_AUTO_TEST_CASE(critical_vertices_tell_the_euler_characteristic)
     BOOST_TEST(stages::euler_characteristic(stages::classify_vertices<CGAL::Sequential_tag>(surface.complex, order))
                == characteristic);
   }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(vertices_that_a_sweep_sees_to_be_regular_are, Mesh, Meshes)
+{
+  constexpr std::size_t number_of_classes = static_cast<std::size_t>(Mesh_class::NUMBER_OF_CLASSES);
+  std::size_t number_of_regular_vertices = 0;
+  for(std::size_t seed = 0; seed < 1200; ++seed)
+  {
+    Random random(410000 + seed);
+    const auto combinatorial_mesh =
+      random_meshes::random_mesh(static_cast<Mesh_class>(seed % number_of_classes), random);
+    const Mesh mesh = make_mesh<Mesh>(combinatorial_mesh);
+    const auto values = random_meshes::random_field(combinatorial_mesh, Field_class::PERMUTATION, random);
+    const CGAL::Reeb_graph_traits<Mesh, graph_checks::Scalar_map_of<Mesh>> traits;
+    const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values),
+                                                               traits, CGAL::parameters::default_values());
+    const stages::Vertex_order order(surface.values, traits.less_scalar_object());
+    const stages::Regular_vertices<CGAL::Sequential_tag> regular_vertices(surface.complex, order);
+    std::size_t number_of_corners = 0;
+    for(const stages::Vertex_index v : surface.complex.vertices())
+    {
+      const stages::Halfedge_index halfedge = regular_vertices.halfedge(v);
+      if(halfedge == stages::no_index)
+        continue;
+      ++number_of_regular_vertices;
+      surface.complex.for_each_halfedge_around(v, [&](stages::Halfedge_index) { ++number_of_corners; });
+      BOOST_TEST_CONTEXT("seed " << seed)
+      {
+        BOOST_TEST((surface.complex.target(halfedge) == v));
+        BOOST_TEST(!surface.complex.is_on_border(v));
+        BOOST_TEST(stages::find_link(surface.complex, order, v).summary.number_of_sectors == 2u);
+      }
+    }
+    BOOST_TEST(regular_vertices.number_of_corners() == number_of_corners);
+  }
+  BOOST_TEST(number_of_regular_vertices > 1000u);
+}
+
+// A vertex with a second fan looks regular by the first one alone.
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_sweep_does_not_see_vertices_with_two_fans_to_be_regular, Mesh, Meshes)
+{
+  std::size_t number_of_regular_fans = 0;
+  for(std::size_t seed = 0; seed < 600; ++seed)
+  {
+    Random random(420000 + seed);
+    const auto first = random_meshes::random_closed_surface(seed % 3, 10, random);
+    const auto combinatorial_mesh = disjoint_union(first, random_meshes::random_closed_surface(0, 3, random));
+    Mesh mesh = make_mesh<Mesh>(combinatorial_mesh);
+    const auto values = random_meshes::random_field(combinatorial_mesh, Field_class::PERMUTATION, random);
+    const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+    const std::size_t kept = random.below(first.number_of_vertices);
+    const std::size_t other =
+      first.number_of_vertices + random.below(combinatorial_mesh.number_of_vertices - first.number_of_vertices);
+    const CGAL::Reeb_graph_traits<Mesh, graph_checks::Scalar_map_of<Mesh>> traits;
+    const auto find_halfedge = [&] {
+      const auto surface =
+        stages::flatten_unchecked<CGAL::Sequential_tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
+      const stages::Vertex_order order(surface.field.values, traits.less_scalar_object());
+      return stages::Regular_vertices<CGAL::Sequential_tag>(surface.complex.at_set_fans(), order)
+        .halfedge(stages::Vertex_index(kept));
+    };
+    number_of_regular_fans += find_halfedge() != stages::no_index ? 1 : 0;
+    const auto v = *std::next(vertices(mesh).begin(), static_cast<std::ptrdiff_t>(kept));
+    const auto u = *std::next(vertices(mesh).begin(), static_cast<std::ptrdiff_t>(other));
+    for(const auto h : halfedges(mesh))
+      if(target(h, mesh) == u)
+        set_target(h, v, mesh);
+    BOOST_TEST_CONTEXT("seed " << seed)
+    BOOST_TEST((find_halfedge() == stages::no_index));
+  }
+  BOOST_TEST(number_of_regular_fans > 50u);
+}
+
+// The sweep is made where neighbors are far from each other in memory, which takes a large mesh.
+BOOST_AUTO_TEST_CASE(a_mesh_in_bad_order_has_the_graph_of_the_ordered_one)
+{
+  auto soup = generated_surfaces::closed_surface(3, 36000);
+  const auto compute_arcs = [](const auto& triangle_soup, auto& is_swept) {
+    const Surface_mesh mesh = make_mesh<Surface_mesh>(triangle_soup);
+    std::vector<double> values;
+    for(const auto v : vertices(mesh))
+      values.push_back(std::sin(3 * mesh.point(v).x()) + std::sin(2 * mesh.point(v).y()) + mesh.point(v).z());
+    is_swept = stages::is_in_bad_order(stages::Surface_mesh_complex<Surface_mesh::Point>(mesh));
+    const auto graph = graph_checks::compute(mesh, values);
+    std::multiset<std::pair<double, double>> arcs;
+    for(const auto arc : CGAL::make_range(edges(graph)))
+      arcs.emplace(graph[source(arc, graph)].value, graph[target(arc, graph)].value);
+    return arcs;
+  };
+  bool is_ordered_one_swept = false, is_shuffled_one_swept = false;
+  const auto expected = compute_arcs(soup, is_ordered_one_swept);
+  Random random(430000);
+  std::vector<std::size_t> names(soup.points.size());
+  std::iota(names.begin(), names.end(), 0);
+  random.shuffle(names);
+  auto points = soup.points;
+  for(std::size_t i = 0; i != names.size(); ++i)
+    points[names[i]] = soup.points[i];
+  soup.points = points;
+  for(auto& triangle : soup.triangles)
+    for(auto& v : triangle)
+      v = names[v];
+  random.shuffle(soup.triangles);
+  BOOST_TEST((compute_arcs(soup, is_shuffled_one_swept) == expected));
+  BOOST_TEST(!is_ordered_one_swept);
+  BOOST_TEST(is_shuffled_one_swept);
+  BOOST_TEST(expected.size() > 10u);
 }
 
 BOOST_AUTO_TEST_CASE(there_are_as_many_cuts_as_loops_along_the_shorter_contours)

@@ -27,6 +27,7 @@
 #include <atomic>
 #include <cstddef>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -111,6 +112,22 @@ void for_each_part(std::size_t number_of_parts, std::size_t size, const Function
   });
 }
 
+// What function(begin, end, sum) adds to `sum` for the parts of the numbers from 0 to size - 1.
+template <class ConcurrencyTag, class Sum, class Function>
+Sum sum_of_parts(std::size_t size, const Function& function)
+{
+  std::vector<Sum> sums(number_of_parts<ConcurrencyTag>(size));
+  for_each_part<ConcurrencyTag>(sums.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    Sum sum = Sum();
+    function(begin, end, sum);
+    sums[part] = sum;
+  });
+  Sum result = Sum();
+  for(const Sum& sum : sums)
+    result += sum;
+  return result;
+}
+
 // A number that threads can read and write at once if it does not matter who comes first.
 template <class T>
 class Relaxed_value
@@ -118,6 +135,17 @@ class Relaxed_value
 public:
   T get() const { return value_.load(std::memory_order_relaxed); }
   void set(T value) { value_.store(value, std::memory_order_relaxed); }
+
+  // Sets the value, and returns the one before. No other thread comes between.
+  template <class ConcurrencyTag>
+  T exchange(T value)
+  {
+    if constexpr(is_parallel<ConcurrencyTag>())
+      return value_.exchange(value, std::memory_order_relaxed);
+    const T old = get();
+    set(value);
+    return old;
+  }
 
 private:
   std::atomic<T> value_{T()};

@@ -17,7 +17,9 @@
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/link_sectors.h>
+#include <CGAL/Reeb_graph/internal/mesh/Regular_vertices.h>
 #include <CGAL/Reeb_graph/internal/mesh/Unchecked_complex.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -140,7 +142,10 @@ inline bool has_critical_number_of_sectors(Number number_of_sectors) { return nu
 template <class ConcurrencyTag, class Complex, class Order>
 Swept_vertices classify_vertices(const Complex& complex, const Order& order)
 {
-  const auto find = [&](Vertex_index vertex, Fan_counts&) { return find_link(complex, order, vertex); };
+  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(complex, order);
+  const auto find = [&](Vertex_index vertex, Fan_counts&) {
+    return regular_vertices.halfedge(vertex) != no_index ? regular_link : find_link(complex, order, vertex);
+  };
   return join_parts<ConcurrencyTag>(
     complex, order, find_vertices_in_parts<ConcurrencyTag>(complex, find, has_critical_number_of_sectors));
 }
@@ -153,15 +158,21 @@ struct Classified_complex
 };
 
 // Finds the critical vertices of a complex that has not been checked, which is done on the way: both have to turn
-// around each vertex.
+// around each vertex that is not one of the regular ones known before.
 template <class ConcurrencyTag, class Complex, class Order>
 Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Complex> unchecked, const Order& order)
 {
+  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), order);
   const auto find = [&](Vertex_index vertex, Fan_counts& counts) {
-    return set_fan_and_find_link(unchecked, order, vertex, counts);
+    const Halfedge_index halfedge = regular_vertices.halfedge(vertex);
+    if(halfedge == no_index)
+      return set_fan_and_find_link(unchecked, order, vertex, counts);
+    unchecked.set_fan(vertex, halfedge);
+    return regular_link;
   };
   const auto found = find_vertices_in_parts<ConcurrencyTag>(unchecked, find, has_critical_number_of_sectors);
   Fan_counts counts;
+  counts.corners = regular_vertices.number_of_corners();
   for(const Found_vertices& part : found.parts)
     counts += part.fan_counts;
   Complex complex = std::move(unchecked).check(counts);

@@ -49,6 +49,9 @@ struct Vertex_link
   Monotone_neighbors neighbors;
 };
 
+// The link of a vertex that is known to be regular, without a turn.
+inline constexpr Vertex_link regular_link = {{2, false}, {no_index, no_index}};
+
 // Counts how often the neighbors of a vertex change between lower and higher ones. That is the number of link sectors
 // if the last neighbor is the first one again; on the border, where the link is a path, there is one more.
 template <class Order>

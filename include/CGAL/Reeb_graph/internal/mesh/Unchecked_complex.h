@@ -60,6 +60,9 @@ public:
   // The complex as far as it goes: only vertices whose fans have been set may be asked about.
   const Complex& at_set_fans() const { return complex_; }
 
+  // Sets the fan of a vertex that has one only, inside of the surface, by a halfedge that ends there.
+  void set_fan(Vertex_index vertex, Halfedge_index halfedge) { complex_.first_halfedges_[vertex] = halfedge; }
+
   // Turns to the halfedge with which the fan of a vertex begins, keeps it, and adds to `counts`.
   //
   // Shows the neighbors on the way, in clockwise order: visitor.begin(neighbor), then visitor.add(neighbor) for each

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/is_ordered.h>
+#include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
@@ -43,6 +44,8 @@ public:
   // Whether vertex u is lower than vertex v. Sweeps ask in the order of the mesh, in which a branch on the first
   // comparison is foreseen where the field is smooth, and what depends on the answer need not wait for the values.
   bool operator()(Vertex_index u, Vertex_index v) const { return is_before((*values_)[u], u, (*values_)[v], v); }
+
+  void prefetch(Vertex_index v) const { prefetch_element(*values_, v); }
 
   template <class Name>
   Key<Name> key(Vertex_index v, Name name) const

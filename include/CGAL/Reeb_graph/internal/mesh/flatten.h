@@ -18,10 +18,12 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/mesh/Descriptor_positions.h>
 #include <CGAL/Reeb_graph/internal/mesh/Halfedge_list.h>
+#include <CGAL/Reeb_graph/internal/mesh/Regular_vertices.h>
 #include <CGAL/Reeb_graph/internal/mesh/Surface_mesh_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/Unchecked_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/Vertex_list.h>
+#include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/mesh/read_halfedges.h>
 
@@ -210,22 +212,23 @@ Unchecked_surface<Surface_mesh<Point>, typename Traits::Scalar> flatten_unchecke
   return {Unchecked_complex(Surface_mesh_complex<Point>(mesh)), {std::move(values), std::move(vertex_list), {}}};
 }
 
-// Sets the fans of all vertices, and checks the complex.
-template <class ConcurrencyTag, class Complex>
-Complex check_complex(Unchecked_complex<Complex> unchecked)
+// Sets the fans of all vertices, and checks the complex. Any order of the vertices will do.
+template <class ConcurrencyTag, class Complex, class Order>
+Complex check_complex(Unchecked_complex<Complex> unchecked, const Order& order)
 {
-  const std::size_t size = unchecked.number_of_vertices();
-  std::vector<Fan_counts> parts(number_of_parts<ConcurrencyTag>(size));
-  for_each_part<ConcurrencyTag>(parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
-    Fan_counts counts;
+  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), order);
+  const auto set_fans = [&](std::size_t begin, std::size_t end, Fan_counts& counts) {
     No_visitor_of_fan visitor;
     for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
-      unchecked.set_fan(v, counts, visitor);
-    parts[part] = counts;
-  });
-  Fan_counts counts;
-  for(const Fan_counts& part : parts)
-    counts += part;
+    {
+      if(const Halfedge_index halfedge = regular_vertices.halfedge(v); halfedge != no_index)
+        unchecked.set_fan(v, halfedge);
+      else
+        unchecked.set_fan(v, counts, visitor);
+    }
+  };
+  auto counts = sum_of_parts<ConcurrencyTag, Fan_counts>(unchecked.number_of_vertices(), set_fans);
+  counts.corners += regular_vertices.number_of_corners();
   return std::move(unchecked).check(counts);
 }
 
@@ -237,7 +240,9 @@ Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph
                                                              const NamedParameters& np)
 {
   auto [unchecked, field] = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
-  return {std::move(field), check_complex<ConcurrencyTag>(std::move(unchecked))};
+  auto complex =
+    check_complex<ConcurrencyTag>(std::move(unchecked), Vertex_order(field.values, traits.less_scalar_object()));
+  return {std::move(field), std::move(complex)};
 }
 
 } // namespace internal

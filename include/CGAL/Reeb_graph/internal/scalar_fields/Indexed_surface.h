@@ -18,6 +18,7 @@
 #include <CGAL/Reeb_graph/internal/mesh/Descriptor_positions.h>
 #include <CGAL/Reeb_graph/internal/mesh/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/Unchecked_complex.h>
+#include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/mesh/flatten.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/mesh/read_halfedges.h>
@@ -34,6 +35,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -152,8 +154,13 @@ private:
   {
     auto read = read_halfedges(mesh, faces_, vertices_.size(), positions_,
                                make_face_positions(mesh, faces_, parameters::default_values()));
+    Indexed_vector<Vertex_index, double> heights;
+    heights.reserve(points_.size());
+    for(const Vector& p : points_)
+      heights.push_back(p[2]);
     const Triangle_complex complex = check_complex<Sequential_tag>(
-      Unchecked_complex<Triangle_complex>(Triangle_complex(std::move(read.arrays), faces_.size())));
+      Unchecked_complex<Triangle_complex>(Triangle_complex(std::move(read.arrays), faces_.size())),
+      Vertex_order(heights, std::less<double>()));
     triangles_.reserve(faces_.size());
     for(const auto& [a, b, c] : read.halfedges_of_faces)
       triangles_.push_back(
