@@ -8,8 +8,12 @@
 
 #include "mpi/ranks.h"
 
+#include <CGAL/Reeb_graph/internal/distributed/wait_for.h>
+
 #include <boost/mpi/collectives.hpp>
-#include <boost/mpi/operations.hpp>
+#include <boost/mpi/exception.hpp>
+
+#include <mpi.h>
 
 #include <algorithm>
 #include <exception>
@@ -36,7 +40,10 @@ void run_together(const Communicator& communicator, const std::function<void()>&
     message = error.what();
     failed_rank = communicator.rank();
   }
-  const int first = boost::mpi::all_reduce(communicator, failed_rank, boost::mpi::minimum<int>());
+  int first = 0;
+  MPI_Request request = MPI_REQUEST_NULL;
+  BOOST_MPI_CHECK_RESULT(MPI_Iallreduce, (&failed_rank, &first, 1, MPI_INT, MPI_MIN, communicator, &request));
+  CGAL::Reeb_graph::internal::wait_for(request);
   if(first == communicator.size())
     return;
   boost::mpi::broadcast(communicator, message, first);

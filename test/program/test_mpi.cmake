@@ -228,7 +228,7 @@ if(EXISTS ${FOLDER}/killed.dot)
 endif()
 
 # what needs more memory than there may be in one process, four ranks do, each with as little
-set(limit 420000) # kB
+set(limit 390000) # kB
 expect_success_on_ranks(4 generate large.ply --triangles 4000000)
 execute_process(COMMAND sh -c "ulimit -v ${limit} && exec ${sequential_program} compute large.ply --field smooth --graph limited.dot"
                 WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE exit_code OUTPUT_QUIET ERROR_VARIABLE error)
