@@ -453,40 +453,73 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_sweep_does_not_see_vertices_with_two_fans_to_be_
   BOOST_TEST(number_of_regular_fans > 50u);
 }
 
-// The sweep is made where neighbors are far from each other in memory, which takes a large mesh.
+namespace {
+void shuffle(generated_surfaces::Triangle_soup& soup, Random& random)
+{
+  std::vector<std::size_t> new_numbers(soup.points.size());
+  std::iota(new_numbers.begin(), new_numbers.end(), 0);
+  random.shuffle(new_numbers);
+  const auto points = soup.points;
+  for(std::size_t i = 0; i != points.size(); ++i)
+    soup.points[new_numbers[i]] = points[i];
+  for(auto& triangle : soup.triangles)
+    for(auto& v : triangle)
+      v = new_numbers[v];
+  random.shuffle(soup.triangles);
+}
+
+std::vector<double> smooth_field(const Surface_mesh& mesh)
+{
+  std::vector<double> values;
+  for(const auto v : vertices(mesh))
+    values.push_back(std::sin(3 * mesh.point(v).x()) + std::sin(2 * mesh.point(v).y()) + mesh.point(v).z());
+  return values;
+}
+
+bool is_sweep_faster(const Surface_mesh& mesh, const std::vector<double>& values)
+{
+  const stages::Indexed_vector<stages::Vertex_index, double> indexed_values(values.begin(), values.end());
+  return stages::is_sweep_faster(Complex(mesh), Order(indexed_values, Traits().less_scalar_object()));
+}
+
+std::multiset<std::pair<double, double>> values_of_arcs(const Surface_mesh& mesh, const std::vector<double>& values)
+{
+  const auto graph = graph_checks::compute(mesh, values);
+  std::multiset<std::pair<double, double>> arcs;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+    arcs.emplace(graph[source(arc, graph)].value, graph[target(arc, graph)].value);
+  return arcs;
+}
+} // namespace
+
+// The sweep is made on smooth fields, where neighbors are far from each other in memory, which takes a large mesh.
 BOOST_AUTO_TEST_CASE(a_mesh_in_bad_order_has_the_graph_of_the_ordered_one)
 {
   auto soup = generated_surfaces::closed_surface(3, 36000);
-  const auto compute_arcs = [](const auto& triangle_soup, auto& is_swept) {
-    const Surface_mesh mesh = make_mesh<Surface_mesh>(triangle_soup);
-    std::vector<double> values;
-    for(const auto v : vertices(mesh))
-      values.push_back(std::sin(3 * mesh.point(v).x()) + std::sin(2 * mesh.point(v).y()) + mesh.point(v).z());
-    is_swept = stages::is_in_bad_order(stages::Surface_mesh_complex<Surface_mesh::Point>(mesh));
-    const auto graph = graph_checks::compute(mesh, values);
-    std::multiset<std::pair<double, double>> arcs;
-    for(const auto arc : CGAL::make_range(edges(graph)))
-      arcs.emplace(graph[source(arc, graph)].value, graph[target(arc, graph)].value);
-    return arcs;
-  };
-  bool is_ordered_one_swept = false, is_shuffled_one_swept = false;
-  const auto expected = compute_arcs(soup, is_ordered_one_swept);
+  const auto ordered_mesh = make_mesh<Surface_mesh>(soup);
   Random random(430000);
-  std::vector<std::size_t> names(soup.points.size());
-  std::iota(names.begin(), names.end(), 0);
-  random.shuffle(names);
-  auto points = soup.points;
-  for(std::size_t i = 0; i != names.size(); ++i)
-    points[names[i]] = soup.points[i];
-  soup.points = points;
-  for(auto& triangle : soup.triangles)
-    for(auto& v : triangle)
-      v = names[v];
-  random.shuffle(soup.triangles);
-  BOOST_TEST((compute_arcs(soup, is_shuffled_one_swept) == expected));
-  BOOST_TEST(!is_ordered_one_swept);
-  BOOST_TEST(is_shuffled_one_swept);
-  BOOST_TEST(expected.size() > 10u);
+  shuffle(soup, random);
+  auto mesh = make_mesh<Surface_mesh>(soup);
+  const auto ordered_values = smooth_field(ordered_mesh), values = smooth_field(mesh);
+  BOOST_TEST(!is_sweep_faster(ordered_mesh, ordered_values));
+  BOOST_TEST(is_sweep_faster(mesh, values));
+  BOOST_TEST(!is_sweep_faster(mesh, noise(mesh, 1)));
+  const auto arcs = values_of_arcs(ordered_mesh, ordered_values);
+  BOOST_TEST(arcs.size() > 10u);
+  BOOST_TEST((values_of_arcs(mesh, values) == arcs));
+
+  // All is refused that is refused elsewhere.
+  const Surface_mesh::Vertex_index u(1000), v(17);
+  for(const auto h : halfedges(mesh))
+    if(target(h, mesh) == u)
+      set_target(h, v, mesh);
+  BOOST_CHECK_EXCEPTION(graph_checks::compute(mesh, values), CGAL::Reeb_graph::Non_manifold_vertex_error,
+                        [](const CGAL::Reeb_graph::Non_manifold_vertex_error& error) {
+                          return error.vertex() == 17 || error.vertex() == 1000;
+                        });
+  mesh = make_mesh<Surface_mesh>(soup);
+  CGAL::Euler::join_face(halfedge(Surface_mesh::Face_index(777), mesh), mesh);
+  BOOST_CHECK_THROW(graph_checks::compute(mesh, values), CGAL::Reeb_graph::Non_triangular_face_error);
 }
 
 BOOST_AUTO_TEST_CASE(there_are_as_many_cuts_as_loops_along_the_shorter_contours)

@@ -27,30 +27,54 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Whether neighbors are often far from each other in memory, as seen from some of the edges. A turn around a vertex
-// then waits for memory at each step, as the next step is known only when it has come.
-template <class Complex>
-bool is_in_bad_order(const Complex& complex)
+// What a sample of the edges tells.
+struct Sampled_edges
 {
-  constexpr std::size_t smallest_number_of_edges = 100000; // Fewer ones are in the caches.
+  std::size_t number = 0;
+  std::size_t far_ones = 0;    // whose ends or next edges are far away in memory
+  std::size_t link_maxima = 0; // as many as a third of the edges if the field is smooth, two thirds on noise
+};
+
+template <class Complex, class Order>
+Sampled_edges sample_edges(const Complex& complex, const Order& order)
+{
   constexpr std::size_t number_of_samples = 500;
   const std::size_t number_of_edges = complex.number_of_edges();
-  if(number_of_edges < smallest_number_of_edges)
-    return false;
   const auto are_far = [](Index a, Index b, std::size_t size) {
     return (std::max)(a, b) - (std::min)(a, b) > size / 16;
   };
-  std::size_t number_of_far_ones = 0;
+  Sampled_edges sample;
   for(std::size_t i = 0; i != number_of_samples; ++i)
   {
-    const Edge_index e(i * number_of_edges / number_of_samples);
-    if(!complex.is_on_triangle(e))
+    const Halfedge_index h = even_halfedge(Edge_index(i * number_of_edges / number_of_samples));
+    if(!complex.has_edge(edge_of(h)) || complex.is_on_border_edge(h))
       continue;
-    const Halfedge_index h = complex.halfedge_of_triangle(e);
-    number_of_far_ones += are_far(h.number(), complex.next(h).number(), complex.number_of_halfedges())
-                       || are_far(complex.source(h).number(), complex.target(h).number(), complex.number_of_vertices());
+    const Halfedge_index left = complex.next(h), right = complex.next(opposite_of(h));
+    if((std::max)(left, right).number() >= complex.number_of_halfedges())
+      continue; // Nothing has been checked yet.
+    const Vertex_index u = complex.source(h), v = complex.target(h), x = complex.target(left),
+                       y = complex.target(right);
+    if((std::max)({u, v, x, y}).number() >= complex.number_of_vertices())
+      continue;
+    ++sample.number;
+    sample.far_ones += are_far(h.number(), left.number(), complex.number_of_halfedges())
+                    || are_far(u.number(), v.number(), complex.number_of_vertices());
+    for(const Vertex_index end : {u, v})
+      sample.link_maxima += order(x, end) && order(y, end) ? 1 : 0;
   }
-  return number_of_far_ones > number_of_samples / 4;
+  return sample;
+}
+
+// Whether a sweep finds vertices to be regular faster than turns around them. It does if neighbors are often far from
+// each other in memory: each step of a turn then waits, as it is known only when the last one has come.
+template <class Complex, class Order>
+bool is_sweep_faster(const Complex& complex, const Order& order)
+{
+  constexpr std::size_t smallest_number_of_edges = 100000; // Fewer ones are in the caches.
+  if(complex.number_of_edges() < smallest_number_of_edges)
+    return false;
+  const Sampled_edges sample = sample_edges(complex, order);
+  return sample.far_ones > sample.number / 4 && sample.link_maxima < sample.number / 2;
 }
 
 // The vertices that are seen to be regular, and to have one fan, with no turn around them: by sweeps over the faces and
@@ -177,7 +201,7 @@ private:
 template <class ConcurrencyTag, class Complex, class Order>
 Regular_vertices<ConcurrencyTag> find_regular_vertices(const Complex& complex, const Order& order)
 {
-  if(is_used(Tuned_part::EDGE_SWEEP) && is_in_bad_order(complex))
+  if(is_used(Tuned_part::EDGE_SWEEP) && is_sweep_faster(complex, order))
     return {complex, order};
   return {};
 }
