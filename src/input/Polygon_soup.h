@@ -10,6 +10,7 @@
 #define CGAL_REEB_GRAPH_SRC_POLYGON_SOUP_H
 
 #include "base/surface.h"
+#include "base/threads.h"
 
 #include <CGAL/Iterator_range.h>
 
@@ -32,38 +33,61 @@ inline Corner corner(std::size_t vertex)
   return static_cast<Corner>(std::min<std::size_t>(vertex, too_large_corner));
 }
 
-// Faces by the numbers of their vertices, one behind the other.
+// Faces by the numbers of their vertices, one behind the other. Where they end is only listed if not all are triangles.
 class Polygons
 {
 public:
   typedef CGAL::Iterator_range<const Corner*> Polygon;
 
-  std::size_t size() const { return ends_.size(); }
+  std::size_t size() const { return size_; }
   std::size_t number_of_corners() const { return corners_.size(); }
-  std::size_t begin(std::size_t i) const { return i == 0 ? 0 : ends_[i - 1]; }
-  Polygon operator[](std::size_t i) const { return Polygon(corners_.data() + begin(i), corners_.data() + ends_[i]); }
+  Polygon operator[](std::size_t i) const
+  {
+    return Polygon(corners_.data() + begin(i), corners_.data() + begin(i + 1));
+  }
 
   void add_corner(std::size_t vertex) { corners_.push_back(corner(vertex)); }
   // Ends the polygon of the corners that have been added since the last one.
-  void end_polygon() { ends_.push_back(corners_.size()); }
-
-  void reserve(std::size_t number)
+  void end_polygon()
   {
-    ends_.reserve(number);
-    corners_.reserve(3 * number);
+    if(!are_triangles() || corners_.size() != 3 * size_ + 3)
+    {
+      while(ends_.size() < size_)
+        ends_.push_back(3 * ends_.size() + 3);
+      ends_.push_back(corners_.size());
+    }
+    ++size_;
   }
 
   void append(const Polygons& others)
   {
-    const std::size_t shift = corners_.size();
-    corners_.insert(corners_.end(), others.corners_.begin(), others.corners_.end());
-    for(const std::size_t end : others.ends_)
-      ends_.push_back(shift + end);
+    for(std::size_t i = 0; i < others.size(); ++i)
+    {
+      for(const Corner v : others[i])
+        add_corner(v);
+      end_polygon();
+    }
   }
 
+  void reserve(std::size_t number) { corners_.reserve(3 * number); }
+
+  // Makes all triangles, and returns where the numbers of their vertices are to be written.
+  Corner* make_triangles(std::size_t number)
+  {
+    ends_.clear();
+    corners_.resize(3 * number);
+    size_ = number;
+    return corners_.data();
+  }
+
+  bool are_triangles() const { return ends_.empty(); }
+
 private:
+  std::size_t begin(std::size_t i) const { return are_triangles() ? 3 * i : i == 0 ? 0 : ends_[i - 1]; }
+
   std::vector<Corner> corners_;
   std::vector<std::size_t> ends_;
+  std::size_t size_ = 0;
 };
 
 struct Polygon_soup
@@ -75,18 +99,51 @@ struct Polygon_soup
   std::vector<double> scalars; // the property of the points that was asked for; empty if none was
 };
 
+// Makes the polygons of the parts those of the soup, one behind the other.
+inline void join_polygons(const std::vector<Polygon_soup>& parts, Polygon_soup& soup)
+{
+  std::vector<std::size_t> begins(1, 0);
+  bool are_triangles = true;
+  for(const Polygon_soup& part : parts)
+  {
+    begins.push_back(begins.back() + part.polygons.size());
+    are_triangles = are_triangles && part.polygons.are_triangles();
+  }
+  if(are_triangles)
+  {
+    Corner* const corners = soup.polygons.make_triangles(begins.back());
+    run_tasks(parts.size(), [&](std::size_t i) {
+      if(begins[i] != begins[i + 1])
+        std::copy_n(parts[i].polygons[0].begin(), parts[i].polygons.number_of_corners(), corners + 3 * begins[i]);
+    });
+    return;
+  }
+  soup.polygons.reserve(begins.back());
+  for(const Polygon_soup& part : parts)
+    soup.polygons.append(part.polygons);
+}
+
 // The parts of a soup, one behind the other, whose polygons have the numbers of all vertices.
 inline Polygon_soup join(std::vector<Polygon_soup> parts)
 {
+  if(parts.size() == 1)
+    return std::move(parts.front());
   Polygon_soup soup;
-  for(Polygon_soup& part : parts)
-    if(soup.points.empty() && soup.polygons.size() == 0)
-      soup = std::move(part);
-    else
-    {
-      soup.points.insert(soup.points.end(), part.points.begin(), part.points.end());
-      soup.polygons.append(part.polygons);
-    }
+  std::vector<std::size_t> begins(1, 0);
+  bool are_scalars_there = false;
+  for(const Polygon_soup& part : parts)
+  {
+    begins.push_back(begins.back() + part.points.size());
+    are_scalars_there = are_scalars_there || !part.scalars.empty();
+  }
+  soup.points.resize(begins.back());
+  soup.scalars.resize(are_scalars_there ? begins.back() : 0);
+  run_tasks(parts.size(), [&](std::size_t i) {
+    std::copy(parts[i].points.begin(), parts[i].points.end(), soup.points.begin() + begins[i]);
+    if(are_scalars_there)
+      std::copy(parts[i].scalars.begin(), parts[i].scalars.end(), soup.scalars.begin() + begins[i]);
+  });
+  join_polygons(parts, soup);
   return soup;
 }
 

@@ -6,94 +6,110 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "base/threads.h"
 #include "input/File_contents.h"
 #include "input/binary_numbers.h"
 #include "input/mesh_formats.h"
+#include "input/ply_data.h"
 #include "input/ply_header.h"
+#include "input/ply_records.h"
+#include "input/text_blocks.h"
 #include "input/text_input.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <atomic>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <set>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
 namespace reeb_graph_program {
 namespace {
+using ply::Data;
 using ply::Element;
 using ply::Format;
 using ply::Property;
 using ply::Type;
 
-// The numbers behind the header.
-class Data
+// Calls visit(number, record) for all of the records, on all threads.
+template <class Visit>
+void for_each_record(std::string_view records, std::size_t number, const Visit& visit)
 {
-public:
-  Data(Text_input& input, Format format) : input_(input), bytes_(input.rest()), format_(format)
-  {
-    if(format == Format::ASCII)
-      input.finish_line(); // that of end_header
-  }
+  constexpr std::size_t block = 1 << 16;
+  const std::size_t size = records.size() / number;
+  run_tasks((number + block - 1) / block, [&](std::size_t task) {
+    const std::size_t end = std::min(number, (task + 1) * block);
+    for(std::size_t i = task * block; i < end; ++i)
+      visit(i, records.data() + i * size);
+  });
+}
 
-  // Each number of these types is a double as well.
-  double read(Type type)
-  {
-    if(format_ == Format::ASCII)
-      return read_word(type);
-    const std::size_t size = ply::size_in_bytes(type);
-    if(bytes_.size() < size)
-      input_.fail("the file ends too early");
-    const char* const first = bytes_.data();
-    bytes_.remove_prefix(size);
-    const bool is_order_reversed = is_reversed();
-    return ply::call_with_number(type, [&](auto n) -> double { return decode<decltype(n)>(first, is_order_reversed); });
-  }
+// Reads points without lists in a binary file, and what the property at one more place says of them, if it is one of
+// theirs. Returns false if they are others, or there are points before.
+bool read_point_records(const Element& element,
+                        const std::array<std::size_t, 3>& places,
+                        std::optional<std::size_t> scalar_place,
+                        Data& data,
+                        Polygon_soup& soup)
+{
+  const std::string_view records = data.records(element);
+  const bool has_list = std::any_of(element.properties.begin(), element.properties.end(),
+                                    [](const Property& property) { return property.is_list(); });
+  if(records.empty() || has_list || !soup.points.empty())
+    return false;
+  soup.points.resize(element.number);
+  soup.scalars.resize(scalar_place ? element.number : 0);
+  const ply::Column x = data.column(element, places[0]), y = data.column(element, places[1]),
+                    z = data.column(element, places[2]), scalar = data.column(element, scalar_place.value_or(0));
+  for_each_record(records, element.number, [&](std::size_t i, const char* record) {
+    soup.points[i] = Point(x(record), y(record), z(record));
+    if(scalar_place)
+      soup.scalars[i] = scalar(record);
+  });
+  data.skip(records);
+  return true;
+}
 
-  // Reads a property: one number, or those of a list.
-  void read(const Property& property, std::vector<double>& numbers)
-  {
-    numbers.clear();
-    const double size = property.is_list() ? read_list_size(property) : 1;
-    while(static_cast<double>(numbers.size()) < size)
-      numbers.push_back(read(property.type));
-  }
-
-  double read_list_size(const Property& property)
-  {
-    const double size = read(property.list_size_type);
-    if(size < 0)
-      input_.fail("the size of a list is negative");
-    return size;
-  }
-
-  void check_end()
-  {
-    const bool is_at_end = format_ == Format::ASCII ? input_.word_of_file().empty()
-                                                    : std::all_of(bytes_.begin(), bytes_.end(),
-                                                                  [](unsigned char c) { return std::isspace(c) != 0; });
-    if(!is_at_end)
-      input_.fail("there is more in the file than its header says");
-  }
-
-private:
-  double read_word(Type type)
-  {
-    const std::string_view word = input_.word_of_file();
-    return ply::call_with_number(type, [&](auto n) -> double { return input_.number<decltype(n)>(word); });
-  }
-
-  bool is_reversed() const { return (format_ == Format::BINARY_BIG_ENDIAN) != is_machine_big_endian(); }
-
-  Text_input& input_;
-  std::string_view bytes_; // that have not been read, of a binary file
-  Format format_;
-};
+// Reads the faces of a binary file if all of them are triangles of vertices that may exist. Returns false otherwise.
+bool read_triangle_records(const Element& element, std::size_t place, Data& data, Polygons& polygons)
+{
+  const std::string_view records = data.records(element);
+  const auto number_of_lists = std::count_if(element.properties.begin(), element.properties.end(),
+                                             [](const Property& property) { return property.is_list(); });
+  if(records.empty() || number_of_lists != 1 || polygons.size() != 0)
+    return false;
+  const Property& list = element.properties[place];
+  const std::size_t offset = ply::offset_in_record(element, place),
+                    size_of_size = ply::size_in_bytes(list.list_size_type);
+  Corner* const corners = polygons.make_triangles(element.number);
+  std::atomic<bool> are_triangles(true);
+  const auto read_all = [&](auto type_of_vertex) {
+    for_each_record(records, element.number, [&](std::size_t i, const char* record) {
+      typedef decltype(type_of_vertex) Number;
+      const char* const begin = record + offset;
+      bool is_triangle = ply::decode_number(list.list_size_type, begin, data.is_reversed()) == 3;
+      for(std::size_t j = 0; j < 3; ++j)
+      {
+        const auto v = decode<Number>(begin + size_of_size + j * sizeof(Number), data.is_reversed());
+        is_triangle = is_triangle && v >= Number();
+        corners[3 * i + j] = corner(static_cast<std::size_t>(v));
+      }
+      if(!is_triangle)
+        are_triangles = false;
+    });
+  };
+  ply::call_with_number(list.type, read_all);
+  if(are_triangles)
+    data.skip(records);
+  else
+    polygons = Polygons();
+  return are_triangles;
+}
 
 void read_points(Text_input& input,
                  const Element& element,
@@ -106,6 +122,9 @@ void read_points(Text_input& input,
     if(place == element.properties.size() || element.properties[place].is_list())
       input.fail("the vertices have no x, y and z");
   const std::size_t scalar_place = scalar_name.empty() ? 0 : ply::find_scalars(input, element, scalar_name);
+  if(read_point_records(element, places, scalar_name.empty() ? std::nullopt : std::make_optional(scalar_place), data,
+                        soup))
+    return;
   std::vector<double> numbers(element.properties.size()), list;
   for(std::size_t i = 0; i < element.number; ++i)
   {
@@ -141,6 +160,8 @@ void read_polygons(Text_input& input, const Element& element, Data& data, Polygo
   if(place == element.properties.size() || !element.properties[place].is_list()
      || !is_integer(element.properties[place].type))
     input.fail("the faces have no list of vertices");
+  if(read_triangle_records(element, place, data, polygons))
+    return;
   std::vector<double> ignored;
   for(std::size_t i = 0; i < element.number; ++i)
     for(std::size_t j = 0; j < element.properties.size(); ++j)
@@ -202,6 +223,69 @@ void read_vertex_properties(const Element& element,
       result.push_back(*map);
 }
 
+Polygon_soup read_elements(Text_input& input, const ply::Header& header, const std::string& vertex_property)
+{
+  Data data(input, header.format);
+  Polygon_soup soup;
+  for(const Element& element : header.elements)
+  {
+    if(is_vertex_element(element))
+      read_points(input, element, vertex_property, data, soup);
+    else if(element.name == "face" || element.name == "faces")
+      read_polygons(input, element, data, soup.polygons);
+    else
+      skip(element, data);
+  }
+  data.check_end();
+  return soup;
+}
+
+std::size_t count_filled_lines(Text_input& input)
+{
+  std::size_t number = 0;
+  while(input.next_line())
+    number += input.next_word_of_line().empty() ? 0 : 1;
+  return number;
+}
+
+// The header of a file that has only the elements from one number to another one, where those of all kinds are numbered.
+ply::Header part_of(ply::Header header, std::size_t begin, std::size_t end)
+{
+  std::size_t first = 0;
+  for(Element& element : header.elements)
+  {
+    const std::size_t last = first + std::min(element.number, static_cast<std::size_t>(-1) - first);
+    element.number = std::min(last, std::max(first, end)) - std::min(last, std::max(first, begin));
+    first = last;
+  }
+  return header;
+}
+
+// Reads blocks of a text, each as a file of its own, if there is an element on each line. Returns nothing if there are
+// fewer or more words in a block, or anything else is wrong, or there is one block only.
+std::optional<Polygon_soup> read_blocks(const Text_blocks& blocks,
+                                        const ply::Header& header,
+                                        const std::string& vertex_property)
+{
+  if(blocks.size() < 2)
+    return std::nullopt;
+  std::vector<std::size_t> begins = blocks.count_before(count_filled_lines);
+  begins.push_back(static_cast<std::size_t>(-1));
+  std::vector<Polygon_soup> parts(blocks.size());
+  try
+  {
+    run_tasks(blocks.size(), [&](std::size_t i) {
+      Text_input block = blocks.input(i);
+      parts[i] = read_elements(block, part_of(header, begins[i], begins[i + 1]), vertex_property);
+    });
+  }
+  catch(const Input_error&)
+  {
+    return std::nullopt; // Where the error is in the file is found by reading all of it.
+  }
+  return join(std::move(parts));
+}
+
 } // namespace
 
 std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& path, Surface& surface)
@@ -229,19 +313,10 @@ Polygon_soup read_ply(const std::string& path, const std::string& vertex_propert
   const File_contents file(path);
   Text_input input(path, file.text());
   const ply::Header header = ply::read_header(input);
-  Data data(input, header.format);
-  Polygon_soup soup;
-  for(const Element& element : header.elements)
-  {
-    if(is_vertex_element(element))
-      read_points(input, element, vertex_property, data, soup);
-    else if(element.name == "face" || element.name == "faces")
-      read_polygons(input, element, data, soup.polygons);
-    else
-      skip(element, data);
-  }
-  data.check_end();
-  return soup;
+  if(header.format == Format::ASCII)
+    if(auto soup = read_blocks(Text_blocks(input), header, vertex_property))
+      return std::move(*soup);
+  return read_elements(input, header, vertex_property);
 }
 
 } // namespace reeb_graph_program

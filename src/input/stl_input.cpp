@@ -7,8 +7,11 @@
 // Author(s)     : The Reeb_graph authors
 
 #include "input/File_contents.h"
+#include "input/binary_numbers.h"
 #include "input/mesh_formats.h"
 #include "input/text_input.h"
+
+#include <CGAL/Reeb_graph/internal/base/prefetch.h>
 
 #include <algorithm>
 #include <array>
@@ -31,7 +34,7 @@ public:
   void add_corner(const Point& point)
   {
     if(2 * soup_.points.size() >= table_.size())
-      grow();
+      grow(2 * table_.size());
     Corner& vertex = table_[find(point)];
     if(vertex == too_large_corner)
     {
@@ -41,6 +44,20 @@ public:
     soup_.polygons.add_corner(vertex);
     ++number_of_corners_;
   }
+
+  // Makes room for as many facets as a closed surface has.
+  void reserve(std::size_t number_of_facets)
+  {
+    soup_.points.reserve(number_of_facets / 2 + 2);
+    soup_.polygons.reserve(number_of_facets);
+    std::size_t size = 1;
+    while(size <= number_of_facets + 4)
+      size *= 2;
+    grow(size);
+  }
+
+  // Fetches what add_corner() looks at first.
+  void prefetch(const Point& point) const { CGAL::Reeb_graph::internal::prefetch(&table_[first_place(point)]); }
 
   void end_facet()
   {
@@ -73,18 +90,23 @@ private:
     return bits_of(a.x()) == bits_of(b.x()) && bits_of(a.y()) == bits_of(b.y()) && bits_of(a.z()) == bits_of(b.z());
   }
 
+  std::size_t first_place(const Point& point) const
+  {
+    return mix(mix(mix(0, point.x()), point.y()), point.z()) & (table_.size() - 1);
+  }
+
   // The place of the vertex at the point, or a free one. Linear probing ends, as half of the places are free.
   std::size_t find(const Point& point) const
   {
-    std::size_t place = mix(mix(mix(0, point.x()), point.y()), point.z()) & (table_.size() - 1);
+    std::size_t place = first_place(point);
     while(table_[place] != too_large_corner && !is_same(soup_.points[table_[place]], point))
       place = (place + 1) & (table_.size() - 1);
     return place;
   }
 
-  void grow()
+  void grow(std::size_t size)
   {
-    table_.assign(std::max<std::size_t>(2 * table_.size(), 1024), too_large_corner); // a power of two
+    table_.assign(std::max<std::size_t>(size, 1024), too_large_corner); // a power of two
     for(std::size_t v = 0; v < soup_.points.size(); ++v)
       table_[find(soup_.points[v])] = static_cast<Corner>(v);
   }
@@ -94,21 +116,10 @@ private:
   std::size_t number_of_corners_ = 0; // of the facet that has not ended
 };
 
-std::uint32_t little_endian_integer(const char* bytes)
+template <class Number>
+Number decode_little_endian(const char* bytes)
 {
-  std::uint32_t result = 0;
-  for(int i = 3; i >= 0; --i)
-    result = 256 * result + static_cast<unsigned char>(bytes[i]);
-  return result;
-}
-
-float little_endian_float(const char* bytes)
-{
-  const std::uint32_t integer = little_endian_integer(bytes);
-  float result = 0;
-  static_assert(sizeof(result) == sizeof(integer), "the floating point numbers of STL have 32 bits");
-  std::memcpy(&result, &integer, sizeof(result));
-  return result;
+  return decode<Number>(bytes, is_machine_big_endian());
 }
 
 // The number of facets if the file is binary: if it has the size that its header says.
@@ -116,19 +127,26 @@ std::optional<std::size_t> number_of_binary_facets(std::string_view bytes)
 {
   if(bytes.size() < header_size)
     return std::nullopt;
-  const std::size_t number = little_endian_integer(bytes.data() + 80);
+  const std::size_t number = decode_little_endian<std::uint32_t>(bytes.data() + 80);
   return bytes.size() == header_size + facet_size * number ? std::make_optional(number) : std::nullopt;
 }
 
 Polygon_soup read_binary(std::string_view bytes, std::size_t number_of_facets)
 {
   Corner_collector collector;
-  for(std::size_t i = 0; i < number_of_facets; ++i)
+  collector.reserve(number_of_facets);
+  const auto point = [&](std::size_t facet, std::size_t corner) {
+    const char* const begin = bytes.data() + header_size + facet_size * facet + 12 * (corner + 1); // behind the normal
+    return Point(decode_little_endian<float>(begin), decode_little_endian<float>(begin + 4),
+                 decode_little_endian<float>(begin + 8));
+  };
+  constexpr std::size_t ahead = 8;
+  for(std::size_t facet = 0; facet < number_of_facets; ++facet)
   {
-    const char* const facet = bytes.data() + header_size + facet_size * i;
-    for(std::size_t corner = 12; corner < 48; corner += 12) // behind the normal
-      collector.add_corner(Point(little_endian_float(facet + corner), little_endian_float(facet + corner + 4),
-                                 little_endian_float(facet + corner + 8)));
+    for(std::size_t corner = 0; corner < 3 && facet + ahead < number_of_facets; ++corner)
+      collector.prefetch(point(facet + ahead, corner));
+    for(std::size_t corner = 0; corner < 3; ++corner)
+      collector.add_corner(point(facet, corner));
     collector.end_facet();
   }
   return std::move(collector.soup());

@@ -8,6 +8,7 @@
 
 #include "input/binary_numbers.h"
 #include "input/ply_header.h"
+#include "input/ply_records.h"
 #include "mpi/Records.h"
 #include "mpi/check_triangles.h"
 #include "mpi/local_files.h"
@@ -31,46 +32,10 @@
 
 namespace reeb_graph_program {
 namespace {
-// All lists have three numbers in a file of triangles.
-std::size_t size_in_record(const ply::Property& property)
-{
-  const std::size_t size = ply::size_in_bytes(property.type);
-  return property.is_list() ? ply::size_in_bytes(property.list_size_type) + 3 * size : size;
-}
-
-std::size_t offset_in_record(const ply::Element& element, std::size_t place)
-{
-  std::size_t offset = 0;
-  for(std::size_t i = 0; i < place; ++i)
-    offset += size_in_record(element.properties[i]);
-  return offset;
-}
+using ply::Column;
 
 // The place of the list of the vertices of a face.
 std::size_t find_polygon(const ply::Element& element) { return element.find({"vertex_indices", "vertex_index"}); }
-
-double decode_number(ply::Type type, const char* bytes, bool is_reversed)
-{
-  return ply::call_with_number(type, [&](auto n) -> double { return decode<decltype(n)>(bytes, is_reversed); });
-}
-
-// Reads numbers of one property out of records.
-class Column
-{
-public:
-  Column(const ply::Element& element, std::size_t place, bool is_reversed)
-    : offset_(offset_in_record(element, place)),
-      type_(element.properties[place].type),
-      is_reversed_(is_reversed)
-  {}
-
-  double operator()(const char* record) const { return decode_number(type_, record + offset_, is_reversed_); }
-
-private:
-  std::size_t offset_;
-  ply::Type type_;
-  bool is_reversed_;
-};
 
 // The parts of a PLY file, as far as its header tells.
 class Ply_layout
@@ -112,7 +77,7 @@ private:
       if(property.is_list() && !is_polygon && element.number > 0)
         fail("the property " + quote(property.name) + " of the element " + quote(element.name)
              + " is a list: ranks share PLY files with no other lists than the vertices of faces");
-      records.size += size_in_record(property);
+      records.size += ply::size_in_record(property);
     }
     if(records.size > 0 && records.number > (size_of_file - end_) / records.size)
       fail("the file ends too early");
@@ -223,7 +188,7 @@ void read_triangles(const std::string& path,
       std::array<std::uint64_t, 3> corners = {};
       list.reserve(part.size());
       read_records(file, records, part, [&](std::uint64_t f, const char* record) {
-        const double size = decode_number(place.size_type, record + place.offset, place.is_reversed);
+        const double size = ply::decode_number(place.size_type, record + place.offset, place.is_reversed);
         if(size != 3)
           throw_for_polygon(path, f, size);
         for(std::size_t i = 0; i < 3; ++i) // a negative number becomes one that is too large
@@ -248,7 +213,7 @@ void read_faces(const Communicator& communicator,
   if(i == element.properties.size() || !element.properties[i].is_list() || !ply::is_integer(element.properties[i].type))
     layout.fail("the faces have no list of vertices");
   const ply::Property& property = element.properties[i];
-  const Polygon_place place = {offset_in_record(element, i), property.list_size_type, property.type,
+  const Polygon_place place = {ply::offset_in_record(element, i), property.list_size_type, property.type,
                                layout.is_reversed()};
   const Part part = part_of_rank(communicator, element.number);
   run_together(communicator, [&] {
