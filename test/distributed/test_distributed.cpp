@@ -500,4 +500,59 @@ BOOST_AUTO_TEST_CASE(callbacks_stop_all_ranks)
   compare(surface, random, params::default_values());
 }
 
+namespace {
+// Fails at some call on one rank.
+struct Failing_visitor : rg::Default_visitor
+{
+  std::size_t calls_left;
+  explicit Failing_visitor(std::size_t call) : calls_left(call) {}
+  void begin_stage(rg::Stage) { count(); }
+  void critical_vertices(const rg::Critical_vertex_counts&) { count(); }
+  void count()
+  {
+    if(calls_left-- == 0)
+      throw std::bad_alloc();
+  }
+};
+} // namespace
+
+BOOST_AUTO_TEST_CASE(lack_of_memory_on_a_rank_is_told_by_all)
+{
+  Random random(0);
+  const Surface<double> surface = {random_meshes::cylinder(6, 10), shuffled_values(60)};
+  constexpr std::size_t number_of_calls = 5, never = 100;
+  for(std::size_t call = 0; call < number_of_calls; ++call)
+  {
+    Failing_visitor visitor(rank() == number_of_ranks() / 2 ? call : never);
+    BOOST_CHECK_THROW(graph_on_ranks(random_part(surface, random), params::visitor(std::ref(visitor))), std::bad_alloc);
+  }
+  compare(surface, random, params::default_values());
+}
+
+// Indices of more than 32 bits, where there are many of a page or few.
+BOOST_AUTO_TEST_CASE(large_indices_are_numbered)
+{
+  constexpr std::uint64_t end = std::uint64_t(1) << 34, middle = (std::uint64_t(1) << 32) - 5000;
+  internal::Vertex_numbering numbering(end);
+  std::vector<std::uint64_t> vertices = {0, 1, 64, middle - 4096 * 1000, end - 64, end - 1};
+  for(std::uint64_t v = middle; v < middle + 10000; v += 2)
+    vertices.push_back(v);
+  for(const std::uint64_t v : vertices)
+    numbering.add(v);
+  numbering.add(internal::Vertex_word{end / 64 - 1, ~std::uint64_t(0)});
+  for(std::uint64_t v = end - 63; v < end - 1; ++v)
+    vertices.push_back(v);
+  std::sort(vertices.begin(), vertices.end());
+  numbering.number();
+  BOOST_TEST(numbering.size() == vertices.size());
+  std::vector<std::uint64_t> found;
+  numbering.for_each_word(0, [&](const internal::Vertex_word& word) {
+    word.for_each([&](std::uint64_t v) { found.push_back(v); });
+    return true;
+  });
+  BOOST_TEST((found == vertices));
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    BOOST_REQUIRE(numbering[vertices[i]].number() == i);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

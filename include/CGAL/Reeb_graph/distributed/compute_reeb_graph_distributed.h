@@ -43,7 +43,8 @@ namespace CGAL {
 /// in whose slabs they are, and handed on upwards.
 ///
 /// Triangles that meet many slabs are copied to many ranks, as on noise. If by a sample of the triangles they would meet
-/// more than two slabs on average, fewer slabs than ranks are used; `Reeb_graph::Distributed_slab` tells.
+/// more than two slabs on average, fewer slabs than ranks are used; `Reeb_graph::Distributed_slab` tells. Surfaces of less
+/// than 2<sup>15</sup> triangles are sliced all the same.
 ///
 /// With \f$ n \f$ vertices and triangles on \f$ k \f$ ranks, a rank takes the time and the memory of
 /// `compute_reeb_graph()` for the triangles that meet its slab, about \f$ n / k \f$ of them where the field is smooth,

@@ -44,7 +44,10 @@ public:
       ranges_({})
   {
     Sizes own = {0, size_of(vertices), size_of(scalars), number_of_local_triangles_};
-    exchange.in_agreement([&] { own.begin = first_of_contiguous(vertices); });
+    exchange.in_agreement([&] {
+      if(own.vertices == own.scalars) // else the range may be anything
+        own.begin = first_of_contiguous(vertices);
+    });
     const std::vector<Sizes> all = exchange.all_gather(own);
     std::vector<Vertex_range> ranges;
     for(std::size_t rank = 0; rank != all.size(); ++rank)

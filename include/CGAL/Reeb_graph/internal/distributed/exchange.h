@@ -16,6 +16,7 @@
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/exception.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -92,6 +93,14 @@ public:
   void in_agreement(const Function& function) const
   {
     run_in_agreement(communicator_, function);
+  }
+
+  // How many items a rank may send in a round, so that the buffers stay small, and what comes to a rank from all others
+  // can be counted by an int.
+  std::size_t most_items_in_round() const
+  {
+    constexpr std::size_t most_sent = std::size_t(1) << 20, most_received = std::size_t(1) << 30;
+    return (std::min)(most_sent, most_received / number_of_ranks());
   }
 
   // Whether this is so on any rank.

@@ -69,9 +69,8 @@ inline std::vector<Triangle_counts> count_triangles(const std::vector<Slab_range
 }
 
 // The end of the triangles from `begin` on that are sent in one round.
-inline std::size_t end_of_round(const std::vector<Slab_range>& slabs, std::size_t begin)
+inline std::size_t end_of_round(const std::vector<Slab_range>& slabs, std::size_t begin, std::size_t most_items)
 {
-  constexpr std::size_t most_items = std::size_t(1) << 20;
   std::size_t end = begin;
   for(std::size_t sum = 0; end != slabs.size() && sum < most_items; ++end)
     sum += std::size_t(slabs[end].highest) - slabs[end].lowest + 1;
@@ -100,7 +99,7 @@ Triangles_of<Vertex> send_triangles(Exchange& exchange,
     Parcels<std::array<Vertex, 3>> parcels(exchange.number_of_ranks());
     exchange.in_agreement([&] {
       add_vertices();
-      const std::size_t end = end_of_round(slabs, begin);
+      const std::size_t end = end_of_round(slabs, begin, exchange.most_items_in_round());
       parcels = Parcels<std::array<Vertex, 3>>(exchange.number_of_ranks(), [&](const auto& visit) {
         for(std::size_t i = begin; i != end; ++i)
         {
@@ -123,7 +122,7 @@ inline void send_vertices(Exchange& exchange,
                           const std::vector<Short_slab>& slabs,
                           Vertex_numbering& numbering)
 {
-  constexpr std::size_t most_vertices = std::size_t(1) << 20;
+  const std::size_t most_vertices = exchange.most_items_in_round();
   typedef std::pair<std::size_t, Vertex_word> Word_of_slab;
   std::vector<Word_of_slab> words;
   std::size_t next = 0;

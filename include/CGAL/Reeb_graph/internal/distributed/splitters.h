@@ -70,7 +70,7 @@ public:
     Parcels<Place<Scalar>> parcels(exchange.number_of_ranks());
     exchange.in_agreement([&] {
       const std::uint64_t size = static_cast<std::uint64_t>(std::end(scalars) - std::begin(scalars));
-      const std::uint64_t sample_size = share_of_sample(samples_per_slab * number_of_slabs, size, number_of_vertices);
+      const std::uint64_t sample_size = share_of_sample(size_of_sample(number_of_slabs), size, number_of_vertices);
       for_each_of_sample(size, sample_size, [&](std::uint64_t i) {
         const auto place = std::begin(scalars) + static_cast<std::ptrdiff_t>(i);
         parcels.items.push_back({static_cast<Scalar>(*place), begin + i});
@@ -95,8 +95,12 @@ public:
   }
 
 private:
-  // The numbers of vertices of the slabs differ by about this number's square root in as many.
-  static constexpr std::uint64_t samples_per_slab = 2048;
+  // The numbers of vertices of slabs differ by about the square root of this in as many. Rank 0 has room for the sample.
+  static std::uint64_t size_of_sample(std::size_t number_of_slabs)
+  {
+    constexpr std::uint64_t most_per_slab = 2048, least_per_slab = 64, most = std::uint64_t(1) << 22;
+    return number_of_slabs * (std::max)(least_per_slab, (std::min)(most_per_slab, most / number_of_slabs));
+  }
 
   std::vector<Place<Scalar>> sample_; // at rank 0, ascending
 };
