@@ -118,12 +118,11 @@ Gathered_arrays<T> gather_arrays(Exchange& exchange, const std::vector<T>& array
 template <class T>
 std::vector<T> scatter_arrays(Exchange& exchange, const Gathered_arrays<T>& all)
 {
-  std::vector<std::size_t> sizes;
-  if(exchange.communicator().rank() == 0)
-    for(std::size_t rank = 0; rank + 1 != all.begins.size(); ++rank)
-      sizes.push_back(all.begins[rank + 1] - all.begins[rank]);
-  std::size_t size = 0;
-  boost::mpi::scatter(exchange.communicator(), sizes, size, 0);
+  std::vector<std::size_t> sizes(exchange.number_of_ranks(), 0);
+  if(exchange.rank() == 0)
+    for(std::size_t rank = 0; rank != sizes.size(); ++rank)
+      sizes[rank] = all.begins[rank + 1] - all.begins[rank];
+  const std::size_t size = exchange.all_to_all(sizes).front();
   std::vector<T> part;
   exchange.in_agreement([&] { part.resize(size); });
   if(exchange.communicator().rank() != 0)
