@@ -98,7 +98,7 @@ Surface<double> random_surface(std::size_t seed, Random& random)
 
 BOOST_AUTO_TEST_CASE(random_meshes_have_the_graphs_of_the_whole)
 {
-  for(std::size_t seed = 0; seed < 150; ++seed)
+  for(std::size_t seed = 0; seed < 80; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
       Random random(seed);
@@ -282,7 +282,7 @@ void check_exchange(const Surface<double>& surface, const internal::Splitters<do
 
 BOOST_AUTO_TEST_CASE(ranks_hold_what_meets_their_slabs)
 {
-  for(std::size_t seed = 0; seed < 60; ++seed)
+  for(std::size_t seed = 0; seed < 30; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
       Random random(2000 + seed);
@@ -375,7 +375,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_triangles_is_told_by_all)
   wrong.mesh.triangles[7][2] = wrong.mesh.triangles[7][1];
   check_thrown(part_in_order(wrong), rg::Degenerate_face_error(7));
 
-  for(std::size_t seed = 0; seed < 8; ++seed)
+  for(std::size_t seed = 0; seed < 4; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
       wrong = surface;
@@ -442,7 +442,7 @@ std::vector<Contour> contours_of_whole(const Surface<double>& surface, double va
 
 BOOST_AUTO_TEST_CASE(contours_are_those_of_the_whole)
 {
-  for(std::size_t seed = 0; seed < 40; ++seed)
+  for(std::size_t seed = 0; seed < 20; ++seed)
   {
     Random random(3000 + seed);
     const Surface<double> surface = random_surface(seed, random);
