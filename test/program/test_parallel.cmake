@@ -18,6 +18,25 @@ foreach(options "--threads 1" "--threads 2" "--threads 4 --slabs 1" "--threads 2
   expect_same_file(level.polylines.txt other_level.polylines.txt)
 endforeach()
 
+# ascii PLY in blocks, where one line has two points as well, and what is wrong in the last one
+file(READ ${FOLDER}/demo/surface.off off)
+set(properties "property double x\nproperty double y\nproperty double z\n")
+string(REGEX REPLACE "^OFF\n([0-9]+) ([0-9]+) 0\n+"
+       "ply\nformat ascii 1.0\nelement vertex \\1\n${properties}element face \\2\nproperty list uchar int vertex_index\nend_header\n"
+       ply "${off}")
+string(REGEX REPLACE "(end_header\n[^\n]+)\n" "\\1 " with_long_line "${ply}")
+file(WRITE ${FOLDER}/surface.ply "${ply}")
+file(WRITE ${FOLDER}/with_long_line.ply "${with_long_line}")
+file(WRITE ${FOLDER}/with_more.ply "${ply}more\n")
+foreach(threads 1 4)
+  foreach(mesh surface with_long_line)
+    expect_success(compute ${mesh}.ply --scalars demo/scalars.txt --threads ${threads} --graph other_graph.dot)
+    expect_same_file(graph.dot other_graph.dot)
+  endforeach()
+  expect_error("with_more.ply:60911: there is more in the file" compute with_more.ply --field z --threads
+               ${threads})
+endforeach()
+
 # small meshes
 file(WRITE ${FOLDER}/tetrahedron.off "${tetrahedron_off}")
 expect_json(1 arcs ARGUMENTS tetrahedron.off --field z --threads 4 --slabs 5)
