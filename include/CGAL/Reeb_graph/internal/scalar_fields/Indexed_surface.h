@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/mesh/Descriptor_positions.h>
+#include <CGAL/Reeb_graph/internal/mesh/Surface_mesh_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/Triangle_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/Unchecked_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
@@ -150,14 +151,28 @@ private:
       p = {p[0] / scale_, p[1] / scale_, p[2] / scale_};
   }
 
-  void read_triangles(const FaceListGraph& mesh)
+  // The third coordinates of the vertices by the numbers that they have in a complex.
+  template <class NumberOfPosition>
+  Indexed_vector<Vertex_index, double> find_heights(std::size_t size, const NumberOfPosition& number) const
+  {
+    Indexed_vector<Vertex_index, double> heights(size, 0.);
+    for(const Vertex_index v : vertices_.keys())
+      heights[number(v)] = points_[v.number()][2];
+    return heights;
+  }
+
+  template <class Graph>
+  void read_triangles(const Graph& mesh)
+  {
+    read_triangles_of_copy(mesh);
+  }
+
+  template <class Graph>
+  void read_triangles_of_copy(const Graph& mesh)
   {
     auto read = read_halfedges(mesh, faces_, vertices_.size(), positions_,
                                make_face_positions(mesh, faces_, parameters::default_values()));
-    Indexed_vector<Vertex_index, double> heights;
-    heights.reserve(points_.size());
-    for(const Vector& p : points_)
-      heights.push_back(p[2]);
+    const auto heights = find_heights(vertices_.size(), [](Vertex_index v) { return v; });
     const Triangle_complex complex = check_complex<Sequential_tag>(
       Unchecked_complex<Triangle_complex>(Triangle_complex(std::move(read.arrays), faces_.size())),
       Vertex_order(heights, std::less<double>()));
@@ -166,6 +181,32 @@ private:
       triangles_.push_back(
         {{complex.source(a).number(), complex.source(b).number(), complex.source(c).number()},
          {complex.is_on_border_edge(a), complex.is_on_border_edge(b), complex.is_on_border_edge(c)}});
+  }
+
+  // A Surface_mesh is checked as it is, without a copy of its halfedges, unless a face contradicts itself.
+  template <class Point>
+  void read_triangles(const Surface_mesh<Point>& mesh)
+  {
+    const auto heights = find_heights(mesh.num_vertices(), [&](Vertex_index v) { return Vertex_index(vertices_[v]); });
+    check_complex<Sequential_tag>(Unchecked_complex(Surface_mesh_complex<Point>(mesh)),
+                                  Vertex_order(heights, std::less<double>()));
+    const auto is_misled = [&](face_descriptor f) {
+      const auto a = mesh.halfedge(f), b = mesh.next(a), c = mesh.prev(a);
+      const auto u = mesh.source(a), v = mesh.source(b), w = mesh.source(c);
+      return mesh.face(a) != f || mesh.target(a) != v || mesh.target(b) != w || mesh.target(c) != u || u == v || v == w
+          || w == u;
+    };
+    if(std::any_of(faces_.begin(), faces_.end(), is_misled))
+      return read_triangles_of_copy(mesh);
+    triangles_.reserve(faces_.size());
+    for(const face_descriptor f : faces_)
+    {
+      const auto a = mesh.halfedge(f), b = mesh.next(a), c = mesh.prev(a);
+      const auto source = [&](auto h) { return positions_(mesh.source(h)).number(); };
+      const auto is_on_border_edge = [&](auto h) { return mesh.is_border(mesh.opposite(h)); };
+      triangles_.push_back(
+        {{source(a), source(b), source(c)}, {is_on_border_edge(a), is_on_border_edge(b), is_on_border_edge(c)}});
+    }
   }
 
   Vertex_handles vertices_;
