@@ -72,7 +72,7 @@ struct Vertex_word
 class Vertex_numbering
 {
 public:
-  explicit Vertex_numbering(Global_vertex number_of_vertices)
+  explicit Vertex_numbering(Global_vertex number_of_vertices = 0)
     : pages_(static_cast<std::size_t>(number_of_vertices / page_size) + 1)
   {}
 

@@ -148,7 +148,7 @@ Slab_surface<Scalar> exchange_surface(Exchange& exchange,
       slabs_of_range.push_back(static_cast<Short_slab>(slab_of(splitters, Place<Scalar>{part.value(v), v})));
   });
   std::vector<Slab_range> slabs = find_slabs_of_triangles(exchange, part, vertices, slabs_of_range);
-  vertices = Vertex_numbering(part.ranges().number_of_vertices());
+  exchange.in_agreement([&] { vertices = Vertex_numbering(part.number_of_vertices()); });
   send_vertices(exchange, part.begin(), slabs_of_range, vertices);
   std::vector<Short_slab>().swap(slabs_of_range);
 
@@ -192,8 +192,9 @@ Slab_surface<Scalar> distribute_surface(Exchange& exchange,
                                         Distribution_counts& counts)
 {
   const Local_part<TriangleRange, ScalarRange> part(exchange, local_vertices, local_triangles, local_scalars);
-  Vertex_numbering vertices(part.ranges().number_of_vertices());
+  Vertex_numbering vertices;
   exchange.in_agreement([&] {
+    vertices = Vertex_numbering(part.number_of_vertices());
     part.check_scalars();
     part.check_triangles([&](Global_vertex v) { vertices.add(v); });
     vertices.number();

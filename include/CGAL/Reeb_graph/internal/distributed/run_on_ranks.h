@@ -108,7 +108,8 @@ void run_on_ranks(const boost::mpi::communicator& communicator,
   Stages_of_rank stage(exchange, unwrap_reference(visitor_parameter), np);
   stage.go_on(0, Stage::FLATTEN);
   Distribution_counts counts;
-  const auto linked_slab = std::make_shared<Linked_slab<Scalar, typename MakeComplex::Complex>>();
+  std::shared_ptr<Linked_slab<Scalar, typename MakeComplex::Complex>> linked_slab;
+  exchange.in_agreement([&] { linked_slab.reset(new Linked_slab<Scalar, typename MakeComplex::Complex>); });
   Slab_surface<Scalar>& surface = linked_slab->surface;
   auto& classified = linked_slab->classified;
   surface =

@@ -119,8 +119,9 @@ public:
                   const ValueOf& value_of)
   {
     std::vector<std::array<Global_vertex, 3>> sample;
-    Vertex_numbering vertices(ranges.number_of_vertices());
+    Vertex_numbering vertices;
     exchange.in_agreement([&] {
+      vertices = Vertex_numbering(ranges.number_of_vertices());
       const std::uint64_t size = static_cast<std::uint64_t>(std::end(triangles) - std::begin(triangles));
       for_each_of_sample(size, share_of_sample(sample_size, size, number_of_triangles), [&](std::uint64_t i) {
         const auto& triangle = std::begin(triangles)[static_cast<std::ptrdiff_t>(i)];
