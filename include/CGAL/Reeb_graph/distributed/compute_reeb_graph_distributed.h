@@ -48,8 +48,9 @@ namespace CGAL {
 ///
 /// With \f$ n \f$ vertices and triangles on \f$ k \f$ ranks, a rank takes the time and the memory of
 /// `compute_reeb_graph()` for the triangles that meet its slab, about \f$ n / k \f$ of them where the field is smooth,
-/// and rank 0 also \f$ O(c \log c) \f$ time and \f$ O(c) \f$ memory for \f$ c \f$ critical vertices of all ranks.
-/// Gluing takes \f$ \log_2 k \f$ rounds of messages, and chains at most \f$ k \f$ rounds.
+/// and up to a sixth of a byte for each vertex of all ranks; and rank 0 also \f$ O(c \log c) \f$ time and \f$ O(c) \f$
+/// memory for \f$ c \f$ critical vertices of all ranks. Gluing takes \f$ \log_2 k \f$ rounds of messages, and chains at
+/// most \f$ k \f$ rounds.
 ///
 /// \tparam VertexRange a range of consecutive integers, such as `boost::irange(first, last)`
 /// \tparam TriangleRange a random access range of triples of indices, such as
@@ -147,8 +148,8 @@ void compute_reeb_graph_distributed(const boost::mpi::communicator& communicator
 /// All that is said of `compute_reeb_graph_distributed()` holds here, but that the triangles need not be a surface: any
 /// number of them can meet at an edge, and any number of fans at a vertex; they need not be orientable, nor oriented
 /// alike. If one is listed twice, it counts once. The graph is that of `compute_reeb_graph_of_soup()`. It takes
-/// the time and about the memory of that function for the triangles that meet a slab, which is more than for a surface;
-/// `Reeb_graph::Distributed_slab` does not count borders.
+/// the time and about the memory of that function for the triangles that meet a slab, which is more than for a surface.
+/// `Reeb_graph::Distributed_slab` counts no borders and has no contours.
 ///
 /// The exceptions are those of `compute_reeb_graph_distributed()`, but the three that say what is no oriented surface.
 template <class VertexRange,
