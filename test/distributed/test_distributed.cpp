@@ -17,6 +17,8 @@
 #include "random_fields.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/internal/distributed/Vertex_ranges.h>
+#include <CGAL/Reeb_graph/internal/distributed/ask_owners.h>
 #include <CGAL/Reeb_graph/internal/distributed/distribute_surface.h>
 
 #include <boost/test/unit_test.hpp>
@@ -29,6 +31,7 @@
 #include <functional>
 #include <limits>
 #include <new>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -553,6 +556,29 @@ BOOST_AUTO_TEST_CASE(large_indices_are_numbered)
   BOOST_TEST((found == vertices));
   for(std::size_t i = 0; i < vertices.size(); ++i)
     BOOST_REQUIRE(numbering[vertices[i]].number() == i);
+}
+
+// A rank that asks one other rank only, as where the file is in the order of the field, does so in one round, however
+// many ranks there are; if all ask one, each of them gets a part.
+BOOST_AUTO_TEST_CASE(questions_take_few_rounds)
+{
+  constexpr std::size_t ranks = 1000, owner = 7;
+  constexpr std::uint64_t size = std::uint64_t(1) << 20;
+  internal::Vertex_numbering vertices(size);
+  for(std::uint64_t word = 0; word < size / 64; ++word)
+    vertices.add(internal::Vertex_word{word, ~std::uint64_t(0)});
+  vertices.number();
+  internal::Questions questions(internal::Vertex_ranges({{0, size, owner}}), vertices, ranks);
+  std::vector<std::uint64_t> left(ranks, 0);
+  left[owner] = size;
+  BOOST_TEST((questions.left() == left));
+  BOOST_TEST((internal::share_answers(left) == left));
+  BOOST_TEST(questions.next_round(left).items.size() == size / 64);
+  BOOST_TEST(questions.left()[owner] == 0u);
+
+  const std::vector<std::uint64_t> shares = internal::share_answers(std::vector<std::uint64_t>(ranks, size));
+  BOOST_TEST(*std::min_element(shares.begin(), shares.end()) > 0u);
+  BOOST_TEST(std::accumulate(shares.begin(), shares.end(), std::uint64_t(0)) <= internal::most_answers + ranks);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

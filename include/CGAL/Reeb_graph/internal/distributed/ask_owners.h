@@ -18,13 +18,27 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The questions of one rank to all others about some vertices, in rounds: in each, a bounded number to each rank.
+// The number of answers that a rank gives, or gets, in a round.
+inline constexpr std::size_t most_answers = std::size_t(1) << 21;
+
+// How many questions each rank may ask this one in a round, of those that it has left. All that have any may ask some.
+inline std::vector<std::uint64_t> share_answers(std::vector<std::uint64_t> left)
+{
+  const std::uint64_t sum = std::accumulate(left.begin(), left.end(), std::uint64_t(0));
+  if(sum > most_answers)
+    for(std::uint64_t& number : left)
+      number = number == 0 ? 0 : number * most_answers / sum + 1;
+  return left;
+}
+
+// The questions of one rank to all others about some vertices, in rounds: in each, as many to each rank as it allows.
 class Questions
 {
 public:
@@ -32,38 +46,44 @@ public:
     : vertices_(&vertices),
       ranges_(number_of_ranks, {0, 0, 0}),
       next_words_(number_of_ranks, 0),
-      most_in_round_((std::max)(most_answers / number_of_ranks, Vertex_word::size))
+      left_(number_of_ranks, 0)
   {
     for(const Vertex_range& range : ranges.ranges())
     {
       ranges_[range.rank] = range;
       next_words_[range.rank] = range.begin / Vertex_word::size;
+      for_each_word(range.rank, [&](const Vertex_word& word) {
+        left_[range.rank] += word.number_of_vertices();
+        return true;
+      });
     }
   }
 
-  // The words of the next round. Behind the call, first_numbers()[rank] is the number of the first vertex of a parcel.
-  Parcels<Vertex_word> next_round()
+  // How many there are left for each rank.
+  const std::vector<std::uint64_t>& left() const { return left_; }
+
+  // The words of the next round, of as many vertices as are allowed for each rank, and few more. Behind the call,
+  // first_numbers()[rank] is the number of the first vertex of a parcel.
+  Parcels<Vertex_word> next_round(const std::vector<std::uint64_t>& allowed)
   {
     Parcels<Vertex_word> parcels(ranges_.size());
     first_numbers_.assign(ranges_.size(), 0);
+    std::uint64_t sum_of_ranks = 0;
     for(std::size_t rank = 0; rank != ranges_.size(); ++rank)
     {
-      const Vertex_range& range = ranges_[rank];
       const std::size_t old_size = parcels.items.size();
-      std::size_t sum = 0;
-      if(range.begin != range.end)
-        next_words_[rank] = vertices_->for_each_word(next_words_[rank], [&](Vertex_word word) {
-          if(word.position * Vertex_word::size >= range.end || sum >= most_in_round_)
-            return false;
-          word.keep_between(range.begin, range.end);
-          if(word.bits == 0)
-            return true;
-          if(sum == 0)
-            first_numbers_[rank] = (*vertices_)[word.first()].number();
-          sum += word.number_of_vertices();
-          parcels.items.push_back(word);
-          return true;
-        });
+      std::uint64_t sum = 0;
+      next_words_[rank] = for_each_word(rank, [&](const Vertex_word& word) {
+        if(sum >= allowed[rank] || sum_of_ranks >= most_answers)
+          return false;
+        if(sum == 0)
+          first_numbers_[rank] = (*vertices_)[word.first()].number();
+        sum += word.number_of_vertices();
+        sum_of_ranks += word.number_of_vertices();
+        parcels.items.push_back(word);
+        return true;
+      });
+      left_[rank] -= sum;
       parcels.counts[rank] = static_cast<int>(parcels.items.size() - old_size);
     }
     return parcels;
@@ -72,14 +92,27 @@ public:
   const std::vector<std::size_t>& first_numbers() const { return first_numbers_; }
 
 private:
-  // The number of answers that a rank gives in a round if all others ask it the most they may.
-  static constexpr std::size_t most_answers = std::size_t(1) << 21;
+  // Calls visit(word) for the words in the range of a rank that have not been asked, until it returns false. Returns the
+  // position of that one.
+  template <class Visit>
+  std::uint64_t for_each_word(std::size_t rank, const Visit& visit) const
+  {
+    const Vertex_range& range = ranges_[rank];
+    if(range.begin == range.end)
+      return 0;
+    return vertices_->for_each_word(next_words_[rank], [&](Vertex_word word) {
+      if(word.position * Vertex_word::size >= range.end)
+        return false;
+      word.keep_between(range.begin, range.end);
+      return word.bits == 0 || visit(word);
+    });
+  }
 
   const Vertex_numbering* vertices_;
   std::vector<Vertex_range> ranges_; // by rank
   std::vector<std::uint64_t> next_words_;
   std::vector<std::size_t> first_numbers_;
-  std::size_t most_in_round_;
+  std::vector<std::uint64_t> left_; // by rank
 };
 
 // The parcels of answers to parcels of questions: answer_of(vertex) for each.
@@ -118,11 +151,13 @@ void ask_owners(Exchange& exchange,
   Questions questions(ranges, vertices, number_of_ranks);
   Parcels<Vertex_word> asked(number_of_ranks);
   Parcels<Answer> answers(number_of_ranks);
-  exchange.in_agreement([&] {
-    result.resize(vertices.size());
-    asked = questions.next_round();
-  });
-  while(exchange.is_on_any_rank(!asked.items.empty()))
+  const auto ask = [&] {
+    const auto allowed = exchange.all_to_all(share_answers(exchange.all_to_all(questions.left())));
+    exchange.in_agreement([&] { asked = questions.next_round(allowed); });
+    return exchange.is_on_any_rank(!asked.items.empty());
+  };
+  exchange.in_agreement([&] { result.resize(vertices.size()); });
+  while(ask())
   {
     std::vector<Vertex_word> words;
     const std::vector<int> word_counts = exchange.send(asked, words);
@@ -133,7 +168,6 @@ void ask_owners(Exchange& exchange,
     for(std::size_t rank = 0; rank != number_of_ranks; begin += counts[rank], ++rank)
       std::copy(begin, begin + counts[rank],
                 result.begin() + static_cast<std::ptrdiff_t>(questions.first_numbers()[rank]));
-    exchange.in_agreement([&] { asked = questions.next_round(); });
   }
 }
 
