@@ -6,9 +6,9 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-// Times of harmonic and Poisson fields, beside a plain factorization and solution of the Laplace equation with cotangent
-// weights and the same two poles by Eigen in the same run. Then how the times of harmonic fields, and the numbers of steps
-// of their iteration, grow with the mesh.
+// Times of harmonic and Poisson fields, beside a plain factorization and solution of the Laplace equation with
+// cotangent weights and the same two poles by Eigen in the same run. Then how the times of harmonic fields, and the
+// numbers of steps of their iteration, grow with the mesh.
 //
 // Usage: benchmark_scalar_fields [NUMBER OF VERTICES] [REPETITIONS] [LARGEST NUMBER OF VERTICES]
 

@@ -80,15 +80,15 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// The named parameters `keep_degree_two_nodes`, `ties`, `method`, `number_of_slabs`, `callback` and `visitor` are those
-/// of `compute_reeb_graph()`. Each slab looks at the whole complex once, so many slabs cost more than the default, which
-/// is one.
+/// The named parameters `keep_degree_two_nodes`, `ties`, `method`, `number_of_slabs`, `callback` and `visitor` are
+/// those of `compute_reeb_graph()`. Each slab looks at the whole complex once, so many slabs cost more than the
+/// default, which is one.
 ///
-/// Let there be \f$ n \f$ vertices, edges and triangles, and let \f$ l \f$ be the number of edges that are crossed by the
-/// contours that close loops, of which there are at most as many as the first Betti number of the complex. By default,
-/// this takes \f$ O(n \log n + l \log l) \f$ steps of a union-find, and \f$ O(n + l) \f$ memory. On parts that are
-/// simply connected, or closed surfaces that can be oriented, the first summand is \f$ n + c \log c \f$ for \f$ c \f$
-/// critical vertices.
+/// Let there be \f$ n \f$ vertices, edges and triangles, and let \f$ l \f$ be the number of edges that are crossed by
+/// the contours that close loops, of which there are at most as many as the first Betti number of the complex. By
+/// default, this takes \f$ O(n \log n + l \log l) \f$ steps of a union-find, and \f$ O(n + l) \f$ memory. On parts that
+/// are simply connected, or closed surfaces that can be oriented, the first summand is \f$ n + c \log c \f$ for
+/// \f$ c \f$ critical vertices.
 ///
 /// \exception Reeb_graph::Non_triangular_face_error if a face has not three vertices
 /// \exception Reeb_graph::Degenerate_face_error if a face has one vertex at two corners

@@ -29,7 +29,8 @@ namespace {
 typedef CGAL::Reeb_graph::Soup_augmentation<double> Soup_augmentation;
 typedef CGAL::Reeb_graph::Tetrahedra_augmentation<double> Tetrahedra_augmentation;
 
-// Where tetrahedra and other triangles are together, the faces of all tetrahedra are triangles too: the graph is the same.
+// Where tetrahedra and other triangles are together, the faces of all tetrahedra are triangles too: the graph is the
+// same.
 std::vector<std::array<std::uint32_t, 3>> triangles_and_faces(const Complex& complex)
 {
   std::vector<std::array<std::uint32_t, 3>> triangles = complex.triangles;

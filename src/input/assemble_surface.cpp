@@ -18,8 +18,8 @@ namespace {
 typedef Surface::size_type Index;
 typedef Surface::Halfedge_index Halfedge;
 
-// Links one face after the other to those that share its edges, in one turn over them. Edges are numbered in the order of
-// their first sides, which are their even halfedges.
+// Links one face after the other to those that share its edges, in one turn over them. Edges are numbered in the order
+// of their first sides, which are their even halfedges.
 //
 // The faces at a vertex that are joined so far are fans. The border halfedge that leads to the vertex along an open fan
 // has the one that leads away along it as the next one, so that a face finds the far ends of the fans that it joins.

@@ -22,7 +22,8 @@ struct Duplicates
   std::optional<std::size_t> first;
 };
 
-// Polygons are the same if their vertices are, in the same cyclic order, or, unless that is asked for, the opposite one.
+// Polygons are the same if their vertices are, in the same cyclic order, or, unless that is asked for, the opposite
+// one.
 Duplicates find_duplicates(const Polygons& polygons, bool have_same_orientation);
 
 } // namespace reeb_graph_program

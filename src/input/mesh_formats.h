@@ -34,7 +34,8 @@ Polygon_soup read_stl(const std::string& path);
 // TS of GOCAD: the triangles of its surfaces.
 Polygon_soup read_ts(const std::string& path);
 
-// MESH of Medit, ASCII, as CGAL::IO::write_MEDIT() writes it: vertices, edges, triangles, quadrilaterals, and tetrahedra.
+// MESH of Medit, ASCII, as CGAL::IO::write_MEDIT() writes it: vertices, edges, triangles, quadrilaterals, and
+// tetrahedra.
 Polygon_soup read_medit(const std::string& path);
 // VTK's legacy format, ASCII: the cells of an unstructured grid, or the polygons and lines of polygonal data.
 // `vertex_property` is the name of numbers of the points that become Polygon_soup::scalars, or empty.

@@ -16,9 +16,10 @@
 #include <string>
 
 namespace reeb_graph_program {
-// Reads an OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file. Vertex i of the surface is vertex i of the file, isolated ones
-// included. Faces are oriented consistently if need be; what is no oriented manifold surface then becomes a complex. The
-// property of the vertices that is asked for, if any, becomes the property map v:scalar. Throws Input_error.
+// Reads an OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file. Vertex i of the surface is vertex i of the file, isolated
+// ones included. Faces are oriented consistently if need be; what is no oriented manifold surface then becomes a
+// complex. The property of the vertices that is asked for, if any, becomes the property map v:scalar. Throws
+// Input_error.
 Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property);
 
 bool is_ply_file(const std::string& path);

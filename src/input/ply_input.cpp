@@ -248,7 +248,8 @@ std::size_t count_filled_lines(Text_input& input)
   return number;
 }
 
-// The header of a file that has only the elements from one number to another one, where those of all kinds are numbered.
+// The header of a file that has only the elements from one number to another one, where those of all kinds are
+// numbered.
 ply::Header part_of(ply::Header header, std::size_t begin, std::size_t end)
 {
   std::size_t first = 0;

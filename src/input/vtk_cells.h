@@ -15,9 +15,9 @@
 #include <string>
 
 namespace reeb_graph_program {
-// Adds a cell of one of VTK's types: points, which say nothing of the complex, lines, triangles, strips of them, polygons,
-// and tetrahedra. Throws Input_error for any other one, and for one that has another number of vertices. `first_vertex`
-// is added to the numbers of its vertices.
+// Adds a cell of one of VTK's types: points, which say nothing of the complex, lines, triangles, strips of them,
+// polygons, and tetrahedra. Throws Input_error for any other one, and for one that has another number of vertices.
+// `first_vertex` is added to the numbers of its vertices.
 void add_vtk_cell(const std::string& path,
                   std::size_t type,
                   Polygons::Polygon vertices,

@@ -15,9 +15,9 @@
 #include <cstdint>
 
 namespace reeb_graph_program {
-// A closed surface of which any part can be made without the rest: a plate with `genus` square holes in a row, meshed by
-// a lattice, twice, where the upper and the lower side share the vertices on the border. Cells have four triangles: two
-// on either side.
+// A closed surface of which any part can be made without the rest: a plate with `genus` square holes in a row, meshed
+// by a lattice, twice, where the upper and the lower side share the vertices on the border. Cells have four triangles:
+// two on either side.
 class Formula_surface
 {
 public:

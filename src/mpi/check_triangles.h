@@ -14,7 +14,8 @@
 #include <string>
 
 namespace reeb_graph_program {
-// Throws Input_error, as the sequential program does, if a vertex of the face does not exist or is at two of its corners.
+// Throws Input_error, as the sequential program does, if a vertex of the face does not exist or is at two of its
+// corners.
 void check_triangle(const std::string& path,
                     std::uint64_t face,
                     const std::array<std::uint64_t, 3>& corners,

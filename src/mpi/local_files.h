@@ -33,8 +33,8 @@ struct Ply_field
 Local_mesh read_local_ply(const Communicator& communicator, const std::string& path, const Ply_field& field);
 
 // The same of a raw file, which has a value for each vertex and no points. All numbers are little-endian: eight
-// characters, "ReebRaw1"; the number of vertices and that of triangles, 64-bit integers; the values of the vertices, double
-// numbers; and three vertices for each triangle, 64-bit integers from 0.
+// characters, "ReebRaw1"; the number of vertices and that of triangles, 64-bit integers; the values of the vertices,
+// double numbers; and three vertices for each triangle, 64-bit integers from 0.
 Local_mesh read_local_raw(const Communicator& communicator, const std::string& path);
 
 } // namespace reeb_graph_program

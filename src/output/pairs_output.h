@@ -21,8 +21,8 @@ namespace reeb_graph_program {
 void check_pairs_format(const std::filesystem::path& path);
 
 // Writes the pairs of a graph, one per line: .csv with kind, vertices, and values; .pers for GUDHI, with dimension,
-// birth, and death as its extended persistence has them. Vertices are numbered as in the surface if no numbers are given. Throws
-// std::runtime_error if the file cannot be written.
+// birth, and death as its extended persistence has them. Vertices are numbered as in the surface if no numbers are
+// given. Throws std::runtime_error if the file cannot be written.
 void write_pairs(const std::filesystem::path& path,
                  const Graph& graph,
                  const std::vector<Persistence_pair>& pairs,

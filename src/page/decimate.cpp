@@ -44,8 +44,8 @@ double distance_from_planes(const Profile& profile, const Point& point)
   return sum;
 }
 
-// Puts what an edge becomes at that one of its ends that has to stay, or that is nearer to the surface around, and keeps
-// an edge if both have to stay.
+// Puts what an edge becomes at that one of its ends that has to stay, or that is nearer to the surface around, and
+// keeps an edge if both have to stay.
 struct End_placement
 {
   // The type of the result is that of the policies of CGAL, which depends on its version.

@@ -43,9 +43,9 @@ struct Page_subject
 //
 // The graph is told from the one that was asked for by is_simplified; arcs_of_input counts the arcs of that.
 //
-// A chain is a sequence of vertices, of which each pair of neighbours is an ascending edge, but where a chain consists of
-// several pieces. For any level that an arc crosses, the edge to start its contour at leads from the last vertex of the
-// chain that is below the level to the vertex that follows.
+// A chain is a sequence of vertices, of which each pair of neighbours is an ascending edge, but where a chain consists
+// of several pieces. For any level that an arc crosses, the edge to start its contour at leads from the last vertex of
+// the chain that is below the level to the vertex that follows.
 nlohmann::ordered_json page_data(const Page_subject& subject);
 
 } // namespace reeb_graph_program

@@ -40,8 +40,8 @@ struct Page_request
   std::vector<Polyline> curves = {};
 };
 
-// Writes a page that shows the simplified graph on its surface, in one file. A graph of more than 2000 arcs is simplified
-// until no more are left.
+// Writes a page that shows the simplified graph on its surface, in one file. A graph of more than 2000 arcs is
+// simplified until no more are left.
 void write_page(const std::filesystem::path& path, const Page_request& request);
 
 } // namespace reeb_graph_program

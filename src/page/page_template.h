@@ -12,8 +12,8 @@
 #include <string_view>
 
 namespace reeb_graph_program {
-// The page in HTML, with the markers <!-- title --> and <!-- data --> where these go; empty if the program has been built
-// without it.
+// The page in HTML, with the markers <!-- title --> and <!-- data --> where these go; empty if the program has been
+// built without it.
 std::string_view page_template();
 
 } // namespace reeb_graph_program

@@ -460,8 +460,8 @@ BOOST_AUTO_TEST_CASE(contours_in_a_solid_are_oriented_manifolds)
     }
 }
 
-// The projective plane times an interval is a 3-manifold that has no orientation, nor have its level sets; triangles are
-// there all the same.
+// The projective plane times an interval is a 3-manifold that has no orientation, nor have its level sets; triangles
+// are there all the same.
 BOOST_AUTO_TEST_CASE(contours_without_orientation)
 {
   const Complex plane = random_complexes::projective_plane();

@@ -80,7 +80,8 @@ Local_input<Scalar> part_in_order(const Surface<Scalar>& surface)
   return input;
 }
 
-// Random ranges of vertices, some of them empty, in random order, and random triangles, of which some ranks may have none.
+// Random ranges of vertices, some of them empty, in random order, and random triangles, of which some ranks may have
+// none.
 template <class Scalar>
 Local_input<Scalar> random_part(const Surface<Scalar>& surface, Random& random)
 {

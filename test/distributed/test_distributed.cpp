@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-// The Reeb graphs of surfaces on ranks of MPI are those of the whole surfaces, whoever brings what, and what is wrong on
-// one rank is told by all. Each rank makes the whole surface, and takes its part of it.
+// The Reeb graphs of surfaces on ranks of MPI are those of the whole surfaces, whoever brings what, and what is wrong
+// on one rank is told by all. Each rank makes the whole surface, and takes its part of it.
 
 #include "ranks.h"
 
@@ -323,7 +323,8 @@ std::string thrown_by(const Function& function)
   return "nothing";
 }
 
-// Whether all ranks throw the same as `expected`, which stands for the one fault of the input. The ranks go on together.
+// Whether all ranks throw the same as `expected`, which stands for the one fault of the input. The ranks go on
+// together.
 template <class Exception>
 void check_thrown(const Local_input<double>& input, const Exception& expected)
 {

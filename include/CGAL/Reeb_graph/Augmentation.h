@@ -175,7 +175,8 @@ public:
 
   /// \brief returns the contour of an arc at the level just below a vertex, which the contour need not be near.
   ///
-  /// It takes the same time as `contour()`. Just below the upper node of the arc, it is one of the critical set of that.
+  /// It takes the same time as `contour()`. Just below the upper node of the arc, it is one of the critical set of
+  /// that.
   ///
   /// \exception Level_error if the arc has no contour at that level: its lower node must be lower than `v`, and its
   ///            upper node must not be; if ties are contracted, in value
@@ -185,7 +186,8 @@ public:
 
   /// \brief returns the contour of an arc at the level just above a vertex, which the contour need not be near.
   ///
-  /// It takes the same time as `contour()`. Just above the lower node of the arc, it is one of the critical set of that.
+  /// It takes the same time as `contour()`. Just above the lower node of the arc, it is one of the critical set of
+  /// that.
   ///
   /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher than `v`, and
   ///            its upper node must be; if ties are contracted, in value

@@ -141,9 +141,9 @@ public:
   Contour contour_above(arc_descriptor arc, vertex_descriptor v) const { return contours_.above_vertex(arc, v); }
 
   /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
-  /// connected components of a level set, in the order of the arcs. No two of them have a point in common. It takes time
-  /// linear in the arcs of the graph, and for each contour that of `contour()`, with the degree of the lower-numbered end
-  /// of the edge it starts from.
+  /// connected components of a level set, in the order of the arcs. No two of them have a point in common. It takes
+  /// time linear in the arcs of the graph, and for each contour that of `contour()`, with the degree of the
+  /// lower-numbered end of the edge it starts from.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether the contours are
   ///         traced in parallel

@@ -92,8 +92,8 @@ struct Soup_critical_set
   std::vector<Contour_> lower_contours; ///< for each arc below, its contour just below the node
   std::vector<Contour_> upper_contours; ///< for each arc above, its contour just above the node
 
-  /// the numbers of the triangles, or tetrahedra, at the vertex of the node, ascending. One that is listed several times
-  /// is there as often.
+  /// the numbers of the triangles, or tetrahedra, at the vertex of the node, ascending. One that is listed several
+  /// times is there as often.
   std::vector<std::size_t> star;
 };
 

@@ -35,9 +35,9 @@ namespace Reeb_graph {
 ///
 /// - `CENTROIDS`: a node with arcs above and below is at the centroid of the contours just below it, any other one at
 ///   its vertex. The centroid of a contour is that of its polylines, by length, or of its triangles, by area.
-/// - `ON_SURFACE`: the polyline follows the chain of the arc, and where that passes by the upper node, or by a node that
-///   has been removed, the contour just below that, on a way through few triangles. It stays in the complex, unless ties
-///   are contracted: then it goes straight where a plateau is passed.
+/// - `ON_SURFACE`: the polyline follows the chain of the arc, and where that passes by the upper node, or by a node
+///   that has been removed, the contour just below that, on a way through few triangles. It stays in the complex,
+///   unless ties are contracted: then it goes straight where a plateau is passed.
 /// - `STRAIGHT`: two points; parallel arcs have the same ones.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether arcs are embedded

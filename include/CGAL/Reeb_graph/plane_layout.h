@@ -32,8 +32,8 @@ namespace Reeb_graph {
 struct Plane_layout
 {
   /// by number of node, its horizontal position. The leftmost column is at 0; neighboring columns are 1 apart, those of
-  /// short branches half of that. Nodes of equal value in one column are up to 0.2 beside it. The vertical position of a
-  /// node is its value.
+  /// short branches half of that. Nodes of equal value in one column are up to 0.2 beside it. The vertical position of
+  /// a node is its value.
   std::vector<double> node_positions;
 
   /// by arc, in the order of `edges(graph)`, the points of a curve from its lower node to its upper one, horizontal

@@ -61,8 +61,8 @@ inline std::string csv_of(const std::string& text)
 /// \param out the stream; whether writing succeeded is seen by its state
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
-/// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that it is
-///        `boost::typed_identity_property_map<std::size_t>`
+/// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that
+///        it is `boost::typed_identity_property_map<std::size_t>`
 template <class Graph, class Embedding, class VertexIndexMap>
 void write_nodes_csv(std::ostream& out, const Graph& graph, const Embedding& embedding, VertexIndexMap vertex_index_map)
 {
@@ -97,7 +97,8 @@ void write_nodes_csv(std::ostream& out, const Graph& graph, const Embedding& emb
 /// \param out the stream; whether writing succeeded is seen by its state
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `arc_attributes`, as for `write_vtp()`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `arc_attributes`, as for
+///        `write_vtp()`
 ///
 /// \exception Attribute_count_error if an attribute has not one number for each arc
 template <class Graph, class Embedding, class NamedParameters = parameters::Default_named_parameters>
@@ -135,9 +136,10 @@ void write_arcs_csv(std::ostream& out,
 /// \param arcs_filename the file of `write_arcs_csv()`
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
-/// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that it is
-///        `boost::typed_identity_property_map<std::size_t>`
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `arc_attributes`, as for `write_vtp()`
+/// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that
+///        it is `boost::typed_identity_property_map<std::size_t>`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `arc_attributes`, as for
+///        `write_vtp()`
 ///
 /// \exception File_error if a file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc

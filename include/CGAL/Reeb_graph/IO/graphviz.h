@@ -57,8 +57,8 @@ inline const char* fill_color(Node_kind kind)
 ///
 /// \param out the stream; whether writing succeeded is seen by its state
 /// \param graph the Reeb graph
-/// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that it is
-///        `boost::typed_identity_property_map<std::size_t>`
+/// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that
+///        it is `boost::typed_identity_property_map<std::size_t>`
 ///
 /// \note Boost has a function of this name; qualify the call.
 template <class Graph, class VertexIndexMap>

@@ -75,15 +75,15 @@ void write_json_of_graph(std::ostream& out,
 ///
 /// \brief writes a Reeb graph in space with its chains as one JSON object.
 ///
-/// The object has the members `directed` and `multigraph`, which are `true`, `nodes` and `arcs`, in their order, so that
-/// NetworkX makes a graph of it by `node_link_graph(json.load(file), link="arcs")`; from its version 3.4 on, the argument
-/// is `edges`.
+/// The object has the members `directed` and `multigraph`, which are `true`, `nodes` and `arcs`, in their order, so
+/// that NetworkX makes a graph of it by `node_link_graph(json.load(file), link="arcs")`; from its version 3.4 on, the
+/// argument is `edges`.
 ///
 /// - Nodes have `id`, their number, `vertex`, the index of their mesh vertex, `value`, `kind`, and `point`.
-/// - Arcs have `index`, their number, `source` and `target`, the numbers of the lower and the upper node, `polyline`, the
-///   list of their points, `values`, those of these points, `chain`, and the `arc_attributes` by their names. A chain is
-///   a list of ascending edge paths, each a list of vertices; there is more than one where nodes have been removed, and
-///   the last edge of each passes by the place where the next one, or the upper node, is.
+/// - Arcs have `index`, their number, `source` and `target`, the numbers of the lower and the upper node, `polyline`,
+///   the list of their points, `values`, those of these points, `chain`, and the `arc_attributes` by their names. A
+///   chain is a list of ascending edge paths, each a list of vertices; there is more than one where nodes have been
+///   removed, and the last edge of each passes by the place where the next one, or the upper node, is.
 ///
 /// Values and attributes that are infinite or NaN are `null`; other numbers have all digits.
 ///
@@ -98,7 +98,8 @@ void write_json_of_graph(std::ostream& out,
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
 /// \param vertex_index_map the index of each vertex of the mesh
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `arc_attributes`, as for `write_vtp()`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `arc_attributes`, as for
+///        `write_vtp()`
 ///
 /// \exception Attribute_count_error if an attribute has not one number for each arc
 template <class FaceListGraph,
@@ -124,8 +125,8 @@ void write_json(std::ostream& out,
 
 /// \ingroup PkgReebGraphIO
 ///
-/// \brief writes the Reeb graph of a triangle soup or of tetrahedra, as `compute_reeb_graph_of_soup()` makes it, in space
-/// with its chains as one JSON object. The object is as above.
+/// \brief writes the Reeb graph of a triangle soup or of tetrahedra, as `compute_reeb_graph_of_soup()` makes it, in
+/// space with its chains as one JSON object. The object is as above.
 ///
 /// \exception Attribute_count_error if an attribute has not one number for each arc
 template <class Graph, class Embedding, class NamedParameters = parameters::Default_named_parameters>

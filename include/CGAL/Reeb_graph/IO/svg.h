@@ -47,9 +47,9 @@ inline std::string counted(std::size_t number, const std::string& name)
 /// \brief draws a Reeb graph as a picture in the format SVG, which web browsers show and vector graphics programs edit.
 ///
 /// The height of a node is its value, as the axis tells; see `lay_out_in_plane()` for where nodes and arcs lie. The
-/// colours and shapes of the nodes tell their kinds, colours that people with colour blindness can tell apart. Nodes are
-/// labelled with `n` and their number, and in a small graph with their value, arcs with their number in the order of
-/// `edges(graph)`, where there is room: no label lies on another one, on a node, or on an arc. A graph of more than
+/// colours and shapes of the nodes tell their kinds, colours that people with colour blindness can tell apart. Nodes
+/// are labelled with `n` and their number, and in a small graph with their value, arcs with their number in the order
+/// of `edges(graph)`, where there is room: no label lies on another one, on a node, or on an arc. A graph of more than
 /// 5,000 nodes has no labels. All of it is told where the pointer rests on a node or an arc. There is no script in the
 /// file. Equal graphs give equal files.
 ///
@@ -76,8 +76,8 @@ inline std::string counted(std::size_t number, const std::string& name)
 ///   \cgalParamNBegin{vertex_index_map}
 ///     \cgalParamDescription{a property map that associates an index with each vertex of the mesh: that of a node is
 ///                           told where the pointer rests on it}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an integer
-///                    type as value type}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an
+///                    integer type as value type}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd

@@ -40,8 +40,8 @@ namespace Reeb_graph {
 /// - The points are first the nodes, then the inner points of the polylines of the arcs, arc by arc. Their arrays are
 ///   `value`, and `node`, `kind` and `vertex` of nodes, and `arc` of inner points.
 /// - The cells are first a vertex for each node, then a polyline for each arc, from its lower to its upper node. Their
-///   arrays are `node`, `kind` and `vertex` of nodes, `arc` of arcs, and `lower_value` and `upper_value`; and with names
-///   of their own, the `arc_attributes`.
+///   arrays are `node`, `kind` and `vertex` of nodes, `arc` of arcs, and `lower_value` and `upper_value`; and with
+///   names of their own, the `arc_attributes`.
 ///
 /// The numbers of `kind` are those of `Node_kind`: 0 isolated, 1 minimum, 2 saddle, 3 maximum, 4 degree two.
 ///
@@ -53,8 +53,8 @@ namespace Reeb_graph {
 /// \param out the stream; whether writing succeeded is seen by its state
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
-/// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that it is
-///        `boost::typed_identity_property_map<std::size_t>`
+/// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that
+///        it is `boost::typed_identity_property_map<std::size_t>`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin

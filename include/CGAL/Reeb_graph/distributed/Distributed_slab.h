@@ -49,8 +49,8 @@ public:
     std::size_t size;  ///< how many vertices follow each other there
   };
 
-  /// the parts of chains whose steps begin in the slab of this rank, if chains are not gathered. Those of one arc are in
-  /// the order of the chain, and the parts of a rank are before those of higher ranks.
+  /// the parts of chains whose steps begin in the slab of this rank, if chains are not gathered. Those of one arc are
+  /// in the order of the chain, and the parts of a rank are before those of higher ranks.
   std::vector<Chain_part> chain_parts;
   std::vector<std::uint64_t> chain_vertices; ///< the vertices of all parts
 
@@ -83,8 +83,8 @@ public:
   /// \brief returns the contours of the whole surface at the level just above the last vertex of value at most `value`,
   /// in the order of their least edges.
   ///
-  /// There are none if `has_level(value)` is `false`, or the surface has not been kept. It takes time proportional to the
-  /// number of triangles that this rank holds.
+  /// There are none if `has_level(value)` is `false`, or the surface has not been kept. It takes time proportional to
+  /// the number of triangles that this rank holds.
   std::vector<Contour> contours_at_value(const Scalar& value) const
   {
     std::vector<Contour> contours;

@@ -30,21 +30,21 @@ namespace CGAL {
 /// \brief computes the augmented Reeb graph of a scalar field on a surface that is spread over the ranks of a
 /// communicator of MPI.
 ///
-/// All ranks call this together. Each brings any part of the vertices, a range of their indices and their values, and any
-/// of the triangles, by the indices of their vertices. Rank 0 gets the graph of the whole surface, the other ranks an
-/// empty one. It is the graph of `compute_reeb_graph_of_soup()`, number by number, and that of `compute_reeb_graph()`
-/// where the mesh has the same indices, whatever the number of ranks and the distribution.
+/// All ranks call this together. Each brings any part of the vertices, a range of their indices and their values, and
+/// any of the triangles, by the indices of their vertices. Rank 0 gets the graph of the whole surface, the other ranks
+/// an empty one. It is the graph of `compute_reeb_graph_of_soup()`, number by number, and that of
+/// `compute_reeb_graph()` where the mesh has the same indices, whatever the number of ranks and the distribution.
 ///
-/// The field is cut at levels into slabs, one for each rank, with about the same numbers of vertices. A triangle goes to
-/// every rank whose slab it meets. Each rank finds the arcs in its slab, as `compute_reeb_graph()` does in its own slabs.
-/// The two ranks at a level hold all that it crosses, so they find the same contours there, and name them alike
-/// without a word; along these, the slabs are glued, pairs of neighbors first, then pairs of pairs, up to all of them. At
-/// rank 0, arcs that pass vertices are joined, and the graph is written. The chains of the arcs are walked by the ranks
-/// in whose slabs they are, and handed on upwards.
+/// The field is cut at levels into slabs, one for each rank, with about the same numbers of vertices. A triangle goes
+/// to every rank whose slab it meets. Each rank finds the arcs in its slab, as `compute_reeb_graph()` does in its own
+/// slabs. The two ranks at a level hold all that it crosses, so they find the same contours there, and name them alike
+/// without a word; along these, the slabs are glued, pairs of neighbors first, then pairs of pairs, up to all of them.
+/// At rank 0, arcs that pass vertices are joined, and the graph is written. The chains of the arcs are walked by the
+/// ranks in whose slabs they are, and handed on upwards.
 ///
-/// Triangles that meet many slabs are copied to many ranks, as on noise. If by a sample of the triangles they would meet
-/// more than two slabs on average, fewer slabs than ranks are used; `Reeb_graph::Distributed_slab` tells. Surfaces of less
-/// than 2<sup>15</sup> triangles are sliced all the same.
+/// Triangles that meet many slabs are copied to many ranks, as on noise. If by a sample of the triangles they would
+/// meet more than two slabs on average, fewer slabs than ranks are used; `Reeb_graph::Distributed_slab` tells. Surfaces
+/// of less than 2<sup>15</sup> triangles are sliced all the same.
 ///
 /// With \f$ n \f$ vertices and triangles on \f$ k \f$ ranks, a rank takes the time and the memory of
 /// `compute_reeb_graph()` for the triangles that meet its slab, about \f$ n / k \f$ of them where the field is smooth,
@@ -65,20 +65,20 @@ namespace CGAL {
 /// \param local_triangles the triangles that this rank brings. Each triangle of the surface is brought once
 /// \param local_scalars the values of `local_vertices`
 /// \param graph the result; whatever it held before is cleared
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, the same on
-///        all ranks but for what they refer to
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, the same
+///        on all ranks but for what they refer to
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{number_of_slabs}
-///     \cgalParamDescription{how many slabs there are at most; 0 stands for as many as ranks. It has no influence on the
-///                           result.}
+///     \cgalParamDescription{how many slabs there are at most; 0 stands for as many as ranks. It has no influence on
+///                           the result.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
 ///     \cgalParamExtra{use the functions `parameters::number_of_slabs()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{gather_chains}
-///     \cgalParamDescription{whether the arcs at rank 0 get their chains. If not, the chains of the graph are empty, and
-///                           stay on the ranks: `slab` tells the parts of each rank.}
+///     \cgalParamDescription{whether the arcs at rank 0 get their chains. If not, the chains of the graph are empty,
+///                           and stay on the ranks: `slab` tells the parts of each rank.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///     \cgalParamExtra{use the functions `parameters::gather_chains()`}
@@ -96,8 +96,9 @@ namespace CGAL {
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told on each rank of the beginning and the end of each stage, `Reeb_graph::Stage::FLATTEN`
-///                           being the distribution of the surface, and of the critical vertices of all ranks}
+///     \cgalParamDescription{is told on each rank of the beginning and the end of each stage,
+///                           `Reeb_graph::Stage::FLATTEN` being the distribution of the surface, and of the critical
+///                           vertices of all ranks}
 ///     \cgalParamType{a model of `ReebGraphVisitor`, by value or as `std::reference_wrapper`}
 ///     \cgalParamDefault{`Reeb_graph::Default_visitor`}
 ///   \cgalParamNEnd
@@ -142,8 +143,8 @@ void compute_reeb_graph_distributed(const boost::mpi::communicator& communicator
 
 /// \ingroup PkgReebGraphRef
 ///
-/// \brief computes the augmented Reeb graph of a scalar field on any set of triangles that is spread over the ranks of a
-/// communicator of MPI.
+/// \brief computes the augmented Reeb graph of a scalar field on any set of triangles that is spread over the ranks of
+/// a communicator of MPI.
 ///
 /// All that is said of `compute_reeb_graph_distributed()` holds here, but that the triangles need not be a surface: any
 /// number of them can meet at an edge, and any number of fans at a vertex; they need not be orientable, nor oriented

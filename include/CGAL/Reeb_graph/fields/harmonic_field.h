@@ -74,8 +74,8 @@ namespace Reeb_graph {
 ///                           that it gets are symmetric and, unless there are negative weights, diagonally dominant.
 ///                           Their rows come in the order of a nested dissection.}
 ///     \cgalParamType{a model of `SparseLinearAlgebraWithFactorTraits_d`}
-///     \cgalParamDefault{multigrid on large meshes; else `Eigen_solver_traits` with `Eigen::SimplicialLDLT`, which keeps
-///                       the order of the rows as long as its factor fills little. Both need the macro
+///     \cgalParamDefault{multigrid on large meshes; else `Eigen_solver_traits` with `Eigen::SimplicialLDLT`, which
+///                       keeps the order of the rows as long as its factor fills little. Both need the macro
 ///                       `CGAL_EIGEN3_ENABLED`.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{solver_tolerance}

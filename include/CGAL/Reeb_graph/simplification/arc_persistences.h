@@ -32,11 +32,11 @@ namespace Reeb_graph {
 /// \brief returns for each arc how long it stays while a Reeb graph is simplified: the persistence of the branch or of
 /// the loop with which it is removed.
 ///
-/// Branches and loops are removed by the rules of `simplify()` with `parameters::cancel_loops(true)`, but one by one, the
-/// less persistent first, so that what has been removed only grows. If a graph has no loops, the graph that is simplified
-/// with a threshold consists of the arcs of at least this persistence. If it has loops, this is nearly so: `simplify()`
-/// looks at them only when all branches below the threshold have gone, and can keep another one of branches that
-/// compete.
+/// Branches and loops are removed by the rules of `simplify()` with `parameters::cancel_loops(true)`, but one by one,
+/// the less persistent first, so that what has been removed only grows. If a graph has no loops, the graph that is
+/// simplified with a threshold consists of the arcs of at least this persistence. If it has loops, this is nearly so:
+/// `simplify()` looks at them only when all branches below the threshold have gone, and can keep another one of
+/// branches that compete.
 ///
 /// With \f$ n \f$ nodes and arcs and \f$ l \f$ loops of different persistence, the time is
 /// \f$ O((l + 1)\, n \log n) \f$.

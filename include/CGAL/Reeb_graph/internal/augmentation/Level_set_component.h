@@ -26,7 +26,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// A component of a level set of a complex as a graph: a point on each crossed edge, and a line in each crossed triangle.
+// A component of a level set of a complex as a graph: a point on each crossed edge, and a line in each crossed
+// triangle.
 struct Level_set_component
 {
   typedef std::array<Number, 2> Line; // the numbers of two points

@@ -102,8 +102,8 @@ public:
       });
       number_of_lost_steps_ += is_loop_closed ? 0 : search_.number_of_steps() - number_of_earlier_steps;
     }
-    // On closed components, searches that close no loop are rare but where contours pass one-sided saddles twice: there,
-    // they could take quadratic time.
+    // On closed components, searches that close no loop are rare but where contours pass one-sided saddles twice:
+    // there, they could take quadratic time.
     if(!are_all_found_ && number_of_lost_steps_ > complex_.number_of_triangles())
     {
       find_contours([&](Vertex_index v) { return is_simply_connected(v) || !is_closed(v); });

@@ -144,8 +144,8 @@ public:
     }
   }
 
-  // Puts a node on the component in which the critical vertex is that has been merged at last. An extremum has begun one
-  // of its own; on a surface, none has a node to be put there.
+  // Puts a node on the component in which the critical vertex is that has been merged at last. An extremum has begun
+  // one of its own; on a surface, none has a node to be put there.
   void put_on_last(Swept_index critical, Slab_node node)
   {
     add_nodes_up_to(node);

@@ -36,9 +36,9 @@ struct Slabs_of_rank
 };
 
 // The part of the surface that a rank holds: each triangle that meets its slab, also those that only pass it, and each
-// vertex of the slab. A level between two slabs crosses only triangles with vertices on both sides of it, and these meet
-// both slabs, so both ranks hold all of the level, and find and close its contours alike. A vertex of the slab has its
-// whole star here, and any other one any part of it. Rank r has slab r; a rank beyond the slabs has empty arrays.
+// vertex of the slab. A level between two slabs crosses only triangles with vertices on both sides of it, and these
+// meet both slabs, so both ranks hold all of the level, and find and close its contours alike. A vertex of the slab has
+// its whole star here, and any other one any part of it. Rank r has slab r; a rank beyond the slabs has empty arrays.
 template <class Scalar>
 struct Slab_surface : Slabs_of_rank
 {

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Leads all ranks from stage to stage. The visitor of each rank is told, the callback of rank 0 is asked, and what any of
-// them throws, all ranks throw.
+// Leads all ranks from stage to stage. The visitor of each rank is told, the callback of rank 0 is asked, and what any
+// of them throws, all ranks throw.
 template <class Visitor>
 class Stages_of_rank
 {

@@ -92,8 +92,8 @@ public:
   const std::vector<std::size_t>& first_numbers() const { return first_numbers_; }
 
 private:
-  // Calls visit(word) for the words in the range of a rank that have not been asked, until it returns false. Returns the
-  // position of that one.
+  // Calls visit(word) for the words in the range of a rank that have not been asked, until it returns false. Returns
+  // the position of that one.
   template <class Visit>
   std::uint64_t for_each_word(std::size_t rank, const Visit& visit) const
   {

@@ -132,8 +132,8 @@ void fill_vertices(Exchange& exchange,
   });
 }
 
-// Gives each rank the part of the surface that it needs for its slab, of as many slabs as asked for at most. `Vertex` is
-// the type of the vertices on the way. Collective.
+// Gives each rank the part of the surface that it needs for its slab, of as many slabs as asked for at most. `Vertex`
+// is the type of the vertices on the way. Collective.
 template <class Scalar, class Vertex, class LocalPart>
 Slab_surface<Scalar> exchange_surface(Exchange& exchange,
                                       const LocalPart& part,
@@ -180,9 +180,9 @@ Slab_surface<Scalar> exchange_surface(Exchange& exchange,
   return surface;
 }
 
-// Gives each rank the part of the surface that it needs for its slab. There are as many slabs as are asked for and ranks
-// are there, or fewer if triangles meet too many slabs; 0 asks for as many as ranks. Collective: what is wrong on any
-// rank is thrown on all.
+// Gives each rank the part of the surface that it needs for its slab. There are as many slabs as are asked for and
+// ranks are there, or fewer if triangles meet too many slabs; 0 asks for as many as ranks. Collective: what is wrong on
+// any rank is thrown on all.
 template <class Scalar, class VertexRange, class TriangleRange, class ScalarRange>
 Slab_surface<Scalar> distribute_surface(Exchange& exchange,
                                         const VertexRange& local_vertices,

@@ -77,8 +77,8 @@ inline std::size_t end_of_round(const std::vector<Slab_range>& slabs, std::size_
   return end;
 }
 
-// Sends each triangle to the ranks of all slabs that it meets. Returns those that come, which together are `expected`, and
-// adds their vertices to the numbering. Collective.
+// Sends each triangle to the ranks of all slabs that it meets. Returns those that come, which together are `expected`,
+// and adds their vertices to the numbering. Collective.
 template <class Vertex, class Triangles>
 Triangles_of<Vertex> send_triangles(Exchange& exchange,
                                     const Triangles& triangles,

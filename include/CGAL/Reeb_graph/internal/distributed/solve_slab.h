@@ -71,8 +71,8 @@ private:
   By_side<std::optional<Bounding_level>> levels_;
 };
 
-// Checks the surface at the vertices of the rank's slab, and finds the critical ones. Takes the triangles, and leaves the
-// other arrays of the surface, to which the result refers.
+// Checks the surface at the vertices of the rank's slab, and finds the critical ones. Takes the triangles, and leaves
+// the other arrays of the surface, to which the result refers.
 template <class Scalar, class Order>
 Classified_complex<Slab_complex> link_and_classify(Slab_surface<Scalar>& surface, const Order& order)
 {

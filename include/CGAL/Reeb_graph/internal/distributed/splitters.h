@@ -31,7 +31,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Calls visit(i) for numbers below `size`, of each of `sample_size` equal parts one at random; for all if they are fewer.
+// Calls visit(i) for numbers below `size`, of each of `sample_size` equal parts one at random; for all if they are
+// fewer.
 template <class Visit>
 void for_each_of_sample(std::uint64_t size, std::uint64_t sample_size, const Visit& visit)
 {
@@ -95,7 +96,8 @@ public:
   }
 
 private:
-  // The numbers of vertices of slabs differ by about the square root of this in as many. Rank 0 has room for the sample.
+  // The numbers of vertices of slabs differ by about the square root of this in as many. Rank 0 has room for the
+  // sample.
   static std::uint64_t size_of_sample(std::size_t number_of_slabs)
   {
     constexpr std::uint64_t most_per_slab = 2048, least_per_slab = 64, most = std::uint64_t(1) << 22;

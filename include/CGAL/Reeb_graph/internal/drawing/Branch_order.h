@@ -27,10 +27,10 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// On which side of its parent each branch lies, and the order of all branches of a component from the left to the right.
-// A branch is led to its parent at the height of the node there. It crosses another one that lies between the two, and
-// that itself or what is attached to it reaches over that height. So of two branches at one side, one has to be further
-// out than the other, or they exclude each other and go to different sides.
+// On which side of its parent each branch lies, and the order of all branches of a component from the left to the
+// right. A branch is led to its parent at the height of the node there. It crosses another one that lies between the
+// two, and that itself or what is attached to it reaches over that height. So of two branches at one side, one has to
+// be further out than the other, or they exclude each other and go to different sides.
 class Branch_order
 {
 public:
@@ -247,8 +247,8 @@ private:
     branches = merged.size() > most_compared ? std::move(merged) : sort_by_pairs(std::move(merged));
   }
 
-  // Takes one after the other a branch that blocks none of those that are left, or the fewest; of several the first. One that
-  // reaches around its own way to the parent counts itself: it is better further out.
+  // Takes one after the other a branch that blocks none of those that are left, or the fewest; of several the first.
+  // One that reaches around its own way to the parent counts itself: it is better further out.
   std::vector<Index> sort_by_pairs(std::vector<Index> branches) const
   {
     std::vector<std::size_t> numbers_of_blocked;

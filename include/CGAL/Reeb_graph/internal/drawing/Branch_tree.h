@@ -37,8 +37,8 @@ struct Drawn_branch
 };
 
 // A Reeb graph as branches at branches: the graph is cut open below each node at which loops close, so that it is a
-// forest, and the leaf arcs of that are removed, the less persistent first. What is left of each component is its trunk.
-// With n nodes and arcs it takes O(n log n) time.
+// forest, and the leaf arcs of that are removed, the less persistent first. What is left of each component is its
+// trunk. With n nodes and arcs it takes O(n log n) time.
 class Branch_tree
 {
 public:

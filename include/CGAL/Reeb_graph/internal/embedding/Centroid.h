@@ -56,7 +56,8 @@ inline double area(const Coordinates& a, const Coordinates& b, const Coordinates
 }
 
 // The centroid of curves, or of triangles: the mean of their points, each piece with the weight of its length or area,
-// so that it does not count into how many pieces they are split. Where all weights are 0, it is that of the first point.
+// so that it does not count into how many pieces they are split. Where all weights are 0, it is that of the first
+// point.
 class Centroid
 {
 public:

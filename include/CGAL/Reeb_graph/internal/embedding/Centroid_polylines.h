@@ -56,8 +56,8 @@ public:
       np_(np)
   {}
 
-  // A node with arcs above and below is at the centroid of the contours that meet there, a leaf at its vertex, or in the
-  // middle of the border loop or of the tied vertices that it stands for.
+  // A node with arcs above and below is at the centroid of the contours that meet there, a leaf at its vertex, or in
+  // the middle of the border loop or of the tied vertices that it stands for.
   Point node_point(node_descriptor node) const
   {
     const vertex_descriptor vertex = graph_[node].vertex;

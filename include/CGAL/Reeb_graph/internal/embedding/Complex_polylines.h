@@ -33,8 +33,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// What the graphs of soups and of tetrahedra are embedded with in the place of Centroid_polylines and Surface_polylines.
-// A `PointMap` has the points of vertices by number.
+// What the graphs of soups and of tetrahedra are embedded with in the place of Centroid_polylines and
+// Surface_polylines. A `PointMap` has the points of vertices by number.
 template <class Augmentation, class PointMap>
 class Contours_in_space
 {
@@ -164,9 +164,9 @@ public:
   }
 };
 
-// The ascending lines of arcs in the complex: along the edges of the chain, and where that passes by its end, or by that
-// of a piece of it, along the contour just below that vertex, on a way of few triangles. If that contour touches the
-// vertex only by way of others that are tied with it, the line goes there straight.
+// The ascending lines of arcs in the complex: along the edges of the chain, and where that passes by its end, or by
+// that of a piece of it, along the contour just below that vertex, on a way of few triangles. If that contour touches
+// the vertex only by way of others that are tied with it, the line goes there straight.
 template <class Augmentation, class PointMap>
 class Complex_polylines : Contours_in_space<Augmentation, PointMap>
 {

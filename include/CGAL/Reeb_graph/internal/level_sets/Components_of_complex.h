@@ -25,8 +25,8 @@ namespace internal {
 struct Complex_component_tag;
 typedef Index_of<Complex_component_tag> Complex_component;
 
-// The connected components of a complex, and what excludes loops of the Reeb graph in them, whatever the field is. Takes
-// linear time.
+// The connected components of a complex, and what excludes loops of the Reeb graph in them, whatever the field is.
+// Takes linear time.
 class Components_of_complex
 {
 public:

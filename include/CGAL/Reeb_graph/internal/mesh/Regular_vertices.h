@@ -80,10 +80,10 @@ bool is_sweep_faster(const Complex& complex, const Order& order)
 // The vertices that are seen to be regular, and to have one fan, with no turn around them: by sweeps over the faces and
 // the edges, which read memory in its order, but for a few bytes per vertex.
 //
-// They are the vertices inside of the surface whose links have one maximum, which is higher than the vertex, which has a
-// lower neighbor, too. The link of each fan has a maximum, so there is no other fan; and such a link ascends once and
-// descends once, so that it has one upper and one lower part. These are nearly all vertices of a smooth field. There are
-// none here where something is wrong with a face or an edge.
+// They are the vertices inside of the surface whose links have one maximum, which is higher than the vertex, which has
+// a lower neighbor, too. The link of each fan has a maximum, so there is no other fan; and such a link ascends once and
+// descends once, so that it has one upper and one lower part. These are nearly all vertices of a smooth field. There
+// are none here where something is wrong with a face or an edge.
 template <class ConcurrencyTag>
 class Regular_vertices
 {

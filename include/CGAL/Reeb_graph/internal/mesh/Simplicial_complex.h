@@ -36,7 +36,8 @@ namespace internal {
 class Simplicial_complex
 {
 public:
-  // Whether each edge has one or two triangles, and each vertex one fan of them. It is not known, so nobody counts on it.
+  // Whether each edge has one or two triangles, and each vertex one fan of them. It is not known, so nobody counts on
+  // it.
   static constexpr bool is_surface = false;
 
   // The vertices are numbered from 0. for_each_triangle(visit) calls visit(a, b, c) with the numbers of three different
@@ -102,8 +103,8 @@ public:
   // Whether the edge is on exactly two triangles, as inside of a surface.
   bool has_two_triangles(Edge_index edge) const { return numbers_of_triangles_[edge] == 2; }
 
-  // Calls visit(neighbor, halfedge), where `halfedge` is one of the edge to `neighbor`, for the edges at `vertex`, until
-  // a call returns true.
+  // Calls visit(neighbor, halfedge), where `halfedge` is one of the edge to `neighbor`, for the edges at `vertex`,
+  // until a call returns true.
   template <class Visit>
   void visit_edges_around(Vertex_index vertex, const Visit& visit) const
   {

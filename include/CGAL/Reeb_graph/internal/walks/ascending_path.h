@@ -39,8 +39,8 @@ Ascending_step steepest_step(const Complex& complex, const Order& order, Vertex_
   return step;
 }
 
-// Takes steepest steps from `vertex` on as long as goes_on(vertex reached), and calls visit(vertex, step from it) before
-// each. Returns the vertex reached.
+// Takes steepest steps from `vertex` on as long as goes_on(vertex reached), and calls visit(vertex, step from it)
+// before each. Returns the vertex reached.
 template <class Complex, class Order, class GoesOn, class Visit>
 Vertex_index climb(const Complex& complex,
                    const Order& order,
