@@ -12,6 +12,7 @@
 #include "generated_surfaces/build_mesh.h"
 #include "generated_surfaces/generated_surfaces.h"
 #include "generated_surfaces/random_meshes.h"
+#include "generated_surfaces/shuffle.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -20,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -54,22 +54,6 @@ inline generated_surfaces::Triangle_soup make_surface(const std::string& name, s
   return generated_surfaces::closed_surface(genus, number_of_vertices);
 }
 
-// Puts the vertices and the triangles in a random order.
-inline void shuffle(generated_surfaces::Triangle_soup& soup)
-{
-  random_meshes::Random random(1);
-  std::vector<std::size_t> new_numbers(soup.points.size());
-  std::iota(new_numbers.begin(), new_numbers.end(), std::size_t(0));
-  random.shuffle(new_numbers);
-  const auto points = soup.points;
-  for(std::size_t v = 0; v < points.size(); ++v)
-    soup.points[new_numbers[v]] = points[v];
-  for(auto& triangle : soup.triangles)
-    for(std::size_t& v : triangle)
-      v = new_numbers[v];
-  random.shuffle(soup.triangles);
-}
-
 enum class Mesh_order
 {
   GENERATED,
@@ -85,7 +69,10 @@ public:
   {
     auto soup = make_surface(surface, number_of_vertices);
     if(order == Mesh_order::SHUFFLED)
-      shuffle(soup);
+    {
+      random_meshes::Random random(1);
+      generated_surfaces::shuffle(soup, random);
+    }
     generated_surfaces::build(mesh_, soup);
     triangles_.reserve(soup.triangles.size());
     for(const auto& t : soup.triangles)

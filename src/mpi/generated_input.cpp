@@ -36,12 +36,15 @@ Formula_surface make_surface(const Generation_options& options)
 {
   constexpr std::string_view prefix = "genus-";
   constexpr unsigned most_holes = 1000;
+  constexpr std::uint64_t most_triangles = std::uint64_t(1) << 40;
   const std::string_view name = options.surface;
   unsigned genus = 0;
   if(name.substr(0, prefix.size()) != prefix || parse_number(name.substr(prefix.size()), genus) != std::errc()
      || genus > most_holes)
     throw std::runtime_error("there is no surface " + quote(name) + ": those that are generated are genus-0 to genus-"
                              + std::to_string(most_holes));
+  if(options.number_of_triangles > most_triangles)
+    throw std::runtime_error("a generated surface has at most " + std::to_string(most_triangles) + " triangles");
   return Formula_surface(genus, options.number_of_triangles);
 }
 

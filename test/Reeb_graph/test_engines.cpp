@@ -10,6 +10,7 @@
 
 #include "generated_surfaces/mesh_builders.h"
 #include "generated_surfaces/random_meshes.h"
+#include "generated_surfaces/shuffle.h"
 #include "graph_checks.h"
 #include "known_meshes.h"
 #include "random_fields.h"
@@ -23,7 +24,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <numeric>
 #include <set>
 #include <type_traits>
 #include <utility>
@@ -454,20 +454,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_sweep_does_not_see_vertices_with_two_fans_to_be_
 }
 
 namespace {
-void shuffle(generated_surfaces::Triangle_soup& soup, Random& random)
-{
-  std::vector<std::size_t> new_numbers(soup.points.size());
-  std::iota(new_numbers.begin(), new_numbers.end(), 0);
-  random.shuffle(new_numbers);
-  const auto points = soup.points;
-  for(std::size_t i = 0; i != points.size(); ++i)
-    soup.points[new_numbers[i]] = points[i];
-  for(auto& triangle : soup.triangles)
-    for(auto& v : triangle)
-      v = new_numbers[v];
-  random.shuffle(soup.triangles);
-}
-
 std::vector<double> smooth_field(const Surface_mesh& mesh)
 {
   std::vector<double> values;
@@ -498,7 +484,7 @@ BOOST_AUTO_TEST_CASE(a_mesh_in_bad_order_has_the_graph_of_the_ordered_one)
   auto soup = generated_surfaces::closed_surface(3, 36000);
   const auto ordered_mesh = make_mesh<Surface_mesh>(soup);
   Random random(430000);
-  shuffle(soup, random);
+  generated_surfaces::shuffle(soup, random);
   auto mesh = make_mesh<Surface_mesh>(soup);
   const auto ordered_values = smooth_field(ordered_mesh), values = smooth_field(mesh);
   BOOST_TEST(!is_sweep_faster(ordered_mesh, ordered_values));

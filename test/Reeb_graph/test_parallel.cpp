@@ -10,6 +10,7 @@
 
 #include "computed_graphs.h"
 #include "generated_surfaces/generated_complexes.h"
+#include "generated_surfaces/shuffle.h"
 #include "throwing_traits.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
@@ -242,6 +243,16 @@ BOOST_AUTO_TEST_CASE(generated_surfaces_with_all_fields)
   compare_on_generated_surface(generated_surfaces::closed_surface(genus, 25000));
   BOOST_TEST_CONTEXT("terrain")
   compare_on_generated_surface(generated_surfaces::terrain(150, 150));
+}
+
+// Regular vertices of such a mesh are found by sweeps over its edges, if it is large.
+BOOST_AUTO_TEST_CASE(a_mesh_in_bad_order)
+{
+  auto soup = generated_surfaces::closed_surface(3, 36000);
+  Random random(2);
+  generated_surfaces::shuffle(soup, random);
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
+  compare(mesh, tilted_height(soup), Settings(), {Method::CONTOUR_TREES});
 }
 
 BOOST_AUTO_TEST_CASE(places_of_vertices_and_contours)

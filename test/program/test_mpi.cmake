@@ -197,6 +197,7 @@ expect_error_on_ranks(1 "no property 'q', but x, y, z, smooth" compute genus_3_1
 expect_error_on_ranks(1 "short.raw: the file ends too early" compute short.raw)
 expect_error_on_ranks(1 "other.raw: the file does not begin as a raw file" compute other.raw)
 expect_error_on_ranks(1 "there is no surface 'cube'" compute --generate cube --field x)
+expect_error_on_ranks(1 "has at most 1099511627776 triangles" compute --generate genus-3 --triangles 9000000000000000000 --field x)
 
 # what cannot be had on ranks is refused, and output that cannot be written is an error
 expect_error_on_ranks(1 "--html cannot be had on ranks" compute ${smooth} --html page.html)
