@@ -34,15 +34,6 @@ number_of_jobs() {
   echo $((jobs < 1 ? 1 : jobs < cores ? jobs : cores))
 }
 
-# run_on_ranks NUMBER PROGRAM...: runs a program on so many ranks of MPI, also on fewer cores. They are all on this
-# machine, and need no network; Open MPI asks to be told if root may do so.
-run_on_ranks() {
-  OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 PRTE_ALLOW_RUN_AS_ROOT=1 PRTE_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
-    OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe \
-    OMPI_MCA_hwloc_base_binding_policy=none PRTE_MCA_hwloc_default_binding_policy=none \
-    OMPI_MCA_pml=ob1 OMPI_MCA_btl=^tcp mpiexec -n "$@"
-}
-
 # Sources of one program are compiled several at a time, so that the templates that they share are compiled once.
 together=(-DCMAKE_UNITY_BUILD=ON)
 

@@ -8,29 +8,18 @@ as well. Memory is that of the rank that has most.
 
 import json
 import os
+import pathlib
 import subprocess
 import sys
 import tempfile
 
 programs, triangles, *numbers_of_ranks = sys.argv[1:]
-environment = {
-    **os.environ,
-    "OMPI_ALLOW_RUN_AS_ROOT": "1",
-    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-    "PRTE_ALLOW_RUN_AS_ROOT": "1",
-    "PRTE_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-    "OMPI_MCA_rmaps_base_oversubscribe": "1",
-    "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe",
-    "OMPI_MCA_hwloc_base_binding_policy": "none",
-    "PRTE_MCA_hwloc_default_binding_policy": "none",
-    "OMPI_MCA_pml": "ob1",
-    "OMPI_MCA_btl": "^tcp",
-}
+project = pathlib.Path(__file__).resolve().parents[2]
 
 
 def run_on_ranks(ranks, *arguments):
-    command = ["mpiexec", "-n", str(ranks), programs + "/reeb_graph_mpi", *arguments]
-    return subprocess.run(command, env=environment, check=True, capture_output=True, text=True).stdout
+    command = [project / "scripts" / "run_on_ranks", str(ranks), programs + "/reeb_graph_mpi", *arguments]
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
 def run_sequentially(*arguments):
