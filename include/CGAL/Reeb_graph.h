@@ -18,6 +18,7 @@
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/Critical_vertex_counts.h>
 #include <CGAL/Reeb_graph/Embedding.h>
+#include <CGAL/Reeb_graph/Error.h>
 #include <CGAL/Reeb_graph/Halfedge_chain.h>
 #include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/Reeb_graph/IO/attributes.h>
@@ -39,8 +40,10 @@
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/embed_complex.h>
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/graph_exceptions.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/Reeb_graph/index_maps.h>
+#include <CGAL/Reeb_graph/mesh_exceptions.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 #include <CGAL/Reeb_graph/piece_measures.h>

@@ -18,8 +18,9 @@ set(rooms_below_drawing base output simplification)
 set(rooms_below_distributed ${stages} public)
 set(rooms ${stages} augmentation embedding scalar_fields simplification curves drawing distributed)
 
-# the public headers that the stages may include: small ones, which include none of the others
-set(small_headers exceptions.h soup_exceptions.h options.h Node_kind.h Critical_vertex_counts.h)
+# the public headers that the stages may include: small ones, which include none but each other
+set(small_headers Error.h exceptions.h graph_exceptions.h mesh_exceptions.h soup_exceptions.h options.h Node_kind.h
+                  Critical_vertex_counts.h)
 # the public folders that belong to a room on top
 set(room_of_fields scalar_fields)
 set(room_of_simplification simplification)

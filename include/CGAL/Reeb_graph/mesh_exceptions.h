@@ -1,0 +1,159 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_MESH_EXCEPTIONS_H
+#define CGAL_REEB_GRAPH_MESH_EXCEPTIONS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Error.h>
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \addtogroup PkgReebGraphExceptions
+/// @{
+
+/// \brief thrown for a face that has not exactly three vertices.
+class Non_triangular_face_error : public Face_error
+{
+public:
+  /// constructs the exception for the face at position `face`.
+  explicit Non_triangular_face_error(std::size_t face) : Face_error(face, message("face ", face, " is not a triangle"))
+  {}
+};
+
+/// \brief thrown for a triangle that has the same vertex at two of its corners.
+class Degenerate_face_error : public Face_error
+{
+public:
+  /// constructs the exception for the face at position `face`.
+  explicit Degenerate_face_error(std::size_t face)
+    : Face_error(face, message("face ", face, " has one vertex at two of its corners"))
+  {}
+};
+
+/// \brief thrown for a 3-cell that is no tetrahedron with four different vertices.
+class Non_tetrahedral_cell_error : public Error
+{
+public:
+  /// constructs the exception for the 3-cell at position `cell`.
+  explicit Non_tetrahedral_cell_error(std::size_t cell)
+    : Error(message("3-cell ", cell, " is not a tetrahedron with four vertices")),
+      cell_(cell)
+  {}
+
+  /// the position of the 3-cell among those of its data structure.
+  std::size_t cell() const { return cell_; }
+
+private:
+  std::size_t cell_;
+};
+
+/// \brief thrown for an edge that is on no face.
+class Edge_without_face_error : public Error
+{
+public:
+  /// constructs the exception for the edge at position `edge`.
+  explicit Edge_without_face_error(std::size_t edge) : Error(message("edge ", edge, " is on no face")), edge_(edge) {}
+
+  /// the position of the edge in `edges(mesh)`.
+  std::size_t edge() const { return edge_; }
+
+private:
+  std::size_t edge_;
+};
+
+/// \brief thrown for a vertex whose faces form more than one fan.
+class Non_manifold_vertex_error : public Vertex_error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`.
+  explicit Non_manifold_vertex_error(std::size_t vertex)
+    : Vertex_error(vertex, message("vertex ", vertex, " is not manifold: its faces form more than one fan"))
+  {}
+};
+
+/// \brief thrown for a vertex that does not belong to the mesh.
+class Unknown_vertex_error : public Error
+{
+public:
+  Unknown_vertex_error() : Error("the vertex is not one of the mesh") {} ///< constructs the exception.
+};
+
+/// \brief thrown for a scalar value that the order does not place, such as NaN, and where the order is found to
+/// contradict itself.
+class Unordered_scalar_error : public Vertex_error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`, whose value is not placed.
+  explicit Unordered_scalar_error(std::size_t vertex)
+    : Vertex_error(vertex, message("the scalar value of vertex ", vertex, " is not a number (NaN)"))
+  {}
+
+  /// returns the exception for an order that is none, which has shown near the vertex at position `vertex`.
+  static Unordered_scalar_error contradiction_near(std::size_t vertex)
+  {
+    return Unordered_scalar_error(vertex, message("the order of the scalar values contradicts itself near vertex ",
+                                                  vertex, ": it is no strict weak order of them"));
+  }
+
+private:
+  Unordered_scalar_error(std::size_t vertex, const std::string& message) : Vertex_error(vertex, message) {}
+};
+
+/// \brief thrown for a scalar value or result that is infinite or NaN, by scalar fields, and where a field parametrizes
+/// arcs.
+class Non_finite_scalar_error : public Vertex_error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`.
+  explicit Non_finite_scalar_error(std::size_t vertex)
+    : Vertex_error(vertex, message("the scalar value of vertex ", vertex, " is not finite"))
+  {}
+};
+
+/// \brief thrown for a range of scalar values that is not as long as the range of vertices.
+class Scalar_count_error : public Error
+{
+public:
+  /// constructs the exception from the two lengths.
+  Scalar_count_error(std::size_t scalars, std::size_t vertices)
+    : Error(std::to_string(scalars) + " scalar values given for " + std::to_string(vertices) + " vertices")
+  {}
+};
+
+/// \brief thrown for an index map that does not number vertices, edges or faces one to one by non-negative integers
+/// less than 2<sup>32</sup> - 1.
+class Invalid_index_map_error : public Error
+{
+public:
+  /// constructs the exception for an index map over `simplices` (`"vertices"`, `"edges"` or `"faces"`).
+  explicit Invalid_index_map_error(const std::string& simplices)
+    : Error("the index map of the " + simplices + " is negative, too large, or the same for two of them")
+  {}
+};
+
+/// \brief thrown for a mesh of more than 2<sup>32</sup> - 2 vertices, halfedges or corners of faces.
+class Mesh_size_error : public Error
+{
+public:
+  /// constructs the exception.
+  Mesh_size_error() : Error("the mesh has more vertices, halfedges, or corners of faces than 32-bit indices can number")
+  {}
+};
+
+/// @}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_MESH_EXCEPTIONS_H
