@@ -72,6 +72,14 @@ public:
     return are_there ? bytes_.substr(0, element.number * size) : std::string_view();
   }
 
+  void skip(const Element& element)
+  {
+    std::vector<double> ignored;
+    for(std::size_t i = 0; i < element.number && !element.properties.empty(); ++i)
+      for(const Property& property : element.properties)
+        read(property, ignored);
+  }
+
   bool is_reversed() const { return (format_ == Format::BINARY_BIG_ENDIAN) != is_machine_big_endian(); }
   void skip(std::string_view records) { bytes_.remove_prefix(records.size()); }
   Column column(const Element& element, std::size_t place) const { return {element, place, is_reversed()}; }

@@ -57,6 +57,8 @@ struct Element
   std::size_t number = 0;
   std::vector<Property> properties;
 
+  bool is_vertex() const { return name == "vertex" || name == "vertices"; }
+
   // The place of the first property that has one of the names, the number of properties if there is none.
   std::size_t find(std::initializer_list<std::string_view> names) const
   {

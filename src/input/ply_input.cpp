@@ -21,11 +21,8 @@
 #include <atomic>
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <string>
-#include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -171,70 +168,18 @@ void read_polygons(Text_input& input, const Element& element, Data& data, Polygo
         data.read(element.properties[j], ignored);
 }
 
-void skip(const Element& element, Data& data)
-{
-  std::vector<double> ignored;
-  for(std::size_t i = 0; i < element.number && !element.properties.empty(); ++i)
-    for(const Property& property : element.properties)
-      data.read(property, ignored);
-}
-
-bool is_vertex_element(const Element& element) { return element.name == "vertex" || element.name == "vertices"; }
-
-template <class Number>
-Vertex_property<Number> add_property(Surface& surface, const std::string& name)
-{
-  return surface.add_property_map<Surface::Vertex_index, Number>("v:" + name).first;
-}
-
-Any_vertex_property add_property(Surface& surface, const Property& property)
-{
-  return ply::call_with_number(property.type, [&](auto number) -> Any_vertex_property {
-    return add_property<decltype(number)>(surface, property.name);
-  });
-}
-
-void read_vertex_properties(const Element& element,
-                            Data& data,
-                            Surface& surface,
-                            std::vector<Any_vertex_property>& result)
-{
-  // those that are read otherwise, and names that the surface has for other types
-  std::set<std::string> names = {"x", "y", "z", "scalar", "point", "connectivity", "removed", "normal", "color"};
-  std::vector<std::optional<Any_vertex_property>> maps;
-  for(const Property& property : element.properties)
-  {
-    const bool is_kept = !property.is_list() && names.insert(property.name).second;
-    maps.push_back(is_kept ? std::make_optional(add_property(surface, property)) : std::nullopt);
-  }
-  std::vector<double> numbers;
-  for(const Surface::Vertex_index v : surface.vertices())
-    for(std::size_t j = 0; j < maps.size(); ++j)
-    {
-      data.read(element.properties[j], numbers);
-      const auto store = [&](const auto& map) {
-        map[v] = static_cast<typename std::decay_t<decltype(map)>::value_type>(numbers.front());
-      };
-      if(maps[j])
-        std::visit(store, *maps[j]);
-    }
-  for(const auto& map : maps)
-    if(map)
-      result.push_back(*map);
-}
-
 Polygon_soup read_elements(Text_input& input, const ply::Header& header, const std::string& vertex_property)
 {
   Data data(input, header.format);
   Polygon_soup soup;
   for(const Element& element : header.elements)
   {
-    if(is_vertex_element(element))
+    if(element.is_vertex())
       read_points(input, element, vertex_property, data, soup);
     else if(element.name == "face" || element.name == "faces")
       read_polygons(input, element, data, soup.polygons);
     else
-      skip(element, data);
+      data.skip(element);
   }
   data.check_end();
   return soup;
@@ -288,26 +233,6 @@ std::optional<Polygon_soup> read_blocks(const Text_blocks& blocks,
 }
 
 } // namespace
-
-std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& path, Surface& surface)
-{
-  const File_contents file(path);
-  Text_input input(path, file.text());
-  const ply::Header header = ply::read_header(input);
-  Data data(input, header.format);
-  std::vector<Any_vertex_property> properties;
-  for(const Element& element : header.elements)
-  {
-    if(!is_vertex_element(element))
-    {
-      skip(element, data);
-      continue;
-    }
-    read_vertex_properties(element, data, surface, properties);
-    break;
-  }
-  return properties;
-}
 
 Polygon_soup read_ply(const std::string& path, const std::string& vertex_property)
 {

@@ -1,0 +1,92 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "input/File_contents.h"
+#include "input/mesh_formats.h"
+#include "input/ply_data.h"
+#include "input/ply_header.h"
+#include "input/text_input.h"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace reeb_graph_program {
+namespace {
+using ply::Data;
+using ply::Element;
+using ply::Property;
+
+template <class Number>
+Vertex_property<Number> add_property(Surface& surface, const std::string& name)
+{
+  return surface.add_property_map<Surface::Vertex_index, Number>("v:" + name).first;
+}
+
+Any_vertex_property add_property(Surface& surface, const Property& property)
+{
+  return ply::call_with_number(property.type, [&](auto number) -> Any_vertex_property {
+    return add_property<decltype(number)>(surface, property.name);
+  });
+}
+
+void read_vertex_properties(const Element& element,
+                            Data& data,
+                            Surface& surface,
+                            std::vector<Any_vertex_property>& result)
+{
+  // those that are read otherwise, and names that the surface has for other types
+  std::set<std::string> names = {"x", "y", "z", "scalar", "point", "connectivity", "removed", "normal", "color"};
+  std::vector<std::optional<Any_vertex_property>> maps;
+  for(const Property& property : element.properties)
+  {
+    const bool is_kept = !property.is_list() && names.insert(property.name).second;
+    maps.push_back(is_kept ? std::make_optional(add_property(surface, property)) : std::nullopt);
+  }
+  std::vector<double> numbers;
+  for(const Surface::Vertex_index v : surface.vertices())
+    for(std::size_t j = 0; j < maps.size(); ++j)
+    {
+      data.read(element.properties[j], numbers);
+      const auto store = [&](const auto& map) {
+        map[v] = static_cast<typename std::decay_t<decltype(map)>::value_type>(numbers.front());
+      };
+      if(maps[j])
+        std::visit(store, *maps[j]);
+    }
+  for(const auto& map : maps)
+    if(map)
+      result.push_back(*map);
+}
+
+} // namespace
+
+std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& path, Surface& surface)
+{
+  const File_contents file(path);
+  Text_input input(path, file.text());
+  const ply::Header header = ply::read_header(input);
+  Data data(input, header.format);
+  std::vector<Any_vertex_property> properties;
+  for(const Element& element : header.elements)
+  {
+    if(!element.is_vertex())
+    {
+      data.skip(element);
+      continue;
+    }
+    read_vertex_properties(element, data, surface, properties);
+    break;
+  }
+  return properties;
+}
+
+} // namespace reeb_graph_program
