@@ -14,8 +14,8 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/simplification/Leaf_arc.h>
 #include <CGAL/Reeb_graph/internal/simplification/Leaf_queue.h>
+#include <CGAL/Reeb_graph/internal/simplification/Places_taken_up.h>
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -42,13 +42,8 @@ public:
   Weighted_leaf_pruning(Index number_of_nodes, const std::vector<Arc>& arcs, const std::vector<Weight>& weights)
     : number_of_nodes_(number_of_nodes),
       nodes_(number_of_nodes),
-      places_(number_of_nodes + arcs.size())
+      places_(number_of_nodes, number_of_nodes + arcs.size(), weights)
   {
-    for(Index place = 0; place != places_.size(); ++place)
-    {
-      const bool is_node = place < number_of_nodes;
-      places_[place] = {place, {weights[place], is_node ? place : Index(no_index), is_node ? place : 0}};
-    }
     arcs_.reserve(arcs.size());
     for(const Arc& arc : arcs)
     {
@@ -117,7 +112,7 @@ public:
   {
     nodes_[arcs_[arc].ends.lower].remove(upper_side, arc);
     nodes_[arcs_[arc].ends.upper].remove(lower_side, arc);
-    take_up(place_of_arc(arc), owner);
+    places_.take_up(place_of_arc(arc), owner);
     for(const Index node : {arcs_[arc].ends.lower, arcs_[arc].ends.upper})
       number_of_leaves_ += is_leaf(node) ? 1 : 0;
   }
@@ -126,7 +121,7 @@ public:
   Index number_of_arcs() const { return static_cast<Index>(arcs_.size()); }
 
   // Whether a place is one of the graph that is left.
-  bool is_left(Index place) const { return places_[place].owner == place; }
+  bool is_left(Index place) const { return places_.is_left(place); }
   const Arc& arc(Index arc) const { return arcs_[arc].ends; }
   Index place_of_arc(Index arc) const { return number_of_nodes_ + arc; }
   Index in_degree(Index node) const { return nodes_[node].degrees[lower_side]; }
@@ -137,8 +132,8 @@ public:
   Index arc_of_leaf(Index leaf) const { return nodes_[leaf].arcs[is_minimum(leaf) ? upper_side : lower_side]; }
   Leaf_arc leaf_arc_of(Index leaf) const
   {
-    Content content = places_[leaf].content;
-    content.add(places_[place_of_arc(arc_of_leaf(leaf))].content);
+    typename Places::Content content = places_.content(leaf);
+    content.add(places_.content(place_of_arc(arc_of_leaf(leaf))));
     return {leaf, saddle_of_leaf(leaf), is_minimum(leaf), content.weight, content.lowest, content.highest};
   }
 
@@ -153,23 +148,14 @@ public:
       visit(piece);
   }
 
-  // By place, the place that has taken it up in the end.
-  std::vector<Index> find_owners() const
-  {
-    return follow_owners(
-      [](Index owner, Index result_of_owner) { return result_of_owner == no_index ? owner : result_of_owner; });
-  }
-
-  // By place, the node at which the last branch was that has been removed with it, no_index if none has: so each place
-  // that has been removed together with a branch is told from those that arcs consist of.
-  std::vector<Index> find_saddles() const
-  {
-    return follow_owners([&](Index owner, Index result_of_owner) {
-      return result_of_owner == no_index && owner < number_of_nodes_ ? owner : result_of_owner;
-    });
-  }
+  // By place, the one that has taken it up in the end, and the node at which the last branch was that has been removed
+  // with it, see Places_taken_up.
+  std::vector<Index> find_owners() const { return places_.find_owners(); }
+  std::vector<Index> find_saddles() const { return places_.find_saddles(); }
 
 private:
+  typedef Places_taken_up<Weight> Places;
+
   static constexpr int lower_side = 0, upper_side = 1;
 
   // The arcs at each side of a node: how many, and the exclusive or of all their numbers, which is the number of the
@@ -205,34 +191,14 @@ private:
     return nodes_[saddle_of_leaf(leaf)].degrees[is_minimum(leaf) ? lower_side : upper_side] > 1;
   }
 
-  // What a place is made of: itself and all that it has taken up.
-  struct Content
-  {
-    Weight weight;
-    Index lowest, highest; // of the nodes
-
-    void add(const Content& other)
-    {
-      weight += other.weight;
-      lowest = (std::min)(lowest, other.lowest);
-      highest = (std::max)(highest, other.highest);
-    }
-  };
-
-  void take_up(Index place, Index owner)
-  {
-    places_[place].owner = owner;
-    places_[owner].content.add(places_[place].content);
-  }
-
   template <class Consider>
   void remove(Index leaf, const Consider& consider)
   {
     const Index arc = arc_of_leaf(leaf), saddle = saddle_of_leaf(leaf);
     nodes_[saddle].remove(is_minimum(leaf) ? lower_side : upper_side, arc);
     nodes_[leaf] = Node();
-    take_up(place_of_arc(arc), saddle);
-    take_up(leaf, saddle);
+    places_.take_up(place_of_arc(arc), saddle);
+    places_.take_up(leaf, saddle);
     --number_of_leaves_;
     if(is_passed(saddle))
     {
@@ -250,34 +216,14 @@ private:
   Arc join_at(Index node)
   {
     const Index below = nodes_[node].arcs[lower_side], above = nodes_[node].arcs[upper_side];
-    take_up(node, place_of_arc(below));
-    take_up(place_of_arc(above), place_of_arc(below));
+    places_.take_up(node, place_of_arc(below));
+    places_.take_up(place_of_arc(above), place_of_arc(below));
     arcs_[arcs_[below].last_piece].next_piece = above;
     arcs_[below].last_piece = arcs_[above].last_piece;
     arcs_[below].ends.upper = arcs_[above].ends.upper;
     nodes_[node] = Node();
     nodes_[arcs_[below].ends.upper].arcs[lower_side] ^= above ^ below;
     return arcs_[below].ends;
-  }
-
-  // By place, what choose(owner, result of the owner) gives; no_index for a place that is left.
-  template <class Choose>
-  std::vector<Index> follow_owners(const Choose& choose) const
-  {
-    std::vector<Index> results(places_.size(), no_index), path;
-    std::vector<bool> is_known(places_.size(), false);
-    for(Index first = 0; first != places_.size(); ++first)
-    {
-      for(Index place = first; !is_known[place] && !is_left(place); place = places_[place].owner)
-        path.push_back(place);
-      for(; !path.empty(); path.pop_back())
-      {
-        const Index place = path.back();
-        results[place] = choose(places_[place].owner, results[places_[place].owner]);
-        is_known[place] = true;
-      }
-    }
-    return results;
   }
 
   struct Arc_record
@@ -287,17 +233,11 @@ private:
     Index last_piece; // of this arc
   };
 
-  struct Place
-  {
-    Index owner; // itself, if it is left
-    Content content;
-  };
-
   Index number_of_nodes_;
   Index number_of_leaves_ = 0;
   std::vector<Arc_record> arcs_; // those that have been joined are the lowest of them
   std::vector<Node> nodes_;
-  std::vector<Place> places_;
+  Places places_;
 };
 
 typedef Weighted_leaf_pruning<double> Leaf_pruning;
