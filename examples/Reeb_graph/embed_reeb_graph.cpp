@@ -4,8 +4,8 @@
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/IO.h>
+#include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/embed.h>
-#include <CGAL/Reeb_graph/piece_measures.h>
 #include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 #include <CGAL/compute_reeb_graph.h>
 

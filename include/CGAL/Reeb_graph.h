@@ -37,6 +37,7 @@
 #include <CGAL/Reeb_graph/Soup_contour.h>
 #include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
 #include <CGAL/Reeb_graph/Vertex_locations.h>
+#include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/embed_complex.h>
 #include <CGAL/Reeb_graph/exceptions.h>

@@ -11,7 +11,7 @@
 #include "base/progress_bar.h"
 
 #include <CGAL/Reeb_graph/IO/polylines.h>
-#include <CGAL/Reeb_graph/piece_measures.h>
+#include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <functional>

@@ -13,6 +13,7 @@
 #include "simplification_oracle.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/curves/segmentation.h>
 #include <CGAL/Reeb_graph/piece_measures.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>

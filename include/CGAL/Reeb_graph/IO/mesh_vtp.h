@@ -12,7 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/IO/attributes.h>
-#include <CGAL/Reeb_graph/IO/polylines.h>
+#include <CGAL/Reeb_graph/internal/base/point_map.h>
 #include <CGAL/Reeb_graph/internal/output/Vtp_document.h>
 #include <CGAL/Reeb_graph/internal/output/files.h>
 

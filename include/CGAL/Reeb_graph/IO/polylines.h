@@ -11,36 +11,21 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
+#include <CGAL/Reeb_graph/internal/base/point_map.h>
 #include <CGAL/Reeb_graph/internal/output/files.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <boost/property_map/property_map.hpp>
-
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <ostream>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
-namespace internal {
-
-template <class FaceGraph, class NamedParameters>
-auto choose_point_map(const FaceGraph& mesh, const NamedParameters& np)
-{
-  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                      get_const_property_map(CGAL::vertex_point, mesh));
-}
-
-template <class FaceGraph, class NamedParameters>
-using Point_of_mesh = typename boost::property_traits<std::decay_t<
-  decltype(choose_point_map(std::declval<const FaceGraph&>(), std::declval<const NamedParameters&>()))>>::value_type;
-
-} // namespace internal
 
 /// \ingroup PkgReebGraphIO
 ///
@@ -110,16 +95,13 @@ template <class SoupContour, class PointRange>
 auto polylines_of_contour(const SoupContour& contour, const PointRange& vertex_points)
 {
   typedef typename std::iterator_traits<decltype(std::begin(vertex_points))>::value_type Point;
+  const auto point_of = [&](std::size_t v) -> decltype(auto) { return *(std::begin(vertex_points) + v); };
   std::vector<std::vector<Point>> polylines;
   for(const auto& polyline : contour.polylines)
   {
     polylines.emplace_back();
     for(const auto i : polyline)
-    {
-      const Point& lower = *(std::begin(vertex_points) + contour.edges[i].first);
-      const Point& upper = *(std::begin(vertex_points) + contour.edges[i].second);
-      polylines.back().push_back(lower + contour.fractions[i] * (upper - lower));
-    }
+      polylines.back().push_back(internal::point_of_crossing(contour, i, point_of));
   }
   return polylines;
 }

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/point_map.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -69,8 +70,7 @@ void compute_height_field(const VertexListGraph& mesh,
     if(!CGAL::is_finite(direction.x()) || !CGAL::is_finite(direction.y()) || !CGAL::is_finite(direction.z())
        || (CGAL::is_zero(direction.x()) && CGAL::is_zero(direction.y()) && CGAL::is_zero(direction.z())))
       throw Direction_error();
-    const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                        get_const_property_map(CGAL::vertex_point, mesh));
+    const auto point_map = internal::choose_point_map(mesh, np);
     typedef std::decay_t<decltype(direction.x())> Number;
     std::vector<Number> heights;
     for(const auto v : make_range(vertices(mesh)))

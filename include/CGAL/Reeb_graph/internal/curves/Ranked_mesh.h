@@ -91,9 +91,7 @@ public:
 
   auto point_between(vertex_descriptor u, vertex_descriptor w, double t) const
   {
-    const auto& p = get(vertex_point_map_, u);
-    const auto& q = get(vertex_point_map_, w);
-    return p + t * (q - p);
+    return internal::point_between(get(vertex_point_map_, u), get(vertex_point_map_, w), t);
   }
 
   double distance(vertex_descriptor u, vertex_descriptor w) const

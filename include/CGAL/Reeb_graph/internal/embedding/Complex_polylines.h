@@ -55,10 +55,7 @@ protected:
   {
     std::vector<Point> points;
     for(std::size_t i = 0; i != contour.edges.size(); ++i)
-    {
-      const Point lower = point(contour.edges[i].first), upper = point(contour.edges[i].second);
-      points.push_back(lower + contour.fractions[i] * (upper - lower));
-    }
+      points.push_back(point_of_crossing(contour, i, [&](std::size_t v) { return point(v); }));
     return points;
   }
 

@@ -151,8 +151,8 @@ private:
     for(const halfedge_descriptor edge : level_path(mesh, value, h, end))
     {
       const vertex_descriptor from = source(edge, mesh), to = target(edge, mesh);
-      const auto a = get(point_map_, from), b = get(point_map_, to);
-      line.add(a + crossing_fraction(value(from), value(to), level) * (b - a), level);
+      const double fraction = crossing_fraction(value(from), value(to), level);
+      line.add(point_between(get(point_map_, from), get(point_map_, to), fraction), level);
     }
   }
 

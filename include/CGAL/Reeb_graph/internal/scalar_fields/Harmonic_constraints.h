@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/field_constraints.h>
+#include <CGAL/Reeb_graph/internal/base/point_map.h>
 #include <CGAL/Reeb_graph/internal/mesh/border_cycles.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -50,10 +51,7 @@ public:
     fix_borders();
     std::vector<std::pair<vertex_descriptor, vertex_descriptor>> ends;
     // The callback is that of the field, whose progress begins later.
-    find_far_apart_vertices(
-      mesh, std::back_inserter(ends),
-      parameters::vertex_point_map(parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh))));
+    find_far_apart_vertices(mesh, std::back_inserter(ends), parameters::vertex_point_map(choose_point_map(mesh, np)));
     for(const auto& pair : ends)
     {
       if(get(is_reached_, pair.first))

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/point_map.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/mesh/Descriptor_positions.h>
 #include <CGAL/Reeb_graph/internal/mesh/Surface_mesh_complex.h>
@@ -98,8 +99,7 @@ public:
       positions_(make_vertex_positions(mesh, vertices_, parameters::default_values()))
   {
     checked_index(vertices_.size());
-    read_points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                             get_const_property_map(CGAL::vertex_point, mesh)));
+    read_points(choose_point_map(mesh, np));
     read_triangles(mesh);
   }
 
