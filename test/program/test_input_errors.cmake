@@ -4,6 +4,23 @@ include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 set(graph --graph graph.graphml)
 file(WRITE ${FOLDER}/tetrahedron.off "${tetrahedron_off}")
 
+# Expects the message for a file of this content, in a field of its mesh.
+function(expect_error_of_file name content pattern)
+  file(WRITE ${FOLDER}/${name} "${content}")
+  expect_error("${pattern}" compute ${name} ${ARGN} ${graph})
+endfunction()
+
+# Expects a message for each of several files of this name, given as "MESSAGE|CONTENT", before which there is `begin`.
+function(expect_errors_of_files name begin)
+  foreach(item IN LISTS ARGN)
+    string(FIND "${item}" "|" end)
+    string(SUBSTRING "${item}" 0 ${end} pattern)
+    math(EXPR end "${end} + 1")
+    string(SUBSTRING "${item}" ${end} -1 content)
+    expect_error_of_file(${name} "${begin}${content}" "${name}:.*${pattern}" --field z)
+  endforeach()
+endfunction()
+
 # the command line
 expect_error("a command is needed: compute, contour, curves, field, demo")
 expect_error("there is no command 'paint': compute" paint tetrahedron.off)
@@ -34,9 +51,9 @@ foreach(name missing.off empty.off text.off truncated.off no_faces_left.off text
 endforeach()
 
 # files that are a mesh up to some place
-file(WRITE ${FOLDER}/one_face_more.off
-     "OFF\n4 3 0\n0 0 0\n4 0 0.25\n0 4 0.5\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n# end\n")
-expect_error("one_face_more.off:10: there are more faces than the 3" compute one_face_more.off --field z ${graph})
+expect_error_of_file(
+  one_face_more.off "OFF\n4 3 0\n0 0 0\n4 0 0.25\n0 4 0.5\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n# end\n"
+  "one_face_more.off:10: there are more faces than the 3" --field z)
 set(vertices_obj "v 0 0 0\nv 4 0 0.25\nv 0 4 0.5\n")
 foreach(face "1 2 3 junk" "0 1 2" "1 2 3x" "1 2 -4" "1 2 9")
   file(WRITE ${FOLDER}/face.obj "${vertices_obj}f ${face}\nv 0 0 1\n")
@@ -56,33 +73,26 @@ expect_success(compute header.ply --field z)
 string(REPLACE "float x" "int64 x" ply_other_type "${ply_vertices}")
 string(REPLACE "float x" "float u" ply_no_x "${ply_vertices}")
 string(REPLACE "element" "elemnt" ply_misspelt "${ply_vertices}")
-foreach(content
-    "3: 'property' has no place|${ply_begin}property float x\n${ply_vertices}${ply_faces}${ply_data}"
-    "4: 'int64' is no type|${ply_begin}${ply_other_type}${ply_faces}${ply_data}"
-    "no x, y and z|${ply_begin}${ply_no_x}${ply_faces}${ply_data}"
-    "3: 'elemnt' has no place|${ply_begin}${ply_misspelt}${ply_faces}${ply_data}"
-    "no list of vertices|${ply_begin}${ply_vertices}element face 1\nproperty int vertex_indices\n${ply_data}"
-    "8: the header does not end|${ply_begin}${ply_vertices}${ply_faces}"
-    "14: there is more|${ply_begin}${ply_vertices}${ply_faces}${ply_data}3 0 1 2\n"
-    "a number is missing|${ply_begin}element vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\n${ply_faces}${ply_data}"
-    "'2147483648' is not a number that is possible|${ply_begin}${ply_vertices}${ply_faces}end_header\n0 0 0\n1 0 0\n0 1 1\n3 0 1 2147483648\n")
-  string(FIND "${content}" "|" end)
-  string(SUBSTRING "${content}" 0 ${end} pattern)
-  math(EXPR begin "${end} + 1")
-  string(SUBSTRING "${content}" ${begin} -1 content)
-  file(WRITE ${FOLDER}/header.ply "${content}")
-  expect_error("header.ply:.*${pattern}" compute header.ply --field z ${graph})
-endforeach()
+expect_errors_of_files(
+  header.ply "${ply_begin}"
+  "3: 'property' has no place|property float x\n${ply_vertices}${ply_faces}${ply_data}"
+  "4: 'int64' is no type|${ply_other_type}${ply_faces}${ply_data}"
+  "no x, y and z|${ply_no_x}${ply_faces}${ply_data}"
+  "3: 'elemnt' has no place|${ply_misspelt}${ply_faces}${ply_data}"
+  "no list of vertices|${ply_vertices}element face 1\nproperty int vertex_indices\n${ply_data}"
+  "8: the header does not end|${ply_vertices}${ply_faces}"
+  "14: there is more|${ply_vertices}${ply_faces}${ply_data}3 0 1 2\n"
+  "a number is missing|element vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\n${ply_faces}${ply_data}"
+  "'2147483648' is not a number that is possible|${ply_vertices}${ply_faces}end_header\n0 0 0\n1 0 0\n0 1 1\n3 0 1 2147483648\n")
 file(WRITE ${FOLDER}/colours.off "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 255\n0 1 1\n3 0 1 2 -7\n")
 expect_success(compute colours.off --field z)
-file(WRITE ${FOLDER}/corners.off "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 1\n1000000000000 0 1 2\n")
-expect_error("corners.off:6: a number is missing" compute corners.off --field z ${graph})
-file(WRITE ${FOLDER}/fraction.off "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 1\n3 0 1 1.5\n")
-expect_error("fraction.off:6: '1.5' is not" compute fraction.off --field z ${graph})
-file(WRITE ${FOLDER}/binary.off "OFF BINARY\n")
-expect_error("binary OFF files are not read" compute binary.off --field z ${graph})
-file(WRITE ${FOLDER}/infinite.off "OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 1\n3 0 1 2\n")
-expect_error("vertex 1 has a coordinate that is not a finite number" compute infinite.off --field x ${graph})
+expect_error_of_file(corners.off "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 1\n1000000000000 0 1 2\n"
+                     "corners.off:6: a number is missing" --field z)
+expect_error_of_file(fraction.off "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 1\n3 0 1 1.5\n"
+                     "fraction.off:6: '1.5' is not" --field z)
+expect_error_of_file(binary.off "OFF BINARY\n" "binary OFF files are not read" --field z)
+expect_error_of_file(infinite.off "OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 1\n3 0 1 2\n"
+                     "vertex 1 has a coordinate that is not a finite number" --field x)
 file(WRITE ${FOLDER}/four_corners.stl "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n"
      "vertex 0 1 0\nendloop\nendfacet\nendsolid\n")
 expect_error("four_corners.stl:7: 'vertex' instead of 'endloop'" compute four_corners.stl --field x ${graph})
@@ -91,43 +101,46 @@ foreach(facet "0 0 0;0 1 0;1 0 0" "0 0 0;1 0 0;0 0 1" "1 0 0;0 1 0;0 0 1" "0 1 0
   list(JOIN facet "\nvertex " corners)
   string(APPEND facets "facet normal 0 0 0\nouter loop\nvertex ${corners}\nendloop\nendfacet\n")
 endforeach()
-file(WRITE ${FOLDER}/nan.stl "${facets}endsolid\n")
-expect_error("vertex 4 has a coordinate that is not a finite number" compute nan.stl --field x ${graph})
+expect_error_of_file(nan.stl "${facets}endsolid\n" "vertex 4 has a coordinate that is not a finite number" --field x)
 
 # faces that are wrong
-file(WRITE ${FOLDER}/out_of_range.off "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 7\n")
-expect_error("out_of_range.off" compute out_of_range.off --field z ${graph})
-file(WRITE ${FOLDER}/repeated.off "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 2\n")
-expect_error("face 1 has vertex 2 at two of its corners" compute repeated.off --field z ${graph})
-file(WRITE ${FOLDER}/two_corners.off "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n")
-expect_error("face 1 has fewer than three vertices" compute two_corners.off --field z --triangulate ${graph})
-file(WRITE ${FOLDER}/quad.off "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n3 1 4 2\n4 0 1 2 3\n")
-expect_error("face 1 has 4 vertices and is not a triangle; --triangulate" compute quad.off --field x ${graph})
+expect_error_of_file(out_of_range.off "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 7\n"
+                     "out_of_range.off" --field z)
+expect_error_of_file(repeated.off "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 2\n"
+                     "face 1 has vertex 2 at two of its corners" --field z)
+expect_error_of_file(two_corners.off "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n"
+                     "face 1 has fewer than three vertices" --field z --triangulate)
+expect_error_of_file(quad.off "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n3 1 4 2\n4 0 1 2 3\n"
+                     "face 1 has 4 vertices and is not a triangle; --triangulate" --field x)
 
 # curves need a surface that is manifold, and orientable
-set(pants --type pants --curves curves.polylines.txt)
-file(WRITE ${FOLDER}/three_faces_at_an_edge.off
-     "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n")
-expect_error("edge between the vertices 0 and 1 has 3 faces; .*orient_polygon_soup" curves three_faces_at_an_edge.off
-             --field z ${pants})
-file(WRITE ${FOLDER}/two_fans.off
-     "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n3 0 1 2\n3 0 3 4\n")
-expect_error("the faces at vertex 0 form 2 fans; .*orient_polygon_soup" curves two_fans.off --field x ${pants})
-file(WRITE ${FOLDER}/two_closed_fans.off "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n"
-     "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 0 5 6\n")
-expect_error("the faces at vertex 0 form 2 fans" curves two_closed_fans.off --field x ${pants})
-file(WRITE ${FOLDER}/moebius_strip.off "OFF\n5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n0 0 2\n"
-     "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n")
-expect_error("cannot be oriented, which shows at the edge of the vertices [0-4] and [0-4]; .*orient_polygon_soup"
-             curves moebius_strip.off --field z ${pants})
-file(WRITE ${FOLDER}/duplicate.off "OFF\n4 5 0\n0 0 0\n1 0 1\n0 1 2\n1 1 3\n"
-     "3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n3 3 0 2\n")
-expect_error("1 face repeats an earlier one, the first one, face 4; .*merge_duplicate_polygons_in_polygon_soup"
-             curves duplicate.off --field z ${pants})
-file(WRITE ${FOLDER}/free_edges.mesh "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 1 0\n0 1 2 0\n"
-     "0 0 3 0\n0 0 4 0\nTriangles\n1\n1 2 3 0\nEdges\n3\n1 2 0\n5 4 0\n4 2 0\nEnd\n")
-expect_error("2 edges are on no face, the first one, of the vertices 1 and 3; without such edges" curves free_edges.mesh
-             --field z ${pants})
+function(expect_error_of_curves name content pattern)
+  file(WRITE ${FOLDER}/${name} "${content}")
+  expect_error("${pattern}" curves ${name} ${ARGN} --type pants --curves curves.polylines.txt)
+endfunction()
+
+expect_error_of_curves(
+  three_faces_at_an_edge.off "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n"
+  "edge between the vertices 0 and 1 has 3 faces; .*orient_polygon_soup" --field z)
+expect_error_of_curves(
+  two_fans.off "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n3 0 1 2\n3 0 3 4\n"
+  "the faces at vertex 0 form 2 fans; .*orient_polygon_soup" --field x)
+expect_error_of_curves(
+  two_closed_fans.off "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n\
+3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 0 5 6\n"
+  "the faces at vertex 0 form 2 fans" --field x)
+expect_error_of_curves(
+  moebius_strip.off "OFF\n5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n0 0 2\n\
+3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n"
+  "cannot be oriented, which shows at the edge of the vertices [0-4] and [0-4]; .*orient_polygon_soup" --field z)
+expect_error_of_curves(
+  duplicate.off "OFF\n4 5 0\n0 0 0\n1 0 1\n0 1 2\n1 1 3\n\
+3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n3 3 0 2\n"
+  "1 face repeats an earlier one, the first one, face 4; .*merge_duplicate_polygons_in_polygon_soup" --field z)
+expect_error_of_curves(
+  free_edges.mesh "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 1 0\n0 1 2 0\n\
+0 0 3 0\n0 0 4 0\nTriangles\n1\n1 2 3 0\nEdges\n3\n1 2 0\n5 4 0\n4 2 0\nEnd\n"
+  "2 edges are on no face, the first one, of the vertices 1 and 3; without such edges" --field z)
 
 # what else needs one
 foreach(option "--html page.html" "--mesh-out mesh.ply" "--table" "--embedding centroids;--graph graph.obj"
@@ -145,71 +158,57 @@ expect_error("there is no vertex 5: the mesh has 5" compute three_faces_at_an_ed
 
 # cells that are wrong
 set(medit_points "MeshVersionFormatted 1\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n")
-foreach(content
-    "tetrahedron 0 has a vertex that does not exist|Tetrahedra 1\n1 2 3 5 0\nEnd\n"
-    "tetrahedron 1 has vertex 2 at two of its corners|Tetrahedra 2\n1 2 3 4 0\n1 3 2 3 0\nEnd\n"
-    "face 0 has a vertex that does not exist|Triangles 1\n1 2 9 0\nEnd\n"
-    "edge 0 has vertex 1 at two of its corners|Edges 1\n2 2 0\nEnd\n"
-    "wrong.mesh:10: there is no vertex 0|Tetrahedra 1\n0 2 3 4 0\nEnd\n"
-    "wrong.mesh:9: 'Hexahedra' is no section|Hexahedra 1\n1 2 3 4 1 2 3 4 0\nEnd\n"
-    "a number is missing|Tetrahedra 2\n1 2 3 4 0\n")
-  string(REPLACE "|" ";" content "${content}")
-  list(GET content 0 pattern)
-  list(GET content 1 cells)
-  file(WRITE ${FOLDER}/wrong.mesh "${medit_points}${cells}")
-  expect_error("${pattern}" compute wrong.mesh --field z ${graph})
-endforeach()
+expect_errors_of_files(
+  wrong.mesh "${medit_points}"
+  "tetrahedron 0 has a vertex that does not exist|Tetrahedra 1\n1 2 3 5 0\nEnd\n"
+  "tetrahedron 1 has vertex 2 at two of its corners|Tetrahedra 2\n1 2 3 4 0\n1 3 2 3 0\nEnd\n"
+  "face 0 has a vertex that does not exist|Triangles 1\n1 2 9 0\nEnd\n"
+  "edge 0 has vertex 1 at two of its corners|Edges 1\n2 2 0\nEnd\n"
+  "10: there is no vertex 0|Tetrahedra 1\n0 2 3 4 0\nEnd\n"
+  "9: 'Hexahedra' is no section|Hexahedra 1\n1 2 3 4 1 2 3 4 0\nEnd\n"
+  "a number is missing|Tetrahedra 2\n1 2 3 4 0\n")
 set(vtk_points "# vtk DataFile Version 3.0\nwrong\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
                "0 0 0 1 0 0 0 1 0 0 0 1\n")
 string(JOIN "" vtk_points ${vtk_points})
-foreach(content
-    "cells of type 12 of VTK are not read: the types are 1 to 10|CELLS 1 9\n8 0 1 2 3 0 1 2 3\nCELL_TYPES 1\n12\n"
-    "a cell of type 10 of VTK cannot have 3 vertices|CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n"
-    "there are 1 cells, and types of 0|CELLS 1 5\n4 0 1 2 3\n"
-    "tetrahedron 0 has a vertex that does not exist|CELLS 1 5\n4 0 1 2 4\nCELL_TYPES 1\n10\n"
-    "the cells have 5 numbers instead of 6|CELLS 1 6\n4 0 1 2 3\nCELL_TYPES 1\n10\n")
-  string(REPLACE "|" ";" content "${content}")
-  list(GET content 0 pattern)
-  list(GET content 1 cells)
-  file(WRITE ${FOLDER}/wrong.vtk "${vtk_points}${cells}")
-  expect_error("${pattern}" compute wrong.vtk --field z ${graph})
-endforeach()
-file(WRITE ${FOLDER}/field.vtk "${vtk_points}CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n")
-expect_error("there is no field 'mass'" compute field.vtk --field mass ${graph})
-file(WRITE ${FOLDER}/binary.vtk "# vtk DataFile Version 3.0\nwrong\nBINARY\n")
-expect_error("binary VTK files are not read" compute binary.vtk --field z ${graph})
-file(WRITE ${FOLDER}/compressed.vtu "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkZLibDataCompressor\"></VTKFile>")
-expect_error("compressed data are not read" compute compressed.vtu --field z ${graph})
+expect_errors_of_files(
+  wrong.vtk "${vtk_points}"
+  "cells of type 12 of VTK are not read: the types are 1 to 10|CELLS 1 9\n8 0 1 2 3 0 1 2 3\nCELL_TYPES 1\n12\n"
+  "a cell of type 10 of VTK cannot have 3 vertices|CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n"
+  "there are 1 cells, and types of 0|CELLS 1 5\n4 0 1 2 3\n"
+  "tetrahedron 0 has a vertex that does not exist|CELLS 1 5\n4 0 1 2 4\nCELL_TYPES 1\n10\n"
+  "the cells have 5 numbers instead of 6|CELLS 1 6\n4 0 1 2 3\nCELL_TYPES 1\n10\n")
+expect_error_of_file(field.vtk "${vtk_points}CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
+                     "there is no field 'mass'" --field mass)
+expect_error_of_file(binary.vtk "# vtk DataFile Version 3.0\nwrong\nBINARY\n" "binary VTK files are not read" --field z)
+expect_error_of_file(compressed.vtu "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkZLibDataCompressor\"></VTKFile>"
+                     "compressed data are not read" --field z)
 expect_error("contours in tetrahedra are surfaces, and their file name ends in .off" contour field.vtk --field z
              --level 0.5 --output contour.polylines.txt)
 expect_error("polylines ends in .polylines.txt" contour three_faces_at_an_edge.off --field z --level 0.5
              --output contour.off)
 
 # scalars
-foreach(content "0\n1\n2\n" "")
+function(expect_error_of_scalars content pattern)
   file(WRITE ${FOLDER}/scalars.txt "${content}")
-  expect_error("scalars.txt:[03]: the file ends after [03] values for 4 vertices" compute tetrahedron.off
-               --scalars scalars.txt ${graph})
+  expect_error("${pattern}" compute tetrahedron.off --scalars scalars.txt ${graph})
+endfunction()
+
+foreach(content "0\n1\n2\n" "")
+  expect_error_of_scalars("${content}" "scalars.txt:[03]: the file ends after [03] values for 4 vertices")
 endforeach()
-file(WRITE ${FOLDER}/scalars.txt "0\n1\n2\n3\n4\n")
-expect_error("scalars.txt:5: more values than the 4 vertices" compute tetrahedron.off --scalars scalars.txt ${graph})
+expect_error_of_scalars("0\n1\n2\n3\n4\n" "scalars.txt:5: more values than the 4 vertices")
 foreach(wrong "two" "2 2" "" "2x" "0x2" "+-2" "1,5")
-  file(WRITE ${FOLDER}/scalars.txt "0\n1\n${wrong}\n3\n")
   string(REPLACE "+" "[+]" pattern "${wrong}")
-  expect_error("scalars.txt:3: '${pattern}' is not a number" compute tetrahedron.off --scalars scalars.txt ${graph})
+  expect_error_of_scalars("0\n1\n${wrong}\n3\n" "scalars.txt:3: '${pattern}' is not a number")
 endforeach()
-file(WRITE ${FOLDER}/scalars.txt "0\n1e999\n2\n3\n")
-expect_error("scalars.txt:2: .* too large" compute tetrahedron.off --scalars scalars.txt ${graph})
-file(WRITE ${FOLDER}/scalars.txt "0\n1\n2\nnan\n")
-expect_error("vertex 3 is not a number" compute tetrahedron.off --scalars scalars.txt ${graph})
+expect_error_of_scalars("0\n1e999\n2\n3\n" "scalars.txt:2: .* too large")
+expect_error_of_scalars("0\n1\n2\nnan\n" "vertex 3 is not a number")
 string(REPEAT "0123456789" 10 long_word)
 string(SUBSTRING "${long_word}" 0 56 begin)
-file(WRITE ${FOLDER}/scalars.txt "0\nx${long_word}\n2\n3\n")
-expect_error("scalars.txt:2: 'x${begin}[.][.][.]' is not a number" compute tetrahedron.off --scalars scalars.txt ${graph})
-file(WRITE ${FOLDER}/long.off "OFF\n3 1 0\nx${long_word} 0 0\n1 0 0\n0 1 1\n3 0 1 2\n")
-expect_error("long.off:3: 'x${begin}[.][.][.]' is not a number" compute long.off --field z ${graph})
+expect_error_of_scalars("0\nx${long_word}\n2\n3\n" "scalars.txt:2: 'x${begin}[.][.][.]' is not a number")
+expect_error_of_file(long.off "OFF\n3 1 0\nx${long_word} 0 0\n1 0 0\n0 1 1\n3 0 1 2\n"
+                     "long.off:3: 'x${begin}[.][.][.]' is not a number" --field z)
 string(ASCII 27 escape)
-file(WRITE ${FOLDER}/scalars.txt "0\n${escape}c\n2\n3\n")
-expect_error("scalars.txt:2: '[?]c' is not a number" compute tetrahedron.off --scalars scalars.txt ${graph})
+expect_error_of_scalars("0\n${escape}c\n2\n3\n" "scalars.txt:2: '[?]c' is not a number")
 expect_error("missing.txt" compute tetrahedron.off --scalars missing.txt ${graph})
 expect_error("[.]: the file cannot be read" compute tetrahedron.off --scalars . ${graph})
