@@ -159,18 +159,10 @@ struct Soup_with_field
   const Scalars& scalars;
   const ReadComplex& read_complex;
 
-  template <class Scalar>
-  struct Flat_soup
-  {
-    Simplicial_complex complex;
-    Flat_field<Simplicial_complex, Scalar> field;
-  };
-
   template <class ConcurrencyTag, class Traits>
   Flat_soup<typename Traits::Scalar> flatten(const Traits& traits) const
   {
-    auto field = flatten_scalars<ConcurrencyTag>(number_of_vertices, scalars, traits);
-    return {read_complex(), std::move(field)};
+    return flatten_soup<ConcurrencyTag>(number_of_vertices, scalars, traits, read_complex);
   }
 
   // Descriptors are made from the numbers of the complex.

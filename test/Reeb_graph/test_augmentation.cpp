@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(arcs_spread_to_the_vertices_that_sweeping_gives_them)
     const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, sample.values);
     const CGAL::Reeb_graph_traits<Surface_mesh, std::decay_t<decltype(scalar_map)>> traits;
     const auto surface = internal::flatten<Tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
-    const internal::Vertex_order order(surface.values, traits.less_scalar_object());
+    const internal::Vertex_order order(surface.field.values, traits.less_scalar_object());
     const auto critical_vertices = internal::classify_vertices<Tag>(surface.complex, order);
     const auto arcs = internal::find_arcs<Tag>(surface.complex, order, critical_vertices,
                                                CGAL::Reeb_graph::Method::CONTOUR_TREES, 1, internal::No_progress());

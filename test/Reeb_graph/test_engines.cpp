@@ -182,7 +182,7 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
   const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
   const auto surface =
     stages::flatten<CGAL::Sequential_tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
-  const Order order(surface.values, traits.less_scalar_object());
+  const Order order(surface.field.values, traits.less_scalar_object());
   const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.complex, order);
   const auto& ascending = critical_vertices.ascending();
   const stages::Slab slab(surface.complex, critical_vertices);
@@ -373,7 +373,7 @@ BOOST_AUTO_TEST_CASE(critical_vertices_tell_the_euler_characteristic)
     const auto values = noise(mesh, seed);
     const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values),
                                                                Traits(), CGAL::parameters::default_values());
-    const Order order(surface.values, Traits().less_scalar_object());
+    const Order order(surface.field.values, Traits().less_scalar_object());
     const auto characteristic = static_cast<std::ptrdiff_t>(mesh.number_of_vertices() + mesh.number_of_faces())
                               - static_cast<std::ptrdiff_t>(mesh.number_of_edges());
     BOOST_TEST_CONTEXT("seed " << seed)
@@ -396,7 +396,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(vertices_that_a_sweep_sees_to_be_regular_are, Mesh
     const CGAL::Reeb_graph_traits<Mesh, graph_checks::Scalar_map_of<Mesh>> traits;
     const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values),
                                                                traits, CGAL::parameters::default_values());
-    const stages::Vertex_order order(surface.values, traits.less_scalar_object());
+    const stages::Vertex_order order(surface.field.values, traits.less_scalar_object());
     const stages::Regular_vertices<CGAL::Sequential_tag> regular_vertices(surface.complex, order);
     std::size_t number_of_corners = 0;
     for(const stages::Vertex_index v : surface.complex.vertices())

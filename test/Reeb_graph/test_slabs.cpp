@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(as_many_slabs_as_vertices_of_noise)
 
   const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, noise),
                                                              Traits(), CGAL::parameters::default_values());
-  const stages::Vertex_order order(surface.values, Traits().less_scalar_object());
+  const stages::Vertex_order order(surface.field.values, Traits().less_scalar_object());
   const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.complex, order);
   typedef stages::Slicing<std::decay_t<decltype(surface.complex)>> Slicing;
   const auto number_of_slabs = [&](std::size_t wanted) {

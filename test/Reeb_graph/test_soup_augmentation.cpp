@@ -244,8 +244,8 @@ BOOST_AUTO_TEST_CASE(arcs_spread_to_the_vertices_of_complexes_that_sweeping_give
       const auto locations = Soup_augmentation(size, complex.triangles, values, graph, np).locate_vertices();
 
       const CGAL::Reeb_graph_soup_traits<double> traits;
-      const auto soup = internal::flatten_triangles(size, complex.triangles, values, traits, np);
-      const internal::Vertex_order order(soup.values, traits.less_scalar_object());
+      const auto soup = internal::flatten_cells<3>(size, complex.triangles, values, traits, np);
+      const internal::Vertex_order order(soup.field.values, traits.less_scalar_object());
       const auto critical_vertices = internal::classify_vertices<Tag>(soup.complex, order);
       const auto arcs = internal::find_arcs<Tag>(soup.complex, order, critical_vertices,
                                                  CGAL::Reeb_graph::Method::CONTOUR_TREES, 1, internal::No_progress());

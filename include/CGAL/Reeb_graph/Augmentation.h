@@ -14,20 +14,16 @@
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/augmentation/Arc_contours.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Graph_on_mesh.h>
-#include <CGAL/Reeb_graph/internal/augmentation/New_places.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Surface_contour_tracer.h>
-#include <CGAL/Reeb_graph/internal/augmentation/check_graph.h>
-#include <CGAL/Reeb_graph/internal/augmentation/locate_vertices.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Way_back.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/base/point_map.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>
-
-#include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -48,6 +44,11 @@ namespace Reeb_graph {
 /// `vertex_index_map` refers to. It can be neither copied nor moved. All member functions can be called from several
 /// threads at a time; those that return contours throw `Graph_mismatch_error` if the chain of an arc does not lead to
 /// them.
+///
+/// The contour of an arc takes time proportional to its length and to the degrees of the ends of the arc and of the
+/// halfedge it starts from, and logarithmic in the length of the chain. To locate vertices takes linear time on a field
+/// with few critical vertices, and hardly longer than computing the graph again; on noise, that of sorting all vertices
+/// and computing the graph with all of them: near-linear for any field.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. Values that
@@ -109,8 +110,13 @@ public:
                ScalarMap scalar_map,
                const ReebGraph& graph,
                const NamedParameters& np = parameters::default_values())
-    : Augmentation(mesh, scalar_map, graph, np, internal::Progress(np))
-  {}
+    : way_back_(np, internal::Progress(np), [&](const internal::Progress& progress) {
+        return Graph_on_mesh(mesh, scalar_map, graph, internal::choose_traits<Traits>(np), np, progress);
+      })
+  {
+    static_assert(std::is_same_v<internal::Chosen_traits<Traits, NamedParameters>, Traits>,
+                  "The last template parameter of Augmentation must be the type of the named parameter geom_traits.");
+  }
 
 #ifndef DOXYGEN_RUNNING
   // Neither the mesh nor the graph is copied.
@@ -127,35 +133,35 @@ public:
 #endif
 
   /// returns the mesh.
-  const Mesh& mesh() const { return on_mesh_.mesh(); }
+  const Mesh& mesh() const { return on_mesh().mesh(); }
   /// returns the graph.
-  const Graph& graph() const { return on_mesh_.graph(); }
+  const Graph& graph() const { return on_mesh().graph(); }
 
-  /// returns the value of the vertex `v` as that of a contour: as a `double`, NaN if the values of the field are no
-  /// numbers.
+  /// \brief returns the value of the vertex `v` as that of a contour: as a `double`, NaN if the values of the field are
+  /// no numbers.
   ///
-  /// \exception Unknown_vertex_error if the mesh has no such vertex
-  double value(vertex_descriptor v) const { return on_mesh_.value(internal::checked_number(on_mesh_, v)); }
+  /// \exception Unknown_vertex_error if there is no such vertex
+  double value(vertex_descriptor v) const { return way_back_.value(v); }
 
   /// \brief returns the contour of an arc at a place between its ends.
   ///
   /// The values along the arc are parametrized linearly, `t` = 0 at the lower node and `t` = 1 at the upper one. The
   /// contour is one of the arc for any `t`; where no value lies between those of the ends, or values are no numbers,
-  /// the vertices of the chain are counted instead. It takes time proportional to the length of the contour and to the
-  /// degrees of the ends of the arc and of the halfedge it starts from, and logarithmic in the length of the chain.
+  /// the vertices of the chain are counted instead.
   ///
   /// \exception Parameter_error if `t` is not greater than 0 and less than 1
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
-  Contour contour(arc_descriptor arc, double t) const { return contours_.at_parameter(arc, t); }
+  Contour contour(arc_descriptor arc, double t) const { return contours().at_parameter(arc, t); }
 
   /// \brief returns the contour of an arc at a place between its ends, parametrized by another field.
   ///
   /// The absolute differences of the values of `parametrization` along the chain of the arc are added up: `t` is the
   /// fraction of the whole sum. With a field of unit gradient and the same level sets, equal steps of `t` are equal
-  /// distances on the surface. If the sum is 0, the result is the same as without `parametrization`.
+  /// distances on the surface. If the sum is 0, the result is the same as without `parametrization`. It takes time linear
+  /// in the length of the chain as well.
   ///
-  /// \tparam ParametrizationMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type,
-  ///         and a value type that can be converted to `double`. Its time is linear in the length of the chain.
+  /// \tparam ParametrizationMap a model of `ReadablePropertyMap` with the vertices as key type, and a value type that can
+  ///         be converted to `double`
   ///
   /// \exception Parameter_error if `t` is not greater than 0 and less than 1
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
@@ -163,7 +169,7 @@ public:
   template <class ParametrizationMap>
   Contour contour(arc_descriptor arc, double t, ParametrizationMap parametrization) const
   {
-    return contours_.at_parameter(arc, t, parametrization);
+    return contours().at_parameter(arc, t, parametrization);
   }
 
   /// \brief returns the contour of an arc at the level just above the last vertex of value at most `value`.
@@ -171,42 +177,36 @@ public:
   /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher, and its upper
   ///            node must be higher than `value`
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
-  Contour contour_at_value(arc_descriptor arc, const Scalar& value) const { return contours_.at_value(arc, value); }
+  Contour contour_at_value(arc_descriptor arc, const Scalar& value) const { return contours().at_value(arc, value); }
 
-  /// \brief returns the contour of an arc at the level just below a vertex, which the contour need not be near.
-  ///
-  /// It takes the same time as `contour()`. Just below the upper node of the arc, it is one of the critical set of
-  /// that.
+  /// \brief returns the contour of an arc at the level just below a vertex, which the contour need not be near. Just
+  /// below the upper node of the arc, it is one of the critical set of that.
   ///
   /// \exception Level_error if the arc has no contour at that level: its lower node must be lower than `v`, and its
   ///            upper node must not be; if ties are contracted, in value
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
-  /// \exception Unknown_vertex_error if the mesh has no vertex `v`
-  Contour contour_below(arc_descriptor arc, vertex_descriptor v) const { return contours_.below_vertex(arc, v); }
+  /// \exception Unknown_vertex_error if there is no vertex `v`
+  Contour contour_below(arc_descriptor arc, vertex_descriptor v) const { return contours().below_vertex(arc, v); }
 
-  /// \brief returns the contour of an arc at the level just above a vertex, which the contour need not be near.
-  ///
-  /// It takes the same time as `contour()`. Just above the lower node of the arc, it is one of the critical set of
-  /// that.
+  /// \brief returns the contour of an arc at the level just above a vertex, which the contour need not be near. Just
+  /// above the lower node of the arc, it is one of the critical set of that.
   ///
   /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher than `v`, and
   ///            its upper node must be; if ties are contracted, in value
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph
-  /// \exception Unknown_vertex_error if the mesh has no vertex `v`
-  Contour contour_above(arc_descriptor arc, vertex_descriptor v) const { return contours_.above_vertex(arc, v); }
+  /// \exception Unknown_vertex_error if there is no vertex `v`
+  Contour contour_above(arc_descriptor arc, vertex_descriptor v) const { return contours().above_vertex(arc, v); }
 
   /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
-  /// connected components of a level set, in the order of the arcs.
-  ///
-  /// It takes time proportional to the number of arcs and to the lengths of the contours, and for each contour the same
-  /// as `contour()` to find its start.
+  /// connected components of a level set, in the order of the arcs. It takes time linear in the arcs of the graph, and
+  /// for each contour that of `contour()`.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether the contours are
   ///         traced in parallel
   template <class ConcurrencyTag = Sequential_tag>
   std::vector<Contour> contours_at_value(const Scalar& value) const
   {
-    return contours_.template all_at_value<ConcurrencyTag>(value);
+    return contours().template all_at_value<ConcurrencyTag>(value);
   }
 
   /// \brief writes the point at which a contour crosses each of its halfedges, by linear interpolation.
@@ -231,38 +231,26 @@ public:
                                    OutputIterator points,
                                    const NamedParameters& np = parameters::default_values()) const
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    const auto vertex_point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                                   get_const_property_map(vertex_point, on_mesh_.mesh()));
+    // Maps may return points that do not outlive the descriptor.
+    const auto point_map = internal::choose_point_map(mesh(), np);
     for(const halfedge_descriptor h : contour.halfedges)
-    {
-      // Not by reference, as some maps return points that do not outlive the descriptor.
-      const auto lower = get(vertex_point_map, source(h, on_mesh_.mesh()));
-      const auto upper = get(vertex_point_map, target(h, on_mesh_.mesh()));
-      *points++ = lower + internal::crossing_fraction(on_mesh_, h, contour.value) * (upper - lower);
-    }
+      *points++ = internal::point_between(get(point_map, source(h, mesh())), get(point_map, target(h, mesh())),
+                                          internal::crossing_fraction(on_mesh(), h, contour.value));
     return points;
   }
 
   /// \brief returns what a node stands for: the contours just below and just above it that touch it, each with its
-  /// arc, its star, and the border loop that it collapses.
-  ///
-  /// It takes time proportional to the lengths of the contours, and for each of them the same as `contour()` to find
-  /// its start.
+  /// arc, its star, and the border loop that it collapses. It takes the time of `contour()` for each of its arcs.
   ///
   /// \exception Unknown_node_error if `node` is not a node of the graph
   Critical_set critical_set(node_descriptor node) const
   {
-    internal::check_is_node(on_mesh_.graph(), node);
-    return {contours_.all_below_node(node), contours_.all_above_node(node), on_mesh_.star(node),
-            on_mesh_.border_loop(node)};
+    internal::check_is_node(graph(), node);
+    return {contours().all_below_node(node), contours().all_above_node(node), on_mesh().star(node),
+            on_mesh().border_loop(node)};
   }
 
-  /// \brief finds the place of each vertex of the mesh in the graph: the segmentation of the mesh by the arcs.
-  ///
-  /// On a field with few critical vertices it takes linear time and hardly longer than computing the graph again; on
-  /// noise, that of sorting all vertices and computing the graph with all of them: near-linear for any field.
+  /// \brief finds the place of each vertex in the graph: the segmentation by the arcs.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -270,41 +258,19 @@ public:
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `callback`, as for
   ///        `compute_reeb_graph()`
   ///
-  /// \exception Graph_mismatch_error if the graph is not the one that `compute_reeb_graph()` has made
+  /// \exception Graph_mismatch_error if the graph is not the one that has been computed of this input
   /// \exception Cancelled_error if `callback` returns `false`
   template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
   Vertex_locations locate_vertices(const NamedParameters& np = parameters::default_values()) const
   {
-    return internal::locate_vertices<ConcurrencyTag>(on_mesh_, ties_, are_degree_two_nodes_kept_, new_places_,
-                                                     internal::Progress(np));
+    return way_back_.template locate_vertices<ConcurrencyTag>(np);
   }
 
 private:
-  template <class NamedParameters>
-  Augmentation(const FaceListGraph& mesh,
-               ScalarMap scalar_map,
-               const ReebGraph& graph,
-               const NamedParameters& np,
-               const internal::Progress& progress)
-    : ties_(parameters::choose_parameter(parameters::get_parameter(np, internal::ties), Ties::PERTURB)),
-      are_degree_two_nodes_kept_(
-        parameters::choose_parameter(parameters::get_parameter(np, internal::keep_degree_two_nodes), false)),
-      on_mesh_(mesh, scalar_map, graph, internal::choose_traits<Traits>(np), np, progress),
-      contours_(on_mesh_, ties_),
-      new_places_(parameters::get_parameter(np, internal::simplification))
-  {
-    static_assert(std::is_same_v<internal::Chosen_traits<Traits, NamedParameters>, Traits>,
-                  "The last template parameter of Augmentation must be the type of the named parameter geom_traits.");
-    internal::check_nodes(on_mesh_);
-    internal::check_arcs(on_mesh_, ties_);
-    progress.report_end();
-  }
+  const Graph_on_mesh& on_mesh() const { return way_back_.on_complex(); }
+  const auto& contours() const { return way_back_.contours(); }
 
-  const Ties ties_;
-  const bool are_degree_two_nodes_kept_;
-  const Graph_on_mesh on_mesh_;
-  const internal::Arc_contours<Graph_on_mesh, internal::Surface_contour_tracer<Graph_on_mesh>> contours_;
-  const internal::New_places new_places_;
+  const internal::Way_back<Graph_on_mesh, internal::Surface_contour_tracer<Graph_on_mesh>> way_back_;
 };
 
 #ifndef DOXYGEN_RUNNING

@@ -13,17 +13,14 @@
 
 #include <CGAL/Reeb_graph/Soup_contour.h>
 #include <CGAL/Reeb_graph/Vertex_locations.h>
-#include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/augmentation/Arc_contours.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Graph_on_soup.h>
-#include <CGAL/Reeb_graph/internal/augmentation/New_places.h>
-#include <CGAL/Reeb_graph/internal/augmentation/check_graph.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Way_back.h>
 #include <CGAL/Reeb_graph/internal/augmentation/complex_contour_tracers.h>
-#include <CGAL/Reeb_graph/internal/augmentation/locate_vertices.h>
+#include <CGAL/Reeb_graph/internal/augmentation/flatten_cells.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-#include <CGAL/Reeb_graph/options.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -45,15 +42,21 @@ namespace Reeb_graph {
 /// can be neither copied nor moved. All member functions can be called from several threads at a time; those that
 /// return contours throw `Graph_mismatch_error` if the chain of an arc does not lead to them.
 ///
-/// \tparam Contour_ `Soup_contour` or `Isosurface_patch` with the edge descriptor of the graph
+/// The contour of an arc takes time linear in the triangles at the crossed edges, or in the tetrahedra at their lower
+/// vertices, and in the degrees of the ends of the arc and of the edge it starts from. To locate vertices takes hardly
+/// longer than computing the graph again where arcs are long for the size of the cells; else the time of sorting all
+/// vertices and computing the graph with all of them: near-linear for any field. Where many contours meet few vertices,
+/// as in solids, the first is so for very smooth fields only.
+///
+/// \tparam ContourOfArc `Soup_contour` or `Isosurface_patch`
 /// \tparam ReebGraph the type `Graph` of the traits class
 /// \tparam Traits the traits class, see `Reeb_graph_soup_traits`
-template <class Contour_, class ReebGraph, class Traits>
+template <template <class> class ContourOfArc, class ReebGraph, class Traits>
 class Complex_augmentation
 {
 #ifndef DOXYGEN_RUNNING
   typedef internal::Graph_on_soup<ReebGraph, Traits> Graph_on_soup;
-  typedef typename internal::Tracer_of<Contour_>::template type<Graph_on_soup> Tracer;
+  typedef typename internal::Tracer_of<ContourOfArc>::template type<Graph_on_soup> Tracer;
 #endif
 
 public:
@@ -71,86 +74,95 @@ public:
   typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor;
 
   /// a contour
-  typedef Contour_ Contour;
+  typedef ContourOfArc<arc_descriptor> Contour;
   /// a critical set
   typedef Soup_critical_set<Contour> Critical_set;
   /// the places of all vertices
   typedef Reeb_graph::Vertex_locations<vertex_descriptor, ReebGraph> Vertex_locations;
 
-  /// returns the graph.
-  const Graph& graph() const { return on_soup_.graph(); }
+  /// \brief prepares the way back from `graph` to the cells, which may go away afterwards, as the scalars may.
+  ///
+  /// \param points a random access range of the points of the vertices, or their number
+  /// \param cells the triangles, or the tetrahedra, that the graph has been computed of
+  /// \param scalars the values that it has been computed of
+  /// \param graph the graph
+  /// \param np the named parameters that the graph has been computed with: `ties`, `keep_degree_two_nodes`, `edges` and
+  ///        `geom_traits` count; and for a graph made by `simplify()`, what that has returned, as named parameter
+  ///        `simplification`, if vertices are to be located
+  ///
+  /// \exception Graph_mismatch_error if a node is not a vertex with its value, or an arc none that `ties` gives. That
+  ///            all nodes and arcs are there is checked by `locate_vertices()` only.
+  ///
+  /// and the exceptions of `compute_reeb_graph_of_soup()`, or of `compute_reeb_graph_of_tetrahedra()`.
+  template <class PointsOrNumber,
+            class Cells,
+            class Scalars,
+            class NamedParameters = parameters::Default_named_parameters>
+  Complex_augmentation(const PointsOrNumber& points,
+                       const Cells& cells,
+                       const Scalars& scalars,
+                       const ReebGraph& graph,
+                       const NamedParameters& np = parameters::default_values())
+    : Complex_augmentation(points,
+                           cells,
+                           graph,
+                           np,
+                           internal::flatten_cells<Tracer::vertices_per_cell>(points,
+                                                                              cells,
+                                                                              scalars,
+                                                                              internal::choose_traits<Traits>(np),
+                                                                              np))
+  {
+    static_assert(std::is_same_v<internal::Chosen_traits<Traits, NamedParameters>, Traits>,
+                  "The last template parameter must be the type of the named parameter geom_traits.");
+  }
+
+#ifndef DOXYGEN_RUNNING
+  // The graph is not copied.
+  template <class PointsOrNumber,
+            class Cells,
+            class Scalars,
+            class NamedParameters = parameters::Default_named_parameters>
+  Complex_augmentation(const PointsOrNumber&,
+                       const Cells&,
+                       const Scalars&,
+                       const ReebGraph&&,
+                       const NamedParameters& = parameters::default_values()) = delete;
+#endif
+
+  /// \copydoc CGAL::Reeb_graph::Augmentation::graph()
+  const Graph& graph() const { return way_back_.on_complex().graph(); }
 
   /// returns the number of vertices of the complex.
-  std::size_t number_of_vertices() const { return on_soup_.end_of_vertices(); }
+  std::size_t number_of_vertices() const { return way_back_.on_complex().end_of_vertices(); }
 
-  /// returns the value of the vertex `v` as that of a contour: as a `double`, NaN if the values of the field are no
-  /// numbers.
-  ///
-  /// \exception Unknown_vertex_error if there is no such vertex
-  double value(vertex_descriptor v) const { return on_soup_.value(internal::checked_number(on_soup_, v)); }
+  /// \copydoc CGAL::Reeb_graph::Augmentation::value()
+  double value(vertex_descriptor v) const { return way_back_.value(v); }
 
-  /// \brief returns the contour of an arc at a place between its ends.
-  ///
-  /// The values along the arc are parametrized linearly, `t` = 0 at the lower node and `t` = 1 at the upper one. The
-  /// contour is one of the arc for any `t`; where no value lies between those of the ends, or values are no numbers,
-  /// the vertices of the chain are counted instead. It takes time linear in the triangles at the crossed edges, or in
-  /// the tetrahedra at their lower vertices, and in the degrees of the ends of the arc and of the edge it starts from.
-  ///
-  /// \exception Parameter_error if `t` is not greater than 0 and less than 1
-  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
-  Contour contour(arc_descriptor arc, double t) const { return contours_.at_parameter(arc, t); }
+  /// \copydoc CGAL::Reeb_graph::Augmentation::contour(arc_descriptor, double) const
+  Contour contour(arc_descriptor arc, double t) const { return contours().at_parameter(arc, t); }
 
-  /// \brief returns the contour of an arc at a place between its ends, parametrized by the sum of the absolute
-  /// differences of another field along the chain of the arc, as by `Augmentation::contour()`.
-  ///
-  /// \tparam ParametrizationMap a model of `ReadablePropertyMap` with the numbers of vertices as key type, and a value
-  ///         type that can be converted to `double`. Its time is linear in the length of the chain.
-  ///
-  /// \exception Parameter_error if `t` is not greater than 0 and less than 1
-  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
-  /// \exception Non_finite_scalar_error if a value along the chain is infinite or NaN
+  /// \copydoc CGAL::Reeb_graph::Augmentation::contour(arc_descriptor, double, ParametrizationMap) const
   template <class ParametrizationMap>
   Contour contour(arc_descriptor arc, double t, ParametrizationMap parametrization) const
   {
-    return contours_.at_parameter(arc, t, parametrization);
+    return contours().at_parameter(arc, t, parametrization);
   }
 
-  /// \brief returns the contour of an arc at the level just above the last vertex of value at most `value`.
-  ///
-  /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher, and its upper
-  ///            node must be higher than `value`
-  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
-  Contour contour_at_value(arc_descriptor arc, const Scalar& value) const { return contours_.at_value(arc, value); }
+  /// \copydoc CGAL::Reeb_graph::Augmentation::contour_at_value()
+  Contour contour_at_value(arc_descriptor arc, const Scalar& value) const { return contours().at_value(arc, value); }
 
-  /// \brief returns the contour of an arc at the level just below a vertex, which the contour need not be near. Just
-  /// below the upper node of the arc, it is one of the critical set of that.
-  ///
-  /// \exception Level_error if the arc has no contour at that level: its lower node must be lower than `v`, and its
-  ///            upper node must not be; if ties are contracted, in value
-  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
-  /// \exception Unknown_vertex_error if there is no vertex `v`
-  Contour contour_below(arc_descriptor arc, vertex_descriptor v) const { return contours_.below_vertex(arc, v); }
+  /// \copydoc CGAL::Reeb_graph::Augmentation::contour_below()
+  Contour contour_below(arc_descriptor arc, vertex_descriptor v) const { return contours().below_vertex(arc, v); }
 
-  /// \brief returns the contour of an arc at the level just above a vertex, which the contour need not be near. Just
-  /// above the lower node of the arc, it is one of the critical set of that.
-  ///
-  /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher than `v`, and
-  ///            its upper node must be; if ties are contracted, in value
-  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
-  /// \exception Unknown_vertex_error if there is no vertex `v`
-  Contour contour_above(arc_descriptor arc, vertex_descriptor v) const { return contours_.above_vertex(arc, v); }
+  /// \copydoc CGAL::Reeb_graph::Augmentation::contour_above()
+  Contour contour_above(arc_descriptor arc, vertex_descriptor v) const { return contours().above_vertex(arc, v); }
 
-  /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
-  /// connected components of a level set, in the order of the arcs. No two of them have a point in common. It takes
-  /// time linear in the arcs of the graph, and for each contour that of `contour()`, with the degree of the
-  /// lower-numbered end of the edge it starts from.
-  ///
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether the contours are
-  ///         traced in parallel
+  /// \copydoc CGAL::Reeb_graph::Augmentation::contours_at_value()
   template <class ConcurrencyTag = Sequential_tag>
   std::vector<Contour> contours_at_value(const Scalar& value) const
   {
-    return contours_.template all_at_value<ConcurrencyTag>(value);
+    return contours().template all_at_value<ConcurrencyTag>(value);
   }
 
   /// \brief writes the points of a contour, by linear interpolation, in the order of its `edges`.
@@ -168,12 +180,9 @@ public:
                                           OutputIterator points,
                                           const PointRange& vertex_points)
   {
+    const auto point_of = [&](std::size_t v) -> decltype(auto) { return *(std::begin(vertex_points) + v); };
     for(std::size_t i = 0; i != contour.edges.size(); ++i)
-    {
-      const auto& lower = *(std::begin(vertex_points) + contour.edges[i].first);
-      const auto& upper = *(std::begin(vertex_points) + contour.edges[i].second);
-      *points++ = lower + contour.fractions[i] * (upper - lower);
-    }
+      *points++ = internal::point_of_crossing(contour, i, point_of);
     return points;
   }
 
@@ -185,61 +194,36 @@ public:
   Critical_set critical_set(node_descriptor node) const
   {
     internal::check_is_node(graph(), node);
-    return {contours_.all_below_node(node), contours_.all_above_node(node),
-            cells_.at_vertex(on_soup_.node_vertex(node))};
+    return {contours().all_below_node(node), contours().all_above_node(node),
+            cells_.at_vertex(way_back_.on_complex().node_vertex(node))};
   }
 
-  /// \brief finds the place of each vertex of the complex in the graph: the segmentation by the arcs.
-  ///
-  /// It takes hardly longer than computing the graph again where arcs are long for the size of the cells; else the time
-  /// of sorting all vertices and computing the graph with all of them: near-linear for any field. Where many contours
-  /// meet few vertices, as in solids, the first is so for very smooth fields only.
-  ///
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`
-  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-  ///
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `callback`, as for
-  ///        `compute_reeb_graph()`
-  ///
-  /// \exception Graph_mismatch_error if the graph is not the one that has been computed of this complex and field
-  /// \exception Cancelled_error if `callback` returns `false`
+  /// \copydoc CGAL::Reeb_graph::Augmentation::locate_vertices()
   template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
   Vertex_locations locate_vertices(const NamedParameters& np = parameters::default_values()) const
   {
-    return internal::locate_vertices<ConcurrencyTag>(on_soup_, ties_, are_degree_two_nodes_kept_, new_places_,
-                                                     internal::Progress(np));
+    return way_back_.template locate_vertices<ConcurrencyTag>(np);
   }
-
-protected:
-#ifndef DOXYGEN_RUNNING
-  template <class Points, class Cells, class NamedParameters>
-  Complex_augmentation(internal::Flat_soup<Scalar> soup,
-                       const Points& points,
-                       const Cells& cells,
-                       const ReebGraph& graph,
-                       const NamedParameters& np)
-    : ties_(parameters::choose_parameter(parameters::get_parameter(np, internal::ties), Ties::PERTURB)),
-      are_degree_two_nodes_kept_(
-        parameters::choose_parameter(parameters::get_parameter(np, internal::keep_degree_two_nodes), false)),
-      on_soup_(std::move(soup), graph, internal::choose_traits<Traits>(np)),
-      cells_(on_soup_.end_of_vertices(), points, cells),
-      contours_(on_soup_, ties_, cells_),
-      new_places_(parameters::get_parameter(np, internal::simplification))
-  {
-    static_assert(std::is_same_v<internal::Chosen_traits<Traits, NamedParameters>, Traits>,
-                  "The last template parameter must be the type of the named parameter geom_traits.");
-    internal::check_nodes(on_soup_);
-    internal::check_arcs(on_soup_, ties_);
-  }
-#endif
 
 private:
-  const Ties ties_;
-  const bool are_degree_two_nodes_kept_;
-  const Graph_on_soup on_soup_;
+  template <class Points, class Cells, class NamedParameters>
+  Complex_augmentation(const Points& points,
+                       const Cells& cells,
+                       const ReebGraph& graph,
+                       const NamedParameters& np,
+                       internal::Flat_soup<Scalar> soup)
+    : cells_(soup.field.vertices.size(), points, cells),
+      way_back_(
+        np,
+        internal::Progress(parameters::default_values()),
+        [&](const auto&) { return Graph_on_soup(std::move(soup), graph, internal::choose_traits<Traits>(np)); },
+        cells_)
+  {}
+
+  const auto& contours() const { return way_back_.contours(); }
+
   const typename Tracer::Cells cells_;
-  const internal::Arc_contours<Graph_on_soup, Tracer> contours_;
-  const internal::New_places new_places_;
+  const internal::Way_back<Graph_on_soup, Tracer> way_back_;
 };
 
 } // namespace Reeb_graph

@@ -14,13 +14,8 @@
 #include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/Reeb_graph/Soup_contour.h>
 #include <CGAL/Reeb_graph/internal/augmentation/flatten_cells.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_soup_traits.h>
-
-#include <boost/graph/graph_traits.hpp>
-
-#include <iterator>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -32,6 +27,9 @@ namespace Reeb_graph {
 /// A contour is a graph in the triangles, see `Soup_contour`: on a surface a curve, elsewhere curves that meet where an
 /// edge has more than two triangles.
 ///
+/// It is constructed as `Complex_augmentation` is, from the points, the triangles, the scalars, the graph, and named
+/// parameters.
+///
 /// \tparam Scalar the type of the scalar values. It is deduced by
 ///         `Soup_augmentation augmentation(points, triangles, scalars, graph, np)`, as the other types are.
 /// \tparam ReebGraph the type `Graph` of the traits class
@@ -39,80 +37,28 @@ namespace Reeb_graph {
 template <class Scalar,
           class ReebGraph = typename Reeb_graph_soup_traits<Scalar>::Graph,
           class Traits = Reeb_graph_soup_traits<Scalar>>
-class Soup_augmentation
-#ifdef DOXYGEN_RUNNING
-  : public Complex_augmentation<Soup_contour<arc_descriptor>, ReebGraph, Traits>
-#else
-  : public Complex_augmentation<Soup_contour<typename boost::graph_traits<ReebGraph>::edge_descriptor>,
-                                ReebGraph,
-                                Traits>
-#endif
+class Soup_augmentation : public Complex_augmentation<Soup_contour, ReebGraph, Traits>
 {
-  typedef Complex_augmentation<Soup_contour<typename boost::graph_traits<ReebGraph>::edge_descriptor>,
-                               ReebGraph,
-                               Traits>
-    Base;
+  typedef Complex_augmentation<Soup_contour, ReebGraph, Traits> Base;
 
 public:
-  /// \brief prepares the way back from `graph` to the triangles, which may go away afterwards, as the scalars may.
-  ///
-  /// \param points a random access range of the points of the vertices, or their number
-  /// \param triangles the triangles that the graph has been computed of
-  /// \param scalars the values that it has been computed of
-  /// \param graph the graph
-  /// \param np the named parameters that the graph has been computed with: `ties`, `keep_degree_two_nodes`, `edges` and
-  ///        `geom_traits` count; and for a graph made by `simplify()`, what that has returned, as named parameter
-  ///        `simplification`, if vertices are to be located
-  ///
-  /// \exception Graph_mismatch_error if a node is not a vertex with its value, or an arc none that `ties` gives. That
-  ///            all nodes and arcs are there is checked by `locate_vertices()` only.
-  ///
-  /// and the exceptions of `compute_reeb_graph_of_soup()`.
-  template <class PointsOrNumber,
-            class Triangles,
-            class Scalars,
-            class NamedParameters = parameters::Default_named_parameters>
-  Soup_augmentation(const PointsOrNumber& points,
-                    const Triangles& triangles,
-                    const Scalars& scalars,
-                    const ReebGraph& graph,
-                    const NamedParameters& np = parameters::default_values())
-    : Base(internal::flatten_triangles(points, triangles, scalars, internal::choose_traits<Traits>(np), np),
-           points,
-           triangles,
-           graph,
-           np)
-  {}
-
-#ifndef DOXYGEN_RUNNING
-  // The graph is not copied.
-  template <class PointsOrNumber,
-            class Triangles,
-            class Scalars,
-            class NamedParameters = parameters::Default_named_parameters>
-  Soup_augmentation(const PointsOrNumber&,
-                    const Triangles&,
-                    const Scalars&,
-                    const ReebGraph&&,
-                    const NamedParameters& = parameters::default_values()) = delete;
-#endif
+  using Base::Base;
 };
 
 #ifndef DOXYGEN_RUNNING
 template <class PointsOrNumber,
-          class Triangles,
+          class Cells,
           class Scalars,
           class ReebGraph,
           class NamedParameters = parameters::Default_named_parameters>
 Soup_augmentation(const PointsOrNumber&,
-                  const Triangles&,
+                  const Cells&,
                   const Scalars&,
                   const ReebGraph&,
                   const NamedParameters& = parameters::default_values())
-  -> Soup_augmentation<
-    internal::Value_of_range<Scalars>,
-    ReebGraph,
-    internal::Chosen_traits<Reeb_graph_soup_traits<internal::Value_of_range<Scalars>>, NamedParameters>>;
+  -> Soup_augmentation<internal::Value_of_range<Scalars>,
+                       ReebGraph,
+                       internal::Soup_traits_of<Scalars, NamedParameters>>;
 #endif
 
 } // namespace Reeb_graph

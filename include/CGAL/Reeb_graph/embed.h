@@ -13,14 +13,11 @@
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/Embedding.h>
-#include <CGAL/Reeb_graph/IO/polylines.h>
-#include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/base/point_map.h>
 #include <CGAL/Reeb_graph/internal/embedding/Centroid_polylines.h>
 #include <CGAL/Reeb_graph/internal/embedding/Surface_polylines.h>
 #include <CGAL/Reeb_graph/internal/embedding/embed_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-#include <CGAL/Reeb_graph/options.h>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -105,26 +102,11 @@ template <class ConcurrencyTag = Sequential_tag,
 auto embed(const Augmentation<FaceListGraph, ScalarMap, ReebGraph, Traits>& augmentation,
            const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  typedef internal::Point_of_mesh<FaceListGraph, NamedParameters> Point;
   const auto point_map = internal::choose_point_map(augmentation.mesh(), np);
-  const internal::Progress progress(np);
-  Embedding<internal::Point_of_mesh<FaceListGraph, NamedParameters>> result;
-  internal::embed_nodes_at_vertices(augmentation, point_map, result);
-  switch(choose_parameter(get_parameter(np, internal::embedding_manner), Embedding_manner::CENTROIDS))
-  {
-  case Embedding_manner::CENTROIDS:
-    internal::embed_at_centroids<ConcurrencyTag>(
-      augmentation, internal::Centroid_polylines(augmentation, point_map, np), np, progress, result);
-    break;
-  case Embedding_manner::ON_SURFACE:
-    internal::embed_on_surface<ConcurrencyTag>(augmentation, internal::Surface_polylines(augmentation, point_map, np),
-                                               progress, result);
-    break;
-  case Embedding_manner::STRAIGHT: internal::embed_straight(augmentation, result); break;
-  }
-  progress.report_end();
-  return result;
+  return internal::embed_in_manner<ConcurrencyTag, Point>(
+    augmentation, point_map, np, [&] { return internal::Centroid_polylines(augmentation, point_map, np); },
+    [&] { return internal::Surface_polylines(augmentation, point_map, np); });
 }
 
 } // namespace Reeb_graph

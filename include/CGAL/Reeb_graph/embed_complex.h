@@ -14,12 +14,9 @@
 #include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/Reeb_graph/Embedding.h>
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/embedding/Complex_polylines.h>
 #include <CGAL/Reeb_graph/internal/embedding/embed_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-#include <CGAL/Reeb_graph/options.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -56,39 +53,25 @@ namespace Reeb_graph {
 /// \exception Non_finite_scalar_error if a value of `parametrization_map` along a chain is infinite or NaN
 /// \exception Cancelled_error if `callback` returns `false`
 template <class ConcurrencyTag = Sequential_tag,
-          class Contour,
+          template <class>
+          class ContourOfArc,
           class ReebGraph,
           class Traits,
           class PointRange,
           class NamedParameters = parameters::Default_named_parameters>
-auto embed(const Complex_augmentation<Contour, ReebGraph, Traits>& augmentation,
+auto embed(const Complex_augmentation<ContourOfArc, ReebGraph, Traits>& augmentation,
            const PointRange& points,
            const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  typedef typename std::iterator_traits<decltype(std::begin(points))>::value_type Point;
   const auto number_of_points = static_cast<std::size_t>(std::end(points) - std::begin(points));
   if(number_of_points != augmentation.number_of_vertices())
     throw Attribute_count_error("points", number_of_points, augmentation.number_of_vertices());
   const auto point_map =
     boost::make_iterator_property_map(std::begin(points), boost::typed_identity_property_map<std::size_t>());
-  const internal::Progress progress(np);
-  Embedding<typename std::iterator_traits<decltype(std::begin(points))>::value_type> result;
-  internal::embed_nodes_at_vertices(augmentation, point_map, result);
-  switch(choose_parameter(get_parameter(np, internal::embedding_manner), Embedding_manner::CENTROIDS))
-  {
-  case Embedding_manner::CENTROIDS:
-    internal::embed_at_centroids<ConcurrencyTag>(augmentation, internal::Complex_centroids(augmentation, point_map), np,
-                                                 progress, result);
-    break;
-  case Embedding_manner::ON_SURFACE:
-    internal::embed_on_surface<ConcurrencyTag>(augmentation, internal::Complex_polylines(augmentation, point_map),
-                                               progress, result);
-    break;
-  case Embedding_manner::STRAIGHT: internal::embed_straight(augmentation, result); break;
-  }
-  progress.report_end();
-  return result;
+  return internal::embed_in_manner<ConcurrencyTag, Point>(
+    augmentation, point_map, np, [&] { return internal::Complex_centroids(augmentation, point_map); },
+    [&] { return internal::Complex_polylines(augmentation, point_map); });
 }
 
 } // namespace Reeb_graph

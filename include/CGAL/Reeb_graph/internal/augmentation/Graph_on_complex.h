@@ -33,15 +33,15 @@ namespace internal {
 // A graph and the complex that its nodes are on: the way from the descriptors of nodes, arcs and vertices to numbers
 // and back. The graph may be any whose nodes are vertices of the complex. It refers to the graph.
 //
-// A `FlatField` has values and vertices by number, and the complex.
-template <class ReebGraph, class Traits, class VertexDescriptor, class FlatField>
+// `ComplexWithField` is a Complex_with_field.
+template <class ReebGraph, class Traits, class VertexDescriptor, class ComplexWithField>
 class Graph_on_complex
 {
 public:
   typedef ReebGraph Graph;
   typedef typename Traits::Scalar Scalar;
   typedef Vertex_order<Scalar, typename Traits::Less_scalar> Order;
-  typedef decltype(FlatField::complex) Complex;
+  typedef decltype(ComplexWithField::complex) Complex;
   typedef VertexDescriptor vertex_descriptor;
   typedef typename boost::graph_traits<ReebGraph>::vertex_descriptor node_descriptor;
   typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor;
@@ -51,27 +51,27 @@ public:
   Graph_on_complex& operator=(const Graph_on_complex&) = delete;
 
   const ReebGraph& graph() const { return graph_; }
-  const Complex& complex() const { return field_->complex; }
+  const Complex& complex() const { return complex_->complex; }
   const Order& order() const { return order_; }
   auto arcs() const { return CGAL::make_range(edges(graph_)); }
   const auto& chain(arc_descriptor arc) const { return graph_[arc].chain; }
 
   // The numbers of vertices are less than that, but not all such numbers are those of vertices.
-  std::size_t end_of_vertices() const { return field_->vertices.size(); }
+  std::size_t end_of_vertices() const { return field().vertices.size(); }
   const std::function<Vertex_index(vertex_descriptor)>& vertex_numbers() const { return number_of_vertex_; }
   Vertex_index number(vertex_descriptor v) const { return number_of_vertex_(v); }
-  vertex_descriptor vertex(Vertex_index number) const { return field_->vertices[number]; }
-  std::size_t position(Vertex_index number) const { return field_->vertices.position(number); }
+  vertex_descriptor vertex(Vertex_index number) const { return field().vertices[number]; }
+  std::size_t position(Vertex_index number) const { return field().vertices.position(number); }
   bool is_vertex(Vertex_index number, vertex_descriptor v) const
   {
-    return number.number() < end_of_vertices() && field_->vertices.contains(number) && vertex(number) == v;
+    return number.number() < end_of_vertices() && field().vertices.contains(number) && vertex(number) == v;
   }
 
   // What Vertex_lists needs. It can outlive this object and the mesh.
   auto list_vertices(const std::shared_ptr<const Place_of_vertex>& places, std::size_t number_of_places) const
   {
-    return [field = field_, order = order_, places, number_of_places](auto& vertices, auto& begins) {
-      sort_vertices_by_place(field->vertices, order, *places, number_of_places, vertices, begins);
+    return [complex = complex_, order = order_, places, number_of_places](auto& vertices, auto& begins) {
+      sort_vertices_by_place(complex->field.vertices, order, *places, number_of_places, vertices, begins);
     };
   }
 
@@ -79,7 +79,7 @@ public:
   Vertex_index lower_vertex(arc_descriptor arc) const { return node_vertex(source(arc, graph_)); }
   Vertex_index upper_vertex(arc_descriptor arc) const { return node_vertex(target(arc, graph_)); }
 
-  const Scalar& scalar(Vertex_index number) const { return field_->values[number]; }
+  const Scalar& scalar(Vertex_index number) const { return field().values[number]; }
   const Scalar_conversion<Traits>& conversion() const { return conversion_; }
   double value(Vertex_index number) const { return conversion_.to_double(scalar(number)); }
 
@@ -88,20 +88,20 @@ protected:
   template <class FindVertexNumbers>
   Graph_on_complex(const ReebGraph& graph,
                    const Traits& traits,
-                   FlatField field,
+                   ComplexWithField complex,
                    const FindVertexNumbers& find_vertex_numbers)
     : graph_(graph),
-      field_(std::make_shared<const FlatField>(std::move(field))),
-      order_(field_->values, traits.less_scalar_object()),
+      complex_(std::make_shared<const ComplexWithField>(std::move(complex))),
+      order_(field().values, traits.less_scalar_object()),
       conversion_(traits),
-      number_of_vertex_(find_vertex_numbers(field_->vertices))
+      number_of_vertex_(find_vertex_numbers(field().vertices))
   {}
 
-  const FlatField& field() const { return *field_; }
+  const decltype(ComplexWithField::field)& field() const { return complex_->field; }
 
 private:
   const ReebGraph& graph_;
-  const std::shared_ptr<const FlatField> field_;
+  const std::shared_ptr<const ComplexWithField> complex_;
   const Order order_;
   const Scalar_conversion<Traits> conversion_;
   const std::function<Vertex_index(vertex_descriptor)> number_of_vertex_;

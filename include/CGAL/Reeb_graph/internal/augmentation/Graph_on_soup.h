@@ -25,12 +25,6 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-template <class Scalar>
-struct Flat_soup : Flat_field<Simplicial_complex, Scalar>
-{
-  Simplicial_complex complex;
-};
-
 // A graph and the complex that its nodes and chains are on, whose vertices are numbers for the user, too.
 template <class ReebGraph, class Traits>
 class Graph_on_soup : public Graph_on_complex<ReebGraph, Traits, std::size_t, Flat_soup<typename Traits::Scalar>>

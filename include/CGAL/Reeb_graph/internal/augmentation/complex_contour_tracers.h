@@ -97,6 +97,7 @@ class Polyline_tracer : public Complex_contour_tracer<GraphOnSoup, Soup_contour<
 
 public:
   typedef Cell_list Cells;
+  static constexpr int vertices_per_cell = 3;
   using typename Base::Contour;
 
   Polyline_tracer(const GraphOnSoup& on_soup, const Cells&) : Base(on_soup) {}
@@ -123,6 +124,7 @@ class Patch_tracer : public Complex_contour_tracer<GraphOnSoup, Isosurface_patch
 
 public:
   typedef Oriented_tetrahedra Cells;
+  static constexpr int vertices_per_cell = 4;
   using typename Base::Contour;
 
   Patch_tracer(const GraphOnSoup& on_soup, const Cells& tetrahedra) : Base(on_soup), tetrahedra_(tetrahedra) {}
@@ -206,18 +208,18 @@ private:
 };
 
 // The tracer of a kind of contours.
-template <class Contour>
+template <template <class> class ContourOfArc>
 struct Tracer_of;
 
-template <class ArcDescriptor>
-struct Tracer_of<Soup_contour<ArcDescriptor>>
+template <>
+struct Tracer_of<Soup_contour>
 {
   template <class GraphOnSoup>
   using type = Polyline_tracer<GraphOnSoup>;
 };
 
-template <class ArcDescriptor>
-struct Tracer_of<Isosurface_patch<ArcDescriptor>>
+template <>
+struct Tracer_of<Isosurface_patch>
 {
   template <class GraphOnSoup>
   using type = Patch_tracer<GraphOnSoup>;

@@ -11,10 +11,11 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/augmentation/Graph_on_soup.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/mesh/flatten_soup.h>
 #include <CGAL/Reeb_graph/internal/mesh/read_simplices.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph_soup_traits.h>
 
 #include <CGAL/tags.h>
 
@@ -31,43 +32,29 @@ namespace internal {
 template <class Range>
 using Value_of_range = std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>;
 
-// The complex that `read_complex` makes of the edges of a named parameter, with its field by numbers, after both have
-// been checked.
-template <class Scalars, class Traits, class NamedParameters, class ReadComplex>
-Flat_soup<typename Traits::Scalar> flatten_complex(std::size_t number_of_vertices,
-                                                   const Scalars& scalars,
-                                                   const Traits& traits,
-                                                   const NamedParameters& np,
-                                                   const ReadComplex& read_complex)
+// The traits class of a soup with these values: the type of the named parameter, if that is given.
+template <class Scalars, class NamedParameters>
+using Soup_traits_of = Chosen_traits<Reeb_graph_soup_traits<Value_of_range<Scalars>>, NamedParameters>;
+
+// The complex of triangles or of tetrahedra, by their number of vertices, and of the edges of a named parameter, with its
+// field by numbers, after both have been checked.
+template <int vertices_per_cell, class PointsOrNumber, class Cells, class Scalars, class Traits, class NamedParameters>
+Flat_soup<typename Traits::Scalar> flatten_cells(const PointsOrNumber& points,
+                                                 const Cells& cells,
+                                                 const Scalars& scalars,
+                                                 const Traits& traits,
+                                                 const NamedParameters& np)
 {
-  auto edges = parameters::choose_parameter<std::array<std::array<std::size_t, 2>, 0>>(
+  const std::size_t size = count_vertices(points);
+  auto edges_parameter = parameters::choose_parameter<std::array<std::array<std::size_t, 2>, 0>>(
     parameters::get_parameter(np, edges_of_soup));
-  auto field = flatten_scalars<Sequential_tag>(number_of_vertices, scalars, traits);
-  return {std::move(field), read_complex(unwrap_reference(edges))};
-}
-
-template <class PointsOrNumber, class Triangles, class Scalars, class Traits, class NamedParameters>
-Flat_soup<typename Traits::Scalar> flatten_triangles(const PointsOrNumber& points,
-                                                     const Triangles& triangles,
-                                                     const Scalars& scalars,
-                                                     const Traits& traits,
-                                                     const NamedParameters& np)
-{
-  const std::size_t size = count_vertices(points);
-  return flatten_complex(size, scalars, traits, np,
-                         [&](const auto& edges) { return read_triangles(size, triangles, edges); });
-}
-
-template <class PointsOrNumber, class Tetrahedra, class Scalars, class Traits, class NamedParameters>
-Flat_soup<typename Traits::Scalar> flatten_tetrahedra(const PointsOrNumber& points,
-                                                      const Tetrahedra& tetrahedra,
-                                                      const Scalars& scalars,
-                                                      const Traits& traits,
-                                                      const NamedParameters& np)
-{
-  const std::size_t size = count_vertices(points);
-  return flatten_complex(size, scalars, traits, np,
-                         [&](const auto& edges) { return read_tetrahedra(size, tetrahedra, edges); });
+  const auto& edges = unwrap_reference(edges_parameter);
+  return flatten_soup<Sequential_tag>(size, scalars, traits, [&] {
+    if constexpr(vertices_per_cell == 3)
+      return read_triangles(size, cells, edges);
+    else
+      return read_tetrahedra(size, cells, edges);
+  });
 }
 
 } // namespace internal

@@ -11,11 +11,13 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/Embedding.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/embedding/Centroid_polylines.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -134,6 +136,39 @@ void embed_at_centroids(const Augmentation& augmentation,
     polyline.insert(polyline.begin() + 1, inner_points.begin(), inner_points.end());
     values.insert(values.begin() + 1, places[i].values.begin(), places[i].values.end());
   }
+}
+
+// `make_centroids` and `make_polylines` return what the two functions above take.
+template <class ConcurrencyTag,
+          class Point,
+          class Augmentation,
+          class PointMap,
+          class NamedParameters,
+          class MakeCentroids,
+          class MakePolylines>
+Embedding<Point> embed_in_manner(const Augmentation& augmentation,
+                                 const PointMap& point_map,
+                                 const NamedParameters& np,
+                                 const MakeCentroids& make_centroids,
+                                 const MakePolylines& make_polylines)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const Progress progress(np);
+  Embedding<Point> result;
+  embed_nodes_at_vertices(augmentation, point_map, result);
+  switch(choose_parameter(get_parameter(np, internal::embedding_manner), Embedding_manner::CENTROIDS))
+  {
+  case Embedding_manner::CENTROIDS:
+    embed_at_centroids<ConcurrencyTag>(augmentation, make_centroids(), np, progress, result);
+    break;
+  case Embedding_manner::ON_SURFACE:
+    embed_on_surface<ConcurrencyTag>(augmentation, make_polylines(), progress, result);
+    break;
+  case Embedding_manner::STRAIGHT: embed_straight(augmentation, result); break;
+  }
+  progress.report_end();
+  return result;
 }
 
 } // namespace internal

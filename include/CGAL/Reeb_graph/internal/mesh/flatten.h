@@ -66,19 +66,19 @@ struct Flat_field
   Halfedge_list<FaceListGraph> halfedges;
 };
 
-// A mesh with its field by numbers, before it has been checked and afterwards.
-template <class FaceListGraph, class Scalar>
-struct Unchecked_surface
+// A mesh with its field by numbers.
+template <class Complex, class FaceListGraph, class Scalar>
+struct Complex_with_field
 {
-  Unchecked_complex<Complex_of_t<FaceListGraph>> complex;
+  Complex complex;
   Flat_field<FaceListGraph, Scalar> field;
 };
 
+// Those before the mesh has been checked, and afterwards.
 template <class FaceListGraph, class Scalar>
-struct Flat_surface : Flat_field<FaceListGraph, Scalar>
-{
-  Complex_of_t<FaceListGraph> complex;
-};
+using Unchecked_surface = Complex_with_field<Unchecked_complex<Complex_of_t<FaceListGraph>>, FaceListGraph, Scalar>;
+template <class FaceListGraph, class Scalar>
+using Flat_surface = Complex_with_field<Complex_of_t<FaceListGraph>, FaceListGraph, Scalar>;
 
 // A map that stores a default when a vertex without a value is read.
 template <class Map>
@@ -242,7 +242,7 @@ Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph
   auto [unchecked, field] = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
   auto complex =
     check_complex<ConcurrencyTag>(std::move(unchecked), Vertex_order(field.values, traits.less_scalar_object()));
-  return {std::move(field), std::move(complex)};
+  return {std::move(complex), std::move(field)};
 }
 
 } // namespace internal

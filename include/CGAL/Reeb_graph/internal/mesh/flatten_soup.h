@@ -84,6 +84,10 @@ public:
   }
 };
 
+// A soup, or the faces of tetrahedra, with its field by numbers.
+template <class Scalar>
+using Flat_soup = Complex_with_field<Simplicial_complex, Simplicial_complex, Scalar>;
+
 // The values of the vertices, one for each in a random access range.
 template <class ConcurrencyTag, class Scalars, class Traits>
 Flat_field<Simplicial_complex, typename Traits::Scalar> flatten_scalars(std::size_t number_of_vertices,
@@ -97,6 +101,17 @@ Flat_field<Simplicial_complex, typename Traits::Scalar> flatten_scalars(std::siz
   const auto map =
     boost::make_iterator_property_map(std::begin(scalars), boost::typed_identity_property_map<std::size_t>());
   return {read_values<ConcurrencyTag>(vertices, map, traits), vertices, {}};
+}
+
+// The field is checked before the complex that read_complex() returns.
+template <class ConcurrencyTag, class Scalars, class Traits, class ReadComplex>
+Flat_soup<typename Traits::Scalar> flatten_soup(std::size_t number_of_vertices,
+                                                const Scalars& scalars,
+                                                const Traits& traits,
+                                                const ReadComplex& read_complex)
+{
+  auto field = flatten_scalars<ConcurrencyTag>(number_of_vertices, scalars, traits);
+  return {read_complex(), std::move(field)};
 }
 
 } // namespace internal
