@@ -79,6 +79,22 @@ std::vector<std::size_t> places_of(const Surface& surface, const Vertex_location
   return places;
 }
 
+Graph_in_space embed_and_time(const Compute_options& options,
+                              const Augmentation& augmentation,
+                              const std::vector<Arc_row>& arcs,
+                              Report& report)
+{
+  const Stopwatch stopwatch;
+  // tables hold no lines, only the points of nodes
+  const auto default_manner = std::filesystem::path(options.graph_path).extension() == ".csv"
+                              ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
+                              : CGAL::Reeb_graph::Embedding_manner::CENTROIDS;
+  Graph_in_space result = embed_graph(augmentation, options.embedding_manner.value_or(default_manner),
+                                      has_arc_attributes(options.graph_path) ? &arcs : nullptr);
+  report.seconds.emplace_back("embed", stopwatch.seconds());
+  return result;
+}
+
 // The vertices are located if one of the files or the table needs it.
 void write_files_of_surface(const Compute_options& options,
                             const Simplified_graph& graph,
@@ -102,21 +118,16 @@ void write_files_of_surface(const Compute_options& options,
   report.seconds.emplace_back("locate", stopwatch.seconds());
   if(!has_file)
     return;
+  std::optional<Graph_in_space> graph_in_space;
+  if(is_graph_in_space(options))
+    graph_in_space = embed_and_time(options, augmentation, arcs, report);
   const Stopwatch output_stopwatch;
   if(!options.vertex_arcs_path.empty())
     write_vertex_arcs(options.vertex_arcs_path, places_of(surface, locations), num_vertices(graph.result()));
   if(!options.mesh_path.empty())
     write_mesh(options.mesh_path, surface, {scalar_map, locations, num_vertices(graph.result()), std::nullopt});
-  if(is_graph_in_space(options))
-  {
-    // tables hold no lines, only the points of nodes
-    const auto default_manner = std::filesystem::path(options.graph_path).extension() == ".csv"
-                                ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
-                                : CGAL::Reeb_graph::Embedding_manner::CENTROIDS;
-    const auto manner = options.embedding_manner.value_or(default_manner);
-    const std::vector<Arc_row>* const measures = has_arc_attributes(options.graph_path) ? &arcs : nullptr;
-    write_graph_in_space(options.graph_path, graph.result(), embed_graph(augmentation, manner, measures), surface);
-  }
+  if(graph_in_space)
+    write_graph_in_space(options.graph_path, graph.result(), *graph_in_space, surface);
   report.add_seconds("output", output_stopwatch.seconds());
 }
 
@@ -241,8 +252,11 @@ void compute_on_complex(const Compute_options& options, Mesh& mesh, Report& repo
   write_pairs_and_diagram(options, graph_on_vertices(given, mesh.surface, false), threshold, report);
   if(is_graph_in_space(options))
   {
+    const Stopwatch embed_stopwatch;
+    const Graph_in_space graph_in_space = embed_straight(result, mesh.surface);
+    report.seconds.emplace_back("embed", embed_stopwatch.seconds());
     const Stopwatch stopwatch;
-    write_graph_in_space(options.graph_path, result, embed_straight(result, mesh.surface), mesh.surface);
+    write_graph_in_space(options.graph_path, result, graph_in_space, mesh.surface);
     report.add_seconds("output", stopwatch.seconds());
   }
   write_graph_file(options, result, report);

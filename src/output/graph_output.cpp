@@ -12,6 +12,7 @@
 
 #include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/Reeb_graph/IO/svg.h>
+#include <CGAL/Reeb_graph/internal/output/Text_output.h>
 
 #include <stdexcept>
 #include <string>
@@ -123,11 +124,13 @@ void write_vertex_arcs(const std::filesystem::path& path,
                        std::size_t number_of_nodes)
 {
   write_file(path, [&](std::ostream& stream) {
+    CGAL::Reeb_graph::internal::Text_output text(stream);
     for(const std::size_t place : places)
       if(place < number_of_nodes)
-        stream << "node " << place << '\n';
+        text << "node " << place << '\n';
       else
-        stream << "arc " << place - number_of_nodes << '\n';
+        text << "arc " << place - number_of_nodes << '\n';
+    text.flush();
   });
 }
 

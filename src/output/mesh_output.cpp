@@ -12,6 +12,7 @@
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Reeb_graph/IO/mesh_vtp.h>
+#include <CGAL/Reeb_graph/internal/output/Text_output.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
@@ -169,9 +170,10 @@ void write_surface(const std::filesystem::path& path, const Surface& surface)
 void write_scalars(const std::filesystem::path& path, const Surface& surface, Scalar_map scalar_map)
 {
   write_file(path, [&](std::ostream& stream) {
-    stream.precision(std::numeric_limits<double>::max_digits10);
+    CGAL::Reeb_graph::internal::Text_output text(stream);
     for(const Surface::Vertex_index v : surface.vertices())
-      stream << scalar_map[v] << '\n';
+      text << scalar_map[v] << '\n';
+    text.flush();
   });
 }
 

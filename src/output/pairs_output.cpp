@@ -10,40 +10,42 @@
 
 #include "output/output_file.h"
 
-#include <limits>
+#include <CGAL/Reeb_graph/internal/output/Text_output.h>
+
 #include <ostream>
 #include <stdexcept>
 
 namespace reeb_graph_program {
 namespace {
-void write_csv(std::ostream& stream,
+using CGAL::Reeb_graph::internal::Text_output;
+
+void write_csv(Text_output& text,
                const Graph& graph,
                const std::vector<Persistence_pair>& pairs,
                const Vertex_numbers& vertex_numbers)
 {
-  stream << "kind,lower_vertex,upper_vertex,lower_value,upper_value,persistence\n";
+  text << "kind,lower_vertex,upper_vertex,lower_value,upper_value,persistence\n";
   for(const Persistence_pair& pair : pairs)
   {
     const auto &lower = graph[pair.lower_node], &upper = graph[pair.upper_node];
-    stream << to_string(pair.kind) << ',' << get(vertex_numbers, lower.vertex) << ','
-           << get(vertex_numbers, upper.vertex) << ',' << lower.value << ',' << upper.value << ','
-           << CGAL::Reeb_graph::persistence(graph, pair) << '\n';
+    text << to_string(pair.kind) << ',' << get(vertex_numbers, lower.vertex) << ',' << get(vertex_numbers, upper.vertex)
+         << ',' << lower.value << ',' << upper.value << ',' << CGAL::Reeb_graph::persistence(graph, pair) << '\n';
   }
 }
 
 // What lives in sublevel sets has dimension 0 and is born below; relative classes and loops have dimension 1 and are
 // born above.
-void write_pers(std::ostream& stream, const Graph& graph, const std::vector<Persistence_pair>& pairs)
+void write_pers(Text_output& text, const Graph& graph, const std::vector<Persistence_pair>& pairs)
 {
   typedef CGAL::Reeb_graph::Persistence_pair_kind Kind;
-  stream << "# dimension birth death: 0 minimum saddle, 1 maximum saddle, 0 minimum maximum, 1 of a loop\n";
+  text << "# dimension birth death: 0 minimum saddle, 1 maximum saddle, 0 minimum maximum, 1 of a loop\n";
   for(const Persistence_pair& pair : pairs)
   {
     const double lower = graph[pair.lower_node].value, upper = graph[pair.upper_node].value;
     if(pair.kind == Kind::MINIMUM_SADDLE || pair.kind == Kind::MINIMUM_MAXIMUM)
-      stream << "0 " << lower << ' ' << upper << '\n';
+      text << "0 " << lower << ' ' << upper << '\n';
     else
-      stream << "1 " << upper << ' ' << lower << '\n';
+      text << "1 " << upper << ' ' << lower << '\n';
   }
 }
 
@@ -62,11 +64,12 @@ void write_pairs(const std::filesystem::path& path,
 {
   check_pairs_format(path);
   write_file(path, [&](std::ostream& stream) {
-    stream.precision(std::numeric_limits<double>::max_digits10);
+    Text_output text(stream);
     if(path.extension() == ".csv")
-      write_csv(stream, graph, pairs, vertex_numbers);
+      write_csv(text, graph, pairs, vertex_numbers);
     else
-      write_pers(stream, graph, pairs);
+      write_pers(text, graph, pairs);
+    text.flush();
   });
 }
 

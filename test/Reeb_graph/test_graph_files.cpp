@@ -18,6 +18,7 @@
 #include <CGAL/Reeb_graph/curves/cut_along_contours.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/Reeb_graph/index_maps.h>
+#include <CGAL/Reeb_graph/internal/output/Text_output.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 
 #include <CGAL/Exact_rational.h>
@@ -255,6 +256,48 @@ BOOST_AUTO_TEST_CASE(files_that_are_written_and_read)
     BOOST_CHECK_THROW(CGAL::Reeb_graph::read_graphml(wrong, mesh, read), File_error);
   }
   BOOST_TEST(graph_checks::are_identical(graph, read));
+}
+
+// Text is written in pieces, in which a stream has no part, with all digits of numbers.
+BOOST_AUTO_TEST_CASE(text_is_written_as_by_a_stream)
+{
+  typedef std::numeric_limits<double> Limits;
+  std::vector<double> numbers = {0.,
+                                 Limits::infinity(),
+                                 Limits::quiet_NaN(),
+                                 Limits::denorm_min(),
+                                 (Limits::min)(),
+                                 0.1,
+                                 (Limits::max)(),
+                                 1e-4,
+                                 1e-5,
+                                 1. / 3,
+                                 1e7,
+                                 99999999999999984.,
+                                 1e17,
+                                 123456789012345680.};
+  for(int exponent = -300; exponent <= 300; ++exponent)
+    numbers.push_back(std::pow(7., exponent));
+  std::ostringstream expected, written;
+  expected.precision(Limits::max_digits10);
+  CGAL::Reeb_graph::internal::Text_output text(written);
+  const auto write = [&](const auto& part) {
+    expected << part << ' ';
+    text << part << ' ';
+  };
+  for(int round = 0; round < 5; ++round) // more than a piece
+  {
+    for(const double number : numbers)
+    {
+      write(number);
+      write(-number);
+    }
+    write((std::numeric_limits<long long>::min)());
+    write((std::numeric_limits<unsigned long long>::max)());
+    write(std::string(round * 50000, 'x'));
+  }
+  text.flush();
+  BOOST_TEST((written.str() == expected.str()));
 }
 
 BOOST_AUTO_TEST_CASE(kinds_of_nodes_are_written)

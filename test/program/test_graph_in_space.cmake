@@ -38,6 +38,13 @@ expect_match("${content}" "^arc,source,target,lower_value,upper_value,persistenc
 expect_success(compute ${z} --graph vertices.csv)
 expect_same_file(table.nodes.csv vertices.nodes.csv)
 
+# Where the nodes and arcs are is found before files are written.
+expect_success(compute ${z} --graph vertices.csv --json)
+foreach(step locate embed output)
+  string(JSON seconds GET "${output}" seconds ${step})
+  expect_match("${seconds}" "^[0-9]")
+endforeach()
+
 file(WRITE ${FOLDER}/infinite.txt "-inf\n0\n0.5\ninf\n")
 expect_success(compute tetrahedron.off --scalars infinite.txt --graph infinite.json)
 file(READ ${FOLDER}/infinite.json json)

@@ -14,8 +14,8 @@
 #include <CGAL/Reeb_graph/IO/attributes.h>
 #include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/internal/output/Text_output.h>
 #include <CGAL/Reeb_graph/internal/output/files.h>
-#include <CGAL/Reeb_graph/internal/output/number_text.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
@@ -66,20 +66,19 @@ inline std::string csv_of(const std::string& text)
 template <class Graph, class Embedding, class VertexIndexMap>
 void write_nodes_csv(std::ostream& out, const Graph& graph, const Embedding& embedding, VertexIndexMap vertex_index_map)
 {
-  const internal::Classic_locale classic_locale(out);
   if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
   {
-    using internal::to_round_trip_string;
-    out << "node,vertex,value,kind,x,y,z,arcs_below,arcs_above\n";
+    internal::Text_output text(out);
+    text << "node,vertex,value,kind,x,y,z,arcs_below,arcs_above\n";
     for(const auto node : CGAL::make_range(vertices(graph)))
     {
       const auto& point = embedding.node_points[node];
-      out << node << ',' << std::to_string(get(vertex_index_map, graph[node].vertex)) << ','
-          << to_round_trip_string(embedding.node_values[node]) << ',' << graph[node].kind << ','
-          << to_round_trip_string(CGAL::to_double(point.x())) << ',' << to_round_trip_string(CGAL::to_double(point.y()))
-          << ',' << to_round_trip_string(CGAL::to_double(point.z())) << ',' << in_degree(node, graph) << ','
-          << out_degree(node, graph) << '\n';
+      text << node << ',' << get(vertex_index_map, graph[node].vertex) << ',' << embedding.node_values[node] << ','
+           << to_string(graph[node].kind) << ',' << CGAL::to_double(point.x()) << ',' << CGAL::to_double(point.y())
+           << ',' << CGAL::to_double(point.z()) << ',' << in_degree(node, graph) << ',' << out_degree(node, graph)
+           << '\n';
     }
+    text.flush();
   }
 }
 
@@ -107,25 +106,25 @@ void write_arcs_csv(std::ostream& out,
                     const Embedding& embedding,
                     const NamedParameters& np = parameters::default_values())
 {
-  const internal::Classic_locale classic_locale(out);
-  using internal::to_round_trip_string;
   const std::vector<Attribute> attributes =
     internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
-  out << "arc,source,target,lower_value,upper_value";
+  internal::Text_output text(out);
+  text << "arc,source,target,lower_value,upper_value";
   for(const Attribute& attribute : attributes)
-    out << ',' << internal::csv_of(attribute.name);
-  out << '\n';
+    text << ',' << internal::csv_of(attribute.name);
+  text << '\n';
   std::size_t i = 0;
   for(const auto arc : CGAL::make_range(edges(graph)))
   {
     const auto lower = source(arc, graph), upper = target(arc, graph);
-    out << i << ',' << lower << ',' << upper << ',' << to_round_trip_string(embedding.node_values[lower]) << ','
-        << to_round_trip_string(embedding.node_values[upper]);
+    text << i << ',' << lower << ',' << upper << ',' << embedding.node_values[lower] << ','
+         << embedding.node_values[upper];
     for(const Attribute& attribute : attributes)
-      std::visit([&](const auto& numbers) { out << ',' << to_round_trip_string(numbers[i]); }, attribute.numbers);
-    out << '\n';
+      std::visit([&](const auto& numbers) { text << ',' << numbers[i]; }, attribute.numbers);
+    text << '\n';
     ++i;
   }
+  text.flush();
 }
 
 /// \ingroup PkgReebGraphIO

@@ -47,10 +47,13 @@ constexpr const char* graphml_type()
     return "string";
 }
 
+// What is written as the value of a key.
 template <class Value>
-std::string graphml_text(const Value& value)
+auto graphml_text(const Value& value)
 {
-  if constexpr(std::is_arithmetic_v<Value>)
+  if constexpr(std::is_floating_point_v<Value>)
+    return value;
+  else if constexpr(std::is_integral_v<Value>)
     return to_round_trip_string(value);
   else
     return boost::property_tree::xml_parser::encode_char_entities(to_round_trip_string(value));

@@ -16,8 +16,8 @@
 #include <charconv>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <ostream>
-#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -30,38 +30,65 @@ namespace internal {
 class Text_output
 {
 public:
-  explicit Text_output(std::ostream& out) : out_(out) { text_.reserve(2 * size_of_piece); }
+  explicit Text_output(std::ostream& out) : out_(out), piece_(new char[size_of_piece]), end_(piece_.get()) {}
 
   Text_output(const Text_output&) = delete;
   Text_output& operator=(const Text_output&) = delete;
 
   Text_output& operator<<(std::string_view text)
   {
-    text_ += text;
-    if(text_.size() > size_of_piece)
+    if(text.size() > size_of_piece)
+    {
       flush();
+      out_.write(text.data(), static_cast<std::streamsize>(text.size()));
+      return *this;
+    }
+    make_room(text.size());
+    end_ += text.copy(end_, text.size());
     return *this;
   }
 
-  Text_output& operator<<(std::size_t number)
+  Text_output& operator<<(char c) { return *this << std::string_view(&c, 1); }
+
+  // Writes what to_round_trip_string() makes of the number.
+  template <class Number, std::enable_if_t<std::is_arithmetic_v<Number>, int> = 0>
+  Text_output& operator<<(Number number)
   {
-    char digits[std::numeric_limits<std::size_t>::digits10 + 1];
-    const auto end = std::to_chars(std::begin(digits), std::end(digits), number).ptr;
-    return *this << std::string_view(digits, static_cast<std::size_t>(end - digits));
+    if constexpr(is_written_by_to_chars<Number>)
+    {
+      make_room(most_characters_of_number);
+      end_ = write_with_precision(number, std::numeric_limits<Number>::max_digits10, end_);
+      return *this;
+    }
+    else if constexpr(std::is_integral_v<Number> && sizeof(Number) > 1)
+    {
+      make_room(most_characters_of_number);
+      end_ = std::to_chars(end_, end_ + most_characters_of_number, number).ptr;
+      return *this;
+    }
+    else
+      return *this << to_round_trip_string(number);
   }
 
   // Writes what is left. It is not left to a destructor, in which a stream could throw an exception.
   void flush()
   {
-    out_.write(text_.data(), static_cast<std::streamsize>(text_.size()));
-    text_.clear();
+    out_.write(piece_.get(), end_ - piece_.get());
+    end_ = piece_.get();
   }
 
 private:
   static constexpr std::size_t size_of_piece = 1 << 16;
 
+  void make_room(std::size_t size)
+  {
+    if(size > size_of_piece - static_cast<std::size_t>(end_ - piece_.get()))
+      flush();
+  }
+
   std::ostream& out_;
-  std::string text_;
+  std::unique_ptr<char[]> piece_;
+  char* end_; // of what is written in the piece
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <charconv>
+#include <cstddef>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -22,17 +23,32 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+// Whether std::to_chars() writes such numbers.
+template <class Value>
+#ifdef __cpp_lib_to_chars
+constexpr bool is_written_by_to_chars = std::is_same_v<Value, double> || std::is_same_v<Value, float>;
+#else
+constexpr bool is_written_by_to_chars = false;
+#endif
+
+// A sign, 17 digits, a point, and an exponent.
+constexpr std::size_t most_characters_of_number = 32;
+
+template <class Value>
+char* write_with_precision(const Value& value, int precision, char* out)
+{
+  return std::to_chars(out, out + most_characters_of_number, value, std::chars_format::general, precision).ptr;
+}
+
 template <class Value>
 std::string to_string_with_precision(const Value& value, int precision)
 {
-#ifdef __cpp_lib_to_chars
-  if constexpr(std::is_same_v<Value, double> || std::is_same_v<Value, float>)
+  if constexpr(is_written_by_to_chars<Value>)
   {
-    char digits[32]; // a sign, 17 digits, a point, and an exponent
+    char digits[most_characters_of_number];
     if(precision <= std::numeric_limits<double>::max_digits10)
-      return {digits, std::to_chars(digits, digits + sizeof(digits), value, std::chars_format::general, precision).ptr};
+      return {digits, write_with_precision(value, precision, digits)};
   }
-#endif
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(precision);
