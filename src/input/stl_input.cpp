@@ -33,16 +33,33 @@ class Corner_collector
 public:
   void add_corner(const Point& point)
   {
-    if(2 * soup_.points.size() >= table_.size())
-      grow(2 * table_.size());
-    Corner& vertex = table_[find(point)];
-    if(vertex == too_large_corner)
-    {
-      vertex = static_cast<Corner>(soup_.points.size());
-      soup_.points.push_back(point);
-    }
-    soup_.polygons.add_corner(vertex);
+    make_room(1);
+    add_corner(point, first_place(point));
     ++number_of_corners_;
+  }
+
+  // Adds facets, each by its three corners. All are looked up in turns, each of which fetches what the next one reads.
+  template <std::size_t size>
+  void add_facets(const std::array<Point, size>& corners, std::size_t number_of_facets)
+  {
+    using CGAL::Reeb_graph::internal::prefetch;
+    const std::size_t number = 3 * number_of_facets;
+    std::array<std::size_t, size> places;
+    make_room(number);
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      places[i] = first_place(corners[i]);
+      prefetch(&table_[places[i]]);
+    }
+    for(std::size_t i = 0; i < number; ++i)
+      if(table_[places[i]] != too_large_corner)
+        prefetch(&soup_.points[table_[places[i]]]);
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      add_corner(corners[i], places[i]);
+      if(i % 3 == 2)
+        soup_.polygons.end_polygon();
+    }
   }
 
   // Makes room for as many facets as a closed surface has.
@@ -56,9 +73,6 @@ public:
     grow(size);
   }
 
-  // Fetches what add_corner() looks at first.
-  void prefetch(const Point& point) const { CGAL::Reeb_graph::internal::prefetch(&table_[first_place(point)]); }
-
   void end_facet()
   {
     soup_.polygons.end_polygon();
@@ -69,6 +83,17 @@ public:
   Polygon_soup& soup() { return soup_; }
 
 private:
+  void add_corner(const Point& point, std::size_t first_place)
+  {
+    Corner& vertex = table_[find(point, first_place)];
+    if(vertex == too_large_corner)
+    {
+      vertex = static_cast<Corner>(soup_.points.size());
+      soup_.points.push_back(point);
+    }
+    soup_.polygons.add_corner(vertex);
+  }
+
   // The bits of a number, the same ones for 0 and -0.
   static std::uint64_t bits_of(double number)
   {
@@ -96,19 +121,24 @@ private:
   }
 
   // The place of the vertex at the point, or a free one. Linear probing ends, as half of the places are free.
-  std::size_t find(const Point& point) const
+  std::size_t find(const Point& point, std::size_t place) const
   {
-    std::size_t place = first_place(point);
     while(table_[place] != too_large_corner && !is_same(soup_.points[table_[place]], point))
       place = (place + 1) & (table_.size() - 1);
     return place;
+  }
+
+  void make_room(std::size_t number_of_points)
+  {
+    if(2 * (soup_.points.size() + number_of_points) > table_.size())
+      grow(2 * table_.size());
   }
 
   void grow(std::size_t size)
   {
     table_.assign(std::max<std::size_t>(size, 1024), too_large_corner); // a power of two
     for(std::size_t v = 0; v < soup_.points.size(); ++v)
-      table_[find(soup_.points[v])] = static_cast<Corner>(v);
+      table_[find(soup_.points[v], first_place(soup_.points[v]))] = static_cast<Corner>(v);
   }
 
   std::vector<Corner> table_;
@@ -140,14 +170,14 @@ Polygon_soup read_binary(std::string_view bytes, std::size_t number_of_facets)
     return Point(decode_little_endian<float>(begin), decode_little_endian<float>(begin + 4),
                  decode_little_endian<float>(begin + 8));
   };
-  constexpr std::size_t ahead = 8;
-  for(std::size_t facet = 0; facet < number_of_facets; ++facet)
+  constexpr std::size_t most_facets = 32; // whose corners are in the nearest cache until they are added
+  std::array<Point, 3 * most_facets> corners;
+  for(std::size_t begin = 0; begin < number_of_facets; begin += most_facets)
   {
-    for(std::size_t corner = 0; corner < 3 && facet + ahead < number_of_facets; ++corner)
-      collector.prefetch(point(facet + ahead, corner));
-    for(std::size_t corner = 0; corner < 3; ++corner)
-      collector.add_corner(point(facet, corner));
-    collector.end_facet();
+    const std::size_t number = std::min(most_facets, number_of_facets - begin);
+    for(std::size_t i = 0; i < 3 * number; ++i)
+      corners[i] = point(begin + i / 3, i % 3);
+    collector.add_facets(corners, number);
   }
   return std::move(collector.soup());
 }

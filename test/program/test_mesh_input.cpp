@@ -8,16 +8,25 @@
 
 #include "generated_surfaces/random_meshes.h"
 #include "input/assemble_surface.h"
+#include "input/binary_numbers.h"
+#include "input/mesh_formats.h"
 #include "input/text_blocks.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
+#include <map>
 #include <string>
 #include <vector>
 
-// Surfaces are those that CGAL makes of one face after the other, and blocks of a text are the text.
+// Surfaces are those that CGAL makes of one face after the other, blocks of a text are the text, and
+// binary STL files have each point once.
 
 namespace {
 using random_meshes::Random;
@@ -164,10 +173,59 @@ void check_blocks(std::size_t seed, int& number_of_faults)
   std::cerr << "seed " << seed << ": the blocks of a text are not the text\n";
   ++number_of_faults;
 }
+
+// Few enough points to be shared by corners, or so many that most corners are points of their own, zeros with signs.
+std::vector<std::array<float, 3>> random_corners(Random& random)
+{
+  const std::size_t number_of_values = 1 + random.below(random.below(2) == 0 ? 8 : 100000);
+  std::vector<std::array<float, 3>> corners(3 * random.below(1000));
+  for(std::array<float, 3>& corner : corners)
+    for(float& coordinate : corner)
+      coordinate = (random.below(2) == 0 ? -1.f : 1.f) * static_cast<float>(random.below(number_of_values)) / 7;
+  return corners;
+}
+
+void write_binary_stl(const std::string& path, const std::vector<std::array<float, 3>>& corners)
+{
+  std::string bytes(84, ' ');
+  encode(static_cast<std::uint32_t>(corners.size() / 3), &bytes[80]);
+  for(std::size_t i = 0; i < corners.size(); ++i)
+  {
+    bytes.append(i % 3 == 0 ? 12 : 0, '\0'); // the normal
+    char coordinate[4];
+    for(const float number : corners[i])
+      bytes.append(coordinate, encode(number, coordinate));
+    bytes.append(i % 3 == 2 ? 2 : 0, '\0');
+  }
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+// The points of a binary STL file are those of its corners, each once, in the order in which they come first.
+void check_stl(std::size_t seed, const std::string& path, int& number_of_faults)
+{
+  Random random(seed);
+  const std::vector<std::array<float, 3>> corners = random_corners(random);
+  write_binary_stl(path, corners);
+  const Polygon_soup soup = read_stl(path);
+  std::remove(path.c_str());
+  std::map<std::array<float, 3>, std::size_t> vertices;
+  bool is_right = soup.polygons.are_triangles() && soup.polygons.number_of_corners() == corners.size();
+  for(std::size_t i = 0; is_right && i < corners.size(); ++i)
+  {
+    const std::size_t vertex = vertices.emplace(corners[i], vertices.size()).first->second;
+    is_right = soup.polygons[i / 3].begin()[i % 3] == vertex && vertex < soup.points.size()
+            && soup.points[vertex] == Point(corners[i][0], corners[i][1], corners[i][2]);
+  }
+  if(is_right && soup.points.size() == vertices.size())
+    return;
+  std::cerr << "seed " << seed << ": the mesh of a binary STL file is another one\n";
+  ++number_of_faults;
+}
 } // namespace
 
-int main()
+int main(int argc, char* argv[])
 {
+  const std::string path = std::string(argc > 1 ? argv[1] : "mesh_input") + ".stl";
   int number_of_faults = 0, number_of_surfaces = 0;
   constexpr int number_of_seeds = 3000;
   for(std::size_t seed = 0; seed < number_of_seeds; ++seed)
@@ -181,5 +239,7 @@ int main()
     for(std::size_t seed = 0; seed < 300; ++seed)
       check_blocks(seed, number_of_faults);
   });
+  for(std::size_t seed = 0; seed < 300; ++seed)
+    check_stl(seed, path, number_of_faults);
   return number_of_faults == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
