@@ -9,11 +9,12 @@
 #ifndef CGAL_REEB_GRAPH_TEST_BRUTE_FORCE_ORACLE_H
 #define CGAL_REEB_GRAPH_TEST_BRUTE_FORCE_ORACLE_H
 
+#include "oracle_parts.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -21,7 +22,7 @@
 // The Reeb graph by definition: the contours of all levels between two consecutive vertices, each from scratch. Slow,
 // and nothing in common with the package.
 namespace brute_force_oracle {
-constexpr std::size_t none = static_cast<std::size_t>(-1);
+using oracle_parts::none;
 
 // Edge number i joins the corners number i and (i + 1) % 3. Two triangles are adjacent where they have an edge in
 // common; two edges may join the same two vertices.
@@ -73,17 +74,11 @@ public:
          const std::vector<Triangle>& triangles,
          const std::vector<Scalar>& values,
          bool keeps_degree_two_nodes)
-    : order(number_of_vertices),
-      rank(number_of_vertices),
+    : order(oracle_parts::order_by_value(values)),
+      rank(oracle_parts::ranks_in(order)),
       triangles_(triangles),
       edges_of_vertex_(number_of_vertices)
   {
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(), [&](std::size_t u, std::size_t v) {
-      return values[u] < values[v] || (!(values[v] < values[u]) && u < v);
-    });
-    for(std::size_t k = 0; k < number_of_vertices; ++k)
-      rank[order[k]] = k;
     for(const Triangle& t : triangles)
       for(int i = 0; i < 3; ++i)
       {

@@ -9,6 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_TEST_COMPLEX_ORACLE_H
 #define CGAL_REEB_GRAPH_TEST_COMPLEX_ORACLE_H
 
+#include "oracle_parts.h"
+
 #include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/options.h>
 
@@ -16,7 +18,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <set>
 #include <string>
 #include <tuple>
@@ -31,8 +32,9 @@
 namespace complex_oracle {
 using CGAL::Reeb_graph::Node_kind;
 using CGAL::Reeb_graph::Ties;
-
-constexpr std::size_t none = static_cast<std::size_t>(-1);
+using oracle_parts::Arc;
+using oracle_parts::none;
+using oracle_parts::Strip;
 
 typedef std::vector<std::size_t> Simplex;         // two vertices or more
 typedef std::pair<std::size_t, std::size_t> Edge; // vertices, the lower index first
@@ -45,18 +47,6 @@ struct Point
   std::vector<std::size_t> vertices; // ascending by index
   std::vector<std::size_t> strips_below, strips_above;
   std::size_t node, arc; // one of them is none
-};
-
-struct Strip
-{
-  std::vector<std::size_t> edges; // ascending numbers of edges
-  std::size_t lower, upper;       // points
-  std::size_t arc;
-};
-
-struct Arc
-{
-  std::size_t lower, upper; // nodes
 };
 
 // The components of numbered elements that have been added.
@@ -113,8 +103,7 @@ public:
          const std::vector<Scalar>& values,
          Ties ties = Ties::PERTURB,
          bool keeps_degree_two_nodes = false)
-    : rank(number_of_vertices),
-      heights(number_of_vertices),
+    : heights(number_of_vertices),
       point_of_vertex(number_of_vertices, none),
       simplices_(simplices)
   {
@@ -128,7 +117,7 @@ public:
     for(std::size_t height = 0; height + 1 < number_of_heights_; ++height)
       find_strips(height);
     find_nodes(ties, keeps_degree_two_nodes);
-    find_arcs();
+    arcs = oracle_parts::number_arcs(nodes, points, strips);
   }
 
   bool is_critical(std::size_t v) const { return lower_sectors[v] != 1 || upper_sectors[v] != 1; }
@@ -184,15 +173,13 @@ private:
   template <class Scalar>
   std::size_t find_order(const std::vector<Scalar>& values, Ties ties)
   {
-    std::vector<std::size_t> order(values.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t u, std::size_t v) { return values[u] < values[v]; });
+    const std::vector<std::size_t> order = oracle_parts::order_by_value(values);
+    rank = oracle_parts::ranks_in(order);
     std::size_t height = 0;
     for(std::size_t i = 0; i < order.size(); ++i)
     {
       const bool is_new = i > 0 && (ties == Ties::PERTURB || values[order[i - 1]] < values[order[i]]);
       height += is_new ? 1 : 0;
-      rank[order[i]] = i;
       heights[order[i]] = height;
     }
     return order.empty() ? 0 : height + 1;
@@ -337,7 +324,7 @@ private:
 
   void find_nodes(Ties ties, bool keeps_degree_two_nodes)
   {
-    std::vector<std::tuple<std::size_t, std::size_t, std::size_t>> keys;
+    std::vector<oracle_parts::Node_key> keys;
     for(std::size_t i = 0; i < points.size(); ++i)
     {
       const std::size_t name = lowest_critical_vertex(points[i]);
@@ -348,29 +335,7 @@ private:
       if(!is_passed(points[i]) || (keeps_degree_two_nodes && name != none))
         keys.emplace_back(points[i].height, name, i);
     }
-    std::sort(keys.begin(), keys.end());
-    for(const auto& key : keys)
-    {
-      points[std::get<2>(key)].node = nodes.size();
-      nodes.push_back(std::get<2>(key));
-    }
-  }
-
-  void find_arcs()
-  {
-    for(std::size_t node = 0; node < nodes.size(); ++node)
-      for(std::size_t strip : points[nodes[node]].strips_above)
-      {
-        strips[strip].arc = arcs.size();
-        while(points[strips[strip].upper].node == none)
-        {
-          Point& point = points[strips[strip].upper];
-          point.arc = arcs.size();
-          strip = point.strips_above.front();
-          strips[strip].arc = arcs.size();
-        }
-        arcs.push_back({node, points[strips[strip].upper].node});
-      }
+    nodes = oracle_parts::number_nodes(std::move(keys), points);
   }
 
   std::vector<Simplex> simplices_;

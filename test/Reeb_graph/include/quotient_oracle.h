@@ -10,13 +10,12 @@
 #define CGAL_REEB_GRAPH_TEST_QUOTIENT_ORACLE_H
 
 #include "brute_force_oracle.h"
+#include "oracle_parts.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <set>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,6 +25,8 @@
 namespace quotient_oracle {
 using brute_force_oracle::none;
 using brute_force_oracle::Triangle;
+using oracle_parts::Arc;
+using oracle_parts::Strip;
 
 struct Point
 {
@@ -35,18 +36,6 @@ struct Point
   std::size_t node, arc; // one of them is none
 };
 
-struct Strip
-{
-  std::vector<std::size_t> edges; // sorted
-  std::size_t lower, upper;       // points
-  std::size_t arc;
-};
-
-struct Quotient_arc
-{
-  std::size_t lower, upper; // nodes
-};
-
 class Quotient
 {
 public:
@@ -54,7 +43,7 @@ public:
   std::vector<Strip> strips;
   std::vector<std::size_t> point_of_vertex;
   std::vector<std::size_t> nodes; // the points that are nodes, in the order of name_of_node()
-  std::vector<Quotient_arc> arcs; // in no particular order
+  std::vector<Arc> arcs;          // in no particular order
   bool is_consistent = true;      // false if a strip leads to two points
 
   // is_critical tells by vertex whether it is critical when ties are broken by the index
@@ -84,7 +73,7 @@ public:
     for(std::size_t value = 0; value + 1 < sorted.size(); ++value)
       find_strips(value);
     find_nodes(keeps_degree_two_nodes);
-    find_arcs();
+    arcs = oracle_parts::number_arcs(nodes, points, strips);
   }
 
   // the lowest critical vertex
@@ -214,7 +203,7 @@ private:
 
   void find_nodes(bool keeps_degree_two_nodes)
   {
-    std::vector<std::tuple<std::size_t, std::size_t, std::size_t>> keys;
+    std::vector<oracle_parts::Node_key> keys;
     for(std::size_t i = 0; i < points.size(); ++i)
     {
       const Point& point = points[i];
@@ -223,29 +212,7 @@ private:
       if(!is_passed || (keeps_degree_two_nodes && name != none))
         keys.emplace_back(point.value, name, i);
     }
-    std::sort(keys.begin(), keys.end());
-    for(const auto& key : keys)
-    {
-      points[std::get<2>(key)].node = nodes.size();
-      nodes.push_back(std::get<2>(key));
-    }
-  }
-
-  void find_arcs()
-  {
-    for(std::size_t node = 0; node < nodes.size(); ++node)
-      for(std::size_t strip : points[nodes[node]].strips_above)
-      {
-        strips[strip].arc = arcs.size();
-        while(points[strips[strip].upper].node == none)
-        {
-          Point& point = points[strips[strip].upper];
-          point.arc = arcs.size();
-          strip = point.strips_above.front();
-          strips[strip].arc = arcs.size();
-        }
-        arcs.push_back({node, points[strips[strip].upper].node});
-      }
+    nodes = oracle_parts::number_nodes(std::move(keys), points);
   }
 
   std::vector<Triangle> triangles_;
