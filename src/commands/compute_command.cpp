@@ -74,6 +74,7 @@ void check(const Compute_options& options)
 std::vector<std::size_t> places_of(const Surface& surface, const Vertex_locations& locations)
 {
   std::vector<std::size_t> places;
+  places.reserve(surface.number_of_vertices());
   for(const Surface::Vertex_index v : surface.vertices())
     places.push_back(locations.index(v));
   return places;

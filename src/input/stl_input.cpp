@@ -65,10 +65,11 @@ public:
   // Makes room for as many facets as a closed surface has.
   void reserve(std::size_t number_of_facets)
   {
-    soup_.points.reserve(number_of_facets / 2 + 2);
+    const std::size_t number_of_points = number_of_facets / 2 + 2;
+    soup_.points.reserve(number_of_points);
     soup_.polygons.reserve(number_of_facets);
     std::size_t size = 1;
-    while(size <= number_of_facets + 4)
+    while(size < places_per_point * number_of_points)
       size *= 2;
     grow(size);
   }
@@ -83,6 +84,9 @@ public:
   Polygon_soup& soup() { return soup_; }
 
 private:
+  // At least. Few corners meet another point first, which is not the one that has been fetched.
+  static constexpr std::size_t places_per_point = 4;
+
   void add_corner(const Point& point, std::size_t first_place)
   {
     Corner& vertex = table_[find(point, first_place)];
@@ -120,7 +124,7 @@ private:
     return mix(mix(mix(0, point.x()), point.y()), point.z()) & (table_.size() - 1);
   }
 
-  // The place of the vertex at the point, or a free one. Linear probing ends, as half of the places are free.
+  // The place of the vertex at the point, or a free one. Linear probing ends, as most places are free.
   std::size_t find(const Point& point, std::size_t place) const
   {
     while(table_[place] != too_large_corner && !is_same(soup_.points[table_[place]], point))
@@ -130,7 +134,7 @@ private:
 
   void make_room(std::size_t number_of_points)
   {
-    if(2 * (soup_.points.size() + number_of_points) > table_.size())
+    if(places_per_point * (soup_.points.size() + number_of_points) > table_.size())
       grow(2 * table_.size());
   }
 
@@ -170,7 +174,7 @@ Polygon_soup read_binary(std::string_view bytes, std::size_t number_of_facets)
     return Point(decode_little_endian<float>(begin), decode_little_endian<float>(begin + 4),
                  decode_little_endian<float>(begin + 8));
   };
-  constexpr std::size_t most_facets = 32; // whose corners are in the nearest cache until they are added
+  constexpr std::size_t most_facets = 64; // whose corners are in the nearest cache until they are added
   std::array<Point, 3 * most_facets> corners;
   for(std::size_t begin = 0; begin < number_of_facets; begin += most_facets)
   {
