@@ -106,7 +106,9 @@ void write_files(const fs::path& folder, std::size_t number_of_vertices)
   }
 }
 
-// What is measured: a command, the files that it reads or writes, and the step of the program that does so.
+// What is measured: a command, the files that it reads or writes, and the step of the program that does so. The step
+// "read" ends with a surface that is checked; "output" begins when all that is written has been found, with the arcs of
+// the vertices ("locate") and the places of nodes and the persistences of arcs ("embed").
 struct Row
 {
   std::string name, arguments;
@@ -150,8 +152,8 @@ void print_row(const benchmark::Table& table,
   for(const std::string& file : row.files)
     megabytes += static_cast<double>(fs::file_size(folder / file)) / 1e6;
   const double time = *steps[0].median(), graph = *graphs[0].median(), time_of_two = *steps[1].median();
-  table.print_row({row.name, cell(megabytes, 0), cell(time, 0), cell(1000 * megabytes / time, 0), cell(graph, 0),
-                   cell(time / graph, 1), cell(*wholes[0].median() / graph, 1), cell(time_of_two, 0),
+  table.print_row({row.name, row.step, cell(megabytes, 0), cell(time, 0), cell(1000 * megabytes / time, 0),
+                   cell(graph, 0), cell(time / graph, 1), cell(*wholes[0].median() / graph, 1), cell(time_of_two, 0),
                    cell(50 * time / time_of_two, 0), cell(*wholes[1].median() / *graphs[1].median(), 1)});
 }
 } // namespace
@@ -168,8 +170,10 @@ try
   const Temporary_folder folder;
   write_files(folder.path, number_of_vertices);
   const benchmark::Table table("Files that the program reads and writes, genus 3, " + cell(number_of_vertices)
-                                 + " vertices; whole: the whole command; medians of " + cell(repetitions) + " runs",
+                                 + " vertices; ms and MB/s are those of the step, whole: the whole command; medians of "
+                                 + cell(repetitions) + " runs",
                                {{"file", "", 12},
+                                {"step", "", 6},
                                 {"size", "MB", 5},
                                 {"1 thread", "ms"},
                                 {"1 thread", "MB/s"},
