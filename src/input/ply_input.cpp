@@ -31,7 +31,6 @@ using ply::Data;
 using ply::Element;
 using ply::Format;
 using ply::Property;
-using ply::Type;
 
 // Calls visit(number, record) for all of the records, on all threads.
 template <class Visit>
