@@ -139,9 +139,9 @@ inline Polygon_soup join(std::vector<Polygon_soup> parts)
   soup.points.resize(begins.back());
   soup.scalars.resize(are_scalars_there ? begins.back() : 0);
   run_tasks(parts.size(), [&](std::size_t i) {
-    std::copy(parts[i].points.begin(), parts[i].points.end(), soup.points.begin() + begins[i]);
+    std::copy(parts[i].points.begin(), parts[i].points.end(), soup.points.data() + begins[i]);
     if(are_scalars_there)
-      std::copy(parts[i].scalars.begin(), parts[i].scalars.end(), soup.scalars.begin() + begins[i]);
+      std::copy(parts[i].scalars.begin(), parts[i].scalars.end(), soup.scalars.data() + begins[i]);
   });
   join_polygons(parts, soup);
   return soup;

@@ -50,17 +50,17 @@ public:
   void read(const Property& property, std::vector<double>& numbers)
   {
     numbers.clear();
-    const double size = property.is_list() ? read_list_size(property) : 1;
-    while(static_cast<double>(numbers.size()) < size)
+    const std::size_t size = property.is_list() ? read_list_size(property) : 1;
+    while(numbers.size() < size)
       numbers.push_back(read(property.type));
   }
 
-  double read_list_size(const Property& property)
+  std::size_t read_list_size(const Property& property)
   {
-    const double size = read(property.list_size_type);
+    const double size = read(property.list_size_type); // an integer
     if(size < 0)
       input_.fail("the size of a list is negative");
-    return size;
+    return static_cast<std::size_t>(size);
   }
 
   // The next elements as records, nothing if the file is none of binary records or ends too early. Each list of theirs

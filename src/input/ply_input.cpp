@@ -137,9 +137,9 @@ void read_points(Text_input& input,
 
 void read_polygon(Text_input& input, const Property& property, Data& data, Polygons& polygons)
 {
-  const double size = data.read_list_size(property);
+  const std::size_t size = data.read_list_size(property);
   bool is_any_negative = false;
-  for(double i = 0; i < size; ++i)
+  for(std::size_t i = 0; i != size; ++i)
   {
     const double v = data.read(property.type);
     is_any_negative = is_any_negative || v < 0;
