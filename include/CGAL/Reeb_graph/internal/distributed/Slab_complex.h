@@ -62,11 +62,7 @@ public:
              return halfedge.next != no_index && has_vertex(halfedge.target);
            }));
   }
-  template <class ConcurrencyTag>
-  bool has_only_triangles(std::size_t) const
-  {
-    return true;
-  }
+  bool is_next_in_triangle(Halfedge_index) const { return true; }
   void check_faces() const {}
   void check_edges() const {}
 

@@ -16,12 +16,11 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
-#include <CGAL/Reeb_graph/internal/mesh/Edge_directions.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <cstdint>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -77,13 +76,13 @@ bool is_sweep_faster(const Complex& complex, const Order& order)
   return sample.far_ones > sample.number / 4 && sample.link_maxima < sample.number / 2;
 }
 
-// The vertices that are seen to be regular, and to have one fan, with no turn around them: by sweeps over the faces and
-// the edges, which read memory in its order, but for a few bytes per vertex.
+// The vertices that are seen to be regular, and to have one fan, with no turn around them: by a sweep over the edges, in
+// the order in which they are in memory.
 //
-// They are the vertices inside of the surface whose links have one maximum, which is higher than the vertex, which has
-// a lower neighbor, too. The link of each fan has a maximum, so there is no other fan; and such a link ascends once and
-// descends once, so that it has one upper and one lower part. These are nearly all vertices of a smooth field. There
-// are none here where something is wrong with a face or an edge.
+// They are the vertices inside of the surface whose links have one maximum, which is higher than the vertex, and no
+// minimum that is. The link of each fan has a maximum, so there is no other fan; such a link ascends once and descends
+// once, and its minimum is lower than the vertex, so that it has one upper and one lower part. These are nearly all
+// vertices of a smooth field. There are none here where something is wrong with a face or an edge.
 template <class ConcurrencyTag>
 class Regular_vertices
 {
@@ -92,108 +91,146 @@ public:
   Regular_vertices() = default;
 
   template <class Complex, class Order>
-  Regular_vertices(const Complex& complex, const Order& order)
-    : directions_(Edge_directions::make<ConcurrencyTag>(complex, order))
+  Regular_vertices(const Complex& complex, const Order& order) : found_(complex.number_of_vertices())
   {
-    if(directions_.has_bad_edge()
-       || !complex.template has_only_triangles<ConcurrencyTag>(directions_.number_of_halfedges_of_faces()))
+    const auto sweep = [&](std::size_t begin, std::size_t end, std::size_t& number_of_bad_edges) {
+      for(std::size_t block = begin; block < end; block += block_size)
+        number_of_bad_edges +=
+          sweep_block(complex, order, Edge_index(block), Edge_index((std::min)(block + block_size, end)));
+    };
+    if(sum_of_parts<ConcurrencyTag, std::size_t>(complex.number_of_edges(), sweep) != 0)
+    {
+      found_.clear();
       return;
-    ends_ = Ends(complex.number_of_vertices());
-    have_lower_neighbor_ = Flags(complex.number_of_vertices());
-    for_each_block<ConcurrencyTag>(complex.number_of_edges(), [&](std::size_t begin, std::size_t end) {
-      for(const Edge_index e : Index_range(Edge_index(begin), Edge_index(end)))
-        if(complex.has_edge(e))
-          sweep_edge(complex, e);
-    });
+    }
     number_of_corners_ = sum_of_parts<ConcurrencyTag, std::size_t>(
-      complex.number_of_edges(), [&](std::size_t begin, std::size_t end, std::size_t& number) {
-        for(const Edge_index e : Index_range(Edge_index(begin), Edge_index(end)))
-          if(complex.has_edge(e))
-            number += number_of_corners_at(complex, e);
+      found_.size(), [&](std::size_t begin, std::size_t end, std::size_t& number) {
+        for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
+          number += complex.has_vertex(v) && halfedge(v) != no_index ? found_[v].number_of_edges.get() : 0;
       });
   }
 
   // A halfedge that ends at a vertex, no_index if it is not one of these.
   Halfedge_index halfedge(Vertex_index vertex) const
   {
-    if(ends_.empty())
+    if(found_.empty())
       return no_index;
-    const Number end = ends_[vertex].get();
-    return end == none || end == several || have_lower_neighbor_[vertex].get() == 0 ? Halfedge_index(no_index)
-                                                                                    : Halfedge_index(end - 1);
+    const Number end = found_[vertex].end.get();
+    return end == none || end == several ? Halfedge_index(no_index) : Halfedge_index(end - 1);
   }
 
-  // The corners of triangles at these vertices.
+  // The corners of triangles at these vertices, which have as many edges.
   std::size_t number_of_corners() const { return number_of_corners_; }
 
 private:
   static constexpr Number none = 0, several = No_index(); // or other reasons not to say
 
-  template <class Complex>
-  void sweep_edge(const Complex& complex, Edge_index edge)
+  struct Found
   {
-    prefetch_states(complex, edge);
-    const Halfedge_index even = even_halfedge(edge);
-    const Halfedge_index descending = directions_.is_ascending(even) ? opposite_of(even) : even;
-    const Vertex_index lower = complex.target(descending), higher = complex.source(descending);
-    if(complex.is_on_border_edge(even))
+    Relaxed_value<Number> end;             // the number behind that of a halfedge from the maximum of the link
+    Relaxed_value<Number> number_of_edges; // without those on the border
+  };
+
+  // The vertices opposite of an edge, if it has two triangles.
+  struct Apexes
+  {
+    Vertex_index left, right;
+  };
+
+  static constexpr std::size_t block_size = 128; // What is read of the edges of a block stays in the first caches.
+  typedef std::array<Apexes, block_size> Apexes_of_block;
+
+  // Returns the number of edges with which something is wrong. If there are any, nothing has been found.
+  template <class Complex, class Order>
+  std::size_t sweep_block(const Complex& complex, const Order& order, Edge_index begin, Edge_index end)
+  {
+    const Apexes_of_block apexes = find_apexes(complex, begin, end);
+    std::size_t number_of_bad_edges = 0;
+    for(const Edge_index e : Index_range(begin, end))
     {
-      ends_[lower].set(several);
-      ends_[higher].set(several);
-      return;
+      if(!complex.has_edge(e))
+        continue;
+      number_of_bad_edges += is_bad_edge(complex, e) ? 1 : 0;
+      const Apexes& beside = apexes[e.number() - begin.number()];
+      for(const Vertex_index v : {complex.source(even_halfedge(e)), complex.target(even_halfedge(e))})
+      {
+        order.prefetch(v);
+        prefetch_element(found_, v);
+      }
+      order.prefetch(beside.left);
+      order.prefetch(beside.right);
     }
-    have_lower_neighbor_[higher].set(1);
-    if(is_source_maximum(complex, descending))
-      add_maximum(lower, descending);
-    if(is_source_maximum(complex, opposite_of(descending)))
-      ends_[higher].set(several);
+    if(number_of_bad_edges != 0)
+      return number_of_bad_edges;
+    for(const Edge_index e : Index_range(begin, end))
+      if(complex.has_edge(e))
+        add_edge(complex, order, e, apexes[e.number() - begin.number()]);
+    return 0;
   }
 
-  // Whether the source of a halfedge is higher than what is beside it in the link of the target.
+  // The next halfedges may be anywhere in memory, and a mesh does not tell where to prefetch them. This loop does
+  // nothing else, so that the processor has the reads of many rounds before it, and waits for them at once.
   template <class Complex>
-  bool is_source_maximum(const Complex& complex, Halfedge_index halfedge) const
+  static Apexes_of_block find_apexes(const Complex& complex, Edge_index begin, Edge_index end)
   {
-    const bool is_higher_than_left = directions_.is_ascending(complex.previous(halfedge));
-    const bool is_higher_than_right = !directions_.is_ascending(complex.next(opposite_of(halfedge)));
-    return is_higher_than_left & is_higher_than_right;
+    const Number number_of_halfedges = complex.number_of_halfedges();
+    const auto target_of_next = [&](Halfedge_index h) {
+      const Halfedge_index next = complex.next(h);
+      return complex.target(next.number() < number_of_halfedges ? next : h); // Nothing has been checked yet.
+    };
+    Apexes_of_block apexes;
+    std::size_t i = 0;
+    for(const Edge_index e : Index_range(begin, end))
+      apexes[i++] = {target_of_next(even_halfedge(e)), target_of_next(opposite_of(even_halfedge(e)))};
+    return apexes;
+  }
+
+  // Whether an edge has one vertex at both ends, or no face, or one that is no triangle.
+  template <class Complex>
+  static bool is_bad_edge(const Complex& complex, Edge_index edge)
+  {
+    const Halfedge_index even = even_halfedge(edge), odd = opposite_of(even);
+    const bool has_left = complex.has_triangle(even), has_right = complex.has_triangle(odd);
+    return complex.source(even) == complex.target(even) || !(has_left || has_right)
+        || (has_left && !complex.is_next_in_triangle(even)) || (has_right && !complex.is_next_in_triangle(odd));
+  }
+
+  // Without branches on what is compared, as none could be foreseen where the surface is not in order in memory.
+  template <class Complex, class Order>
+  void add_edge(const Complex& complex, const Order& order, Edge_index edge, const Apexes& apexes)
+  {
+    const Halfedge_index even = even_halfedge(edge);
+    const Vertex_index ends[] = {complex.source(even), complex.target(even)};
+    if(complex.is_on_border_edge(even))
+    {
+      for(const Vertex_index v : ends)
+        found_[v].end.set(several);
+      return;
+    }
+    const std::size_t higher = order.is_lower(ends[0], ends[1]) ? 1 : 0, lower = 1 - higher;
+    std::size_t numbers_of_lower_apexes[2]; // than each end
+    for(const std::size_t i : {0, 1})
+      numbers_of_lower_apexes[i] =
+        std::size_t(order.is_lower(apexes.left, ends[i])) + std::size_t(order.is_lower(apexes.right, ends[i]));
+    Found &at_lower = found_[ends[lower]], &at_higher = found_[ends[higher]];
+    at_lower.number_of_edges.template add<ConcurrencyTag>(1);
+    at_higher.number_of_edges.template add<ConcurrencyTag>(1);
+    if(numbers_of_lower_apexes[higher] == 2)
+      add_maximum(at_lower, Halfedge_index(even.number() + higher)); // the one that descends
+    if(numbers_of_lower_apexes[higher] == 0)
+      at_lower.end.set(several); // A minimum of its link is higher.
+    if(numbers_of_lower_apexes[lower] == 2)
+      at_higher.end.set(several); // A maximum of its link is lower.
   }
 
   // Of threads that meet at a vertex, one sees that there has been no maximum. The other ones write last.
-  void add_maximum(Vertex_index vertex, Halfedge_index halfedge)
+  static void add_maximum(Found& found, Halfedge_index halfedge)
   {
-    Relaxed_value<Number>& end = ends_[vertex];
-    if(end.get() != none || end.template exchange<ConcurrencyTag>(halfedge.number() + 1) != none)
-      end.set(several);
+    if(found.end.get() != none || found.end.template exchange<ConcurrencyTag>(halfedge.number() + 1) != none)
+      found.end.set(several);
   }
 
-  template <class Complex>
-  std::size_t number_of_corners_at(const Complex& complex, Edge_index edge) const
-  {
-    prefetch_states(complex, edge);
-    std::size_t number = 0;
-    for(const Halfedge_index h : {even_halfedge(edge), opposite_of(even_halfedge(edge))})
-    {
-      const Vertex_index v = complex.target(h);
-      number += complex.has_triangle(h) && halfedge(v) != no_index && complex.has_vertex(v) ? 1 : 0;
-    }
-    return number;
-  }
-
-  template <class Complex>
-  void prefetch_states(const Complex& complex, Edge_index edge) const
-  {
-    prefetch_ends(complex, edge, [&](Vertex_index v) {
-      prefetch_element(ends_, v);
-      prefetch_element(have_lower_neighbor_, v);
-    });
-  }
-
-  typedef Indexed_vector<Vertex_index, Relaxed_value<Number>> Ends;
-  typedef Indexed_vector<Vertex_index, Relaxed_value<std::uint8_t>> Flags;
-
-  Edge_directions directions_;
-  Ends ends_; // the number behind that of a halfedge from the maximum of the link
-  Flags have_lower_neighbor_;
+  Indexed_vector<Vertex_index, Found> found_;
   std::size_t number_of_corners_ = 0;
 };
 

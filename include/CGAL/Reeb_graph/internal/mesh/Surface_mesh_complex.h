@@ -58,15 +58,13 @@ public:
   // Hides the other one, as it is known without a look at the next halfedge, which may be far away in memory.
   Halfedge_index previous(Halfedge_index h) const { return Halfedge_index(mesh_->prev(descriptor(h))); }
 
-  template <class ConcurrencyTag>
-  bool has_only_triangles(std::size_t number_of_halfedges_of_faces) const
+  // If so for all halfedges of faces, `next` and `previous` undo each other, and two steps onwards are one back: so three
+  // steps lead around each face.
+  bool is_next_in_triangle(Halfedge_index h) const
   {
-    const auto add_bad_faces = [&](std::size_t begin, std::size_t end, std::size_t& number) {
-      for(std::size_t i = begin; i != end; ++i)
-        number += is_removed_or_triangle(typename Mesh::Face_index(static_cast<Number>(i))) ? 0 : 1;
-    };
-    return number_of_halfedges_of_faces == 3 * number_of_faces()
-        && sum_of_parts<ConcurrencyTag, std::size_t>(mesh_->num_faces(), add_bad_faces) == 0;
+    const Halfedge_index second = next(h);
+    return second.number() < number_of_halfedges() && has_edge(edge_of(second)) && has_triangle(second) && second != h
+        && previous(second) == h && next(second) == previous(h);
   }
   Halfedge_index halfedge_of_face_at(Vertex_index v) const
   {
@@ -79,22 +77,6 @@ public:
   void check_edges() const { internal::check_edges(*mesh_); }
 
 private:
-  // Whether the halfedges of a face go around a triangle, both ways.
-  bool is_removed_or_triangle(typename Mesh::Face_index f) const
-  {
-    if(mesh_->has_garbage() && mesh_->is_removed(f))
-      return true;
-    const auto first = mesh_->halfedge(f);
-    if(!mesh_->has_valid_index(first))
-      return false;
-    const auto second = mesh_->next(first), third = mesh_->prev(first);
-    if(!mesh_->has_valid_index(second) || !mesh_->has_valid_index(third))
-      return false;
-    return first != second && mesh_->next(second) == third && mesh_->next(third) == first
-        && mesh_->prev(second) == first && mesh_->prev(third) == second && mesh_->face(first) == f
-        && mesh_->face(second) == f && mesh_->face(third) == f;
-  }
-
   static typename Mesh::Vertex_index descriptor(Vertex_index v) { return typename Mesh::Vertex_index(v.number()); }
   static typename Mesh::Halfedge_index descriptor(Halfedge_index h)
   {

@@ -32,8 +32,8 @@ class Unchecked_complex;
 // A class `Complex` derived from this one has number_of_halfedges(), target(halfedge), has_triangle(halfedge),
 // next(halfedge), for a halfedge of a triangle, and has_vertex(number) and has_edge(number); and for Unchecked_complex,
 // number_of_faces(), number_of_live_edges(), halfedge_of_face_at(vertex), any one that ends there or no_index,
-// has_only_triangles(number of halfedges that have faces), check_faces(), which throws if a face is no triangle with
-// three vertices, and check_edges(), if an edge has no face.
+// is_next_in_triangle(halfedge), which is false for one at least in each face that is no triangle, check_faces(), which
+// throws if a face is no triangle with three vertices, and check_edges(), if an edge has no face.
 template <class Complex>
 class Triangle_complex_base
 {

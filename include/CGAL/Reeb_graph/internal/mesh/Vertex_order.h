@@ -64,6 +64,15 @@ public:
       return is_before(a.value, a.name, b.value, b.name);
   }
 
+  // The same as the first operator, where the answer cannot be foreseen.
+  bool is_lower(Vertex_index u, Vertex_index v) const
+  {
+    if constexpr(is_sure)
+      return (*this)(key(u, u), key(v, v));
+    else
+      return (*this)(u, v);
+  }
+
   // Whether the values are the same, so that only the indices order the vertices.
   bool are_tied(Vertex_index u, Vertex_index v) const
   {
