@@ -224,6 +224,21 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(an_edge_without_a_face_is_refused, Mesh, Meshes)
     }
 }
 
+// The turn around the target of the halfedge ends there onwards, and must not go on for ever backwards. Of other meshes,
+// the halfedges are read face by face.
+BOOST_AUTO_TEST_CASE(a_halfedge_that_does_not_know_its_face_is_refused)
+{
+  for(std::size_t i = 0; i != 12; ++i)
+  {
+    auto mesh = make_mesh<Surface_mesh>(random_meshes::tetrahedron());
+    const auto h = element(halfedges(mesh), i);
+    mesh.set_face(h, Surface_mesh::null_face());
+    expect<Non_manifold_vertex_error>(mesh, ascending_values(4), [&](const Non_manifold_vertex_error& error) {
+      return element(vertices(mesh), error.vertex()) == mesh.target(h);
+    });
+  }
+}
+
 BOOST_AUTO_TEST_CASE(an_edge_without_a_face_is_refused_among_removed_ones)
 {
   Surface_mesh mesh;
