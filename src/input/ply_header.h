@@ -83,14 +83,14 @@ auto call_with_number(Type type, const Function& function)
 {
   switch(type)
   {
-  case Type::INT8: return function(std::int8_t());
-  case Type::UINT8: return function(std::uint8_t());
-  case Type::INT16: return function(std::int16_t());
-  case Type::UINT16: return function(std::uint16_t());
-  case Type::INT32: return function(std::int32_t());
-  case Type::UINT32: return function(std::uint32_t());
-  case Type::FLOAT32: return function(float());
-  default: return function(double());
+  case Type::INT8: return function(std::int8_t(0));
+  case Type::UINT8: return function(std::uint8_t(0));
+  case Type::INT16: return function(std::int16_t(0));
+  case Type::UINT16: return function(std::uint16_t(0));
+  case Type::INT32: return function(std::int32_t(0));
+  case Type::UINT32: return function(std::uint32_t(0));
+  case Type::FLOAT32: return function(float(0));
+  default: return function(double(0));
   }
 }
 
