@@ -139,10 +139,21 @@ public:
   /// \copydoc CGAL::Reeb_graph::Augmentation::value()
   double value(vertex_descriptor v) const { return way_back_.value(v); }
 
-  /// \copydoc CGAL::Reeb_graph::Augmentation::contour(arc_descriptor, double) const
+  /// \brief returns the contour of an arc at a place between its ends, as `Augmentation::contour()` does.
+  ///
+  /// \exception Parameter_error if `t` is not greater than 0 and less than 1
+  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
   Contour contour(arc_descriptor arc, double t) const { return contours().at_parameter(arc, t); }
 
-  /// \copydoc CGAL::Reeb_graph::Augmentation::contour(arc_descriptor, double, ParametrizationMap) const
+  /// \brief returns the contour of an arc at a place between its ends, parametrized by another field, as
+  /// `Augmentation::contour()` does.
+  ///
+  /// \tparam ParametrizationMap a model of `ReadablePropertyMap` with the vertices as key type, and a value type that can
+  ///         be converted to `double`
+  ///
+  /// \exception Parameter_error if `t` is not greater than 0 and less than 1
+  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
+  /// \exception Non_finite_scalar_error if a value along the chain is infinite or NaN
   template <class ParametrizationMap>
   Contour contour(arc_descriptor arc, double t, ParametrizationMap parametrization) const
   {
