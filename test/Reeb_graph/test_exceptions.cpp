@@ -224,8 +224,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(an_edge_without_a_face_is_refused, Mesh, Meshes)
     }
 }
 
-// The turn around the target of the halfedge ends there onwards, and must not go on for ever backwards. Of other meshes,
-// the halfedges are read face by face.
+// The turn around the target of the halfedge ends there onwards, and must not go on for ever backwards. Of other
+// meshes, the halfedges are read face by face.
 BOOST_AUTO_TEST_CASE(a_halfedge_that_does_not_know_its_face_is_refused)
 {
   for(std::size_t i = 0; i != 12; ++i)

@@ -157,11 +157,11 @@ public:
   ///
   /// The absolute differences of the values of `parametrization` along the chain of the arc are added up: `t` is the
   /// fraction of the whole sum. With a field of unit gradient and the same level sets, equal steps of `t` are equal
-  /// distances on the surface. If the sum is 0, the result is the same as without `parametrization`. It takes time linear
-  /// in the length of the chain as well.
+  /// distances on the surface. If the sum is 0, the result is the same as without `parametrization`. It takes time
+  /// linear in the length of the chain as well.
   ///
-  /// \tparam ParametrizationMap a model of `ReadablePropertyMap` with the vertices as key type, and a value type that can
-  ///         be converted to `double`
+  /// \tparam ParametrizationMap a model of `ReadablePropertyMap` with the vertices as key type, and a value type that
+  ///         can be converted to `double`
   ///
   /// \exception Parameter_error if `t` is not greater than 0 and less than 1
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph

@@ -148,8 +148,8 @@ public:
   /// \brief returns the contour of an arc at a place between its ends, parametrized by another field, as
   /// `Augmentation::contour()` does.
   ///
-  /// \tparam ParametrizationMap a model of `ReadablePropertyMap` with the vertices as key type, and a value type that can
-  ///         be converted to `double`
+  /// \tparam ParametrizationMap a model of `ReadablePropertyMap` with the vertices as key type, and a value type that
+  ///         can be converted to `double`
   ///
   /// \exception Parameter_error if `t` is not greater than 0 and less than 1
   /// \exception Unknown_arc_error if `arc` is not an arc of the graph

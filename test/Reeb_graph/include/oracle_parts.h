@@ -68,7 +68,8 @@ std::vector<std::size_t> number_nodes(std::vector<Node_key> keys, std::vector<Po
   return nodes;
 }
 
-// Follows the strips above each node up to the next ones, and numbers the arcs that they make up, in no particular order.
+// Follows the strips above each node up to the next ones, and numbers the arcs that they make up, in no particular
+// order.
 template <class Point>
 std::vector<Arc> number_arcs(const std::vector<std::size_t>& nodes,
                              std::vector<Point>& points,

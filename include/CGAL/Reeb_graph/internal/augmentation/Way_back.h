@@ -32,8 +32,9 @@ class Way_back
 public:
   typedef Arc_contours<GraphOnComplex, Tracer> Contours;
 
-  // make_graph_on_complex(progress) returns the graph on the complex, which is not moved. The last arguments are those of the
-  // tracer. It throws Graph_mismatch_error if a node or an arc does not fit, and tells the end of the progress otherwise.
+  // make_graph_on_complex(progress) returns the graph on the complex, which is not moved. The last arguments are those
+  // of the tracer. It throws Graph_mismatch_error if a node or an arc does not fit, and tells the end of the progress
+  // otherwise.
   template <class NamedParameters, class MakeGraphOnComplex, class... TracerArguments>
   Way_back(const NamedParameters& np,
            const Progress& progress,

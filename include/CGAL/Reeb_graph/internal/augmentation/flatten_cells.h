@@ -36,8 +36,8 @@ using Value_of_range = std::decay_t<decltype(*std::begin(std::declval<const Rang
 template <class Scalars, class NamedParameters>
 using Soup_traits_of = Chosen_traits<Reeb_graph_soup_traits<Value_of_range<Scalars>>, NamedParameters>;
 
-// The complex of triangles or of tetrahedra, by their number of vertices, and of the edges of a named parameter, with its
-// field by numbers, after both have been checked.
+// The complex of triangles or of tetrahedra, by their number of vertices, and of the edges of a named parameter, with
+// its field by numbers, after both have been checked.
 template <int vertices_per_cell, class PointsOrNumber, class Cells, class Scalars, class Traits, class NamedParameters>
 Flat_soup<typename Traits::Scalar> flatten_cells(const PointsOrNumber& points,
                                                  const Cells& cells,

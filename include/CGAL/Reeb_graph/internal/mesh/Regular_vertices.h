@@ -76,8 +76,8 @@ bool is_sweep_faster(const Complex& complex, const Order& order)
   return sample.far_ones > sample.number / 4 && sample.link_maxima < sample.number / 2;
 }
 
-// The vertices that are seen to be regular, and to have one fan, with no turn around them: by a sweep over the edges, in
-// the order in which they are in memory.
+// The vertices that are seen to be regular, and to have one fan, with no turn around them: by a sweep over the edges,
+// in the order in which they are in memory.
 //
 // They are the vertices inside of the surface whose links have one maximum, which is higher than the vertex, and no
 // minimum that is. The link of each fan has a maximum, so there is no other fan; such a link ascends once and descends

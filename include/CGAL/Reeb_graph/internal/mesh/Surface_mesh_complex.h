@@ -58,8 +58,8 @@ public:
   // Hides the other one, as it is known without a look at the next halfedge, which may be far away in memory.
   Halfedge_index previous(Halfedge_index h) const { return Halfedge_index(mesh_->prev(descriptor(h))); }
 
-  // If so for all halfedges of faces, `next` and `previous` undo each other, and two steps onwards are one back: so three
-  // steps lead around each face.
+  // If so for all halfedges of faces, `next` and `previous` undo each other, and two steps onwards are one back: so
+  // three steps lead around each face.
   bool is_next_in_triangle(Halfedge_index h) const
   {
     const Halfedge_index second = next(h);

@@ -91,7 +91,8 @@ public:
       return true;
     for(; complex_.has_triangle(opposite_of(first)); ++counts.corners)
     {
-      // Steps backwards undo those onwards. If they meet the end of these, it is a border that the other side does not have.
+      // Steps backwards undo those onwards. If they meet the end of these, it is a border that the other side does not
+      // have.
       const Halfedge_index turned = complex_.previous(opposite_of(first));
       if(!is_in_triangle(opposite_of(first)) || !is_in_triangle(turned) || !complex_.has_triangle(turned)
          || complex_.next(turned) != opposite_of(first))

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The places of a graph, first the nodes, numbered in ascending order, and behind them the arcs, some of which have been
-// taken up by others. A weight is a number, or several, which `+=` adds up.
+// The places of a graph, first the nodes, numbered in ascending order, and behind them the arcs, some of which have
+// been taken up by others. A weight is a number, or several, which `+=` adds up.
 template <class Weight>
 class Places_taken_up
 {
