@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(arcs_spread_to_the_vertices_that_sweeping_gives_them)
     const auto arcs = internal::find_arcs<Tag>(surface.complex, order, critical_vertices,
                                                CGAL::Reeb_graph::Method::CONTOUR_TREES, 1, internal::No_progress());
     internal::Arc_spreading spreading(surface.complex, order, critical_vertices, arcs);
-    typename decltype(spreading)::Arc_of_vertex arc_of_vertex;
+    internal::Arc_of_vertex arc_of_vertex;
     BOOST_TEST_REQUIRE(spreading.template find_arcs_of_vertices<Tag>(arc_of_vertex, 1000.));
 
     for(const auto v : vertices(mesh))

@@ -250,7 +250,7 @@ BOOST_AUTO_TEST_CASE(arcs_spread_to_the_vertices_of_complexes_that_sweeping_give
       const auto arcs = internal::find_arcs<Tag>(soup.complex, order, critical_vertices,
                                                  CGAL::Reeb_graph::Method::CONTOUR_TREES, 1, internal::No_progress());
       internal::Arc_spreading spreading(soup.complex, order, critical_vertices, arcs);
-      typename decltype(spreading)::Arc_of_vertex arc_of_vertex;
+      internal::Arc_of_vertex arc_of_vertex;
       BOOST_TEST_REQUIRE(spreading.template find_arcs_of_vertices<Tag>(arc_of_vertex, 1000.));
       const std::vector<arc_descriptor> graph_arcs(edges(graph).first, edges(graph).second);
       for(std::size_t v = 0; v < size; ++v)

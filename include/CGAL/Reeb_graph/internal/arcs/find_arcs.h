@@ -17,6 +17,7 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Contour_trees_engine.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Vertex_queries.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Gluing.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
@@ -107,6 +108,24 @@ Slab_arcs find_arcs(const Complex& complex,
       return find_and_glue_arcs<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs, report);
   }
   return find_arcs_of_slab<ConcurrencyTag>(Slab(complex, critical_vertices), order, method, report);
+}
+
+// The same arcs by the default method, and the one of each regular vertex.
+template <class ConcurrencyTag, class Complex, class Order, class Report>
+Slab_arcs find_arcs_of_vertices(const Complex& complex,
+                                const Order& order,
+                                const Swept_vertices& critical_vertices,
+                                Arc_of_vertex& arc_of_vertex,
+                                const Report& report)
+{
+  const Slab slab(complex, critical_vertices);
+  Vertex_queries<Complex, Order> queries(complex, order, critical_vertices);
+  queries.template sort<ConcurrencyTag>();
+  Slab_arcs arcs =
+    Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report, queries);
+  check_arcs(slab, arcs);
+  arc_of_vertex = queries.take_arc_of_vertex();
+  return arcs;
 }
 
 } // namespace internal

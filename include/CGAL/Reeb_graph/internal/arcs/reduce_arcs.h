@@ -85,8 +85,8 @@ private:
     }
   }
 
-  // A node is at the lowest critical vertex of its group. Among the given vertices, regular ones can occur too. As many
-  // arcs leave the node as leave the group, which is all that there is to count.
+  // A node is at the lowest critical vertex of its group. As many arcs leave the node as leave the group, which is all
+  // that there is to count.
   void make_nodes()
   {
     const Number size = critical_vertices_.size();
@@ -107,8 +107,7 @@ private:
       }
       const Swept_index i = ascending[place], group = groups_.group_of(i);
       const Node_kind kind = node_kind(degrees_[group].in, degrees_[group].out);
-      const bool is_node =
-        kind != Node_kind::DEGREE_TWO || (are_degree_two_nodes_kept_ && critical_vertices_.is_critical(i));
+      const bool is_node = kind != Node_kind::DEGREE_TWO || are_degree_two_nodes_kept_;
       if(!is_node || node_of_group[group] != no_index)
         continue;
       node_of_group[group] = graph_.nodes.end_key();

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Vertex_queries.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
@@ -43,8 +44,6 @@ template <class Complex, class Order>
 class Arc_spreading
 {
 public:
-  typedef Indexed_vector<Vertex_index, Slab_arc_index> Arc_of_vertex; // no_index if it is critical
-
   Arc_spreading(const Complex& complex,
                 const Order& order,
                 const Swept_vertices& critical_vertices,

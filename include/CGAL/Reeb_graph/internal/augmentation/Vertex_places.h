@@ -35,8 +35,8 @@ namespace internal {
 // The place of each vertex in the exact graph. Nothing but the surface and the order of its vertices is asked.
 //
 // First the arc between critical vertices is found that each regular vertex is on: by spreading the arcs, or, where
-// they are short, by the engine, with all vertices in the place of the critical ones. Reducing those arcs gives the
-// graph once more, and says what has become of them.
+// they are short, by asking the sweeps of the engine. Reducing those arcs gives the graph once more, and says what has
+// become of them.
 template <class Complex, class Order>
 class Vertex_places
 {
@@ -52,7 +52,10 @@ public:
     progress.report(0);
     places.critical_vertices_ = classify_vertices<ConcurrencyTag>(complex, order);
     if(!places.template spread_arcs<ConcurrencyTag>(Stage_progress(progress, 0.3, 0.4)))
-      places.template sweep_all_vertices<ConcurrencyTag>(Stage_progress(progress, 0.5, 0.85));
+    {
+      places.critical_arcs_ = find_arcs_of_vertices<ConcurrencyTag>(
+        complex, order, places.critical_vertices_, places.arc_of_vertex_, Stage_progress(progress, 0.4, 0.85));
+    }
     progress.report(0.9);
     places.graph_ = reduce_arcs<ConcurrencyTag>(complex, order, places.critical_vertices_, places.critical_arcs_, ties,
                                                 are_degree_two_nodes_kept, true);
@@ -86,40 +89,6 @@ private:
                                                Default_number_of_slabs(), progress);
     Spreading spreading(*complex_, *order_, critical_vertices_, critical_arcs_);
     return spreading.template find_arcs_of_vertices<ConcurrencyTag>(arc_of_vertex_);
-  }
-
-  template <class ConcurrencyTag>
-  void sweep_all_vertices(const Stage_progress& progress)
-  {
-    const Swept_vertices all_vertices = sort_all_vertices<ConcurrencyTag>(*complex_, *order_);
-    const Slab_arcs steps = find_arcs<ConcurrencyTag>(*complex_, *order_, all_vertices, Default_method(),
-                                                      Default_number_of_slabs(), progress);
-    const Flat_graph graph =
-      reduce_arcs<ConcurrencyTag>(*complex_, *order_, all_vertices, steps, Ties::PERTURB, true, true);
-    make_critical_arcs(graph);
-    arc_of_vertex_.assign(complex_->number_of_vertices(), no_index);
-    for(const Swept_index i : all_vertices.indices())
-    {
-      if(graph.node_of_critical[i] == no_index)
-        arc_of_vertex_[all_vertices.vertex(i)] = Slab_arc_index(graph.arc_of_critical[i].number());
-    }
-  }
-
-  // The nodes of the graph of all critical vertices are these. With an order that contradicts itself, others can be.
-  void make_critical_arcs(const Flat_graph& graph)
-  {
-    const auto& ascending = critical_vertices_.ascending();
-    for(const Node_index node : graph.nodes.keys())
-    {
-      const Vertex_index vertex = graph.nodes[node].vertex;
-      if(node.number() >= ascending.size() || critical_vertices_.vertex(ascending[node.number()]) != vertex)
-        complex_->throw_contradiction_near(vertex);
-    }
-    critical_arcs_.clear();
-    critical_arcs_.reserve(graph.arcs.size());
-    for(const Flat_arc& arc : graph.arcs)
-      critical_arcs_.push_back({node_of(ascending[arc.lower.number()]), node_of(ascending[arc.upper.number()]),
-                                graph.pieces[arc.first_piece].first_step});
   }
 
   template <class ConcurrencyTag>
@@ -173,7 +142,7 @@ private:
   bool are_ties_contracted_;
   Swept_vertices critical_vertices_;
   Slab_arcs critical_arcs_;
-  typename Spreading::Arc_of_vertex arc_of_vertex_;
+  Arc_of_vertex arc_of_vertex_;
   Flat_graph graph_;
   Place_of_vertex places_;
 };

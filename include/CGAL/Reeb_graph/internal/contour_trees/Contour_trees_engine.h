@@ -23,14 +23,15 @@
 #include <CGAL/Reeb_graph/internal/contour_trees/Merge_tree.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Merge_tree_sweep.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Shrinking_tree.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Vertex_queries.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/combine_trees.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/glue_cuts.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/count_critical_vertices.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -62,20 +63,28 @@ public:
   template <class ConcurrencyTag, class Report>
   Slab_arcs find_arcs(const Report& report) const
   {
+    No_vertex_queries no_queries;
+    return find_arcs<ConcurrencyTag>(report, no_queries);
+  }
+
+  // Answers the queries on the way.
+  template <class ConcurrencyTag, class Report, class Queries>
+  Slab_arcs find_arcs(const Report& report, Queries& queries) const
+  {
     std::optional<Upward_sweep> upwards;
     std::optional<Downward_sweep> downwards;
     invoke_both<ConcurrencyTag>([&] { upwards.emplace(slab_, order_); }, [&] { downwards.emplace(slab_, order_); });
-    upwards->template find_path_ends<ConcurrencyTag>();
+    find_path_ends<ConcurrencyTag, Queries>(*upwards);
     report(0.25);
 
-    const bool is_forest = sweep_first_trees<ConcurrencyTag>(*upwards, downwards);
+    const bool is_forest = sweep_first_trees<ConcurrencyTag>(*upwards, downwards, queries);
     report(0.5);
 
     Shrinking_tree join_tree, split_tree;
     invoke_both<ConcurrencyTag>(
       [&] {
         if(!is_forest)
-          sweep_downwards_and_cut(*downwards, upwards->tree());
+          sweep_downwards_and_cut(*downwards, upwards->tree(), queries);
       },
       [&] { join_tree = Shrinking_tree(upwards->tree().parents); });
     const Loop_cuts cuts = downwards->take_cuts();
@@ -87,38 +96,53 @@ public:
       [&] { split_tree = Shrinking_tree(downwards->tree().parents); },
       [&] { first_steps = find_first_steps<ConcurrencyTag>(downwards->tree().classes, cuts.number_of_nodes()); });
     const std::size_t number_of_arcs = cuts.number_of_nodes() - join_tree.number_of_roots();
-    Slab_arcs arcs = combine_trees(std::move(join_tree), std::move(split_tree), std::move(first_steps));
+    Tree_combination<Queries::are_any> combination(std::move(join_tree), std::move(split_tree), std::move(first_steps));
+    Slab_arcs arcs = combination();
     if(arcs.size() != number_of_arcs) // The trees are not those of one order.
       slab_.throw_contradiction_near(arcs.empty() ? Slab_arc{no_index, no_index, {}} : arcs.back());
+    if constexpr(Queries::are_any)
+    {
+      Arcs_of_classes arcs_of_classes = combination.find_arcs_of_classes(arcs);
+      rename_glued_arcs(cuts, arcs, arcs_of_classes);
+      queries.template find_arcs<ConcurrencyTag>(arcs_of_classes);
+    }
     glue_cuts(cuts, arcs);
     return arcs;
   }
 
 private:
+  template <class ConcurrencyTag, class Queries, class Sweep>
+  static void find_path_ends(Sweep& sweep)
+  {
+    sweep.template find_path_ends<ConcurrencyTag>();
+    if constexpr(Queries::are_any)
+      sweep.template find_path_ends_of_vertices<ConcurrencyTag>();
+  }
+
   // The sweep for the join tree, and for the split tree as much as can be done: all of it where no loop can be, as the
   // sweeps do not need each other then. Whether that is so, the result, is only known after the first one; to run the
   // second one beside it is a guess. Of a complex that may be no surface, the Euler characteristic tells nothing.
-  template <class ConcurrencyTag>
-  bool sweep_first_trees(Upward_sweep& upwards, std::optional<Downward_sweep>& downwards) const
+  template <class ConcurrencyTag, class Queries>
+  bool sweep_first_trees(Upward_sweep& upwards, std::optional<Downward_sweep>& downwards, Queries& queries) const
   {
     const std::ptrdiff_t characteristic =
       Complex::is_surface && slab_.is_whole_surface() ? euler_characteristic(critical_vertices_) : 0;
     const bool is_guess_made = is_parallel<ConcurrencyTag>() && characteristic > 0;
-    invoke_both<ConcurrencyTag>([&] { sweep_upwards(upwards); },
+    invoke_both<ConcurrencyTag>([&] { sweep_upwards(upwards, queries); },
                                 [&] {
                                   if(is_guess_made || has_many_critical_vertices())
-                                    downwards->template find_path_ends<ConcurrencyTag>();
+                                    find_path_ends<ConcurrencyTag, Queries>(*downwards);
                                   if(is_guess_made)
-                                    sweep_downwards(*downwards);
+                                    sweep_downwards(*downwards, queries);
                                 });
     const bool is_forest = characteristic > 0 && characteristic == largest_euler_characteristic(upwards.tree());
     if(is_forest && !is_guess_made)
-      sweep_downwards(*downwards);
+      sweep_downwards(*downwards, queries);
     if(!is_forest && is_guess_made)
     {
       downwards.emplace(slab_, order_);
       if(has_many_critical_vertices())
-        downwards->template find_path_ends<ConcurrencyTag>();
+        find_path_ends<ConcurrencyTag, Queries>(*downwards);
     }
     return is_forest;
   }
@@ -147,18 +171,27 @@ private:
     return critical_vertices_.size() > slab_.complex().number_of_vertices() / 64;
   }
 
-  void sweep_upwards(Upward_sweep& sweep) const
+  template <class Queries>
+  void sweep_upwards(Upward_sweep& sweep, Queries& queries) const
   {
     const std::vector<Swept_index>& ascending = critical_vertices_.ascending();
-    visit_in_order(sweep, ascending.begin(), ascending.end(), [&](Swept_index critical) { sweep.merge_at(critical); });
+    auto answers = queries.template answers<Side::LOWER>(sweep);
+    visit_in_order(sweep, ascending.begin(), ascending.end(), [&](Swept_index critical) {
+      sweep.merge_at(critical);
+      answers.find_next();
+    });
     sweep.merge_last_contours();
   }
 
-  void sweep_downwards(Downward_sweep& sweep) const
+  template <class Queries>
+  void sweep_downwards(Downward_sweep& sweep, Queries& queries) const
   {
     const std::vector<Swept_index>& ascending = critical_vertices_.ascending();
-    visit_in_order(sweep, ascending.rbegin(), ascending.rend(),
-                   [&](Swept_index critical) { sweep.merge_at(critical); });
+    auto answers = queries.template answers<Side::UPPER>(sweep);
+    visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Swept_index critical) {
+      sweep.merge_at(critical);
+      answers.find_next();
+    });
     sweep.merge_last_contours();
   }
 
@@ -178,18 +211,22 @@ private:
     return result;
   }
 
-  void sweep_downwards_and_cut(Downward_sweep& sweep, const Merge_tree& join_tree) const
+  template <class Queries>
+  void sweep_downwards_and_cut(Downward_sweep& sweep, const Merge_tree& join_tree, Queries& queries) const
   {
     Loop_surgery<Complex, Order> surgery(slab_, order_, join_tree, sweep.tree());
     const std::vector<Swept_index>& ascending = critical_vertices_.ascending();
+    auto answers = queries.template answers<Side::UPPER>(sweep);
     visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Swept_index critical) {
       sweep.merge_at(critical);
-      if(!surgery.can_close_loop(critical))
-        return;
-      surgery.visit_loop_contours(
-        critical, [&](Slab_node sublevel_class, const std::vector<Halfedge_index>& crossed_edges, bool has_border) {
-          sweep.cut(critical, sublevel_class, crossed_edges, has_border);
-        });
+      if(surgery.can_close_loop(critical))
+      {
+        surgery.visit_loop_contours(
+          critical, [&](Slab_node sublevel_class, const std::vector<Halfedge_index>& crossed_edges, bool has_border) {
+            sweep.cut(critical, sublevel_class, crossed_edges, has_border);
+          });
+      }
+      answers.find_next();
     });
     sweep.merge_last_contours();
   }
@@ -231,20 +268,6 @@ private:
            critical_vertices_.first_sector(Swept_index(end), Side::UPPER));
     });
     return first_steps;
-  }
-
-  // Arcs that end at a cut go on to the vertex just above, and the short arcs from the cut to there are dropped.
-  static void glue_cuts(const Loop_cuts& cuts, Slab_arcs& arcs)
-  {
-    if(cuts.size() == 0)
-      return;
-    const auto begins_at_cut = [&](const Slab_arc& arc) { return cuts.is_node_above(arc.lower); };
-    arcs.erase(std::remove_if(arcs.begin(), arcs.end(), begins_at_cut), arcs.end());
-    for(Slab_arc& arc : arcs)
-    {
-      if(cuts.is_node_below(arc.upper))
-        arc.upper = node_of(cuts.critical_vertex(cuts.cut_of_node(arc.upper)));
-    }
   }
 
   const Slab<Complex>& slab_;

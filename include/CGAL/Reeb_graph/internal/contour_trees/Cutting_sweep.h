@@ -52,6 +52,12 @@ public:
     are_paths_walked_late_ = false;
   }
 
+  template <class ConcurrencyTag>
+  void find_path_ends_of_vertices()
+  {
+    sweep_.template find_path_ends_of_vertices<ConcurrencyTag>();
+  }
+
   void prefetch_classes(Swept_index critical) const { sweep_.prefetch_classes(critical); }
   void prefetch_components(Swept_index critical) const
   {
@@ -68,6 +74,14 @@ public:
     }
     sweep_.merge_at(critical);
   }
+
+  // The class of a regular vertex; see Merge_tree_sweep.
+  Slab_node class_of(Vertex_index vertex)
+  {
+    return are_paths_walked_late_ ? sweep_.class_of(vertex, end_at_cut_or_level(), passed_) : sweep_.class_of(vertex);
+  }
+  void prefetch_path_end(Vertex_index vertex) const { sweep_.prefetch_path_end(vertex); }
+  void prefetch_component(Vertex_index vertex) const { sweep_.prefetch_component(vertex); }
 
   // Cuts along a contour just below the critical vertex that has been merged at last; see Loop_cuts.
   void cut(Swept_index critical,

@@ -101,6 +101,20 @@ public:
     for_each_part<ConcurrencyTag>(number_of_parts<ConcurrencyTag>(size, smallest_part), size, find_ends);
   }
 
+  // The same for all vertices.
+  template <class ConcurrencyTag>
+  void find_path_ends_of_vertices()
+  {
+    for_each_block<ConcurrencyTag>(slab_.complex().number_of_vertices(), [&](std::size_t begin, std::size_t end) {
+      std::vector<Vertex_index> passed;
+      for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
+      {
+        if(slab_.complex().has_vertex(vertex))
+          path_ends_.end_of_path(vertex, end_at_level(), passed);
+      }
+    });
+  }
+
   template <class EndOfStep>
   void find_path_end(Sector_index i, const EndOfStep& end_of_step, std::vector<Vertex_index>& passed)
   {
@@ -142,6 +156,14 @@ public:
       put_on(component, node_of(critical));
       components_.link(component, merged_components_.front());
     }
+  }
+
+  // The class of a regular vertex at which the sweep has arrived: the top of the component that it is in.
+  Slab_node class_of(Vertex_index vertex) { return class_of(vertex, end_at_level(), passed_); }
+  template <class EndOfStep>
+  Slab_node class_of(Vertex_index vertex, const EndOfStep& end_of_step, std::vector<Vertex_index>& passed)
+  {
+    return components_.top(components_.find(path_ends_.end_of_path(vertex, end_of_step, passed)));
   }
 
   // Puts a node on the component in which the critical vertex is that has been merged at last. An extremum has begun
@@ -190,6 +212,10 @@ public:
     components_.prefetch(sector_components_[second]);
   }
 
+  // The same for class_of(), the second one if the ends of paths are known.
+  void prefetch_path_end(Vertex_index vertex) const { path_ends_.prefetch(vertex); }
+  void prefetch_component(Vertex_index vertex) const { components_.prefetch(path_ends_.end(vertex)); }
+
   const Merge_tree& tree() const { return tree_; }
 
 private:
@@ -220,6 +246,7 @@ private:
   Merging_components<Slab_node> components_;
   Indexed_vector<Sector_index, Component_index> sector_components_; // in which a monotone path from there ends
   std::vector<Component_index> merged_components_;
+  std::vector<Vertex_index> passed_;
   Merge_tree tree_;
 };
 

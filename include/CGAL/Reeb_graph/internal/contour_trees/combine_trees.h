@@ -13,18 +13,26 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Shrinking_tree.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
 
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+// By node of the join tree and of the split tree: the arc that the arc to the parent of the node has gone to, the first
+// one if it has been split; no_index if none.
+typedef By_side<Indexed_vector<Slab_node, Slab_arc_index>> Arcs_of_classes;
+
 // Combines a join tree and a split tree of the same nodes to the arcs of the contour tree, leaf by leaf. (H. Carr,
-// J. Snoeyink, U. Axen, Computing contour trees in all dimensions, 2003.)
+// J. Snoeyink, U. Axen, Computing contour trees in all dimensions, 2003.) On request, it keeps what find_arcs_of_classes()
+// needs.
+template <bool are_leaves_kept>
 class Tree_combination
 {
 public:
@@ -43,6 +51,26 @@ public:
     for(const Slab_node node : first_steps_.keys())
       take_leaves_from(node);
     return std::move(arcs_);
+  }
+
+  // Follows the classes to the arcs that have been found: in the tree where a leaf of the other one is no leaf, the only
+  // child takes its place, and goes later.
+  Arcs_of_classes find_arcs_of_classes(const Slab_arcs& arcs) const
+  {
+    static_assert(are_leaves_kept);
+    Arcs_of_classes result;
+    for(const Side side : both_sides)
+      result[side].renew(first_steps_.size(), no_index);
+    for(std::size_t i = arcs.size(); i != 0;)
+    {
+      const Slab_arc_index arc(--i);
+      const Side side = sides_of_leaves_[i];
+      const Slab_node leaf = side == Side::LOWER ? arcs[arc].lower : arcs[arc].upper;
+      const Shrinking_tree& other_tree = side == Side::LOWER ? split_tree_ : join_tree_;
+      result[side][leaf] = arc;
+      result[opposite_of(side)][leaf] = result[opposite_of(side)][other_tree.only_child(leaf)];
+    }
+    return result;
   }
 
 private:
@@ -77,6 +105,7 @@ private:
   {
     const Slab_node upper = join_tree_.parent(node), child = split_tree_.only_child(node);
     arcs_.push_back({node, upper, first_steps_[child]});
+    keep_side(Side::LOWER);
     first_steps_[child] = first_steps_[node];
     join_tree_.remove_leaf(node);
     split_tree_.remove_inner_node(node);
@@ -87,23 +116,24 @@ private:
   {
     const Slab_node lower = split_tree_.parent(node);
     arcs_.push_back({lower, node, first_steps_[node]});
+    keep_side(Side::UPPER);
     split_tree_.remove_leaf(node);
     join_tree_.remove_inner_node(node);
     return lower;
+  }
+
+  void keep_side(Side side)
+  {
+    if constexpr(are_leaves_kept)
+      sides_of_leaves_.push_back(side);
   }
 
   Shrinking_tree join_tree_;
   Shrinking_tree split_tree_;
   Indexed_vector<Slab_node, Ascending_step> first_steps_; // from its parent in the split tree towards it
   Slab_arcs arcs_;
+  std::vector<Side> sides_of_leaves_; // by arc
 };
-
-inline Slab_arcs combine_trees(Shrinking_tree join_tree,
-                               Shrinking_tree split_tree,
-                               Indexed_vector<Slab_node, Ascending_step> first_steps)
-{
-  return Tree_combination(std::move(join_tree), std::move(split_tree), std::move(first_steps))();
-}
 
 } // namespace internal
 } // namespace Reeb_graph

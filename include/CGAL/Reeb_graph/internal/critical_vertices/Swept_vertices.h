@@ -36,10 +36,10 @@ typedef Index_of<Sector_tag> Sector_index; // among those of one side
 
 typedef By_side<std::size_t> Sector_counts;
 
-// The vertices that a sweep visits: the critical ones, with link sectors other than one lower and one upper, or all of
-// them. Stages name such a vertex by its position here, where they have the order that they have in the mesh: what is
-// near on the surface is then near in memory. Its lower and its upper link sectors are named by their positions among
-// all lower and all upper ones.
+// The vertices that a sweep visits: the critical ones, with link sectors other than one lower and one upper. Stages name
+// such a vertex by its position here, where they have the order that they have in the mesh: what is near on the surface
+// is then near in memory. Its lower and its upper link sectors are named by their positions among all lower and all
+// upper ones.
 class Swept_vertices
 {
 public:
@@ -54,11 +54,6 @@ public:
   }
   Number number_of_lower_sectors(Swept_index critical) const { return number_of_sectors(critical, Side::LOWER); }
   Number number_of_upper_sectors(Swept_index critical) const { return number_of_sectors(critical, Side::UPPER); }
-
-  bool is_critical(Swept_index critical) const
-  {
-    return number_of_lower_sectors(critical) != 1 || number_of_upper_sectors(critical) != 1;
-  }
 
   // Sectors are in clockwise order. The turn around a vertex begins with an upper sector or with a lower one, then they
   // alternate.

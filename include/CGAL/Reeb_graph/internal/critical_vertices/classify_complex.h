@@ -99,13 +99,6 @@ Classified_complex<Simplicial_complex> check_and_classify_vertices(Simplicial_co
   return {std::move(complex), std::move(critical_vertices)};
 }
 
-template <class ConcurrencyTag, class Order>
-Swept_vertices sort_all_vertices(const Simplicial_complex& complex, const Order& order)
-{
-  return find_vertices_of_complex<ConcurrencyTag>(complex, order,
-                                                  [](Vertex_index, const By_side<Number>&) { return true; });
-}
-
 } // namespace internal
 } // namespace Reeb_graph
 } // namespace CGAL

@@ -45,14 +45,14 @@ struct Found_vertices
   Fan_counts fan_counts; // if fans have been found on the way
 };
 
-// Finds vertices from `begin` to `end`: find_link(vertex, fan counts) tells the link of a vertex, is_wanted(number of
-// link sectors) whether to take it.
-template <class Complex, class FindLink, class IsWanted>
+// Finds the critical vertices from `begin` to `end`: all but those with one lower and one upper sector. (The paper,
+// Section 3.1; a border vertex has a path as link, so its sectors are counted.) find_link(vertex, fan counts) tells the
+// link of a vertex.
+template <class Complex, class FindLink>
 Found_vertices find_vertices(const Complex& complex,
                              std::size_t begin,
                              std::size_t end,
                              const FindLink& find_link,
-                             const IsWanted& is_wanted,
                              Kept_neighbors& kept_neighbors)
 {
   Found_vertices found;
@@ -69,7 +69,7 @@ Found_vertices find_vertices(const Complex& complex,
         continue;
       const Vertex_link link = find_link(v, found.fan_counts);
       neighbors[v.number() - block] = link.neighbors;
-      const std::size_t is_found = is_wanted(link.summary.number_of_sectors) ? 1 : 0;
+      const std::size_t is_found = link.summary.number_of_sectors != 2 ? 1 : 0;
       found.vertices[number_of_found] = {v, link.summary};
       number_of_found += is_found;
       found.numbers_of_sectors[Side::LOWER] += is_found * link.summary.number_of_lower_sectors();
@@ -88,14 +88,14 @@ struct Found_parts
   std::shared_ptr<Kept_neighbors> kept_neighbors;
 };
 
-template <class ConcurrencyTag, class Complex, class FindLink, class IsWanted>
-Found_parts find_vertices_in_parts(const Complex& complex, const FindLink& find_link, const IsWanted& is_wanted)
+template <class ConcurrencyTag, class Complex, class FindLink>
+Found_parts find_vertices_in_parts(const Complex& complex, const FindLink& find_link)
 {
   const std::size_t size = complex.number_of_vertices();
   Found_parts found = {std::vector<Found_vertices>(number_of_parts<ConcurrencyTag>(size)),
                        std::make_shared<Kept_neighbors>(size)};
   for_each_part<ConcurrencyTag>(found.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
-    found.parts[part] = find_vertices(complex, begin, end, find_link, is_wanted, *found.kept_neighbors);
+    found.parts[part] = find_vertices(complex, begin, end, find_link, *found.kept_neighbors);
   });
   return found;
 }
@@ -135,10 +135,7 @@ Swept_vertices join_parts(const Complex& complex, const Order& order, const Foun
   return result;
 }
 
-inline bool has_critical_number_of_sectors(Number number_of_sectors) { return number_of_sectors != 2; }
-
-// Finds the critical vertices: all but those with one lower and one upper sector. (The paper, Section 3.1; a border
-// vertex has a path as link, so its sectors are counted.)
+// Finds the critical vertices.
 template <class ConcurrencyTag, class Complex, class Order>
 Swept_vertices classify_vertices(const Complex& complex, const Order& order)
 {
@@ -146,8 +143,7 @@ Swept_vertices classify_vertices(const Complex& complex, const Order& order)
   const auto find = [&](Vertex_index vertex, Fan_counts&) {
     return regular_vertices.halfedge(vertex) != no_index ? regular_link : find_link(complex, order, vertex);
   };
-  return join_parts<ConcurrencyTag>(
-    complex, order, find_vertices_in_parts<ConcurrencyTag>(complex, find, has_critical_number_of_sectors));
+  return join_parts<ConcurrencyTag>(complex, order, find_vertices_in_parts<ConcurrencyTag>(complex, find));
 }
 
 template <class Complex>
@@ -170,7 +166,7 @@ Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Comple
     unchecked.set_fan(vertex, halfedge);
     return regular_link;
   };
-  const auto found = find_vertices_in_parts<ConcurrencyTag>(unchecked, find, has_critical_number_of_sectors);
+  const auto found = find_vertices_in_parts<ConcurrencyTag>(unchecked, find);
   Fan_counts counts;
   counts.corners = regular_vertices.number_of_corners();
   for(const Found_vertices& part : found.parts)
@@ -178,15 +174,6 @@ Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Comple
   Complex complex = std::move(unchecked).check(counts);
   Swept_vertices critical_vertices = join_parts<ConcurrencyTag>(complex, order, found);
   return {std::move(complex), std::move(critical_vertices)};
-}
-
-// All vertices in the place of the critical ones: with them, the engines find where each vertex is in the graph.
-template <class ConcurrencyTag, class Complex, class Order>
-Swept_vertices sort_all_vertices(const Complex& complex, const Order& order)
-{
-  const auto find = [&](Vertex_index vertex, Fan_counts&) { return find_link(complex, order, vertex); };
-  return join_parts<ConcurrencyTag>(complex, order,
-                                    find_vertices_in_parts<ConcurrencyTag>(complex, find, [](Number) { return true; }));
 }
 
 } // namespace internal

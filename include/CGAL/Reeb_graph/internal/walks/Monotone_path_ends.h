@@ -62,6 +62,27 @@ public:
   Component_index operator()(Ascending_step step, const EndOfStep& end_of_step, std::vector<Vertex_index>& passed)
   {
     passed.clear();
+    return walk(step, end_of_step, passed);
+  }
+
+  // The end of the path from a vertex.
+  template <class EndOfStep>
+  Component_index end_of_path(Vertex_index vertex, const EndOfStep& end_of_step, std::vector<Vertex_index>& passed)
+  {
+    if(is_known(vertex))
+      return end(vertex);
+    passed.assign(1, vertex);
+    const Ascending_step step = next_step(vertex);
+    if(step.target == no_index)
+      complex_->throw_contradiction_near(vertex);
+    return walk(step, end_of_step, passed);
+  }
+
+private:
+  // Goes on from the last vertex that has been passed.
+  template <class EndOfStep>
+  Component_index walk(Ascending_step step, const EndOfStep& end_of_step, std::vector<Vertex_index>& passed)
+  {
     const auto find_edge = [&] { return step.edge != no_index ? step.edge : next_edge(passed.back()); };
     Component_index end = end_of_step(step.target, find_edge);
     while(end == no_index && (end = this->end(step.target)) == no_index)
@@ -77,7 +98,6 @@ public:
     return end;
   }
 
-private:
   // The next step, without its edge if the neighbor is kept: few steps need it.
   Ascending_step next_step(Vertex_index vertex) const
   {
