@@ -49,7 +49,7 @@ void read_field(const Input_options& options, const Surface& surface, Scalar_map
 Scalar_map add_given_field(const Input_options& options, Surface& surface, Work_report& report)
 {
   const Stopwatch stopwatch;
-  const Scalar_map scalar_map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
+  Scalar_map scalar_map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
   read_field(options, surface, scalar_map);
   report.add_seconds("read", stopwatch.seconds());
   return scalar_map;
@@ -80,7 +80,7 @@ Surface read_surface(const Input_options& options, Work_report& report)
 
 Scalar_map add_field(const Input_options& options, Surface& surface, Work_report& report)
 {
-  const Scalar_map scalar_map = add_given_field(options, surface, report);
+  Scalar_map scalar_map = add_given_field(options, surface, report);
   if(is_computed(options.field))
   {
     const Stopwatch field_stopwatch;
@@ -94,7 +94,7 @@ Scalar_map add_field(const Input_options& options, Mesh& mesh, Work_report& repo
 {
   if(!mesh.complex || options.field != "geodesic")
     return add_field(options, mesh.surface, report);
-  const Scalar_map scalar_map = add_given_field(options, mesh.surface, report);
+  Scalar_map scalar_map = add_given_field(options, mesh.surface, report);
   const Stopwatch field_stopwatch;
   compute_distances_along_edges(mesh, options.source_vertices, scalar_map);
   report.add_seconds("field", field_stopwatch.seconds());

@@ -241,13 +241,13 @@ private:
     const std::vector<double> ends = numbers(piece, "offsets", piece.number_of_cells, 1);
     const std::vector<double> corners = numbers(piece, "connectivity");
     Polygons cells;
-    double begin = 0;
+    std::size_t begin = 0;
     for(std::size_t i = 0; i < piece.number_of_cells; ++i)
     {
-      if(!(ends[i] >= begin && ends[i] <= static_cast<double>(corners.size())))
+      if(!(ends[i] >= static_cast<double>(begin) && ends[i] <= static_cast<double>(corners.size())))
         fail("the offsets of the cells do not ascend, or are too large");
-      for(; begin < ends[i]; ++begin)
-        cells.add_corner(to_size(corners[static_cast<std::size_t>(begin)]));
+      for(const std::size_t end = to_size(ends[i]); begin != end; ++begin)
+        cells.add_corner(to_size(corners[begin]));
       cells.end_polygon();
     }
     for(std::size_t i = 0; i < cells.size(); ++i)
@@ -307,7 +307,7 @@ private:
     const std::string_view text = appended_.substr(offset);
     if(is_appended_raw_)
       return decode_bytes(name, type, text);
-    return decode_bytes(name, type, decode_base64(text.substr(0, text.find_first_of("<"))));
+    return decode_bytes(name, type, decode_base64(text.substr(0, text.find('<'))));
   }
 
   // The bytes begin with the number of bytes that follow.

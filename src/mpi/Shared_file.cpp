@@ -57,8 +57,8 @@ void Shared_file::read(std::uint64_t offset, char* bytes, std::size_t number_of_
   {
     const int number = static_cast<int>(std::min(number_of_bytes - begin, most_bytes_at_once));
     MPI_Status status;
-    const int error =
-      MPI_File_read_at(file_, static_cast<MPI_Offset>(offset + begin), bytes + begin, number, MPI_BYTE, &status);
+    const int error = MPI_File_read_at(file_, static_cast<MPI_Offset>(offset) + static_cast<MPI_Offset>(begin),
+                                       bytes + begin, number, MPI_BYTE, &status);
     if(error != MPI_SUCCESS || number_of_bytes_done(status) != number)
       throw Input_error(path_, "the file cannot be read");
     begin += static_cast<std::size_t>(number);
@@ -71,8 +71,8 @@ void Shared_file::write(std::uint64_t offset, const char* bytes, std::size_t num
   {
     const int number = static_cast<int>(std::min(number_of_bytes - begin, most_bytes_at_once));
     MPI_Status status;
-    const int error =
-      MPI_File_write_at(file_, static_cast<MPI_Offset>(offset + begin), bytes + begin, number, MPI_BYTE, &status);
+    const int error = MPI_File_write_at(file_, static_cast<MPI_Offset>(offset) + static_cast<MPI_Offset>(begin),
+                                        bytes + begin, number, MPI_BYTE, &status);
     if(error != MPI_SUCCESS || number_of_bytes_done(status) != number)
       throw write_error(path_);
     begin += static_cast<std::size_t>(number);

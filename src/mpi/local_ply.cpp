@@ -192,8 +192,8 @@ void read_triangles(const std::string& path,
         if(size != 3)
           throw_for_polygon(path, f, size);
         for(std::size_t i = 0; i < 3; ++i) // a negative number becomes one that is too large
-          corners[i] =
-            static_cast<std::uint64_t>(decode<Index>(record + begin_of_corners + i * sizeof(Index), place.is_reversed));
+          corners[i] = static_cast<std::uint64_t>(
+            std::int64_t{decode<Index>(record + begin_of_corners + i * sizeof(Index), place.is_reversed)});
         check_triangle(path, f, corners, mesh.number_of_vertices);
         std::copy(corners.begin(), corners.end(), triangle.begin());
         list.push_back(triangle);

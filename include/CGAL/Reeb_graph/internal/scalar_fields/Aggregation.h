@@ -131,7 +131,7 @@ inline Row_matrix smoothed_interpolation(const Row_matrix& matrix, const Aggrega
       if(entry.col() == row || !aggregates.is_strong(entry))
         diagonal += entry.value();
       else
-        entries.emplace_back(aggregates[entry.col()], -damping * entry.value());
+        entries.emplace_back(aggregates[entry.index()], -damping * entry.value());
     for(auto& entry : entries)
       entry.second /= diagonal;
     if(!(diagonal > 0))

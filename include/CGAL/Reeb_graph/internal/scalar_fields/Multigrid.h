@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <utility>
 #include <vector>
 
@@ -78,7 +79,7 @@ public:
   {
     constexpr Eigen::Index size_to_reach = 300, largest_direct_size = 1000;
     double threshold = 0.08; // of strong entries; Vanek halves it from level to level
-    for(add_level(std::move(matrix)); levels_.back().matrix.rows() > size_to_reach; threshold /= 2)
+    for(add_level(matrix); levels_.back().matrix.rows() > size_to_reach; threshold /= 2)
       if(!coarsen(threshold))
         break;
     is_usable_ = levels_.back().matrix.rows() <= largest_direct_size;
@@ -106,21 +107,24 @@ private:
     Vector right_side, solution, residual;
   };
 
-  void add_level(Row_matrix matrix)
+  // Takes the matrix over.
+  void add_level(Row_matrix& matrix)
   {
     const Eigen::Index size = matrix.rows();
-    levels_.push_back({std::move(matrix), Row_matrix(), Vector(size), Vector(size), Vector(size)});
+    levels_.push_back({Row_matrix(), Row_matrix(), Vector(size), Vector(size), Vector(size)});
+    levels_.back().matrix.swap(matrix);
   }
 
   bool coarsen(double threshold)
   {
     Level& level = levels_.back();
     const Aggregation aggregates(level.matrix, threshold);
-    if(aggregates.number_of_aggregates() == 0 || 2 * aggregates.number_of_aggregates() > level.matrix.rows())
+    if(aggregates.number_of_aggregates() == 0 || aggregates.number_of_aggregates() > level.matrix.rows() / 2)
       return false;
     level.interpolation = smoothed_interpolation(level.matrix, aggregates);
     const Row_matrix product = level.matrix * level.interpolation, restriction = level.interpolation.transpose();
-    add_level(restriction * product);
+    Row_matrix coarse_matrix = restriction * product;
+    add_level(coarse_matrix);
     return true;
   }
 
@@ -152,7 +156,7 @@ private:
     }
   }
 
-  std::vector<Level> levels_; // from the finest to the coarsest
+  std::deque<Level> levels_; // from the finest to the coarsest
   Eigen::PartialPivLU<Eigen::MatrixXd> coarsest_;
   bool is_usable_ = false;
 };
