@@ -239,6 +239,37 @@ BOOST_AUTO_TEST_CASE(a_halfedge_that_does_not_know_its_face_is_refused)
   }
 }
 
+// A turn goes on over the next halfedges, and backwards, where it has begun between two border edges, over the previous
+// ones.
+BOOST_AUTO_TEST_CASE(a_wrong_previous_halfedge_is_refused_or_not_met)
+{
+  auto right_mesh = make_mesh<Surface_mesh>(random_meshes::half_disk(4));
+  for(const auto h : halfedges(right_mesh))
+    if(!right_mesh.is_border(h))
+      right_mesh.set_halfedge(right_mesh.target(h), h);
+  const auto values = ascending_values(num_vertices(right_mesh));
+  const auto expected = graph_checks::compute(right_mesh, values);
+  std::size_t refused = 0, not_met = 0;
+  for(const auto h : halfedges(right_mesh))
+    for(const auto previous : halfedges(right_mesh))
+    {
+      auto mesh = right_mesh;
+      mesh.set_prev_only(h, previous);
+      try
+      {
+        BOOST_TEST(graph_checks::are_identical(graph_checks::compute(mesh, values), expected),
+                   "previous of " << h << ": " << previous);
+        ++not_met;
+      }
+      catch(const Non_manifold_vertex_error&)
+      {
+        ++refused;
+      }
+    }
+  BOOST_TEST(refused > 0u);
+  BOOST_TEST(not_met >= num_halfedges(right_mesh));
+}
+
 BOOST_AUTO_TEST_CASE(an_edge_without_a_face_is_refused_among_removed_ones)
 {
   Surface_mesh mesh;
