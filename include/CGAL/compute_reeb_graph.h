@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/arcs/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/arcs/reduce_arcs.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Wanted_places.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
@@ -132,6 +133,17 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///     \cgalParamDefault{0}
 ///     \cgalParamExtra{use the functions `parameters::number_of_slabs()`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_place_map}
+///     \cgalParamDescription{is given the number of the place of each vertex in the graph: nodes are numbered from 0 by
+///                           their descriptors, arcs after the last node, in the order of `edges(graph)`. These are the
+///                           numbers of `Vertex_locations::index()`, found in one turn with the graph, which takes less
+///                           time than to ask `Augmentation::locate_vertices()` for them afterwards. Where many
+///                           vertices are critical, `method` and `number_of_slabs` do not count then.}
+///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptors as key type and an integer type as
+///                    value type}
+///     \cgalParamDefault{none: the places are not looked for}
+///     \cgalParamExtra{use the functions `parameters::vertex_place_map()`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1. If it returns
 ///                           `false`, the computation stops; not any more at 1, when the graph has been written.}
@@ -221,6 +233,7 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
   const bool are_degree_two_nodes_kept = choose_parameter(get_parameter(np, stages::keep_degree_two_nodes), false);
   const auto number_of_slabs =
     choose_parameter(get_parameter(np, stages::number_of_slabs), stages::Default_number_of_slabs());
+  auto places = stages::choose_places(np);
 
   progress.report(0);
   visitor.begin_stage(Stage::FLATTEN);
@@ -237,11 +250,12 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
   progress.report(0.3);
 
   visitor.begin_stage(Stage::ARCS);
-  auto critical_arcs = stages::find_arcs<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs,
-                                                         stages::Stage_progress(progress, 0.3, 0.7));
+  auto critical_arcs = places.template find_arcs<ConcurrencyTag>(
+    complex, order, critical_vertices, method, number_of_slabs, stages::Stage_progress(progress, 0.3, 0.7));
   progress.report(0.7);
   const stages::Flat_graph flat_graph = stages::reduce_arcs<ConcurrencyTag>(
-    complex, order, critical_vertices, critical_arcs, ties, are_degree_two_nodes_kept, false);
+    complex, order, critical_vertices, critical_arcs, ties, are_degree_two_nodes_kept, places.are_wanted);
+  places.template find<ConcurrencyTag>(complex, order, critical_vertices, critical_arcs, flat_graph, ties);
   critical_vertices = stages::Swept_vertices(); // The graph takes much memory.
   critical_arcs = decltype(critical_arcs)();
   visitor.end_stage(Stage::ARCS);
@@ -250,6 +264,7 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
   // Not written aside and swapped: to swap graphs of Boost copies them.
   visitor.begin_stage(Stage::WRITE);
   stages::write_graph<ConcurrencyTag>(input.mesh_of(complex), complex, field, order, flat_graph, graph);
+  places.write(field.vertices);
   visitor.end_stage(Stage::WRITE);
   progress.report_end();
 }

@@ -214,6 +214,63 @@ BOOST_AUTO_TEST_CASE(arcs_spread_to_the_vertices_that_sweeping_gives_them)
   });
 }
 
+namespace {
+// The graph with places is that without, and the places are those that are found afterwards.
+template <class Mesh, class NamedParameters, class MethodParameters>
+void check_place_map(const Mesh& mesh,
+                     const std::vector<double>& values,
+                     const NamedParameters& np,
+                     const MethodParameters& method_np)
+{
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+  graph_checks::Graph_of<Mesh> graph, graph_alone;
+  std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, int> places;
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph_alone, np);
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph,
+                           CGAL::parameters::vertex_place_map(boost::make_assoc_property_map(places), method_np));
+  BOOST_TEST(graph_checks::are_identical(graph, graph_alone));
+  const CGAL::Reeb_graph::Augmentation augmentation(mesh, scalar_map, graph, np);
+  const auto locations = augmentation.locate_vertices();
+  BOOST_TEST(places.size() == values.size());
+  for(const auto& [vertex, place] : places)
+    BOOST_TEST(static_cast<std::size_t>(place) == locations.index(vertex));
+}
+
+auto graph_parameters(Ties ties, bool keeps_degree_two_nodes)
+{
+  return CGAL::parameters::ties(ties, CGAL::parameters::keep_degree_two_nodes(keeps_degree_two_nodes));
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(places_come_with_the_graph)
+{
+  for_each_sample(240, [](const Sample& sample) {
+    for(const Ties ties : {Ties::PERTURB, Ties::CONTRACT})
+    {
+      const auto np = graph_parameters(ties, sample.values.size() % 2 == 0);
+      check_place_map(make_mesh<Surface_mesh>(sample.soup), sample.values, np, np);
+      check_place_map(make_mesh<Polyhedron>(sample.soup), sample.values, np, np);
+    }
+  });
+}
+
+// Arcs of a smooth field are spread, those of noise are swept, by whatever method they are found.
+BOOST_AUTO_TEST_CASE(places_come_with_the_graph_by_any_method)
+{
+  const auto soup = generated_surfaces::closed_surface(3, 2000);
+  const auto mesh = make_mesh<Surface_mesh>(soup);
+  Random random(1);
+  for(const auto& values :
+      {coordinate_field(soup, 1, 0.5, 0.25), random_meshes::random_integers(mesh.number_of_vertices(), 5000, random)})
+    for(const auto method : {CGAL::Reeb_graph::Method::CONTOUR_TREES, CGAL::Reeb_graph::Method::CRITICAL_SETS})
+      for(const std::size_t number_of_slabs : {1, 5})
+      {
+        const auto np = graph_parameters(Ties::CONTRACT, false);
+        check_place_map(mesh, values, np,
+                        CGAL::parameters::method(method, CGAL::parameters::number_of_slabs(number_of_slabs, np)));
+      }
+}
+
 BOOST_AUTO_TEST_CASE(random_small_meshes)
 {
   for_each_sample(960, [](const Sample& sample) {

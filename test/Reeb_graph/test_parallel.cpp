@@ -269,6 +269,14 @@ BOOST_AUTO_TEST_CASE(places_of_vertices_and_contours)
       BOOST_TEST(std::all_of(vertices(mesh).begin(), vertices(mesh).end(), [&](Surface_mesh::Vertex_index v) {
         return places.index(v) == expected_places.index(v);
       }));
+      std::vector<std::size_t> places_with_graph(mesh.number_of_vertices());
+      graph_checks::Graph_of<Surface_mesh> graph_with_places;
+      CGAL::compute_reeb_graph<Parallel>(
+        mesh, scalar_map, graph_with_places,
+        CGAL::parameters::vertex_place_map(CGAL::make_property_map(places_with_graph)));
+      BOOST_TEST(std::all_of(vertices(mesh).begin(), vertices(mesh).end(), [&](Surface_mesh::Vertex_index v) {
+        return places_with_graph[v] == expected_places.index(v);
+      }));
       for(const double value : {-0.5, 0., 0.01, 0.5})
       {
         const auto expected = augmentation.contours_at_value(value);

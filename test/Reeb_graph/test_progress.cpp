@@ -27,12 +27,14 @@
 
 #include <boost/iterator/function_output_iterator.hpp>
 #include <boost/mpl/list.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -262,6 +264,12 @@ std::vector<Work<Surface_mesh>> all_works()
     Graph graph;
     CGAL::compute_reeb_graph(mesh, field, graph);
     const Augmentation<Surface_mesh, Map> augmentation(mesh, field, graph, parameters::callback(callback));
+  });
+  add("compute_reeb_graph with places", [](Surface_mesh& mesh, Map field, Callback callback) {
+    Graph graph;
+    std::map<Surface_mesh::Vertex_index, std::size_t> places;
+    const auto np = parameters::vertex_place_map(boost::make_assoc_property_map(places)).callback(callback);
+    CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(mesh, field, graph, np);
   });
   add("locate_vertices", [](Surface_mesh& mesh, Map field, Callback callback) {
     Graph graph;

@@ -55,15 +55,25 @@ void check_complex(const Complex& complex, const std::vector<double>& values, Ti
   Graph graph;
   if(complex.tetrahedra.empty())
   {
-    CGAL::compute_reeb_graph_of_soup(complex.number_of_vertices, complex.triangles, values, graph, np);
+    std::vector<std::size_t> places(values.size());
+    CGAL::compute_reeb_graph_of_soup(complex.number_of_vertices, complex.triangles, values, graph,
+                                     parameters::vertex_place_map(places.data(), np));
     const Soup_augmentation augmentation(complex.number_of_vertices, complex.triangles, values, graph, np);
     Augmentation_check(complex, values, oracle, augmentation).run(ties);
+    const auto locations = augmentation.locate_vertices();
+    for(std::size_t v = 0; v != places.size(); ++v)
+      BOOST_TEST(places[v] == locations.index(v));
   }
   else
   {
-    CGAL::compute_reeb_graph_of_tetrahedra(complex.number_of_vertices, complex.tetrahedra, values, graph, np);
+    std::vector<std::size_t> places(values.size());
+    CGAL::compute_reeb_graph_of_tetrahedra(complex.number_of_vertices, complex.tetrahedra, values, graph,
+                                           parameters::vertex_place_map(places.data(), np));
     const Tetrahedra_augmentation augmentation(complex.number_of_vertices, complex.tetrahedra, values, graph, np);
     Augmentation_check(complex, values, oracle, augmentation).run(ties);
+    const auto locations = augmentation.locate_vertices();
+    for(std::size_t v = 0; v != places.size(); ++v)
+      BOOST_TEST(places[v] == locations.index(v));
   }
 }
 } // namespace

@@ -24,10 +24,9 @@
 
 #include <CGAL/tags.h>
 
-#include <boost/unordered_map.hpp>
-
 #include <cstddef>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -221,7 +220,7 @@ private:
   Indexed_vector<Vertex_index, Swept_index> critical_of_vertex_; // no_index if it is regular
   Indexed_vector<Swept_index, Ends_of_arcs> upward_;
   Indexed_vector<Swept_index, Ends_of_arcs> downward_;
-  boost::unordered_map<Number, Slab_arc_index> arc_of_first_edge_;
+  std::unordered_map<Number, Slab_arc_index> arc_of_first_edge_;
 };
 
 } // namespace internal

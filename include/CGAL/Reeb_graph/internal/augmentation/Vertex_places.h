@@ -13,99 +13,88 @@
 
 #include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/arcs/find_arcs.h>
-#include <CGAL/Reeb_graph/internal/arcs/reduce_arcs.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Arc_spreading.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Vertex_lists.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Vertex_queries.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
-#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <cstddef>
-#include <utility>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The place of each vertex in the exact graph. Nothing but the surface and the order of its vertices is asked.
-//
-// First the arc between critical vertices is found that each regular vertex is on: by spreading the arcs, or, where
-// they are short, by asking the sweeps of the engine. Reducing those arcs gives the graph once more, and says what has
-// become of them.
+// Finds the arcs between critical vertices, and which of them each regular vertex is on: by spreading the arcs, or, where
+// they are short, by asking the sweeps of the default method.
+template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class ChosenNumberOfSlabs>
+Slab_arcs find_arcs_with_vertices(const Complex& complex,
+                                  const Order& order,
+                                  const Swept_vertices& critical_vertices,
+                                  ChosenMethod method,
+                                  ChosenNumberOfSlabs number_of_slabs,
+                                  Arc_of_vertex& arc_of_vertex,
+                                  const Stage_progress& progress)
+{
+  typedef Arc_spreading<Complex, Order> Spreading;
+  if(!Spreading::are_arcs_short(complex, critical_vertices))
+  {
+    Slab_arcs arcs =
+      find_arcs<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs, progress.part(0, 0.25));
+    Spreading spreading(complex, order, critical_vertices, arcs);
+    if(spreading.template find_arcs_of_vertices<ConcurrencyTag>(arc_of_vertex))
+      return arcs;
+  }
+  return find_arcs_of_vertices<ConcurrencyTag>(complex, order, critical_vertices, arc_of_vertex,
+                                               progress.part(0.25, 1));
+}
+
+// The place of each vertex in the exact graph, from the arcs between critical vertices and what they have been reduced
+// to.
 template <class Complex, class Order>
 class Vertex_places
 {
 public:
-  template <class ConcurrencyTag>
-  static Vertex_places make(const Complex& complex,
-                            const Order& order,
-                            Ties ties,
-                            bool are_degree_two_nodes_kept,
-                            const Progress& progress)
-  {
-    Vertex_places places(complex, order, ties);
-    progress.report(0);
-    places.critical_vertices_ = classify_vertices<ConcurrencyTag>(complex, order);
-    if(!places.template spread_arcs<ConcurrencyTag>(Stage_progress(progress, 0.3, 0.4)))
-    {
-      places.critical_arcs_ = find_arcs_of_vertices<ConcurrencyTag>(
-        complex, order, places.critical_vertices_, places.arc_of_vertex_, Stage_progress(progress, 0.4, 0.85));
-    }
-    progress.report(0.9);
-    places.graph_ = reduce_arcs<ConcurrencyTag>(complex, order, places.critical_vertices_, places.critical_arcs_, ties,
-                                                are_degree_two_nodes_kept, true);
-    checked_index(places.graph_.nodes.size() + places.graph_.arcs.size());
-    progress.report(0.95);
-    places.template find_places<ConcurrencyTag>();
-    return places;
-  }
-
-  // The exact graph.
-  const Flat_graph& graph() const { return graph_; }
-
-  // The place of each vertex: the number of a node, or the number of nodes plus that of an arc.
-  Place_of_vertex release() && { return std::move(places_); }
-
-private:
-  typedef Arc_spreading<Complex, Order> Spreading;
-
-  Vertex_places(const Complex& complex, const Order& order, Ties ties)
-    : complex_(&complex),
-      order_(&order),
+  Vertex_places(const Complex& complex,
+                const Order& order,
+                const Swept_vertices& critical_vertices,
+                const Slab_arcs& critical_arcs,
+                const Arc_of_vertex& arc_of_vertex,
+                const Flat_graph& graph,
+                Ties ties)
+    : complex_(complex),
+      order_(order),
+      critical_vertices_(critical_vertices),
+      critical_arcs_(critical_arcs),
+      arc_of_vertex_(arc_of_vertex),
+      graph_(graph),
       are_ties_contracted_(ties == Ties::CONTRACT)
   {}
 
+  // The number of a node, or the number of nodes plus that of an arc.
   template <class ConcurrencyTag>
-  bool spread_arcs(const Stage_progress& progress)
+  Place_of_vertex find() const
   {
-    if(Spreading::are_arcs_short(*complex_, critical_vertices_))
-      return false;
-    critical_arcs_ = find_arcs<ConcurrencyTag>(*complex_, *order_, critical_vertices_, Default_method(),
-                                               Default_number_of_slabs(), progress);
-    Spreading spreading(*complex_, *order_, critical_vertices_, critical_arcs_);
-    return spreading.template find_arcs_of_vertices<ConcurrencyTag>(arc_of_vertex_);
-  }
-
-  template <class ConcurrencyTag>
-  void find_places()
-  {
-    places_.assign(complex_->number_of_vertices(), no_index);
+    checked_index(graph_.nodes.size() + graph_.arcs.size());
+    Place_of_vertex places(complex_.number_of_vertices(), no_index);
     for(const Swept_index critical : critical_vertices_.indices())
-      places_[critical_vertices_.vertex(critical)] = place_of_critical(critical);
-    for_each_block<ConcurrencyTag>(places_.size(), [&](std::size_t begin, std::size_t end) {
+      places[critical_vertices_.vertex(critical)] = place_of_critical(critical);
+    for_each_block<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {
       for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
       {
-        if(places_[vertex] == no_index && complex_->has_vertex(vertex))
-          places_[vertex] = place_on_arc(vertex, arc_of_vertex_[vertex]);
+        if(places[vertex] == no_index && complex_.has_vertex(vertex))
+          places[vertex] = place_on_arc(vertex, arc_of_vertex_[vertex]);
       }
     });
+    return places;
   }
 
+private:
   Index place_of_critical(Swept_index critical) const
   {
     const Node_index node = graph_.node_of_critical[critical];
@@ -117,13 +106,13 @@ private:
   Index place_on_arc(Vertex_index vertex, Slab_arc_index critical_arc) const
   {
     if(critical_arc == no_index)
-      complex_->throw_contradiction_near(vertex);
+      complex_.throw_contradiction_near(vertex);
     if(are_ties_contracted_)
     {
       const Slab_arc& arc = critical_arcs_[critical_arc];
       for(const Swept_index end : {arc.lower_vertex(), arc.upper_vertex()})
       {
-        if(order_->are_tied(vertex, critical_vertices_.vertex(end)))
+        if(order_.are_tied(vertex, critical_vertices_.vertex(end)))
           return place_of_critical(end);
       }
     }
@@ -133,18 +122,17 @@ private:
   Index place_of_arc(Arc_index arc, Vertex_index vertex) const
   {
     if(arc == no_index)
-      complex_->throw_contradiction_near(vertex);
+      complex_.throw_contradiction_near(vertex);
     return static_cast<Index>(graph_.nodes.size()) + arc.number();
   }
 
-  const Complex* complex_;
-  const Order* order_;
-  bool are_ties_contracted_;
-  Swept_vertices critical_vertices_;
-  Slab_arcs critical_arcs_;
-  Arc_of_vertex arc_of_vertex_;
-  Flat_graph graph_;
-  Place_of_vertex places_;
+  const Complex& complex_;
+  const Order& order_;
+  const Swept_vertices& critical_vertices_;
+  const Slab_arcs& critical_arcs_;
+  const Arc_of_vertex& arc_of_vertex_;
+  const Flat_graph& graph_;
+  const bool are_ties_contracted_;
 };
 
 } // namespace internal

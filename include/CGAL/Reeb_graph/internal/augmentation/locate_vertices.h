@@ -12,22 +12,53 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Vertex_locations.h>
+#include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
+#include <CGAL/Reeb_graph/internal/arcs/find_arcs.h>
+#include <CGAL/Reeb_graph/internal/arcs/reduce_arcs.h>
 #include <CGAL/Reeb_graph/internal/augmentation/New_places.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Vertex_lists.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Vertex_places.h>
 #include <CGAL/Reeb_graph/internal/augmentation/check_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/contour_trees/Vertex_queries.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <cstddef>
 #include <memory>
-#include <utility>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+// The places of all vertices in the exact graph, which is computed once more. Nothing but the surface and the order of
+// its vertices is asked. check_graph(graph) may throw.
+template <class ConcurrencyTag, class Complex, class Order, class CheckGraph>
+Place_of_vertex find_places(const Complex& complex,
+                            const Order& order,
+                            Ties ties,
+                            bool are_degree_two_nodes_kept,
+                            const CheckGraph& check_graph,
+                            const Progress& progress)
+{
+  progress.report(0);
+  const Swept_vertices critical_vertices = classify_vertices<ConcurrencyTag>(complex, order);
+  Arc_of_vertex arc_of_vertex;
+  const Slab_arcs arcs = find_arcs_with_vertices<ConcurrencyTag>(complex, order, critical_vertices, Default_method(),
+                                                                 Default_number_of_slabs(), arc_of_vertex,
+                                                                 Stage_progress(progress, 0.3, 0.85));
+  progress.report(0.9);
+  const Flat_graph graph =
+    reduce_arcs<ConcurrencyTag>(complex, order, critical_vertices, arcs, ties, are_degree_two_nodes_kept, true);
+  progress.report(0.95);
+  check_graph(graph);
+  return Vertex_places(complex, order, critical_vertices, arcs, arc_of_vertex, graph, ties)
+    .template find<ConcurrencyTag>();
+}
 
 // The places of all vertices in the graph, which has to be the exact one, or one that this has been simplified to.
 template <class ConcurrencyTag, class GraphOnMesh>
@@ -38,11 +69,9 @@ auto locate_vertices(const GraphOnMesh& on_mesh,
                      const Progress& progress)
 {
   typedef typename GraphOnMesh::vertex_descriptor vertex_descriptor;
-  typedef Vertex_places<typename GraphOnMesh::Complex, typename GraphOnMesh::Order> Places;
-  auto places = Places::template make<ConcurrencyTag>(on_mesh.complex(), on_mesh.order(), ties,
-                                                      are_degree_two_nodes_kept, progress);
-  check_same_graph(on_mesh, places.graph(), new_places);
-  const auto place_of_vertex = std::make_shared<Place_of_vertex>(std::move(places).release());
+  const auto check_graph = [&](const Flat_graph& graph) { check_same_graph(on_mesh, graph, new_places); };
+  const auto place_of_vertex = std::make_shared<Place_of_vertex>(find_places<ConcurrencyTag>(
+    on_mesh.complex(), on_mesh.order(), ties, are_degree_two_nodes_kept, check_graph, progress));
   if(new_places.is_simplified())
   {
     for(Index& place : *place_of_vertex)
