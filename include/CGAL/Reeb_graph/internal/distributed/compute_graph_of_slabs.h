@@ -134,7 +134,7 @@ void write_gathered_graph(Exchange& exchange,
     const auto pairs = std::make_shared<const Vertex_pairs>(
       join_chain_parts(gathered.graph.pieces.size(), all_parts.elements, all_vertices.elements, chains));
     const Gathered_field<Scalar> field = {gathered.surface->global_vertices(), gathered.surface->values()};
-    write_nodes_and_arcs(field, gathered.graph, graph);
+    write_nodes_and_arcs<Sequential_tag>(field, gathered.graph, graph);
     write_chains(pairs, chains, gathered.graph, graph);
   });
 }

@@ -140,23 +140,6 @@ struct Block_list_selector
 {
 };
 
-template <class Graph, class = void>
-struct Has_node_array : std::false_type
-{
-};
-template <class Graph>
-struct Has_node_array<Graph, std::void_t<decltype(std::declval<Graph&>().m_vertices.reserve(0))>> : std::true_type
-{
-};
-
-// Makes room for the nodes if they are in an array. There is no documented way, but this one has always been there.
-template <class Graph>
-void reserve_nodes(Graph& graph, std::size_t size)
-{
-  if constexpr(Has_node_array<Graph>::value)
-    graph.m_vertices.reserve(size);
-}
-
 } // namespace internal
 } // namespace Reeb_graph
 } // namespace CGAL

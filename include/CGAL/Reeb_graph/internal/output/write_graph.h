@@ -18,7 +18,6 @@
 #include <CGAL/Reeb_graph/internal/mesh/flatten.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/output/arc_chains.h>
-#include <CGAL/Reeb_graph/internal/output/graph_storage.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -51,13 +50,58 @@ auto chain_halfedges(const FaceListGraph& mesh,
   return std::make_shared<const std::vector<halfedge_descriptor>>(std::move(halfedges));
 }
 
+template <class Graph, class = void>
+struct Has_node_array : std::false_type
+{
+};
+template <class Graph>
+struct Has_node_array<Graph, std::void_t<decltype(std::declval<Graph&>().m_vertices.reserve(0))>> : std::true_type
+{
+};
+
+// Makes room for the nodes of an empty graph if they are in an array. There is no documented way, but this one has
+// always been there. Threads share what takes longest, longer than to write the nodes: to touch each new page of memory
+// for the first time.
+template <class ConcurrencyTag, class Graph>
+void reserve_nodes(Graph& graph, std::size_t size)
+{
+  if constexpr(Has_node_array<Graph>::value)
+  {
+    graph.m_vertices.reserve(size);
+    if constexpr(is_parallel<ConcurrencyTag>())
+    {
+      constexpr std::size_t page = 4096; // or a part of one
+      volatile char* const bytes = reinterpret_cast<volatile char*>(graph.m_vertices.data());
+      const std::size_t number_of_pages = size * sizeof(graph.m_vertices[0]) / page;
+      for_each_part<ConcurrencyTag>(number_of_parts<ConcurrencyTag>(number_of_pages, 64), number_of_pages,
+                                    [&](std::size_t, std::size_t begin, std::size_t end) {
+                                      for(std::size_t i = begin; i != end; ++i)
+                                        bytes[i * page] = 0;
+                                    });
+    }
+  }
+}
+
+// Fetches a node ahead of add_edge(): its lists of arcs take more than one line of the cache.
+template <class Graph>
+void prefetch_node(const Graph& graph, std::size_t node)
+{
+  if constexpr(Has_node_array<Graph>::value)
+  {
+    constexpr std::size_t line = 64;
+    const char* const bytes = reinterpret_cast<const char*>(&graph.m_vertices[node]);
+    for(std::size_t i = 0; i < sizeof(graph.m_vertices[0]); i += line)
+      prefetch(bytes + i);
+  }
+}
+
 // Replaces the content of `graph` by the nodes, and by the arcs without their chains.
-template <class Field, class ReebGraph>
+template <class ConcurrencyTag, class Field, class ReebGraph>
 void write_nodes_and_arcs(const Field& field, const Flat_graph& flat_graph, ReebGraph& graph)
 {
   typedef typename boost::vertex_bundle_type<ReebGraph>::type Node;
   graph.clear();
-  reserve_nodes(graph, flat_graph.nodes.size());
+  reserve_nodes<ConcurrencyTag>(graph, flat_graph.nodes.size());
   constexpr std::size_t ahead = 12;
   for(const Node_index i : flat_graph.nodes.keys())
   {
@@ -75,7 +119,7 @@ void write_nodes_and_arcs(const Field& field, const Flat_graph& flat_graph, Reeb
   {
     const Arc_index later(i.number() + ahead);
     if(flat_graph.arcs.contains(later))
-      prefetch(&graph[flat_graph.arcs[later].upper.number()]);
+      prefetch_node(graph, flat_graph.arcs[later].upper.number());
     add_edge(flat_graph.arcs[i].lower.number(), flat_graph.arcs[i].upper.number(), graph);
   }
 }
@@ -123,7 +167,7 @@ void write_graph(const FaceListGraph& mesh,
       },
       [&] {
         is_graph_changed = true;
-        write_nodes_and_arcs(field, flat_graph, graph);
+        write_nodes_and_arcs<ConcurrencyTag>(field, flat_graph, graph);
       });
   }
   catch(...) // Memory has run out, or the order of the user throws.
