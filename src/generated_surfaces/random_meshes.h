@@ -302,7 +302,8 @@ inline Combinatorial_mesh random_collection(Random& random)
 
 inline Combinatorial_mesh random_bordered_surface(Random& random)
 {
-  Combinatorial_mesh mesh = random_closed_surface(static_cast<unsigned>(random.below(4)), 3 + random.below(20), random);
+  const std::size_t number_of_splits = 3 + random.below(20);
+  Combinatorial_mesh mesh = random_closed_surface(static_cast<unsigned>(random.below(4)), number_of_splits, random);
   remove_random_triangles(mesh, 1 + random.below(mesh.triangles.size() / 2), random);
   flip_random_edges(mesh, random.below(30), random);
   return mesh;
@@ -311,14 +312,22 @@ inline Combinatorial_mesh random_bordered_surface(Random& random)
 inline Combinatorial_mesh random_mesh(Mesh_class mesh_class, Random& random)
 {
   Combinatorial_mesh mesh;
+  std::size_t size = 0;
   switch(mesh_class)
   {
   case Mesh_class::CLOSED:
-    mesh = random_closed_surface(static_cast<unsigned>(random.below(5)), random.below(20), random);
+    size = random.below(20);
+    mesh = random_closed_surface(static_cast<unsigned>(random.below(5)), size, random);
     break;
   case Mesh_class::BORDERED: mesh = random_bordered_surface(random); break;
   case Mesh_class::LEVEL_BORDERS:
-    mesh = random.below(4) == 0 ? disk(3 + random.below(8)) : cylinder(3 + random.below(5), 2 + random.below(4));
+    if(random.below(4) == 0)
+      mesh = disk(3 + random.below(8));
+    else
+    {
+      size = 2 + random.below(4);
+      mesh = cylinder(3 + random.below(5), size);
+    }
     for(std::size_t i = random.below(6); i > 0; --i)
       split_random_triangle(mesh, random);
     for(std::size_t handle = random.below(2); handle > 0; --handle)

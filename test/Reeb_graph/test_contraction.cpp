@@ -321,8 +321,9 @@ BOOST_AUTO_TEST_CASE(several_edges_between_two_vertices)
   for(std::size_t seed = 0; seed < 300; ++seed)
   {
     Random random(seed);
+    const std::size_t number_of_splits = random.below(4);
     const auto combinatorial_mesh =
-      random_meshes::random_closed_surface(static_cast<unsigned>(random.below(4)), random.below(4), random);
+      random_meshes::random_closed_surface(static_cast<unsigned>(random.below(4)), number_of_splits, random);
     auto mesh = make_mesh<Surface_mesh>(combinatorial_mesh);
     mesh_builders::flip_edges_carelessly(mesh, 100, random);
     BOOST_TEST_CONTEXT("seed " << seed)

@@ -137,8 +137,14 @@ void set_random_values(Graph& graph, std::size_t least_step, Random& random)
 
 Graph random_graph_with_values(std::size_t seed, Random& random)
 {
-  Graph graph = seed % 3 == 0 ? random_graphs::random_graph(random)
-                              : random_graphs::random_sparse_graph(1 + random.below(60), random.below(6), random);
+  Graph graph;
+  if(seed % 3 == 0)
+    graph = random_graphs::random_graph(random);
+  else
+  {
+    const std::size_t number_of_loops = random.below(6);
+    graph = random_graphs::random_sparse_graph(1 + random.below(60), number_of_loops, random);
+  }
   set_random_values(graph, seed % 2, random);
   if(seed % 7 == 0)
     for(std::size_t node = 0; node < num_vertices(graph); ++node)

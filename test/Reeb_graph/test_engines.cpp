@@ -92,7 +92,8 @@ void compare_methods_on_random_meshes(std::size_t number_of_seeds,
 
 Combinatorial_mesh surface_of_high_genus(Random& random)
 {
-  return random_meshes::random_closed_surface(static_cast<unsigned>(4 + random.below(9)), random.below(4), random);
+  const std::size_t number_of_splits = random.below(4);
+  return random_meshes::random_closed_surface(static_cast<unsigned>(4 + random.below(9)), number_of_splits, random);
 }
 
 typedef CGAL::Reeb_graph_traits<Surface_mesh, Scalar_map> Traits;
@@ -286,8 +287,9 @@ BOOST_AUTO_TEST_CASE(several_edges_between_two_vertices)
   for(std::size_t seed = 0; seed < 1500; ++seed)
   {
     Random random(seed);
+    const std::size_t number_of_splits = random.below(4);
     const auto combinatorial_mesh =
-      random_meshes::random_closed_surface(static_cast<unsigned>(random.below(6)), random.below(4), random);
+      random_meshes::random_closed_surface(static_cast<unsigned>(random.below(6)), number_of_splits, random);
     Surface_mesh mesh = make_mesh<Surface_mesh>(combinatorial_mesh);
     mesh_builders::flip_edges_carelessly(mesh, 200, random);
     const auto field_class = seed % 3 == 0 ? Field_class::FEW_VALUES : Field_class::PERMUTATION;

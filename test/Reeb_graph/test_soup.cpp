@@ -354,7 +354,8 @@ BOOST_AUTO_TEST_CASE(contours_that_close_no_loop_are_found_at_once)
       for(int i = 0; i < 3; ++i)
       {
         names.push_back(values.size());
-        values.push_back(values[t[random() % 3]] + 1e-3 * static_cast<double>(random() % 1000));
+        const double value = values[t[random() % 3]];
+        values.push_back(value + 1e-3 * static_cast<double>(random() % 1000));
       }
       for(std::size_t i = 1; i < plane.size(); ++i)
         triangles.push_back({names[plane[i][0]], names[plane[i][1]], names[plane[i][2]]});

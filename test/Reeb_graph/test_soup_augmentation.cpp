@@ -88,7 +88,8 @@ BOOST_AUTO_TEST_CASE(the_way_back_to_random_complexes_is_that_of_the_oracle)
       const Complex complex =
         random_complexes::random_complex(static_cast<Complex_class>(seed % number_of_classes), random);
       const std::vector<double> values = random_complexes::random_values(complex.number_of_vertices, random);
-      check_complex(complex, values, random.below(2) == 0 ? Ties::PERTURB : Ties::CONTRACT, random.below(2) == 0);
+      const bool keeps_degree_two_nodes = random.below(2) == 0;
+      check_complex(complex, values, random.below(2) == 0 ? Ties::PERTURB : Ties::CONTRACT, keeps_degree_two_nodes);
     }
 }
 

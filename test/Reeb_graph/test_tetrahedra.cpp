@@ -44,7 +44,10 @@ std::vector<Point> random_points(std::size_t number, std::size_t seed)
   random_meshes::Random random(seed);
   std::vector<Point> points;
   for(std::size_t i = 0; i < number; ++i)
-    points.emplace_back(random.below(1000), random.below(1000), random.below(1000));
+  {
+    const std::size_t z = random.below(1000), y = random.below(1000), x = random.below(1000);
+    points.emplace_back(x, y, z);
+  }
   return points;
 }
 

@@ -200,8 +200,9 @@ inline Complex random_solid(Random& random)
 // a surface of which vertices are identified: pinched ones, edges with three or four triangles, walls
 inline Complex random_glued_surface(Random& random)
 {
+  const std::size_t number_of_splits = 3 + random.below(3);
   Combinatorial_mesh mesh =
-    random_meshes::random_closed_surface(static_cast<unsigned>(random.below(3)), 3 + random.below(3), random);
+    random_meshes::random_closed_surface(static_cast<unsigned>(random.below(3)), number_of_splits, random);
   if(random.below(2) == 0)
     random_meshes::remove_random_triangles(mesh, 1 + random.below(mesh.triangles.size() / 2), random);
   Complex complex = complex_of(mesh);
@@ -297,6 +298,7 @@ inline Complex random_surface_without_orientation(Random& random)
 inline Complex random_complex(Complex_class complex_class, Random& random)
 {
   Complex complex;
+  std::size_t size = 0;
   switch(complex_class)
   {
   case Complex_class::SOLID: complex = random_solid(random); break;
@@ -304,7 +306,10 @@ inline Complex random_complex(Complex_class complex_class, Random& random)
     complex = random.below(2) == 0 ? pinched_torus(3 + random.below(2), 3) : random_glued_surface(random);
     break;
   case Complex_class::NOT_ORIENTABLE: complex = random_surface_without_orientation(random); break;
-  case Complex_class::BOOK: complex = book(1 + random.below(6), 2 + random.below(5)); break;
+  case Complex_class::BOOK:
+    size = 2 + random.below(5);
+    complex = book(1 + random.below(6), size);
+    break;
   case Complex_class::CONE: complex = random_cone(random); break;
   case Complex_class::WALLED:
     complex = sphere_with_wall();
