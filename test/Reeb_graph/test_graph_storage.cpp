@@ -13,15 +13,21 @@
 #include "generated_surfaces/random_meshes.h"
 #include "graph_checks.h"
 
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
+
 #include <boost/graph/copy.hpp>
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <limits>
 #include <list>
 #include <memory>
+#include <new>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -225,6 +231,79 @@ BOOST_AUTO_TEST_CASE(allocators_of_other_types_share_their_memory)
 
   std::list<double, Allocator> list(3, 1., allocator);
   BOOST_TEST((list.get_allocator() == allocator));
+}
+
+// std::vector is its oracle.
+BOOST_AUTO_TEST_CASE(a_plain_vector_does_what_a_vector_does)
+{
+  typedef std::array<std::uint32_t, 3> Element;
+  typedef CGAL::Reeb_graph::internal::Plain_vector<Element> Plain_vector;
+  for(unsigned seed = 0; seed != 40; ++seed)
+  {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    Random random(seed);
+    Plain_vector plain;
+    std::vector<Element> oracle;
+    for(std::size_t step = 0; step != 200; ++step)
+    {
+      const std::uint32_t name = static_cast<std::uint32_t>(step);
+      const Element element =
+        oracle.empty() || random.below(2) == 0 ? Element{name, name + 1, name + 2} : oracle.back();
+      const std::size_t size = random.below(step % 20 == 0 ? 2000 : 20), operation = random.below(8);
+      if(operation <= 1)
+      {
+        for(std::size_t i = 0; i != size; ++i)
+        {
+          plain.push_back(i == 0 || plain.empty() ? element : plain.front());
+          oracle.push_back(i == 0 || oracle.empty() ? element : oracle.front());
+        }
+      }
+      else if(operation == 2)
+        plain.resize(size, element), oracle.resize(size, element);
+      else if(operation == 3)
+        plain.assign(size, element), oracle.assign(size, element);
+      else if(operation == 4)
+        plain.resize(plain.size() + size), oracle.resize(oracle.size() + size);
+      else if(operation == 5)
+      {
+        const Plain_vector copy(plain);
+        plain.append(copy.begin(), copy.end());
+        const std::vector<Element> copy_of_oracle(oracle);
+        oracle.insert(oracle.end(), copy_of_oracle.begin(), copy_of_oracle.end());
+        if(plain.size() > 4000)
+          plain = Plain_vector(size), oracle = std::vector<Element>(size);
+      }
+      else if(operation == 6)
+      {
+        const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(random.below(oracle.size() + 1));
+        const std::ptrdiff_t end =
+          begin + static_cast<std::ptrdiff_t>(random.below(oracle.size() + 1 - std::size_t(begin)));
+        plain.erase(plain.begin() + begin, plain.begin() + end);
+        oracle.erase(oracle.begin() + begin, oracle.begin() + end);
+      }
+      else
+      {
+        Plain_vector moved(std::move(plain));
+        BOOST_TEST(plain.empty());
+        plain = Plain_vector(moved.begin(), moved.end());
+        plain.reserve(size);
+        BOOST_TEST(plain.capacity() >= size);
+      }
+      BOOST_TEST(plain.empty() == oracle.empty());
+      BOOST_REQUIRE(std::equal(plain.begin(), plain.end(), oracle.begin(), oracle.end()));
+      BOOST_REQUIRE(std::equal(plain.rbegin(), plain.rend(), oracle.rbegin(), oracle.rend()));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_plain_vector_that_memory_cannot_hold_is_refused)
+{
+  typedef CGAL::Reeb_graph::internal::Plain_vector<double> Plain_vector;
+  BOOST_CHECK_THROW(Plain_vector(std::numeric_limits<std::size_t>::max() / 2), std::bad_alloc);
+  Plain_vector numbers(3, 1.5);
+  BOOST_CHECK_THROW(numbers.reserve(std::numeric_limits<std::size_t>::max() / sizeof(double) + 2), std::bad_alloc);
+  BOOST_TEST(std::vector<double>(numbers.begin(), numbers.end()) == std::vector<double>(3, 1.5),
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -244,7 +244,7 @@ std::pair<std::size_t, std::size_t> count_steps(std::size_t number_of_vertices,
   const stages::Indexed_vector<stages::Vertex_index, double> scalars(values.begin(), values.end());
   const stages::Vertex_order order(scalars, std::less<double>());
   const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(complex, order);
-  std::vector<stages::Swept_index> vertices;
+  stages::Plain_vector<stages::Swept_index> vertices;
   for(const stages::Swept_index i : critical_vertices.ascending())
     if(critical_vertices.number_of_lower_sectors(i) > 1)
       vertices.push_back(i);
@@ -311,9 +311,9 @@ BOOST_AUTO_TEST_CASE(the_steps_of_short_contours_do_not_depend_on_the_long_ones)
   const stages::Simplicial_complex complex(2 + 2 * number_of_pages, for_each_triangle, for_each_edge);
   const auto is_below = [&](Vertex_index v) { return v.number() == 0 || v.number() >= 2 + number_of_pages; };
   const auto spine = complex.find_halfedge(Vertex_index(0), Vertex_index(1));
-  std::vector<stages::Halfedge_index> all = {spine};
+  stages::Plain_vector<stages::Halfedge_index> all = {spine};
   std::size_t number_of_visited = 0;
-  const auto visit = [&](const std::vector<stages::Halfedge_index>& crossed_edges) {
+  const auto visit = [&](const stages::Plain_vector<stages::Halfedge_index>& crossed_edges) {
     number_of_visited += crossed_edges.size() == 1 ? 1 : 0;
   };
   stages::Contour_search one_at_a_time(complex), all_at_once(complex);

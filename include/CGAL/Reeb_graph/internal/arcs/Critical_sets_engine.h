@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/link_sectors.h>
@@ -25,7 +26,6 @@
 
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -55,7 +55,7 @@ public:
     for(const Contour_index i : slab_.contours(Side::UPPER))
       arcs_.push_back({no_index, slab_.contour_node(Side::UPPER, i), {no_index, no_index}});
     constexpr std::size_t vertices_per_report = 4096;
-    const std::vector<Swept_index>& ascending = critical_vertices_.ascending();
+    const Plain_vector<Swept_index>& ascending = critical_vertices_.ascending();
     for(std::size_t i = ascending.size(); i-- != 0;)
     {
       register_lower_contours(ascending[i]);

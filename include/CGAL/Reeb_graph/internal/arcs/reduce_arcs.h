@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/internal/arcs/Tie_groups.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
@@ -27,7 +28,6 @@
 #include <cstddef>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -96,7 +96,7 @@ private:
     begins_of_arcs_.reserve(size + 1);
     Number number_of_arcs = 0;
     constexpr std::size_t ahead = 16;
-    const std::vector<Swept_index>& ascending = critical_vertices_.ascending();
+    const Plain_vector<Swept_index>& ascending = critical_vertices_.ascending();
     for(std::size_t place = 0; place != size; ++place)
     {
       if(place + ahead < size)
@@ -127,7 +127,7 @@ private:
   void make_arcs()
   {
     const std::size_t number_of_parts = internal::number_of_parts<ConcurrencyTag>(arcs_.size());
-    const std::vector<std::size_t> begins_of_pieces = find_begins_of_pieces(number_of_parts);
+    const Plain_vector<std::size_t> begins_of_pieces = find_begins_of_pieces(number_of_parts);
     graph_.pieces.renew(begins_of_pieces.back());
     const auto make_arcs_of_part = [&](std::size_t part, std::size_t begin, std::size_t end) {
       Piece_index piece(begins_of_pieces[part]);
@@ -139,9 +139,9 @@ private:
   }
 
   // The places where the pieces of each part of the critical arcs begin in the sequence of all pieces; and the end.
-  std::vector<std::size_t> find_begins_of_pieces(std::size_t number_of_parts) const
+  Plain_vector<std::size_t> find_begins_of_pieces(std::size_t number_of_parts) const
   {
-    std::vector<std::size_t> begins_of_pieces(number_of_parts + 1, 0);
+    Plain_vector<std::size_t> begins_of_pieces(number_of_parts + 1, 0);
     const auto count_pieces = [&](std::size_t part, std::size_t begin, std::size_t end) {
       std::size_t count = 0;
       for_each_first_arc(begin, end, [&](Slab_arc_index i, Node_index) {

@@ -12,10 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Contour.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/walks/contour_tracing.h>
-
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -42,7 +41,7 @@ public:
     Contour contour;
     contour.arc = arc;
     contour.value = level.value;
-    std::vector<Halfedge_index> crossed;
+    Plain_vector<Halfedge_index> crossed;
     contour.is_closed = trace_oriented_contour(on_mesh_.complex(), start, level.is_below, crossed);
     contour.halfedges.reserve(crossed.size());
     for(const Halfedge_index halfedge : crossed)

@@ -13,9 +13,9 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -75,7 +75,7 @@ public:
 
 private:
   Indexed_vector<Key, Number> first_items_; // by key; and the end
-  std::vector<Item> items_;
+  Vector_of<Item> items_;
 };
 
 } // namespace internal

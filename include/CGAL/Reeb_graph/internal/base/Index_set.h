@@ -12,11 +12,11 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -76,8 +76,8 @@ private:
   static Number bit_of(Key key) { return key.number() % bits_per_word; }
   static Number count(Word word) { return static_cast<Number>(std::bitset<bits_per_word>(word).count()); }
 
-  std::vector<Word> words_;
-  std::vector<Number> ranks_; // by word
+  Plain_vector<Word> words_;
+  Plain_vector<Number> ranks_; // by word
   Number size_ = 0;
 };
 

@@ -12,9 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -22,9 +22,9 @@ namespace internal {
 
 // A vector whose elements are named by indices of one kind.
 template <class Key, class T>
-class Indexed_vector : private std::vector<T>
+class Indexed_vector : private Vector_of<T>
 {
-  typedef std::vector<T> Base;
+  typedef Vector_of<T> Base;
 
 public:
   using typename Base::const_iterator;

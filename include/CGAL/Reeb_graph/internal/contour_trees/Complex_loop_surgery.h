@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Loop_surgery.h>
@@ -86,7 +87,7 @@ public:
   {
     const Vertex_index vertex = critical_vertices_.vertex(critical);
     const auto is_below = [&](Vertex_index u) { return order_(u, vertex); };
-    std::vector<Halfedge_index> starts;
+    Plain_vector<Halfedge_index> starts;
     auto end = contours_of_vertex_.begin();
     for(auto begin = end; begin != contours_of_vertex_.end(); begin = end)
     {
@@ -96,7 +97,7 @@ public:
         starts.push_back(critical_vertices_.sector(Side::LOWER, end->sector).edge);
       const std::size_t number_of_earlier_steps = search_.number_of_steps();
       bool is_loop_closed = false;
-      search_.visit_all_but_one(starts, is_below, [&](const std::vector<Halfedge_index>& crossed_edges) {
+      search_.visit_all_but_one(starts, is_below, [&](const Plain_vector<Halfedge_index>& crossed_edges) {
         is_loop_closed = true;
         visit(sublevel_class, crossed_edges, false);
       });
@@ -122,7 +123,7 @@ private:
   template <class IsLeftOut>
   void find_contours(const IsLeftOut& is_left_out)
   {
-    std::vector<Swept_index> vertices;
+    Plain_vector<Swept_index> vertices;
     for(const Swept_index i : critical_vertices_.ascending())
     {
       if(join_tree_.is_class_shared[i] && !is_left_out(critical_vertices_.vertex(i)))
@@ -228,7 +229,7 @@ private:
   std::size_t number_of_lost_steps_ = 0;                    // of searches that have closed no loop
   bool are_all_found_ = false;
   std::vector<Lower_contour> contours_of_vertex_; // of the last one
-  std::vector<Slab_node> upper_classes_;
+  Plain_vector<Slab_node> upper_classes_;
 };
 
 } // namespace internal

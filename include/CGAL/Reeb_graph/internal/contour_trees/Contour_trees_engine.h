@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
@@ -35,7 +36,6 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -174,7 +174,7 @@ private:
   template <class Queries>
   void sweep_upwards(Upward_sweep& sweep, Queries& queries) const
   {
-    const std::vector<Swept_index>& ascending = critical_vertices_.ascending();
+    const Plain_vector<Swept_index>& ascending = critical_vertices_.ascending();
     auto answers = queries.template answers<Side::LOWER>(sweep);
     visit_in_order(sweep, ascending.begin(), ascending.end(), [&](Swept_index critical) {
       sweep.merge_at(critical);
@@ -186,7 +186,7 @@ private:
   template <class Queries>
   void sweep_downwards(Downward_sweep& sweep, Queries& queries) const
   {
-    const std::vector<Swept_index>& ascending = critical_vertices_.ascending();
+    const Plain_vector<Swept_index>& ascending = critical_vertices_.ascending();
     auto answers = queries.template answers<Side::UPPER>(sweep);
     visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Swept_index critical) {
       sweep.merge_at(critical);
@@ -215,14 +215,14 @@ private:
   void sweep_downwards_and_cut(Downward_sweep& sweep, const Merge_tree& join_tree, Queries& queries) const
   {
     Loop_surgery<Complex, Order> surgery(slab_, order_, join_tree, sweep.tree());
-    const std::vector<Swept_index>& ascending = critical_vertices_.ascending();
+    const Plain_vector<Swept_index>& ascending = critical_vertices_.ascending();
     auto answers = queries.template answers<Side::UPPER>(sweep);
     visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Swept_index critical) {
       sweep.merge_at(critical);
       if(surgery.can_close_loop(critical))
       {
         surgery.visit_loop_contours(
-          critical, [&](Slab_node sublevel_class, const std::vector<Halfedge_index>& crossed_edges, bool has_border) {
+          critical, [&](Slab_node sublevel_class, const Plain_vector<Halfedge_index>& crossed_edges, bool has_border) {
             sweep.cut(critical, sublevel_class, crossed_edges, has_border);
           });
       }

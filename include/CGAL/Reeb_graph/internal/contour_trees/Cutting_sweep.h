@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
@@ -86,7 +87,7 @@ public:
   // Cuts along a contour just below the critical vertex that has been merged at last; see Loop_cuts.
   void cut(Swept_index critical,
            Slab_node sublevel_class,
-           const std::vector<Halfedge_index>& crossed_edges,
+           const Plain_vector<Halfedge_index>& crossed_edges,
            bool has_border)
   {
     const Cut_index cut = cuts_.next_cut();
@@ -117,7 +118,7 @@ private:
 
   // Goes down against the paths from where they meet the last cut. If that gets more expensive than to walk all of them
   // again, this is left to merge_at(); then no later cut, as it is further down, can change an end that is known.
-  void correct_path_ends(const std::vector<Halfedge_index>& crossed_edges)
+  void correct_path_ends(const Plain_vector<Halfedge_index>& crossed_edges)
   {
     if(!critical_numbers_)
       number_critical_vertices();
@@ -125,7 +126,7 @@ private:
     ends.reserve(crossed_edges.size());
     for(const Halfedge_index edge : crossed_edges)
       ends.push_back(ends_of(edge));
-    std::vector<Vertex_index> corrected;
+    Plain_vector<Vertex_index> corrected;
     constexpr std::size_t ahead = 16;
     Vertex_index last = no_index, next_of_last = no_index; // Many edges in a row can end at one vertex.
     for(std::size_t i = 0; i != crossed_edges.size(); ++i)
@@ -218,7 +219,7 @@ private:
   }
 
   // Corrects the end of the path from a vertex, once, as several edges may lead there.
-  void correct_path_end(Vertex_index vertex, std::vector<Vertex_index>& corrected)
+  void correct_path_end(Vertex_index vertex, Plain_vector<Vertex_index>& corrected)
   {
     if(sweep_.path_ends().end(vertex) == components_of_cuts_.back())
       return;
@@ -232,7 +233,7 @@ private:
   Merge_tree_sweep<Complex, Order, Side::UPPER> sweep_;
   Loop_cuts cuts_;
   Indexed_vector<Cut_index, Component_index> components_of_cuts_;
-  std::vector<Vertex_index> passed_;
+  Plain_vector<Vertex_index> passed_;
   std::optional<Zeroed_array<Vertex_index, Number>> critical_numbers_; // from 1 on; 0 if it is not critical
   bool are_paths_walked_late_ = true;                                  // each when its vertex is merged
   std::size_t number_of_corrections_ = 0;

@@ -13,13 +13,13 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 
 #include <cstddef>
 #include <unordered_map>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -41,12 +41,11 @@ public:
 
   // Adds a contour just below the critical vertex `critical`, the top of whose sublevel component is
   // `sublevel_class`. Critical vertices have to come in descending order: an edge keeps its lowest contour.
-  template <class HalfedgeRange>
-  void add(Swept_index critical, Slab_node sublevel_class, const HalfedgeRange& crossed_edges)
+  void add(Swept_index critical, Slab_node sublevel_class, const Plain_vector<Halfedge_index>& crossed_edges)
   {
     critical_vertices_.push_back(critical);
     sublevel_classes_.push_back(sublevel_class);
-    unregistered_edges_.insert(unregistered_edges_.end(), crossed_edges.begin(), crossed_edges.end());
+    unregistered_edges_.append(crossed_edges.begin(), crossed_edges.end());
     ends_of_unregistered_.push_back(unregistered_edges_.size());
     if(unregistered_edges_.size() > number_of_edges_) // So that they never take more memory than the registered ones.
       register_edges();
@@ -119,8 +118,8 @@ private:
   Number number_of_edges_;
   Indexed_vector<Cut_index, Swept_index> critical_vertices_;
   Indexed_vector<Cut_index, Slab_node> sublevel_classes_;
-  std::vector<Halfedge_index> unregistered_edges_;
-  std::vector<std::size_t> ends_of_unregistered_; // by one of the last cuts: where its unregistered edges end
+  Plain_vector<Halfedge_index> unregistered_edges_;
+  Plain_vector<std::size_t> ends_of_unregistered_; // by one of the last cuts: where its unregistered edges end
   // The lowest cuts at edges. With few cut edges, to touch the pages of an array would take longer than all else that
   // has to do with cuts; with many, a hash map would.
   std::unordered_map<Number, Cut_index> few_lowest_cuts_;

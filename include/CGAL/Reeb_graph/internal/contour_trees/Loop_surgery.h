@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Merge_tree.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
@@ -87,8 +88,8 @@ private:
     std::array<Contour_walk<Complex>, 2> walks = {Contour_walk(complex_, starts[0], is_below),
                                                   Contour_walk(complex_, starts[1], is_below)};
     std::size_t turn = 0;
-    std::array<std::vector<Halfedge_index>, 2> crossed_edges = {std::vector<Halfedge_index>(1, starts[0]),
-                                                                std::vector<Halfedge_index>(1, starts[1])};
+    std::array<Plain_vector<Halfedge_index>, 2> crossed_edges = {Plain_vector<Halfedge_index>(1, starts[0]),
+                                                                 Plain_vector<Halfedge_index>(1, starts[1])};
     for(; walks[turn].go_on(is_below); turn = 1 - turn)
     {
       crossed_edges[turn].push_back(walks[turn].crossed_edge());
@@ -104,8 +105,8 @@ private:
   {
     const Vertex_index vertex = critical_vertices_.vertex(critical);
     const auto is_below = [&](Vertex_index u) { return order_(u, vertex); };
-    std::vector<Edge_index> sector_edges;
-    std::vector<Halfedge_index> crossed_edges;
+    Plain_vector<Edge_index> sector_edges;
+    Plain_vector<Halfedge_index> crossed_edges;
     for(const Sector_index i : critical_vertices_.sectors(critical, Side::LOWER))
       sector_edges.push_back(edge_of(critical_vertices_.sector(Side::LOWER, i).edge));
     std::sort(sector_edges.begin(), sector_edges.end());
@@ -201,7 +202,7 @@ private:
   const Swept_vertices& critical_vertices_;
   const Merge_tree& join_tree_;
   const Merge_tree& split_tree_;
-  std::vector<Slab_node> classes_;
+  Plain_vector<Slab_node> classes_;
 };
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
@@ -25,7 +26,6 @@
 #include <CGAL/Reeb_graph/internal/walks/Monotone_path_ends.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -94,7 +94,7 @@ public:
     const std::size_t size = sector_components_.size();
     constexpr std::size_t smallest_part = 4; // On a smooth field there are few paths, but long ones.
     const auto find_ends = [&](std::size_t, std::size_t begin, std::size_t end) {
-      std::vector<Vertex_index> passed;
+      Plain_vector<Vertex_index> passed;
       for(const Sector_index i : Index_range(Sector_index(begin), Sector_index(end)))
         find_path_end(i, end_at_level(), passed);
     };
@@ -106,7 +106,7 @@ public:
   void find_path_ends_of_vertices()
   {
     for_each_block<ConcurrencyTag>(slab_.complex().number_of_vertices(), [&](std::size_t begin, std::size_t end) {
-      std::vector<Vertex_index> passed;
+      Plain_vector<Vertex_index> passed;
       for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
       {
         if(slab_.complex().has_vertex(vertex))
@@ -116,7 +116,7 @@ public:
   }
 
   template <class EndOfStep>
-  void find_path_end(Sector_index i, const EndOfStep& end_of_step, std::vector<Vertex_index>& passed)
+  void find_path_end(Sector_index i, const EndOfStep& end_of_step, Plain_vector<Vertex_index>& passed)
   {
     const Link_sector& sector = critical_vertices_.sector(side, i);
     sector_components_[i] = path_ends_(Ascending_step{sector.edge, sector.extreme_neighbor}, end_of_step, passed);
@@ -161,7 +161,7 @@ public:
   // The class of a regular vertex at which the sweep has arrived: the top of the component that it is in.
   Slab_node class_of(Vertex_index vertex) { return class_of(vertex, end_at_level(), passed_); }
   template <class EndOfStep>
-  Slab_node class_of(Vertex_index vertex, const EndOfStep& end_of_step, std::vector<Vertex_index>& passed)
+  Slab_node class_of(Vertex_index vertex, const EndOfStep& end_of_step, Plain_vector<Vertex_index>& passed)
   {
     return components_.top(components_.find(path_ends_.end_of_path(vertex, end_of_step, passed)));
   }
@@ -178,7 +178,7 @@ public:
   // Puts the contours of the level at which the sweep ends on their components, when all vertices have been merged.
   void merge_last_contours()
   {
-    std::vector<Vertex_index> passed;
+    Plain_vector<Vertex_index> passed;
     constexpr Side last_side = opposite_of(side);
     const Number size = slab_.number_of_contours(last_side);
     for(Number i = 0; i != size; ++i)
@@ -245,8 +245,8 @@ private:
   Number number_of_extrema_;
   Merging_components<Slab_node> components_;
   Indexed_vector<Sector_index, Component_index> sector_components_; // in which a monotone path from there ends
-  std::vector<Component_index> merged_components_;
-  std::vector<Vertex_index> passed_;
+  Plain_vector<Component_index> merged_components_;
+  Plain_vector<Vertex_index> passed_;
   Merge_tree tree_;
 };
 

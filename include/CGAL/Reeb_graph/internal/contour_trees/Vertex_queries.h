@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
@@ -24,7 +25,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -75,7 +75,7 @@ public:
   void sort()
   {
     typedef typename Order::template Key<Vertex_index> Key;
-    std::vector<Key> keys(vertices_.size());
+    Vector_of<Key> keys(vertices_.size());
     for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
         keys[i] = order_.key(vertices_[Query(i)], vertices_[Query(i)]);
@@ -193,7 +193,7 @@ private:
   void find_bounds(const Keys& keys)
   {
     constexpr std::size_t far_ahead = 32, ahead = 16;
-    const std::vector<Swept_index>& ascending = critical_vertices_.ascending();
+    const Plain_vector<Swept_index>& ascending = critical_vertices_.ascending();
     bounds_.reserve(ascending.size() + 2);
     bounds_.push_back(0);
     std::size_t end = 0;
@@ -216,7 +216,7 @@ private:
   const Order& order_;
   const Swept_vertices& critical_vertices_;
   Indexed_vector<Query, Vertex_index> vertices_; // in ascending order, when sorted
-  std::vector<Number> bounds_; // 0, how many are below each critical vertex in ascending order, the number of all
+  Plain_vector<Number> bounds_; // 0, how many are below each critical vertex in ascending order, the number of all
   By_side<Indexed_vector<Query, Slab_node>> classes_;
   Arc_of_vertex arc_of_vertex_;
 };

@@ -13,13 +13,13 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Shrinking_tree.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
 
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -132,7 +132,7 @@ private:
   Shrinking_tree split_tree_;
   Indexed_vector<Slab_node, Ascending_step> first_steps_; // from its parent in the split tree towards it
   Slab_arcs arcs_;
-  std::vector<Side> sides_of_leaves_; // by arc
+  Plain_vector<Side> sides_of_leaves_; // by arc
 };
 
 } // namespace internal

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
@@ -21,7 +22,6 @@
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <array>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -119,7 +119,7 @@ private:
   By_side<Disjoint_sets<Edge_index>> sets_; // by their upper, and by their lower end
   Indexed_vector<Vertex_index, By_side<Number>> numbers_of_sectors_;
   Zeroed_array<Edge_index, Number> sector_at_root_; // of the vertex of the last call
-  By_side<std::vector<Edge_index>> roots_;          // by sector of that vertex
+  By_side<Plain_vector<Edge_index>> roots_;         // by sector of that vertex
 };
 
 } // namespace internal

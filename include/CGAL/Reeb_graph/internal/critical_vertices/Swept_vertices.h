@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
@@ -23,7 +24,6 @@
 #include <cstddef>
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -126,13 +126,13 @@ public:
   template <class ConcurrencyTag, class Order>
   void sort(const Order& order)
   {
-    std::vector<typename Order::template Key<Swept_index>> keys(size());
+    Vector_of<typename Order::template Key<Swept_index>> keys(size());
     for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
         keys[i] = order.key(vertex(Swept_index(i)), Swept_index(i));
     });
     internal::sort<ConcurrencyTag>(keys.begin(), keys.end(), order);
-    ascending_ = std::vector<Swept_index>(keys.size());
+    ascending_ = Plain_vector<Swept_index>(keys.size());
     for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
         ascending_[i] = keys[i].name;
@@ -140,11 +140,11 @@ public:
   }
 
   // All critical vertices, from the lowest to the highest.
-  const std::vector<Swept_index>& ascending() const { return ascending_; }
+  const Plain_vector<Swept_index>& ascending() const { return ascending_; }
 
   // The given vertices alone. Their order has to be that of the names in the part.
   template <class SweptIndices>
-  Swept_vertices part(const SweptIndices& critical_vertices, std::vector<Swept_index> ascending) const
+  Swept_vertices part(const SweptIndices& critical_vertices, Plain_vector<Swept_index> ascending) const
   {
     Swept_vertices result;
     result.entries_.reserve(critical_vertices.size() + 1);
@@ -179,7 +179,7 @@ private:
 
   Indexed_vector<Swept_index, Entry> entries_; // and one behind the last, that tells where its sectors end
   By_side<Indexed_vector<Sector_index, Link_sector>> sectors_;
-  std::vector<Swept_index> ascending_;
+  Plain_vector<Swept_index> ascending_;
   std::shared_ptr<const Kept_neighbors> kept_neighbors_; // shared with the parts
 };
 

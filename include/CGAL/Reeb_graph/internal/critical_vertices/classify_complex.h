@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Link_forests.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
@@ -23,7 +24,6 @@
 #include <cstddef>
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -38,7 +38,7 @@ Swept_vertices find_vertices_of_complex(const Simplicial_complex& complex,
                                         const IsWanted& is_wanted)
 {
   Link_forests<Order> forests(complex, order);
-  std::vector<Vertex_index> wanted;
+  Plain_vector<Vertex_index> wanted;
   Sector_counts numbers_of_sectors = {0, 0};
   auto kept_neighbors = std::make_shared<Kept_neighbors>(complex.number_of_vertices());
   Kept_neighbors::Block neighbors = {};

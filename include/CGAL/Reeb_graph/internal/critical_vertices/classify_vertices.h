@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
@@ -40,7 +41,7 @@ struct Found_vertices
     Link_summary link;
   };
 
-  std::vector<Vertex> vertices;
+  Plain_vector<Vertex> vertices;
   Sector_counts numbers_of_sectors = {0, 0};
   Fan_counts fan_counts; // if fans have been found on the way
 };
@@ -107,8 +108,8 @@ Swept_vertices join_parts(const Complex& complex, const Order& order, const Foun
   const std::vector<Found_vertices>& parts = found.parts;
   std::size_t number_of_vertices = 0;
   Sector_counts numbers_of_sectors = {0, 0};
-  std::vector<std::size_t> first_vertices;
-  std::vector<Sector_counts> first_sectors;
+  Plain_vector<std::size_t> first_vertices;
+  Plain_vector<Sector_counts> first_sectors;
   for(const Found_vertices& part : parts)
   {
     first_vertices.push_back(number_of_vertices);

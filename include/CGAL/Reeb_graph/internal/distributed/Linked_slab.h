@@ -11,6 +11,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_complex.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_surface.h>
@@ -44,7 +45,7 @@ void for_each_contour(const Linked_slab<Scalar>& slab, const Scalar& value, cons
   const Slab_complex& complex = slab.classified->complex;
   const auto is_below = [&](Vertex_index v) { return !(value < slab.surface.values[v]); };
   std::vector<bool> is_found(complex.number_of_edges(), false);
-  std::vector<Halfedge_index> crossed;
+  Plain_vector<Halfedge_index> crossed;
   for(const Edge_index edge : Index_range<Edge_index>(complex.number_of_edges()))
   {
     const Halfedge_index start = complex.halfedge_of_triangle(edge);

@@ -13,10 +13,9 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
-
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -66,7 +65,7 @@ private:
   {
     const Complex_component component(number_of_components_++);
     components_[first] = component;
-    std::vector<Vertex_index> found = {first};
+    Plain_vector<Vertex_index> found = {first};
     for(std::size_t i = 0; i != found.size(); ++i)
     {
       complex_.for_each_edge_around(found[i], [&](Vertex_index neighbor, Halfedge_index halfedge) {
@@ -83,7 +82,7 @@ private:
   // contractible if the other two edges of a triangle are.
   void contract_edges()
   {
-    std::vector<Triangle_index> pending;
+    Plain_vector<Triangle_index> pending;
     for(const Triangle_index triangle : complex_.triangles())
     {
       pending.push_back(triangle);

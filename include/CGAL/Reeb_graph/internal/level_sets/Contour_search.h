@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/mesh/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
@@ -37,7 +38,7 @@ public:
 
   // Calls visit(halfedges of the crossed edges) for all but one of the contours that cross the edges of `starts`.
   template <class IsBelow, class Visit>
-  void visit_all_but_one(const std::vector<Halfedge_index>& starts, const IsBelow& is_below, const Visit& visit)
+  void visit_all_but_one(const Plain_vector<Halfedge_index>& starts, const IsBelow& is_below, const Visit& visit)
   {
     first_search_ = last_search_ + 1;
     contours_.assign(starts.size(), Contour());
@@ -86,15 +87,15 @@ private:
 
   struct Contour
   {
-    std::vector<Halfedge_index> crossed_edges;
-    std::vector<Pending_edge> pending;
+    Plain_vector<Halfedge_index> crossed_edges;
+    Plain_vector<Pending_edge> pending;
   };
 
   // Looks at one triangle. Returns whether there was one.
   template <class IsBelow>
   bool go_on(std::size_t i, const IsBelow& is_below)
   {
-    std::vector<Pending_edge>& pending = contours_[i].pending;
+    Plain_vector<Pending_edge>& pending = contours_[i].pending;
     while(!pending.empty() && pending.back().number_of_triangles == complex_.triangles_of(pending.back().edge).size())
       pending.pop_back();
     if(pending.empty())
@@ -132,8 +133,8 @@ private:
     const bool is_smaller = contours_[i].crossed_edges.size() < contours_[other].crossed_edges.size();
     Contour& large = contours_[is_smaller ? other : i];
     Contour& small = contours_[is_smaller ? i : other];
-    large.crossed_edges.insert(large.crossed_edges.end(), small.crossed_edges.begin(), small.crossed_edges.end());
-    large.pending.insert(large.pending.end(), small.pending.begin(), small.pending.end());
+    large.crossed_edges.append(small.crossed_edges.begin(), small.crossed_edges.end());
+    large.pending.append(small.pending.begin(), small.pending.end());
     small = Contour();
     leaders_[is_smaller ? i : other] = is_smaller ? other : i;
   }
@@ -150,9 +151,9 @@ private:
   Number first_search_ = 1;
   Number last_search_ = 0;
   std::vector<Contour> contours_;
-  std::vector<std::size_t> leaders_;
-  std::vector<std::size_t> incomplete_; // and those that have been joined in the present round
-  std::vector<std::size_t> completed_;  // in the present round
+  Plain_vector<std::size_t> leaders_;
+  Plain_vector<std::size_t> incomplete_; // and those that have been joined in the present round
+  Plain_vector<std::size_t> completed_;  // in the present round
   std::size_t number_of_steps_ = 0;
 };
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/level_sets/Offline_connectivity.h>
@@ -22,7 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -40,7 +40,7 @@ public:
   Contours_of_sectors(const Simplicial_complex& complex,
                       const Order& order,
                       const Swept_vertices& critical_vertices,
-                      const std::vector<Swept_index>& vertices)
+                      const Plain_vector<Swept_index>& vertices)
     : complex_(complex),
       order_(order),
       critical_vertices_(critical_vertices),
@@ -55,8 +55,8 @@ public:
     if(vertices_.empty())
       return;
     find_times(is_left_out);
-    std::vector<Graph_node> questions;
-    std::vector<Number> first_questions;
+    Plain_vector<Graph_node> questions;
+    Plain_vector<Number> first_questions;
     for(const Swept_index i : vertices_)
     {
       first_questions.push_back(static_cast<Number>(questions.size()));
@@ -66,7 +66,7 @@ public:
     first_questions.push_back(static_cast<Number>(questions.size()));
 
     Offline_connectivity connectivity(questions, first_questions);
-    const std::vector<Number> components = connectivity(complex_.number_of_edges(), find_links());
+    const Plain_vector<Number> components = connectivity(complex_.number_of_edges(), find_links());
     number_of_steps_ = connectivity.number_of_steps();
     auto component = components.begin();
     for(const Swept_index i : vertices_)
@@ -94,9 +94,9 @@ private:
   }
 
   // A triangle whose edges cross none of the levels in question has no link.
-  std::vector<Timed_link> find_links() const
+  Plain_vector<Timed_link> find_links() const
   {
-    std::vector<Timed_link> links;
+    Plain_vector<Timed_link> links;
     for(const Triangle_index triangle : complex_.triangles())
     {
       const std::array<Vertex_index, 3>& v = complex_.vertices_of(triangle);
@@ -113,7 +113,7 @@ private:
   void add_links(Triangle_index triangle,
                  const std::array<Number, 3>& times,
                  const std::array<std::size_t, 3>& places,
-                 std::vector<Timed_link>& links) const
+                 Plain_vector<Timed_link>& links) const
   {
     const std::array<Edge_index, 3>& edges = complex_.edges_of(triangle);
     // Edges are in the order of the vertices that they do not have, from the last one.
@@ -129,7 +129,7 @@ private:
   const Simplicial_complex& complex_;
   const Order& order_;
   const Swept_vertices& critical_vertices_;
-  const std::vector<Swept_index>& vertices_;
+  const Plain_vector<Swept_index>& vertices_;
   Indexed_vector<Vertex_index, Number> times_;
   std::size_t number_of_steps_ = 0;
 };

@@ -14,10 +14,10 @@
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -46,14 +46,14 @@ class Offline_connectivity
 {
 public:
   // At time t, the nodes in question are those from first_questions[t] to first_questions[t + 1].
-  Offline_connectivity(const std::vector<Graph_node>& questions, const std::vector<Number>& first_questions)
+  Offline_connectivity(const Plain_vector<Graph_node>& questions, const Plain_vector<Number>& first_questions)
     : first_questions_(first_questions),
       nodes_(questions),
       components_(questions.size())
   {}
 
   // Names the components of the nodes in question: two of one time have the same name if they are connected then.
-  std::vector<Number> operator()(Number number_of_nodes, std::vector<Timed_link> links)
+  Plain_vector<Number> operator()(Number number_of_nodes, Plain_vector<Timed_link> links)
   {
     if(number_of_times() == 0)
       return {};
@@ -62,7 +62,7 @@ public:
       all.contract_if_lasting(link);
     for(const Timed_link& link : links)
       all.keep_if_changing(link);
-    std::vector<Timed_link>().swap(links);
+    links = Plain_vector<Timed_link>();
     rename_questions(all);
     divide(all.begin, all.end, std::move(all.links), all.number_of_nodes);
     return std::move(components_);
@@ -109,7 +109,7 @@ private:
     Disjoint_sets<Graph_node> sets;
     Indexed_vector<Graph_node, Graph_node> names; // by root
     Number number_of_nodes = 0;
-    std::vector<Timed_link> links;
+    Plain_vector<Timed_link> links;
 
   private:
     Graph_node name_of_root(Graph_node root)
@@ -128,13 +128,13 @@ private:
   }
 
   // Answers the questions of the times from `begin` to `end`. Each link begins or ends in between.
-  void divide(Number begin, Number end, std::vector<Timed_link> links, Number number_of_nodes)
+  void divide(Number begin, Number end, Plain_vector<Timed_link> links, Number number_of_nodes)
   {
     if(links.empty() || end - begin == 1)
       return answer(begin, end, links, number_of_nodes);
     number_of_steps_ += links.size();
     const Number middle = find_middle(begin, end, links);
-    std::vector<Timed_link> lower_links, upper_links;
+    Plain_vector<Timed_link> lower_links, upper_links;
     Number size_of_lower = 0, size_of_upper = 0;
     {
       Part lower(begin, middle, number_of_nodes, links.size() / 2),
@@ -149,7 +149,7 @@ private:
         lower.keep_if_changing(link);
         upper.keep_if_changing(link);
       }
-      std::vector<Timed_link>().swap(links);
+      links = Plain_vector<Timed_link>();
       rename_questions(lower);
       rename_questions(upper);
       lower_links = std::move(lower.links);
@@ -162,9 +162,9 @@ private:
   }
 
   // The time up to which about half of the beginnings and ends are, neither the first nor the last one.
-  static Number find_middle(Number begin, Number end, const std::vector<Timed_link>& links)
+  static Number find_middle(Number begin, Number end, const Plain_vector<Timed_link>& links)
   {
-    std::vector<Number> counts(end - begin, 0);
+    Plain_vector<Number> counts(end - begin, 0);
     std::size_t total = 0;
     const auto count = [&](Number time) {
       if(time <= begin || time >= end)
@@ -185,7 +185,7 @@ private:
   }
 
   // Answers questions between which nothing changes: all links that are there last all through.
-  void answer(Number begin, Number end, const std::vector<Timed_link>& links, Number number_of_nodes)
+  void answer(Number begin, Number end, const Plain_vector<Timed_link>& links, Number number_of_nodes)
   {
     number_of_steps_ += links.size();
     Disjoint_sets<Graph_node> sets(number_of_nodes);
@@ -198,9 +198,9 @@ private:
       components_[i] = sets.find(nodes_[i]).number();
   }
 
-  const std::vector<Number>& first_questions_;
-  std::vector<Graph_node> nodes_; // in question, by the names of the interval that is looked at
-  std::vector<Number> components_;
+  const Plain_vector<Number>& first_questions_;
+  Plain_vector<Graph_node> nodes_; // in question, by the names of the interval that is looked at
+  Plain_vector<Number> components_;
   std::size_t number_of_steps_ = 0;
 };
 

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
@@ -28,8 +29,8 @@ namespace internal {
 // The chains of all arcs, one behind the other as their pieces are.
 struct Flat_chains
 {
-  std::vector<std::vector<Halfedge_index>> parts; // of the sequence of all halfedges, which are ascending
-  std::vector<std::size_t> begins_of_parts;
+  std::vector<Plain_vector<Halfedge_index>> parts; // of the sequence of all halfedges, which are ascending
+  Plain_vector<std::size_t> begins_of_parts;
   Indexed_vector<Piece_index, std::size_t> begins_of_pieces; // and the end of the last one
 
   std::size_t size() const { return begins_of_pieces.back(); }
@@ -44,13 +45,13 @@ struct Flat_chains
 // node, so comparisons tell the end, and the chain does not depend on how the arc was found. No vertex is passed twice,
 // unless the order contradicts itself.
 template <class Complex, class Order>
-std::vector<Halfedge_index> walk_pieces(const Complex& complex,
-                                        const Order& order,
-                                        const Chain_piece* begin,
-                                        const Chain_piece* end,
-                                        std::size_t* begins_of_pieces)
+Plain_vector<Halfedge_index> walk_pieces(const Complex& complex,
+                                         const Order& order,
+                                         const Chain_piece* begin,
+                                         const Chain_piece* end,
+                                         std::size_t* begins_of_pieces)
 {
-  std::vector<Halfedge_index> halfedges;
+  Plain_vector<Halfedge_index> halfedges;
   halfedges.reserve(3 * static_cast<std::size_t>(end - begin));
   const std::size_t most = complex.number_of_vertices() + static_cast<std::size_t>(end - begin);
   const auto add = [&](const Ascending_step& step) {
@@ -85,7 +86,7 @@ Flat_chains find_arc_chains(const Complex& complex, const Order& order, const Fl
                                      chains.begins_of_pieces.data() + begin);
   });
   std::size_t sum = 0;
-  for(const std::vector<Halfedge_index>& part : chains.parts)
+  for(const Plain_vector<Halfedge_index>& part : chains.parts)
   {
     chains.begins_of_parts.push_back(sum);
     sum += part.size();

@@ -13,13 +13,13 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slicing.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -83,8 +83,8 @@ private:
   }
 
   const Slicing<Complex>& slicing_;
-  std::vector<Number> first_contours_; // by level: the number of its first contour among the nodes
-  std::vector<Slab_node> upper_ends_;  // by contour of all levels
+  Plain_vector<Number> first_contours_; // by level: the number of its first contour among the nodes
+  Plain_vector<Slab_node> upper_ends_;  // by contour of all levels
 };
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Index_set.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
@@ -177,7 +178,7 @@ private:
   void fill_part(Slab_index slab)
   {
     const auto ascending = critical_vertices_->ascending().begin();
-    std::vector<Swept_index> ascending_in_slab;
+    Plain_vector<Swept_index> ascending_in_slab;
     ascending_in_slab.reserve(parts_[slab].names.size());
     const auto add = [&](Swept_index critical) {
       const Vertex_index vertex = critical_vertices_->vertex(critical);
@@ -193,7 +194,7 @@ private:
   const Swept_vertices* critical_vertices_;
   Indexed_vector<Slab_index, Part> parts_;
   std::vector<Bounding_level> levels_;
-  std::vector<Vertex_index> level_vertices_;
+  Plain_vector<Vertex_index> level_vertices_;
   Indexed_vector<Vertex_index, Slab_index> slabs_of_vertices_;
   Indexed_vector<Swept_index, Swept_index> names_in_slabs_; // by critical vertex of the surface
 };

@@ -14,14 +14,13 @@
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
-
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -59,7 +58,7 @@ public:
   // The end of the path that begins with `step`. A step to `target` is the last one if end_of_step(target, find_edge)
   // is not no_index, where find_edge() tells its edge. `passed` is storage for the vertices on the way.
   template <class EndOfStep>
-  Component_index operator()(Ascending_step step, const EndOfStep& end_of_step, std::vector<Vertex_index>& passed)
+  Component_index operator()(Ascending_step step, const EndOfStep& end_of_step, Plain_vector<Vertex_index>& passed)
   {
     passed.clear();
     return walk(step, end_of_step, passed);
@@ -67,7 +66,7 @@ public:
 
   // The end of the path from a vertex.
   template <class EndOfStep>
-  Component_index end_of_path(Vertex_index vertex, const EndOfStep& end_of_step, std::vector<Vertex_index>& passed)
+  Component_index end_of_path(Vertex_index vertex, const EndOfStep& end_of_step, Plain_vector<Vertex_index>& passed)
   {
     if(is_known(vertex))
       return end(vertex);
@@ -81,7 +80,7 @@ public:
 private:
   // Goes on from the last vertex that has been passed.
   template <class EndOfStep>
-  Component_index walk(Ascending_step step, const EndOfStep& end_of_step, std::vector<Vertex_index>& passed)
+  Component_index walk(Ascending_step step, const EndOfStep& end_of_step, Plain_vector<Vertex_index>& passed)
   {
     const auto find_edge = [&] { return step.edge != no_index ? step.edge : next_edge(passed.back()); };
     Component_index end = end_of_step(step.target, find_edge);

@@ -12,13 +12,13 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <array>
 #include <cstddef>
 #include <unordered_set>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -59,7 +59,7 @@ template <class IsBelow, class Visit>
 void visit_contour(const Simplicial_complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
 {
   std::unordered_set<Number> found = {edge_of(start).number()};
-  std::vector<Edge_index> pending = {edge_of(start)};
+  Plain_vector<Edge_index> pending = {edge_of(start)};
   bool is_over = visit(start);
   while(!is_over && !pending.empty())
   {

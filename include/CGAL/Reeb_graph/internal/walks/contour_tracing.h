@@ -11,11 +11,11 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -115,7 +115,7 @@ template <class Complex, class IsBelow>
 bool trace_oriented_contour(const Complex& complex,
                             Halfedge_index start,
                             const IsBelow& is_below,
-                            std::vector<Halfedge_index>& crossed)
+                            Plain_vector<Halfedge_index>& crossed)
 {
   // Who enters a triangle over an edge has the source of that edge on the left.
   const Halfedge_index forward = is_below(complex.source(start)) ? opposite_of(start) : start;
