@@ -178,29 +178,56 @@ std::vector<double> coordinate_field(const Triangle_soup& soup, double x, double
     values.push_back(x * p[0] + y * p[1] + z * p[2]);
   return values;
 }
+// The arcs between critical vertices, and that of each vertex, by the order of the surface alone.
+struct Arcs_of_vertices
+{
+  CGAL::Reeb_graph::internal::Slab_arcs arcs;
+  CGAL::Reeb_graph::internal::Arc_of_vertex spread, swept;
+};
+
+Arcs_of_vertices spread_and_sweep(const Surface_mesh& mesh, const std::vector<double>& values)
+{
+  namespace internal = CGAL::Reeb_graph::internal;
+  typedef CGAL::Sequential_tag Tag;
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+  const CGAL::Reeb_graph_traits<Surface_mesh, std::decay_t<decltype(scalar_map)>> traits;
+  const auto surface = internal::flatten<Tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
+  const internal::Vertex_order order(surface.field.values, traits.less_scalar_object());
+  const auto critical_vertices = internal::classify_vertices<Tag>(surface.complex, order);
+  Arcs_of_vertices result;
+  result.arcs = internal::find_arcs<Tag>(surface.complex, order, critical_vertices,
+                                         CGAL::Reeb_graph::Method::CONTOUR_TREES, 1, internal::No_progress());
+  internal::Arc_spreading spreading(surface.complex, order, critical_vertices, result.arcs);
+  BOOST_TEST_REQUIRE(spreading.template find_arcs_of_vertices<Tag>(result.spread, 1000.));
+  internal::find_arcs_of_vertices<Tag>(surface.complex, order, critical_vertices, result.swept,
+                                       internal::No_progress());
+  return result;
+}
 } // namespace
+
+// The few critical vertices of smooth fields are swept as well, if many vertices are out of the reach of arcs.
+BOOST_AUTO_TEST_CASE(arcs_spread_to_the_vertices_of_smooth_fields_that_sweeping_gives_them)
+{
+  for(const unsigned genus : {0, 3, 25})
+    for(const double height : {0., 0.25, 2.})
+    {
+      const auto soup = generated_surfaces::closed_surface(genus, 20000);
+      const auto mesh = make_mesh<Surface_mesh>(soup);
+      const auto arcs = spread_and_sweep(mesh, coordinate_field(soup, 1, 0.5, height));
+      BOOST_TEST(std::equal(arcs.spread.begin(), arcs.spread.end(), arcs.swept.begin(), arcs.swept.end()));
+    }
+}
 
 // Small meshes with many critical vertices are swept. Spreading has to find the same arcs on them.
 BOOST_AUTO_TEST_CASE(arcs_spread_to_the_vertices_that_sweeping_gives_them)
 {
   for_each_sample(1000, [](const Sample& sample) {
     namespace internal = CGAL::Reeb_graph::internal;
-    typedef CGAL::Sequential_tag Tag;
     const auto mesh = make_mesh<Surface_mesh>(sample.soup);
     const Augmented_mesh<Surface_mesh> a(mesh, sample.values, Ties::PERTURB, true);
     const auto locations = a.augmentation.locate_vertices();
-
-    const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, sample.values);
-    const CGAL::Reeb_graph_traits<Surface_mesh, std::decay_t<decltype(scalar_map)>> traits;
-    const auto surface = internal::flatten<Tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
-    const internal::Vertex_order order(surface.field.values, traits.less_scalar_object());
-    const auto critical_vertices = internal::classify_vertices<Tag>(surface.complex, order);
-    const auto arcs = internal::find_arcs<Tag>(surface.complex, order, critical_vertices,
-                                               CGAL::Reeb_graph::Method::CONTOUR_TREES, 1, internal::No_progress());
-    internal::Arc_spreading spreading(surface.complex, order, critical_vertices, arcs);
-    internal::Arc_of_vertex arc_of_vertex;
-    BOOST_TEST_REQUIRE(spreading.template find_arcs_of_vertices<Tag>(arc_of_vertex, 1000.));
-
+    const auto [arcs, arc_of_vertex, swept] = spread_and_sweep(mesh, sample.values);
+    BOOST_TEST(std::equal(arc_of_vertex.begin(), arc_of_vertex.end(), swept.begin(), swept.end()));
     for(const auto v : vertices(mesh))
     {
       const std::size_t place = locations.index(v);
