@@ -14,6 +14,10 @@
 #include "throwing_traits.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
 #include <boost/mpl/list.hpp>
@@ -23,8 +27,10 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <typeinfo>
@@ -231,6 +237,36 @@ void merge_vertices(Mesh& mesh, std::size_t first, std::size_t second)
   remove_vertex(u, mesh);
 }
 } // namespace
+
+// Few elements in many runs: some of these, and some parts of what is merged, are empty.
+BOOST_AUTO_TEST_CASE(sorting_in_any_number_of_runs)
+{
+  namespace internal = CGAL::Reeb_graph::internal;
+  typedef internal::Vertex_order<double, std::less<double>> Order;
+  typedef Order::Key<internal::Vertex_index> Key;
+  const auto is_same = [](const Key& a, const Key& b) { return a.value == b.value && a.name == b.name; };
+  for(unsigned int seed = 0; seed != 500; ++seed)
+  {
+    std::mt19937 random(seed);
+    internal::Indexed_vector<internal::Vertex_index, double> values(random() % (seed < 400 ? 40 : 4000));
+    for(double& value : values)
+      value = random() % 50;
+    const Order order(values, std::less<double>());
+    std::vector<Key> keys;
+    for(const internal::Vertex_index i : values.keys())
+      keys.push_back(order.key(i, i));
+    std::vector<Key> expected = keys, buffer(keys.size());
+    std::sort(expected.begin(), expected.end(), order);
+    std::shuffle(keys.begin(), keys.end(), random);
+    const std::size_t number_of_runs = 1 + random() % 20;
+    const bool is_buffer_wanted = random() % 2 == 0;
+    internal::sort_in_parallel<Parallel>(keys.data(), keys.data() + keys.size(), buffer.data(), order, number_of_runs,
+                                         is_buffer_wanted);
+    const std::vector<Key>& result = is_buffer_wanted ? buffer : keys;
+    if(!std::equal(result.begin(), result.end(), expected.begin(), expected.end(), is_same))
+      BOOST_ERROR("seed " << seed << ", " << number_of_runs << " runs");
+  }
+}
 
 BOOST_AUTO_TEST_CASE(collections_as_surface_meshes) { compare_on_collections<Surface_mesh>(0, 8); }
 
