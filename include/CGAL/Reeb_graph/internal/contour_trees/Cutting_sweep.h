@@ -84,7 +84,8 @@ public:
   void prefetch_path_end(Vertex_index vertex) const { sweep_.prefetch_path_end(vertex); }
   void prefetch_component(Vertex_index vertex) const { sweep_.prefetch_component(vertex); }
 
-  // Cuts along a contour just below the critical vertex that has been merged at last; see Loop_cuts.
+  // Cuts along a contour just below the critical vertex that has been merged at last; see Loop_cuts. Its halfedges are
+  // ascending.
   void cut(Swept_index critical,
            Slab_node sublevel_class,
            const Plain_vector<Halfedge_index>& crossed_edges,
@@ -122,18 +123,16 @@ private:
   {
     if(!critical_numbers_)
       number_critical_vertices();
-    std::vector<std::pair<Vertex_index, Vertex_index>> ends;
-    ends.reserve(crossed_edges.size());
+    Plain_vector<Vertex_index> lower_ends;
+    lower_ends.reserve(crossed_edges.size());
     for(const Halfedge_index edge : crossed_edges)
-      ends.push_back(ends_of(edge));
+      lower_ends.push_back(complex_.source(edge));
     Plain_vector<Vertex_index> corrected;
-    constexpr std::size_t ahead = 16;
     Vertex_index last = no_index, next_of_last = no_index; // Many edges in a row can end at one vertex.
     for(std::size_t i = 0; i != crossed_edges.size(); ++i)
     {
-      if(i + ahead < crossed_edges.size())
-        prefetch_lower_end(ends[i + ahead].first);
-      const auto [lower, higher] = ends[i];
+      prefetch_ahead(lower_ends, i);
+      const Vertex_index lower = lower_ends[i];
       const Edge_index edge = edge_of(crossed_edges[i]);
       correct_components(lower, [edge](const Link_sector& sector) { return edge_of(sector.edge) == edge; });
       if(are_corrections_expensive())
@@ -146,7 +145,7 @@ private:
         last = lower;
         next_of_last = sweep_.path_ends().is_known(lower) ? sweep_.path_ends().next_vertex(lower) : no_index;
       }
-      if(higher == next_of_last && edge_of(sweep_.path_ends().next_edge(lower)) == edge)
+      if(complex_.target(crossed_edges[i]) == next_of_last && edge_of(sweep_.path_ends().next_edge(lower)) == edge)
         correct_path_end(lower, corrected);
     }
     for(; !corrected.empty() && !are_paths_walked_late_; ++number_of_corrections_)
@@ -198,18 +197,20 @@ private:
     }
   }
 
-  void prefetch_lower_end(Vertex_index vertex) const
+  // What correct_components() and the ends of paths need, which lead from one to the next.
+  void prefetch_ahead(const Plain_vector<Vertex_index>& vertices, std::size_t i) const
   {
+    constexpr std::size_t far_ahead = 24, ahead = 16, near_ahead = 8;
+    if(i + far_ahead >= vertices.size())
+      return;
+    const Vertex_index vertex = vertices[i + far_ahead];
     prefetch(&(*critical_numbers_)[vertex]);
     critical_vertices_.kept_neighbors().prefetch(vertex);
     sweep_.path_ends().prefetch(vertex);
-  }
-
-  // The ends of an edge, the lower one first.
-  std::pair<Vertex_index, Vertex_index> ends_of(Halfedge_index edge) const
-  {
-    const Vertex_index source = complex_.source(edge), target = complex_.target(edge);
-    return order_(source, target) ? std::make_pair(source, target) : std::make_pair(target, source);
+    if(const Number number = (*critical_numbers_)[vertices[i + ahead]]; number != 0)
+      critical_vertices_.prefetch(Swept_index(number - 1));
+    if(const Number number = (*critical_numbers_)[vertices[i + near_ahead]]; number != 0)
+      critical_vertices_.prefetch_sectors(Swept_index(number - 1), Side::UPPER);
   }
 
   // Whether the end of a path that goes from `lower` to `higher` is known.

@@ -20,10 +20,10 @@
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab.h>
 #include <CGAL/Reeb_graph/internal/slabs/Slab_arc.h>
-#include <CGAL/Reeb_graph/internal/walks/contour_tracing.h>
+#include <CGAL/Reeb_graph/internal/walks/Contours_side_by_side.h>
 
 #include <algorithm>
-#include <array>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,11 +39,11 @@ class Loop_surgery
 {
 public:
   Loop_surgery(const Slab<Complex>& slab, const Order& order, const Merge_tree& join_tree, const Merge_tree& split_tree)
-    : complex_(slab.complex()),
-      order_(order),
+    : order_(order),
       critical_vertices_(slab.critical_vertices()),
       join_tree_(join_tree),
-      split_tree_(split_tree)
+      split_tree_(split_tree),
+      contours_(slab.complex())
   {}
 
   // Whether two lower contours at the vertex might be in one sublevel component. May err to the safe side. The classes
@@ -62,82 +62,32 @@ public:
              > count_classes(critical, Side::LOWER) + count_classes(critical, Side::UPPER);
   }
 
-  // Traces lower contours of the vertex, and calls visit(its sublevel class, halfedges of the crossed edges, whether
-  // they reach the border) for all but one of each sublevel component.
+  // Traces lower contours of the vertex, and calls visit(its sublevel class, halfedges of the crossed edges, each from
+  // its lower end to its higher one, whether they reach the border) for all but one of each sublevel component.
   template <class Visit>
   void visit_loop_contours(Swept_index critical, const Visit& visit)
   {
-    if(critical_vertices_.number_of_lower_sectors(critical) == 2)
-      visit_shorter_contour(critical, visit);
-    else
-      visit_contours_of_multi_saddle(critical, visit);
-  }
-
-private:
-  // Visits the shorter contour of two lower sectors of one sublevel component. Both are walked at once, so that the
-  // longer one costs no more than the shorter one.
-  template <class Visit>
-  void visit_shorter_contour(Swept_index critical, const Visit& visit)
-  {
-    const Sector_index first = critical_vertices_.first_sector(critical, Side::LOWER), second(first.number() + 1);
     const auto is_below = [&, vertex = critical_vertices_.vertex(critical)](Vertex_index u) {
       return order_(u, vertex);
     };
-    const std::array<Halfedge_index, 2> starts = {critical_vertices_.sector(Side::LOWER, first).edge,
-                                                  critical_vertices_.sector(Side::LOWER, second).edge};
-    std::array<Contour_walk<Complex>, 2> walks = {Contour_walk(complex_, starts[0], is_below),
-                                                  Contour_walk(complex_, starts[1], is_below)};
-    std::size_t turn = 0;
-    std::array<Plain_vector<Halfedge_index>, 2> crossed_edges = {Plain_vector<Halfedge_index>(1, starts[0]),
-                                                                 Plain_vector<Halfedge_index>(1, starts[1])};
-    for(; walks[turn].go_on(is_below); turn = 1 - turn)
-    {
-      crossed_edges[turn].push_back(walks[turn].crossed_edge());
-      const bool is_same_contour = edge_of(walks[turn].crossed_edge()) == edge_of(starts[1 - turn]);
-      if(is_same_contour)
-        return;
-    }
-    visit(join_tree_.classes[first], crossed_edges[turn], walks[turn].is_border_reached());
-  }
-
-  template <class Visit>
-  void visit_contours_of_multi_saddle(Swept_index critical, const Visit& visit)
-  {
-    const Vertex_index vertex = critical_vertices_.vertex(critical);
-    const auto is_below = [&](Vertex_index u) { return order_(u, vertex); };
-    Plain_vector<Edge_index> sector_edges;
-    Plain_vector<Halfedge_index> crossed_edges;
+    std::vector<std::pair<Slab_node, Sector_index>> sectors; // with their classes
     for(const Sector_index i : critical_vertices_.sectors(critical, Side::LOWER))
-      sector_edges.push_back(edge_of(critical_vertices_.sector(Side::LOWER, i).edge));
-    std::sort(sector_edges.begin(), sector_edges.end());
-    const auto place = [&](Edge_index edge) {
-      return std::lower_bound(sector_edges.begin(), sector_edges.end(), edge) - sector_edges.begin();
-    };
-    std::vector<bool> is_traced(sector_edges.size(), false);
-    sort_classes(critical, Side::LOWER);
-    std::vector<bool> is_class_kept(classes_.size(), false); // by the first place of the class
-    for(const Sector_index i : critical_vertices_.sectors(critical, Side::LOWER))
+      sectors.emplace_back(join_tree_.classes[i], i);
+    std::sort(sectors.begin(), sectors.end());
+    Plain_vector<Halfedge_index> starts;
+    for(auto begin = sectors.begin(), end = begin; begin != sectors.end(); begin = end)
     {
-      const Halfedge_index start = critical_vertices_.sector(Side::LOWER, i).edge;
-      if(is_traced[place(edge_of(start))])
-        continue;
-      crossed_edges.clear();
-      bool has_border = false;
-      trace_contour(complex_, start, is_below, [&](Halfedge_index halfedge) {
-        crossed_edges.push_back(halfedge);
-        has_border |= complex_.is_on_border_edge(halfedge);
-        const bool is_at_vertex = complex_.source(halfedge) == vertex || complex_.target(halfedge) == vertex;
-        if(is_at_vertex && std::binary_search(sector_edges.begin(), sector_edges.end(), edge_of(halfedge)))
-          is_traced[place(edge_of(halfedge))] = true;
-      });
-      const Slab_node sublevel_class = join_tree_.classes[i];
-      const auto place_of_class = std::lower_bound(classes_.begin(), classes_.end(), sublevel_class) - classes_.begin();
-      if(is_class_kept[place_of_class])
-        visit(sublevel_class, crossed_edges, has_border);
-      is_class_kept[place_of_class] = true;
+      starts.clear();
+      for(; end != sectors.end() && end->first == begin->first; ++end)
+        starts.push_back(critical_vertices_.sector(Side::LOWER, end->second).edge);
+      contours_.visit_all_but_one(starts, is_below,
+                                  [&](const Plain_vector<Halfedge_index>& crossed_edges, bool is_border_reached) {
+                                    visit(begin->first, crossed_edges, is_border_reached);
+                                  });
     }
   }
 
+private:
   void sort_classes(Swept_index critical, Side side)
   {
     classes_.clear();
@@ -197,11 +147,11 @@ private:
 
   const Merge_tree& tree(Side side) const { return side == Side::UPPER ? split_tree_ : join_tree_; }
 
-  const Complex& complex_;
   const Order& order_;
   const Swept_vertices& critical_vertices_;
   const Merge_tree& join_tree_;
   const Merge_tree& split_tree_;
+  Contours_side_by_side<Complex> contours_;
   Plain_vector<Slab_node> classes_;
 };
 

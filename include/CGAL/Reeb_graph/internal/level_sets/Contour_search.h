@@ -36,7 +36,7 @@ public:
   explicit Contour_search(const Simplicial_complex& complex) : complex_(complex), searches_(complex.number_of_edges())
   {}
 
-  // Calls visit(halfedges of the crossed edges) for all but one of the contours that cross the edges of `starts`.
+  // Calls visit(ascending halfedges of the crossed edges) for all but one of the contours that cross the edges of `starts`.
   template <class IsBelow, class Visit>
   void visit_all_but_one(const Plain_vector<Halfedge_index>& starts, const IsBelow& is_below, const Visit& visit)
   {
@@ -48,7 +48,7 @@ public:
     for(std::size_t i = 0; i != starts.size(); ++i)
     {
       ++last_search_;
-      reach(i, edge_of(starts[i]));
+      reach(i, edge_of(starts[i]), is_below);
     }
     remove_joined();
     while(incomplete_.size() > 1)
@@ -103,7 +103,7 @@ private:
     const Edge_index edge = pending.back().edge;
     const Triangle_index triangle = complex_.triangles_of(edge).begin()[pending.back().number_of_triangles++];
     ++number_of_steps_;
-    reach(i, crossed_edge_beside(complex_, edge, triangle, is_below));
+    reach(i, crossed_edge_beside(complex_, edge, triangle, is_below), is_below);
     return true;
   }
 
@@ -114,12 +114,14 @@ private:
   }
 
   // An edge belongs to a contour now. If it does already, and to another one, these two are one.
-  void reach(std::size_t i, Edge_index edge)
+  template <class IsBelow>
+  void reach(std::size_t i, Edge_index edge, const IsBelow& is_below)
   {
     if(searches_[edge] < first_search_)
     {
       searches_[edge] = first_search_ + static_cast<Number>(i);
-      contours_[i].crossed_edges.push_back(even_halfedge(edge));
+      const Halfedge_index even = even_halfedge(edge);
+      contours_[i].crossed_edges.push_back(is_below(complex_.source(even)) ? even : opposite_of(even));
       contours_[i].pending.push_back({edge, 0});
       return;
     }

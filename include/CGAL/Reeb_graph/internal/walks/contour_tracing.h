@@ -56,8 +56,9 @@ public:
     return entered_ != start_;
   }
 
-  // A halfedge of a triangle on the edge that has been reached.
+  // A halfedge of a triangle on the edge that has been reached, and the one from its lower end to its higher one.
   Halfedge_index crossed_edge() const { return opposite_of(entered_); }
+  Halfedge_index ascending_edge() const { return is_source_below_ ? entered_ : opposite_of(entered_); }
   bool is_border_reached() const { return is_border_reached_; }
   bool has_turned() const { return has_turned_; }
 
