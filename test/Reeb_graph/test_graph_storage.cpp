@@ -29,6 +29,7 @@
 #include <memory>
 #include <new>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -294,6 +295,19 @@ BOOST_AUTO_TEST_CASE(a_plain_vector_does_what_a_vector_does)
       BOOST_REQUIRE(std::equal(plain.rbegin(), plain.rend(), oracle.rbegin(), oracle.rend()));
     }
   }
+}
+
+// Those that need a place of their own kind, or more than a copy of their bytes.
+BOOST_AUTO_TEST_CASE(a_plain_vector_is_taken_only_for_elements_that_allow_it)
+{
+  using CGAL::Reeb_graph::internal::Vector_of;
+  struct alignas(64) Aligned_number
+  {
+    double number;
+  };
+  BOOST_TEST((std::is_same_v<Vector_of<double>, CGAL::Reeb_graph::internal::Plain_vector<double>>));
+  BOOST_TEST((std::is_same_v<Vector_of<Aligned_number>, std::vector<Aligned_number>>));
+  BOOST_TEST((std::is_same_v<Vector_of<std::vector<double>>, std::vector<std::vector<double>>>));
 }
 
 BOOST_AUTO_TEST_CASE(a_plain_vector_that_memory_cannot_hold_is_refused)
