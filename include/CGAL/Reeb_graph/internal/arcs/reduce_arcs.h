@@ -161,10 +161,15 @@ private:
   {
     constexpr std::size_t far_ahead = 32, ahead = 16;
     const auto lower_vertex = [&](std::size_t i) { return arcs_[Slab_arc_index(i)].lower_vertex(); };
+    const auto upper_vertex = [&](std::size_t i) { return arcs_[Slab_arc_index(i)].upper_vertex(); };
     for(std::size_t i = begin; i != end; ++i)
     {
       if(i + far_ahead < end)
+      {
         prefetch_element(graph_.node_of_critical, lower_vertex(i + far_ahead));
+        prefetch_element(graph_.node_of_critical, upper_vertex(i + far_ahead)); // for visit(), as the next one
+        critical_vertices_.prefetch(upper_vertex(i + far_ahead));
+      }
       if(i + ahead < end)
         prefetch_element(begins_of_arcs_, graph_.node_of_critical[lower_vertex(i + ahead)]);
       const Node_index lower = graph_.node_of_critical[lower_vertex(i)];
