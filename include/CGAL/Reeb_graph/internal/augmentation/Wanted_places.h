@@ -90,6 +90,7 @@ public:
   template <class VertexList>
   void write(const VertexList& vertices) const
   {
+    using boost::put; // for a pointer, whatever has been included before
     typedef typename boost::property_traits<PlaceMap>::value_type Place;
     for(const Vertex_index v : places_.keys())
     {
