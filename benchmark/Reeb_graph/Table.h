@@ -49,6 +49,9 @@ public:
       second_line.push_back(column.second_line);
     }
     std::printf("\n%s\n\n", title.c_str());
+#if defined(__GNUC__) && !defined(__OPTIMIZE__)
+    std::printf("NOT OPTIMIZED: only scripts/benchmark, or an own build, tells what the package takes.\n\n");
+#endif
     print_row(first_line);
     print_row(second_line);
   }

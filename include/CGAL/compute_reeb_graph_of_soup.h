@@ -80,9 +80,9 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// The named parameters `keep_degree_two_nodes`, `ties`, `method`, `number_of_slabs`, `vertex_place_map`, `callback` and
-/// `visitor` are those of `compute_reeb_graph()`; vertices are their indices there. Each slab looks at the whole complex once, so many slabs cost more than the
-/// default, which is one.
+/// The named parameters `keep_degree_two_nodes`, `ties`, `method`, `number_of_slabs`, `vertex_place_map`, `callback`
+/// and `visitor` are those of `compute_reeb_graph()`; vertices are their indices there. Each slab looks at the whole
+/// complex once, so many slabs cost more than the default, which is one.
 ///
 /// Let there be \f$ n \f$ vertices, edges and triangles, and let \f$ l \f$ be the number of edges that are crossed by
 /// the contours that close loops, of which there are at most as many as the first Betti number of the complex. By

@@ -48,8 +48,8 @@ namespace Reeb_graph {
 /// The contour of an arc takes time proportional to its length and to the degrees of the ends of the arc and of the
 /// halfedge it starts from, and logarithmic in the length of the chain. To locate vertices takes linear time on a field
 /// with few critical vertices, and hardly longer than computing the graph again; on noise, that of sorting all vertices
-/// besides: near-linear for any field. The named parameter `vertex_place_map` of `compute_reeb_graph()` finds the places
-/// without computing anything twice.
+/// besides: near-linear for any field. The named parameter `vertex_place_map` of `compute_reeb_graph()` finds the
+/// places without computing anything twice.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. Values that

@@ -30,8 +30,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Finds the arcs between critical vertices, and which of them each regular vertex is on: by spreading the arcs, or, where
-// they are short, by asking the sweeps of the default method.
+// Finds the arcs between critical vertices, and which of them each regular vertex is on: by spreading the arcs, or,
+// where they are short, by asking the sweeps of the default method.
 template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class ChosenNumberOfSlabs>
 Slab_arcs find_arcs_with_vertices(const Complex& complex,
                                   const Order& order,

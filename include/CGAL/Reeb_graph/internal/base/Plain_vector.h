@@ -109,9 +109,9 @@ inline constexpr bool is_plain =
                      std::is_copy_constructible<T>,
                      std::is_copy_assignable<T>> && alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__;
 
-// A std::vector of elements that are copied as bytes. It does the same, and takes a third of the time to compile: dozens
-// of types of elements, most of them numbers with a tag, have been a quarter of the time that compiling a small program
-// takes.
+// A std::vector of elements that are copied as bytes. It does the same, and takes a third of the time to compile:
+// dozens of types of elements, most of them numbers with a tag, have been a quarter of the time that compiling a small
+// program takes.
 template <class T>
 class Plain_vector : private Plain_storage
 {

@@ -227,8 +227,8 @@ void merge_in_parallel(T* first, T* last, T* other_first, T* other_last, T* resu
     });
 }
 
-// Sorts in runs that are merged, into the buffer if that is wanted. Faster on one thread than tbb::parallel_sort on two,
-// if comparisons are cheap.
+// Sorts in runs that are merged, into the buffer if that is wanted. Faster on one thread than tbb::parallel_sort on
+// two, if comparisons are cheap.
 template <class ConcurrencyTag, class T, class Less>
 void sort_in_parallel(T* first, T* last, T* buffer, const Less& less, std::size_t number_of_runs, bool is_buffer_wanted)
 {

@@ -30,8 +30,8 @@ namespace internal {
 typedef By_side<Indexed_vector<Slab_node, Slab_arc_index>> Arcs_of_classes;
 
 // Combines a join tree and a split tree of the same nodes to the arcs of the contour tree, leaf by leaf. (H. Carr,
-// J. Snoeyink, U. Axen, Computing contour trees in all dimensions, 2003.) On request, it keeps what find_arcs_of_classes()
-// needs.
+// J. Snoeyink, U. Axen, Computing contour trees in all dimensions, 2003.) On request, it keeps what
+// find_arcs_of_classes() needs.
 template <bool are_leaves_kept>
 class Tree_combination
 {
@@ -53,8 +53,8 @@ public:
     return std::move(arcs_);
   }
 
-  // Follows the classes to the arcs that have been found: in the tree where a leaf of the other one is no leaf, the only
-  // child takes its place, and goes later.
+  // Follows the classes to the arcs that have been found: in the tree where a leaf of the other one is no leaf, the
+  // only child takes its place, and goes later.
   Arcs_of_classes find_arcs_of_classes(const Slab_arcs& arcs) const
   {
     static_assert(are_leaves_kept);

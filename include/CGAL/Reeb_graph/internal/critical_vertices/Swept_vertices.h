@@ -36,10 +36,10 @@ typedef Index_of<Sector_tag> Sector_index; // among those of one side
 
 typedef By_side<std::size_t> Sector_counts;
 
-// The vertices that a sweep visits: the critical ones, with link sectors other than one lower and one upper. Stages name
-// such a vertex by its position here, where they have the order that they have in the mesh: what is near on the surface
-// is then near in memory. Its lower and its upper link sectors are named by their positions among all lower and all
-// upper ones.
+// The vertices that a sweep visits: the critical ones, with link sectors other than one lower and one upper. Stages
+// name such a vertex by its position here, where they have the order that they have in the mesh: what is near on the
+// surface is then near in memory. Its lower and its upper link sectors are named by their positions among all lower and
+// all upper ones.
 class Swept_vertices
 {
 public:

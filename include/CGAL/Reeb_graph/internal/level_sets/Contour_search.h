@@ -36,7 +36,8 @@ public:
   explicit Contour_search(const Simplicial_complex& complex) : complex_(complex), searches_(complex.number_of_edges())
   {}
 
-  // Calls visit(ascending halfedges of the crossed edges) for all but one of the contours that cross the edges of `starts`.
+  // Calls visit(ascending halfedges of the crossed edges) for all but one of the contours that cross the edges of
+  // `starts`.
   template <class IsBelow, class Visit>
   void visit_all_but_one(const Plain_vector<Halfedge_index>& starts, const IsBelow& is_below, const Visit& visit)
   {

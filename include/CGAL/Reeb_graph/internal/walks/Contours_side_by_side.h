@@ -25,15 +25,16 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Traces contours of one level of a surface, in steps by turns, so that the longest one costs no more than the next one.
+// Traces contours of one level of a surface, in steps by turns, so that the longest one costs no more than the next
+// one.
 template <class Complex>
 class Contours_side_by_side
 {
 public:
   explicit Contours_side_by_side(const Complex& complex) : complex_(complex) {}
 
-  // Calls visit(halfedges of the crossed edges, each from its lower end to its higher one, whether they reach the border)
-  // for all but one of the contours that cross the edges of `starts`.
+  // Calls visit(halfedges of the crossed edges, each from its lower end to its higher one, whether they reach the
+  // border) for all but one of the contours that cross the edges of `starts`.
   template <class IsBelow, class Visit>
   void visit_all_but_one(const Plain_vector<Halfedge_index>& starts, const IsBelow& is_below, const Visit& visit)
   {
