@@ -13,36 +13,57 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 
-#include <boost/io/ios_state.hpp>
-
+#include <cerrno>
 #include <fstream>
 #include <locale>
 #include <ostream>
 #include <string>
+#include <system_error>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Lets a stream write numbers as programs read them, whatever its locale is before and after.
+// Lets a stream write numbers as programs read them, whatever its locale is before and after. A stream that has failed
+// keeps this locale: to set another one on a full disk would break its buffer, which then throws std::bad_cast.
 class Classic_locale
 {
 public:
-  explicit Classic_locale(std::ostream& out) : saver_(out, std::locale::classic()) {}
+  explicit Classic_locale(std::ostream& out) : out_(out), before_(out.getloc())
+  {
+    if(out.flush())
+      out.imbue(std::locale::classic());
+  }
+  ~Classic_locale()
+  {
+    try
+    {
+      if(out_.flush())
+        out_.imbue(before_);
+    }
+    catch(...) // The state of the stream tells it, too.
+    {}
+  }
+  Classic_locale(const Classic_locale&) = delete;
+  Classic_locale& operator=(const Classic_locale&) = delete;
 
 private:
-  boost::io::ios_locale_saver saver_;
+  std::ostream& out_;
+  std::locale before_;
 };
 
+// Says why, where the system does.
 template <class Write>
 void write_file(const std::string& filename, const Write& write)
 {
+  errno = 0;
   std::ofstream out(filename);
   if(out)
     write(out);
   out.close();
   if(!out)
-    throw File_error(filename + " cannot be written");
+    throw File_error(filename + " cannot be written"
+                     + (errno == 0 ? "" : ": " + std::generic_category().message(errno)));
 }
 
 } // namespace internal
