@@ -22,6 +22,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -35,6 +36,7 @@
 #include <sstream>
 #include <streambuf>
 #include <string>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -576,6 +578,66 @@ BOOST_AUTO_TEST_CASE(files_are_the_same_in_each_locale)
   std::ostringstream german;
   german.imbue(std::locale(std::locale::classic(), new German_numbers));
   BOOST_TEST((text_of_all(std::ostringstream()) == text_of_all(std::move(german))));
+}
+
+// Names in files of XML and JSON are UTF-8, whatever they are.
+BOOST_AUTO_TEST_CASE(names_that_are_no_utf8_are_made_so)
+{
+  const std::string none = "\xEF\xBF\xBD";
+  const std::vector<std::pair<std::string, std::string>> names = {
+    {"\xC2\xB5m \xE2\x82\xAC \xF0\x9F\x98\x80", "\xC2\xB5m \xE2\x82\xAC \xF0\x9F\x98\x80"}, // two, three, four bytes
+    {"\xF4\x8F\xBF\xBD \xED\x9F\xBF", "\xF4\x8F\xBF\xBD \xED\x9F\xBF"},                     // the last ones
+    {"\xB5m", none + "m"},                                                                  // Latin 1
+    {"a\xC2", "a" + none},                                                                  // cut off
+    {"a\xE2\x82z", "a" + none + none + "z"},
+    {"\xC0\xAF", none + none}, // too long
+    {"\xE0\x80\x80", none + none + none},
+    {"\xF0\x8F\xBF\xBF", none + none + none + none},
+    {"\xED\xA0\x80", none + none + none},            // a surrogate
+    {"\xF4\x90\x80\x80", none + none + none + none}, // beyond the last one
+    {"\xEF\xBF\xBF", none + none + none},            // no character
+    {"\xFF", none}};
+  const Embedded_sample<Surface_mesh> s(curve_samples::smooth_sample(1, 100, 0));
+  const auto embedding = s.embedded(Embedding_manner::STRAIGHT);
+  const auto vertex_index_map = get(boost::vertex_index, s.mesh);
+  for(const auto& [name, shown] : names)
+  {
+    const std::vector<double> numbers(num_edges(s.graph)), numbers_of_mesh(num_vertices(s.mesh));
+    const auto np = CGAL::parameters::arc_attributes({{name, numbers}});
+    std::ostringstream json, vtp, mesh_vtp;
+    CGAL::Reeb_graph::write_json(json, s.mesh, s.graph, embedding, vertex_index_map, np);
+    CGAL::Reeb_graph::write_vtp(vtp, s.graph, embedding, vertex_index_map, np);
+    CGAL::Reeb_graph::write_mesh_vtp(mesh_vtp, s.mesh, CGAL::parameters::vertex_attributes({{name, numbers_of_mesh}}));
+    BOOST_TEST(json.str().find('"' + shown + "\": 0") != std::string::npos);
+    BOOST_TEST(vtp.str().find("Name=\"" + shown + '"') != std::string::npos);
+    BOOST_TEST(mesh_vtp.str().find("Scalars=\"" + shown + '"') != std::string::npos);
+  }
+}
+
+// The buffer of a file throws exceptions where a locale is set after it could not write.
+BOOST_AUTO_TEST_CASE(a_full_disk_is_told_with_the_name_and_the_reason)
+{
+  const std::string full = "/dev/full";
+  if(!std::ofstream(full))
+    return; // It is there in Linux.
+  const Embedded_sample<Surface_mesh> s(curve_samples::smooth_sample(1, 2000, 0));
+  const auto embedding = s.embedded(Embedding_manner::STRAIGHT);
+  const auto vertex_index_map = get(boost::vertex_index, s.mesh);
+  const auto write_everywhere = [&](const auto& write) { // `write` takes a stream or a name
+    const std::string reason = std::generic_category().message(ENOSPC);
+    BOOST_CHECK_EXCEPTION(write(full), CGAL::Reeb_graph::File_error, [&](const CGAL::Reeb_graph::File_error& error) {
+      return error.what() == full + " cannot be written: " + reason;
+    });
+    std::ofstream stream(full);
+    BOOST_CHECK_NO_THROW(write(stream); stream.close());
+    BOOST_TEST(stream.fail());
+  };
+  write_everywhere([&](auto& out) { CGAL::Reeb_graph::write_obj(out, s.graph, embedding); });
+  write_everywhere([&](auto& out) { CGAL::Reeb_graph::write_json(out, s.mesh, s.graph, embedding, vertex_index_map); });
+  write_everywhere([&](auto& out) { CGAL::Reeb_graph::write_vtp(out, s.graph, embedding, vertex_index_map); });
+  write_everywhere([&](auto& out) { CGAL::Reeb_graph::write_mesh_vtp(out, s.mesh); });
+  write_everywhere([&](auto& out) { CGAL::Reeb_graph::write_polylines(out, embedding.arc_polylines); });
+  write_everywhere([&](auto& out) { CGAL::Reeb_graph::write_graphml(out, s.graph, vertex_index_map); });
 }
 
 // A disk that is full.

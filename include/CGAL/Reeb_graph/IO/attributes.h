@@ -28,7 +28,8 @@ namespace Reeb_graph {
 /// \brief numbers that are written to a file with a name: one for each arc, vertex, or face.
 struct Attribute
 {
-  std::string name; ///< the name, in files a column or an array
+  /// the name, in files a column or an array; in files of XML and JSON, bytes that are no UTF-8 become U+FFFD
+  std::string name;
 
   /// the numbers, in the order of `edges(graph)`, `vertices(mesh)`, or `faces(mesh)`
   std::variant<std::vector<double>, std::vector<std::int64_t>> numbers;

@@ -51,7 +51,7 @@ inline std::string counted(std::size_t number, const std::string& name)
 /// are labelled with `n` and their number, and in a small graph with their value, arcs with their number in the order
 /// of `edges(graph)`, where there is room: no label lies on another one, on a node, or on an arc. A graph of more than
 /// 5,000 nodes has no labels. All of it is told where the pointer rests on a node or an arc. There is no script in the
-/// file. Equal graphs give equal files.
+/// file. Equal graphs give equal files. Bytes of names that are no UTF-8 become U+FFFD.
 ///
 /// \tparam ReebGraph the type `Graph` of a model of `ReebGraphTraits`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/internal/drawing/Occupied_plane.h>
 #include <CGAL/Reeb_graph/internal/output/number_text.h>
+#include <CGAL/Reeb_graph/internal/output/xml_text.h>
 
 #include <array>
 #include <cmath>
@@ -48,11 +49,11 @@ inline std::string pixels(double length)
   return to_string_with_precision(rounded == 0 ? 0. : rounded, 9);
 }
 
-// Text as XML has it. Characters that it does not allow become spaces.
+// Text as XML has it.
 inline std::string escape_xml(const std::string& text)
 {
   std::string escaped;
-  for(const char c : text)
+  for(const char c : xml_characters(text))
   {
     switch(c)
     {
@@ -60,7 +61,7 @@ inline std::string escape_xml(const std::string& text)
     case '<': escaped += "&lt;"; break;
     case '>': escaped += "&gt;"; break;
     case '"': escaped += "&quot;"; break;
-    default: escaped += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? ' ' : c;
+    default: escaped += c;
     }
   }
   return escaped;

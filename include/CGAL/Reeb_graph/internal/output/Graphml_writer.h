@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/arc_index.h>
 #include <CGAL/Reeb_graph/internal/output/Text_output.h>
 #include <CGAL/Reeb_graph/internal/output/number_text.h>
+#include <CGAL/Reeb_graph/internal/output/xml_text.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -56,7 +57,7 @@ auto graphml_text(const Value& value)
   else if constexpr(std::is_integral_v<Value>)
     return to_round_trip_string(value);
   else
-    return boost::property_tree::xml_parser::encode_char_entities(to_round_trip_string(value));
+    return boost::property_tree::xml_parser::encode_char_entities(xml_characters(to_round_trip_string(value)));
 }
 
 // Writes a graph as Boost's function of this name does, in a fifth of its time: that one asks each property of each

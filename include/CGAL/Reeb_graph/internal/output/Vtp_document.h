@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/output/base64.h>
+#include <CGAL/Reeb_graph/internal/output/xml_text.h>
 
 #include <CGAL/number_utils.h>
 
@@ -119,7 +120,7 @@ private:
   static std::string escape(const std::string& text)
   {
     std::string result;
-    for(const char c : text)
+    for(const char c : xml_characters(text))
       result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
     return result;
   }

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/output/number_text.h>
+#include <CGAL/Reeb_graph/internal/output/utf8.h>
 
 #include <CGAL/number_utils.h>
 
@@ -35,7 +36,7 @@ inline std::string json_of(const std::string& text)
 {
   constexpr char digits[] = "0123456789abcdef";
   std::string result = "\"";
-  for(const char c : text)
+  for(const char c : to_utf8(text))
   {
     const auto code = static_cast<unsigned char>(c);
     if(code < 32)
