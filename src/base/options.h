@@ -12,6 +12,7 @@
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,12 @@ struct Input_options
   bool are_faces_triangulated = false;
   bool are_borders_fixed = false; // whether the harmonic field is that between the borders
 };
+
+// The files that are read. A path is empty if there is none.
+inline std::vector<std::filesystem::path> input_files(const Input_options& options)
+{
+  return {options.mesh_path, options.scalars_path};
+}
 
 // What decides the graph. The same options give the same numbers of nodes and arcs.
 struct Graph_options

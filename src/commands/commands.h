@@ -81,7 +81,7 @@ void write_pairs_and_diagram(const Compute_options& options,
                              Report& report,
                              const Vertex_numbers& vertex_numbers = {});
 
-// They print to std::cout and throw an exception derived from std::exception for any error.
+// They print to standard output, or to standard error if a file is written there, and throw an exception derived from std::exception for any error.
 void run_compute(const Compute_options& options);
 void run_contour(const Contour_options& options);
 void run_curves(const Curves_options& options);

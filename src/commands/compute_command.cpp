@@ -31,8 +31,8 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <iostream>
 #include <optional>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -42,6 +42,14 @@ namespace {
 bool is_graph_in_space(const Compute_options& options)
 {
   return !options.graph_path.empty() && is_format_in_space(options.graph_path);
+}
+
+std::vector<std::filesystem::path> output_files(const Compute_options& options)
+{
+  std::vector<std::filesystem::path> paths = graph_files(options.graph_path);
+  paths.insert(paths.end(), {options.vertex_arcs_path, options.pairs_path, options.diagram_path, options.mesh_path,
+                             options.simplified_scalars_path, options.page_path});
+  return paths;
 }
 
 void check(const Compute_options& options)
@@ -56,10 +64,7 @@ void check(const Compute_options& options)
     check_page(options.page_path);
   if(!options.mesh_path.empty())
     check_mesh_format(options.mesh_path);
-  std::vector<std::filesystem::path> paths = graph_files(options.graph_path);
-  paths.insert(paths.end(), {options.vertex_arcs_path, options.pairs_path, options.diagram_path, options.mesh_path,
-                             options.simplified_scalars_path, options.page_path});
-  check_distinct_paths(paths);
+  check_outputs(output_files(options), input_files(options.input));
   if(options.embedding_manner && !is_graph_in_space(options))
     throw std::runtime_error("--embedding goes with --graph and a format in space only: .vtp, .obj, .polylines.txt, "
                              ".json, or .csv");
@@ -182,10 +187,11 @@ void write_simplified_field(const Compute_options& options,
 
 void write_report(const Compute_options& options, const Report& report)
 {
+  std::ostream& stream = report_stream(output_files(options));
   if(options.is_report_json)
-    write_json(std::cout, report);
+    write_json(stream, report);
   else
-    write_text(std::cout, report);
+    write_text(stream, report);
 }
 
 void compute_on_surface(const Compute_options& options, Surface& surface, Report& report)

@@ -12,11 +12,12 @@
 #include "computation/complex_graph.h"
 #include "input/field_input.h"
 #include "input/input_error.h"
+#include "output/output_file.h"
 #include "output/polylines_output.h"
 #include "output/report_output.h"
 
 #include <cstddef>
-#include <iostream>
+#include <ostream>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -57,6 +58,7 @@ std::size_t write_contours_in_complex(const Contour_options& options, Mesh& mesh
 void run_contour(const Contour_options& options)
 {
   check_contour_format(options.output_path);
+  check_outputs({options.output_path}, input_files(options.input));
   check_simplification_options(options.choice.simplification);
   Work_report report;
   Mesh mesh = read_mesh(options.input, report);
@@ -67,8 +69,9 @@ void run_contour(const Contour_options& options)
   check_contour_format(options.output_path, has_tetrahedra);
   const std::size_t number = mesh.complex ? write_contours_in_complex(options, mesh, report)
                                           : write_contours_on_surface(options, mesh.surface, report);
-  std::cout << number << (number == 1 ? " contour\n" : " contours\n");
-  write_field_text(std::cout, report);
+  std::ostream& stream = report_stream({options.output_path});
+  stream << number << (number == 1 ? " contour\n" : " contours\n");
+  write_field_text(stream, report);
 }
 
 } // namespace reeb_graph_program

@@ -32,11 +32,7 @@
 
 namespace reeb_graph_program {
 namespace {
-void check_cut_mesh_format(const std::filesystem::path& path)
-{
-  if(path.extension() != ".off" && path.extension() != ".ply")
-    throw std::runtime_error(path.string() + ": the file name of a cut mesh ends in .off or .ply");
-}
+void check_cut_mesh_format(const std::filesystem::path& path) { ending_of(path, "a cut mesh", {".off", ".ply"}); }
 
 void check_thresholds(const Cut_options& options)
 {
@@ -70,10 +66,10 @@ std::vector<Any_vertex_property> properties_to_keep(const Curves_options& option
 
 void write_cut_mesh(const std::filesystem::path& path, const Surface& surface, Patch_map patch_map)
 {
-  if(path.extension() == ".off")
-    write_surface(path, surface);
-  else
+  if(path.extension() == ".ply")
     write_surface_with_patches(path, surface, patch_map);
+  else
+    write_surface(path, surface);
 }
 
 void write_patches(const std::filesystem::path& path, const Surface& surface, Patch_map patch_map)
@@ -156,8 +152,9 @@ void run_curves(const Curves_options& options)
   check_simplification_of_field(options.simplification);
   if(!options.page_path.empty())
     check_page(options.page_path);
-  check_distinct_paths(
-    {options.curves_path, options.cut_mesh_path, options.patches_path, options.mesh_path, options.page_path});
+  const std::vector<std::filesystem::path> outputs = {options.curves_path, options.cut_mesh_path, options.patches_path,
+                                                      options.mesh_path, options.page_path};
+  check_outputs(outputs, input_files(options.input));
   Curves_report report;
   Surface surface = read_surface(options.input, report);
   Input_options input = options.input;
@@ -184,9 +181,9 @@ void run_curves(const Curves_options& options)
   report.border_changes = result.border_changes;
   write_border_changes(std::cerr, report.border_changes);
   if(options.is_report_json)
-    write_json(std::cout, report);
+    write_json(report_stream(outputs), report);
   else
-    write_text(std::cout, report);
+    write_text(report_stream(outputs), report);
 }
 
 } // namespace reeb_graph_program

@@ -10,13 +10,15 @@
 #include "commands/commands.h"
 #include "input/field_input.h"
 #include "output/mesh_output.h"
+#include "output/output_file.h"
 #include "output/report_output.h"
 
-#include <iostream>
+#include <ostream>
 
 namespace reeb_graph_program {
 void run_field(const Field_options& options)
 {
+  check_outputs({options.output_path}, input_files(options.input));
   Work_report report;
   Mesh mesh = read_mesh(options.input, report);
   const Scalar_map scalar_map = add_field(options.input, mesh, report);
@@ -24,10 +26,11 @@ void run_field(const Field_options& options)
   write_scalars(options.output_path, mesh.surface, scalar_map);
   report.add_seconds("output", stopwatch.seconds());
   const Field_range range(scalar_map.begin(), scalar_map.end());
+  std::ostream& stream = report_stream({options.output_path});
   if(options.is_report_json)
-    write_json(std::cout, range, report);
+    write_json(stream, range, report);
   else
-    write_text(std::cout, range, report);
+    write_text(stream, range, report);
 }
 
 } // namespace reeb_graph_program

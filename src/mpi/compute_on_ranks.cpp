@@ -41,6 +41,7 @@
 #include <iostream>
 #include <limits>
 #include <optional>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -55,6 +56,11 @@ typedef CGAL::Reeb_graph::Distributed_slab<double> Slab;
 [[noreturn]] void refuse(const std::string& option, const std::string& reason)
 {
   throw std::runtime_error(option + " cannot be had on ranks: " + reason);
+}
+
+std::vector<std::filesystem::path> output_files(const Compute_options& options)
+{
+  return {options.graph_path, options.pairs_path, options.diagram_path};
 }
 
 // What needs the whole surface in one memory.
@@ -112,7 +118,7 @@ void check(const Compute_on_ranks_options& all_options)
     check_pairs_format(options.pairs_path);
   if(!options.diagram_path.empty())
     check_diagram_format(options.diagram_path);
-  check_distinct_paths({options.graph_path, options.pairs_path, options.diagram_path});
+  check_outputs(output_files(options), input_files(options.input));
   check_simplification_options(options.simplification);
 }
 
@@ -281,12 +287,12 @@ void run_compute_on_ranks(const Communicator& communicator, const Compute_on_ran
   rank.cpu_seconds.emplace_back("output", cpu_seconds_of_process() - cpu_seconds);
   report.ranks = gather(communicator, slab, rank);
   run_on_rank_0(communicator, [&] {
+    std::ostream& stream = report_stream(output_files(options));
     if(options.is_report_json)
-      write_json(std::cout, report);
+      write_json(stream, report);
     else
-      write_text(std::cout, report);
-    if(!std::cout.flush())
-      throw std::runtime_error("standard output cannot be written");
+      write_text(stream, report);
+    flush_standard_output();
   });
 }
 

@@ -20,7 +20,6 @@
 #include <cstdint>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -146,22 +145,17 @@ private:
   std::string header_;
 };
 
-// Collective.
+// Into a file that is there. Collective.
 void write_parts(const Communicator& communicator,
                  const std::string& path,
                  const std::string& shown_path,
                  const Formula_surface& surface,
                  const Mesh_format& format)
 {
-  run_on_rank_0(communicator, [&] {
-    std::ofstream header(path, std::ios::binary);
-    header << format.header();
-    header.close();
-    if(!header)
-      throw std::runtime_error(shown_path + ": the file cannot be written");
-  });
   run_together(communicator, [&] {
     Shared_file file(path, Shared_file::Access::WRITE, shown_path);
+    if(communicator.rank() == 0)
+      file.write(0, format.header().data(), format.header().size());
     format.write_vertices(file, part_of_rank(communicator, surface.number_of_vertices()));
     format.write_triangles(file, part_of_rank(communicator, surface.number_of_cells()));
     file.close();

@@ -163,11 +163,7 @@ void write_legend(std::ostream& stream, const std::vector<Persistence_pair>& pai
 
 } // namespace
 
-void check_diagram_format(const std::filesystem::path& path)
-{
-  if(path.extension() != ".svg")
-    throw std::runtime_error(path.string() + ": the file name of a diagram ends in .svg");
-}
+void check_diagram_format(const std::filesystem::path& path) { ending_of(path, "a diagram", {".svg"}); }
 
 void write_diagram(const std::filesystem::path& path,
                    const Graph& graph,

@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/IO/svg.h>
 #include <CGAL/Reeb_graph/internal/output/Text_output.h>
 
-#include <stdexcept>
+#include <algorithm>
 #include <string>
 
 namespace reeb_graph_program {
@@ -38,17 +38,12 @@ const std::vector<Graph_format>& graph_formats()
 
 const Graph_format& format_of(const fs::path& path)
 {
-  const std::string name = path.filename().string();
-  std::string endings;
-  for(const Graph_format& format : graph_formats())
-  {
-    const std::size_t size = format.ending.size();
-    if(name.size() > size && name.compare(name.size() - size, size, format.ending) == 0)
-      return format;
-    const bool is_last = &format == &graph_formats().back();
-    endings += (endings.empty() ? "" : is_last ? ", or " : ", ") + format.ending;
-  }
-  throw std::runtime_error(path.string() + ": the file name of a graph ends in " + endings);
+  const std::vector<Graph_format>& formats = graph_formats();
+  std::vector<std::string> endings;
+  for(const Graph_format& format : formats)
+    endings.push_back(format.ending);
+  const std::string ending = ending_of(path, "a graph", endings);
+  return formats[std::find(endings.begin(), endings.end(), ending) - endings.begin()];
 }
 
 // X.csv stands for X.nodes.csv and X.arcs.csv.
@@ -102,11 +97,11 @@ void write_graph_in_space(const fs::path& path,
   const auto attributes = CGAL::parameters::arc_attributes(graph_in_space.arc_attributes);
   const std::string ending = format_of(path).ending;
   if(ending == ".csv")
-    return write_both_files(
-      {table_path(path, "nodes"),
-       [&](std::ostream& stream) { CGAL::Reeb_graph::write_nodes_csv(stream, graph, embedding, vertex_index_map); }},
-      {table_path(path, "arcs"),
-       [&](std::ostream& stream) { CGAL::Reeb_graph::write_arcs_csv(stream, graph, embedding, attributes); }});
+    return write_files(
+      {{table_path(path, "nodes"),
+        [&](std::ostream& stream) { CGAL::Reeb_graph::write_nodes_csv(stream, graph, embedding, vertex_index_map); }},
+       {table_path(path, "arcs"),
+        [&](std::ostream& stream) { CGAL::Reeb_graph::write_arcs_csv(stream, graph, embedding, attributes); }}});
   write_file(path, [&](std::ostream& stream) {
     if(ending == ".vtp")
       CGAL::Reeb_graph::write_vtp(stream, graph, embedding, vertex_index_map, attributes);

@@ -20,7 +20,7 @@
 #include <vector>
 
 namespace reeb_graph_program {
-// Throws std::runtime_error, which names the formats that there are, unless the file name ends in one of them.
+// These throw std::runtime_error, which names the formats that there are, for a file name of none of them.
 void check_graph_format(const std::filesystem::path& path);
 
 // Whether it is the format of a graph in space.

@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -177,11 +176,7 @@ void write_scalars(const std::filesystem::path& path, const Surface& surface, Sc
   });
 }
 
-void check_mesh_format(const std::filesystem::path& path)
-{
-  if(path.extension() != ".ply" && path.extension() != ".vtp")
-    throw std::runtime_error(path.string() + ": the file name of a mesh with results ends in .ply or .vtp");
-}
+void check_mesh_format(const std::filesystem::path& path) { ending_of(path, "a mesh with results", {".ply", ".vtp"}); }
 
 void write_mesh(const std::filesystem::path& path, const Surface& surface, const Mesh_results& results)
 {
@@ -195,7 +190,7 @@ void write_mesh(const std::filesystem::path& path, const Surface& surface, const
   if(results.patch_map)
     face_colours =
       add_face_colours(mesh, add_column<Surface::Face_index>(mesh, mesh.faces(), "f:patch", columns.patches));
-  if(path.extension() == ".ply")
+  if(path.extension() != ".vtp")
   {
     add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:arc", columns.arcs);
     add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:node", columns.nodes);

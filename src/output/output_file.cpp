@@ -8,14 +8,20 @@
 
 #include "output/output_file.h"
 
+#include "output/File_buffer.h"
+
+#include <fcntl.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <cstddef>
-#include <fstream>
-#include <set>
+#include <iostream>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -38,7 +44,7 @@ void remove_partial_files(int signal)
   raise(signal);
 }
 
-// Lets the signals that users end a program by remove the files, except those that are ignored.
+// Lets the signals that users and limits end a program by remove the files, except those that are ignored.
 class Interrupt_guard
 {
 public:
@@ -64,15 +70,82 @@ public:
   Interrupt_guard& operator=(const Interrupt_guard&) = delete;
 
 private:
-  static constexpr std::array<int, 3> signals = {SIGINT, SIGTERM, SIGHUP};
-  std::array<struct sigaction, 3> old_actions_;
+  static constexpr std::array<int, 5> signals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU};
+  std::array<struct sigaction, signals.size()> old_actions_;
+};
+
+typedef struct stat File_status;
+
+std::runtime_error output_error(const fs::path& path, int reason)
+{
+  return std::runtime_error(path.string() + ": the file cannot be written"
+                            + (reason == 0 ? "" : ": " + std::generic_category().message(reason)));
+}
+
+bool look_up(const fs::path& path, File_status& status)
+{
+  return ::stat(path == "-" ? "/dev/stdout" : path.c_str(), &status) == 0;
+}
+
+bool is_same(const File_status& a, const File_status& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
+
+// Also by another name, but not as another device that is not a terminal: it is no matter if two are /dev/null.
+bool is_standard_output(const fs::path& path)
+{
+  File_status status = {}, of_standard_output = {};
+  if(path == "-")
+    return true;
+  return look_up(path, status) && fstat(STDOUT_FILENO, &of_standard_output) == 0 && is_same(status, of_standard_output)
+      && (!S_ISCHR(status.st_mode) || isatty(STDOUT_FILENO) == 1);
+}
+
+bool is_written_at_once(const fs::path& path)
+{
+  File_status status = {};
+  return is_standard_output(path) || (look_up(path, status) && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode));
+}
+
+// The file that will be replaced: a symbolic link stays one, also if there is no such file yet.
+fs::path target_of(const fs::path& path)
+{
+  constexpr int most_links = 40; // as in Linux
+  fs::path target = path;
+  std::error_code error;
+  for(int links = 0; fs::is_symlink(target, error); ++links)
+  {
+    if(links == most_links)
+      throw output_error(path, ELOOP);
+    target = target.parent_path() / fs::read_symlink(target);
+  }
+  return target;
+}
+
+// What is written in the place of a file, and where, which is the path itself if it is written at once.
+struct Place
+{
+  explicit Place(const fs::path& given) : path(given), is_at_once(is_written_at_once(given))
+  {
+    if(is_at_once)
+      return;
+    std::error_code error; // of a path that cannot be looked up, as it will be told
+    if(fs::is_directory(path, error))
+      throw output_error(path, EISDIR);
+    target = target_of(path);
+    std::random_device random; // A name of our own can be shorter than that of the file.
+    temporary_path =
+      target.parent_path() / ("reeb_graph-" + std::to_string(random()) + std::to_string(random()) + ".partial");
+  }
+
+  fs::path path;
+  bool is_at_once;
+  fs::path target, temporary_path; // empty if it is written at once
 };
 
 // Files beside the targets, which are removed in the end, whether they are there or not, also if the program is
 // interrupted.
 struct Temporary_files
 {
-  explicit Temporary_files(const std::vector<fs::path>& targets) : paths(paths_beside(targets)), guard(paths) {}
+  explicit Temporary_files(const std::vector<Place>& places) : paths(paths_of(places)), guard(paths) {}
   ~Temporary_files()
   {
     std::error_code ignored;
@@ -86,84 +159,146 @@ struct Temporary_files
   const Interrupt_guard guard;
 
 private:
-  static std::vector<fs::path> paths_beside(const std::vector<fs::path>& targets)
+  static std::vector<fs::path> paths_of(const std::vector<Place>& places)
   {
     std::vector<fs::path> result;
-    result.reserve(targets.size());
-    for(const fs::path& target : targets)
-      result.emplace_back(target.string() + "." + std::to_string(getpid()) + ".partial");
+    for(const Place& place : places)
+      if(!place.is_at_once)
+        result.push_back(place.temporary_path);
     return result;
   }
 };
 
-std::runtime_error output_error(const fs::path& path)
+// A new file with the owner and the mode of that which it will replace; nobody else reads it before.
+int create_temporary(const Place& place)
 {
-  return std::runtime_error(path.string() + ": the file cannot be written");
+  File_status old = {};
+  const bool is_replaced = look_up(place.target, old);
+  const int file =
+    ::open(place.temporary_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, is_replaced ? 0600 : 0666);
+  if(file >= 0 && is_replaced && (fchown(file, old.st_uid, old.st_gid) == 0 || errno == EPERM))
+    fchmod(file, old.st_mode & 07777U);
+  return file;
 }
 
-// The file that will be replaced: a symbolic link stays one.
-fs::path target_of(const fs::path& path)
+int open_output(const Place& place)
+{
+  if(is_standard_output(place.path)) // To open it again would mean to begin at the begin of a file.
+  {
+    std::cout.flush();
+    return fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+  }
+  if(place.is_at_once)
+    return ::open(place.path.c_str(), O_WRONLY | O_CLOEXEC);
+  return create_temporary(place);
+}
+
+void write_stream(const Place& place, const std::function<void(std::ostream&)>& write)
+{
+  const int file = open_output(place);
+  if(file < 0)
+    throw output_error(place.path, errno);
+  File_buffer buffer(file);
+  std::ostream stream(&buffer);
+  write(stream);
+  const int error = buffer.close();
+  if(!stream || error != 0)
+    throw output_error(place.path, error);
+}
+
+void put_in_place(const Place& place)
 {
   std::error_code error;
-  fs::path target = fs::weakly_canonical(path, error);
-  if(error || (fs::exists(target, error) && !fs::is_regular_file(target, error)))
-    throw output_error(path);
-  return target;
-}
-
-void write_stream(const fs::path& temporary_path, const fs::path& path, const std::function<void(std::ostream&)>& write)
-{
-  std::ofstream stream(temporary_path, std::ios::binary);
-  if(stream)
-    write(stream);
-  stream.close();
-  if(!stream)
-    throw output_error(path);
-}
-
-void rename_file(const fs::path& temporary_path, const fs::path& target, const fs::path& path)
-{
-  std::error_code error;
-  fs::rename(temporary_path, target, error);
+  if(!place.is_at_once)
+    fs::rename(place.temporary_path, place.target, error);
   if(error)
-    throw output_error(path);
+    throw output_error(place.path, error.value());
+}
+
+bool ends_in(const std::string& name, const std::string& ending)
+{
+  return name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+// Devices keep nothing that could be replaced.
+bool is_same_file(const fs::path& a, const fs::path& b)
+{
+  File_status status_of_a = {}, status_of_b = {};
+  const bool is_a_there = look_up(a, status_of_a), is_b_there = look_up(b, status_of_b);
+  if(is_a_there || is_b_there)
+    return is_a_there && is_b_there && is_same(status_of_a, status_of_b) && !S_ISCHR(status_of_a.st_mode);
+  std::error_code error; // of a path that cannot be written either
+  const fs::path target_of_a = fs::weakly_canonical(fs::absolute(target_of(a), error), error);
+  return !error && target_of_a == fs::weakly_canonical(fs::absolute(target_of(b), error), error) && !error;
 }
 
 } // namespace
 
-void check_distinct_paths(const std::vector<fs::path>& paths)
+std::string ending_of(const fs::path& path, const std::string& contents, const std::vector<std::string>& endings)
 {
-  std::set<fs::path> targets;
-  for(const fs::path& path : paths)
+  std::string names;
+  for(const std::string& ending : endings)
   {
-    std::error_code error; // of a path that cannot be written either
-    const fs::path target = fs::weakly_canonical(fs::absolute(path, error), error);
-    if(!path.empty() && !error && !targets.insert(target).second)
-      throw std::runtime_error(path.string() + ": two outputs have this name");
+    if(ends_in(path.filename().string(), ending))
+      return ending;
+    const bool is_last = &ending == &endings.back();
+    names += (names.empty() ? "" : !is_last ? ", " : endings.size() == 2 ? " or " : ", or ") + ending;
   }
+  if(is_written_at_once(path))
+    return endings.front();
+  throw std::runtime_error(path.string() + ": the file name of " + contents + " ends in " + names);
+}
+
+void check_outputs(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs)
+{
+  for(auto output = outputs.begin(); output != outputs.end(); ++output)
+  {
+    const auto is_it = [&](const fs::path& path) { return !path.empty() && is_same_file(path, *output); };
+    if(output->empty())
+      continue;
+    if(std::any_of(outputs.begin(), output, is_it))
+      throw std::runtime_error(output->string() + ": two outputs have this name");
+    if(std::any_of(inputs.begin(), inputs.end(), is_it))
+      throw std::runtime_error(output->string() + ": this output would replace an input");
+  }
+}
+
+std::ostream& report_stream(const std::vector<fs::path>& outputs)
+{
+  return std::any_of(outputs.begin(), outputs.end(), is_standard_output) ? std::cerr : std::cout;
+}
+
+void flush_standard_output()
+{
+  errno = 0;
+  if(!std::cout.flush())
+    throw std::runtime_error("standard output cannot be written"
+                             + (errno == 0 ? "" : ": " + std::generic_category().message(errno)));
 }
 
 void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write)
 {
-  const fs::path target = target_of(path);
-  const Temporary_files temporary_files({target});
-  write(temporary_files.paths[0]);
-  rename_file(temporary_files.paths[0], target, path);
+  const Place place(path);
+  if(place.is_at_once)
+    throw std::runtime_error(path.string() + ": this is written at several places at once, which need a file");
+  const Temporary_files temporary_files({place});
+  write_stream(place, [](std::ostream&) {});
+  write(place.temporary_path);
+  put_in_place(place);
 }
 
-void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write)
+void write_files(const std::vector<Output_file>& files)
 {
-  replace_file(path, [&](const fs::path& temporary_path) { write_stream(temporary_path, path, write); });
+  std::vector<Place> places;
+  for(const Output_file& file : files)
+    places.emplace_back(file.path);
+  const Temporary_files temporary_files(places);
+  for(std::size_t i = 0; i != files.size(); ++i)
+    write_stream(places[i], files[i].write);
+  for(const Place& place : places)
+    put_in_place(place);
 }
 
-void write_both_files(const Output_file& first, const Output_file& second)
-{
-  const fs::path first_target = target_of(first.path), second_target = target_of(second.path);
-  const Temporary_files temporary_files({first_target, second_target});
-  write_stream(temporary_files.paths[0], first.path, first.write);
-  write_stream(temporary_files.paths[1], second.path, second.write);
-  rename_file(temporary_files.paths[0], first_target, first.path);
-  rename_file(temporary_files.paths[1], second_target, second.path);
-}
+void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write) { write_files({{path, write}}); }
 
 } // namespace reeb_graph_program

@@ -12,26 +12,41 @@
 #include <filesystem>
 #include <functional>
 #include <ostream>
+#include <string>
 #include <vector>
 
+// Paths of outputs: `-` is standard output. Pipes, devices, and standard output are written at once, all else is written
+// beside its place and put there when it is complete.
 namespace reeb_graph_program {
-// Refuses output of which one part would replace another one. Empty paths are not given.
-void check_distinct_paths(const std::vector<std::filesystem::path>& paths);
+// Which of the endings, of which the first one stands for a pipe, a device, or standard output without any of them, the
+// file name has. Throws std::runtime_error, which names them and what they are the endings of.
+std::string ending_of(const std::filesystem::path& path,
+                      const std::string& contents,
+                      const std::vector<std::string>& endings);
+
+// Refuses output of which one part would replace another one, or an input. Empty paths are not given.
+void check_outputs(const std::vector<std::filesystem::path>& outputs, const std::vector<std::filesystem::path>& inputs);
+
+// Where the report goes: standard error if standard output is one of the files.
+std::ostream& report_stream(const std::vector<std::filesystem::path>& outputs);
+
+// Throws std::runtime_error if standard output has not arrived.
+void flush_standard_output();
 
 // Calls `write` with the name of a temporary file in the same folder and renames that file to `path` afterwards: the
-// file is complete or as it was before. Throws std::runtime_error, and what `write` throws.
+// file is complete or as it was before, and keeps its mode. Throws std::runtime_error, and what `write` throws.
 void replace_file(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
 
-// The same with a stream, whose failure is an error.
-void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
-
-// The same for two files that belong together: neither is there before both are complete.
 struct Output_file
 {
   std::filesystem::path path;
   std::function<void(std::ostream&)> write;
 };
-void write_both_files(const Output_file& first, const Output_file& second);
+
+// The same with streams, whose failure is an error, for files that belong together: none is there before all are
+// complete.
+void write_files(const std::vector<Output_file>& files);
+void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
 } // namespace reeb_graph_program
 

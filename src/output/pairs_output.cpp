@@ -13,7 +13,6 @@
 #include <CGAL/Reeb_graph/internal/output/Text_output.h>
 
 #include <ostream>
-#include <stdexcept>
 
 namespace reeb_graph_program {
 namespace {
@@ -51,11 +50,7 @@ void write_pers(Text_output& text, const Graph& graph, const std::vector<Persist
 
 } // namespace
 
-void check_pairs_format(const std::filesystem::path& path)
-{
-  if(path.extension() != ".csv" && path.extension() != ".pers")
-    throw std::runtime_error(path.string() + ": the file name of pairs ends in .csv or .pers");
-}
+void check_pairs_format(const std::filesystem::path& path) { ending_of(path, "pairs", {".csv", ".pers"}); }
 
 void write_pairs(const std::filesystem::path& path,
                  const Graph& graph,
@@ -65,7 +60,7 @@ void write_pairs(const std::filesystem::path& path,
   check_pairs_format(path);
   write_file(path, [&](std::ostream& stream) {
     Text_output text(stream);
-    if(path.extension() == ".csv")
+    if(path.extension() != ".pers")
       write_csv(text, graph, pairs, vertex_numbers);
     else
       write_pers(text, graph, pairs);

@@ -15,34 +15,18 @@
 
 #include <limits>
 #include <ostream>
-#include <stdexcept>
 
 namespace reeb_graph_program {
-namespace {
-bool ends_in(const std::string& path, const std::string& ending)
-{
-  return path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
-}
-} // namespace
+void check_polylines_format(const std::string& path) { ending_of(path, "polylines", {".polylines.txt"}); }
 
-void check_polylines_format(const std::string& path)
-{
-  if(!ends_in(path, ".polylines.txt"))
-    throw std::runtime_error(path + ": the file name of polylines ends in .polylines.txt");
-}
-
-void check_contour_format(const std::string& path)
-{
-  if(!ends_in(path, ".off"))
-    check_polylines_format(path);
-}
+void check_contour_format(const std::string& path) { ending_of(path, "contours", {".polylines.txt", ".off"}); }
 
 void check_contour_format(const std::string& path, bool are_contours_surfaces)
 {
-  if(!are_contours_surfaces)
+  if(are_contours_surfaces)
+    ending_of(path, "contours in tetrahedra, which are surfaces,", {".off"});
+  else
     check_polylines_format(path);
-  else if(!ends_in(path, ".off"))
-    throw std::runtime_error(path + ": contours in tetrahedra are surfaces, and their file name ends in .off");
 }
 
 void write_triangles(const std::string& path,

@@ -109,8 +109,7 @@ void check_page(const fs::path& path)
     throw std::runtime_error(
       "this program has been built without the page: install three.js, Debian's package libjs-three, or name its "
       "folder by the CMake variable CGAL_REEB_GRAPH_THREE_JS_DIR, and build the program again");
-  if(path.extension() != ".html")
-    throw std::runtime_error(path.string() + ": the file name of a page ends in .html");
+  ending_of(path, "a page", {".html"});
 }
 
 void write_page(const fs::path& path, const Page_request& request)

@@ -182,7 +182,7 @@ expect_error_of_file(field.vtk "${vtk_points}CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\
 expect_error_of_file(binary.vtk "# vtk DataFile Version 3.0\nwrong\nBINARY\n" "binary VTK files are not read" --field z)
 expect_error_of_file(compressed.vtu "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkZLibDataCompressor\"></VTKFile>"
                      "compressed data are not read" --field z)
-expect_error("contours in tetrahedra are surfaces, and their file name ends in .off" contour field.vtk --field z
+expect_error("contours in tetrahedra, which are surfaces, ends in .off" contour field.vtk --field z
              --level 0.5 --output contour.polylines.txt)
 expect_error("polylines ends in .polylines.txt" contour three_faces_at_an_edge.off --field z --level 0.5
              --output contour.off)

@@ -23,8 +23,8 @@
 // Whoever interrupts the program finds the files as they were: argument 1 is a folder for them.
 
 namespace fs = std::filesystem;
-using reeb_graph_program::write_both_files;
 using reeb_graph_program::write_file;
+using reeb_graph_program::write_files;
 
 namespace {
 // What the signal that ends a process while it writes the file leaves: no file, or those that were there, unchanged.
@@ -63,7 +63,7 @@ int main(int, char** arguments)
     std::cerr << "wrong: " << what << '\n';
     ++number_of_faults;
   };
-  for(const int signal : {SIGINT, SIGTERM, SIGHUP})
+  for(const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU})
   {
     fs::remove_all(folder);
     fs::create_directories(folder);
@@ -83,7 +83,7 @@ int main(int, char** arguments)
   bool has_thrown = false;
   try
   {
-    write_both_files({folder / "a.txt", write_first}, {folder / "b.txt", fail});
+    write_files({{folder / "a.txt", write_first}, {folder / "b.txt", fail}});
   }
   catch(const std::runtime_error&)
   {
@@ -93,12 +93,12 @@ int main(int, char** arguments)
   const pid_t child = fork();
   if(child == 0)
   {
-    write_both_files({folder / "a.txt", write_first}, {folder / "b.txt", [](std::ostream&) { raise(SIGTERM); }});
+    write_files({{folder / "a.txt", write_first}, {folder / "b.txt", [](std::ostream&) { raise(SIGTERM); }}});
     _exit(EXIT_SUCCESS);
   }
   waitpid(child, nullptr, 0);
   check(fs::is_empty(folder), "an interrupt leaves one of two files");
-  write_both_files({folder / "a.txt", write_first}, {folder / "b.txt", write_first});
+  write_files({{folder / "a.txt", write_first}, {folder / "b.txt", write_first}});
   check(fs::file_size(folder / "a.txt") == 5 && fs::file_size(folder / "b.txt") == 5, "two files are not written");
   fs::remove(folder / "a.txt");
   fs::remove(folder / "b.txt");
