@@ -9,27 +9,31 @@
 #include "base/threads.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
+#include "output/output_file.h"
 
 #include <CGAL/version.h>
 
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 
 namespace {
 using reeb_graph_program::add_compute_command;
 using reeb_graph_program::add_field_option;
+using reeb_graph_program::add_file;
 using reeb_graph_program::add_graph_options;
 using reeb_graph_program::add_input_options;
 using reeb_graph_program::add_json_option;
 using reeb_graph_program::add_page_options;
+using reeb_graph_program::add_real_number;
 using reeb_graph_program::add_simplification_options;
 using reeb_graph_program::add_threads_option;
+using reeb_graph_program::add_whole_number;
 using reeb_graph_program::Compute_options;
 using reeb_graph_program::Contour_options;
 using reeb_graph_program::Curves_options;
@@ -47,18 +51,16 @@ void add_contour_command(CLI::App& app, Contour_options& options)
   add_graph_options(*command, options.choice.graph);
   add_simplification_options(*command, options.choice.simplification);
   CLI::Option_group* place = command->add_option_group("Place", "Which contours, one of");
-  CLI::Option* arc =
-    place
-      ->add_option("--arc", options.choice.arc, "The one of this arc, numbered from 0 in the order of the graph file")
-      ->check(CLI::NonNegativeNumber);
-  place->add_option("--level", options.choice.level, "All those just above this value");
+  CLI::Option* arc = add_whole_number(*place, "--arc", options.choice.arc,
+                                      "The one of this arc, numbered from 0 in the order of the graph file");
+  add_real_number(*place, "--level", options.choice.level, "All those just above this value");
   place->require_option(1);
-  CLI::Option* t = command->add_option("--t", options.choice.t, "The place on the arc, between 0 (low) and 1 (high)");
+  CLI::Option* t = add_real_number(*command, "--t", options.choice.t,
+                                   "The place on the arc, greater than 0 (low) and less than 1 (high)");
   arc->needs(t);
   t->needs(arc);
-  command
-    ->add_option("--output", options.output_path,
-                 "Write the contours to this file, .polylines.txt, or .off for those in tetrahedra")
+  add_file(*command, "--output", options.output_path,
+           "Write the contours to this file, .polylines.txt, or .off for those in tetrahedra")
     ->required();
   command->callback(
     [&options] { run_with_threads(options.choice.graph.number_of_threads, [&options] { run_contour(options); }); });
@@ -79,9 +81,9 @@ void add_curves_command(CLI::App& app, Curves_options& options)
   command->add_option_function<std::string>("--type", set_type, "Which curves: cutting-system, pants, or branch")
     ->check(CLI::IsMember({"cutting-system", "pants", "branch"}))
     ->required();
-  command->add_option("--persistence", options.cut.persistence,
-                      "For branch: leave out branches whose values differ by less than this");
-  command->add_option("--area", options.cut.area, "For branch: leave out branches of less area than this");
+  add_real_number(*command, "--persistence", options.cut.persistence,
+                  "For branch: leave out branches whose values differ by less than this");
+  add_real_number(*command, "--area", options.cut.area, "For branch: leave out branches of less area than this");
   const auto set_borders = [&options](const std::string& name) {
     options.cut.borders = name == "level" ? CGAL::Reeb_graph::Borders::LEVEL : CGAL::Reeb_graph::Borders::MAKE_LEVEL;
   };
@@ -91,16 +93,16 @@ void add_curves_command(CLI::App& app, Curves_options& options)
                                        "(make-level, the default), or refuse a field for which they are not (level)")
     ->check(CLI::IsMember({"make-level", "level"}));
   command->add_flag("--cut-open", options.cut.is_cut_open, "Cut the mesh open along the curves");
-  command->add_option("--curves", options.curves_path, "Write the curves to this file, .polylines.txt");
-  command->add_option("--cut-mesh", options.cut_mesh_path,
-                      "Write the mesh that is cut along the curves to this file, .off or .ply; PLY has the patches as "
-                      "a property and as colours of the faces");
-  command->add_option("--patches", options.patches_path,
-                      "Write to this file, for each face of the cut mesh on a line, the number of its patch");
+  add_file(*command, "--curves", options.curves_path, "Write the curves to this file, .polylines.txt");
+  add_file(*command, "--cut-mesh", options.cut_mesh_path,
+           "Write the mesh that is cut along the curves to this file, .off or .ply; PLY has the patches as "
+           "a property and as colours of the faces");
+  add_file(*command, "--patches", options.patches_path,
+           "Write to this file, for each face of the cut mesh on a line, the number of its patch");
   add_page_options(*command, options.page_path, options.unit);
-  command->add_option("--mesh-out", options.mesh_path,
-                      "Write the cut mesh to this file, .ply or .vtp, with the value, the arc, and the node of each "
-                      "vertex, the patch of each face, and colours");
+  add_file(*command, "--mesh-out", options.mesh_path,
+           "Write the cut mesh to this file, .ply or .vtp, with the value, the arc, and the node of each "
+           "vertex, the patch of each face, and colours");
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
   command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_curves(options); }); });
@@ -117,7 +119,7 @@ void add_field_command(CLI::App& app, Field_options& options)
                  "vertices; or height")
     ->check(CLI::IsMember({"harmonic", "poisson", "unit-gradient", "geodesic", "height"}))
     ->required();
-  command->add_option("--output", options.output_path, "Write the field to this file")->required();
+  add_file(*command, "--output", options.output_path, "Write the field to this file")->required();
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
   command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_field(options); }); });
@@ -126,8 +128,22 @@ void add_field_command(CLI::App& app, Field_options& options)
 void add_demo_command(CLI::App& app, Demo_options& options)
 {
   CLI::App* command = app.add_subcommand("demo", "Show a Reeb graph of a generated surface; needs no input");
-  command->add_option("--out", options.folder, "Folder of the files that are written")->capture_default_str();
+  add_file(*command, "--out", options.folder, "Folder of the files that are written")->capture_default_str();
   command->callback([&options] { run_demo(options); });
+}
+
+// Runs the command, or prints the help that is asked for.
+void run(CLI::App& app, int argc, char** argv)
+{
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch(const CLI::Success& request_for_help)
+  {
+    app.exit(request_for_help);
+  }
+  reeb_graph_program::flush_standard_output();
 }
 
 int report_error(const std::string& message)
@@ -140,6 +156,7 @@ int report_error(const std::string& message)
 
 int main(int argc, char** argv)
 {
+  std::signal(SIGXFSZ, SIG_IGN); // A file that may not grow is an error, as a full disk is.
   CLI::App app("Exact Reeb graphs of scalar fields on triangle meshes", "reeb_graph");
   app.require_subcommand(1);
   app.set_version_flag("--version", "reeb_graph " REEB_GRAPH_VERSION " (CGAL " CGAL_VERSION_STR ")");
@@ -157,14 +174,8 @@ int main(int argc, char** argv)
   add_demo_command(app, demo_options);
   try
   {
-    app.parse(argc, argv);
-    if(!std::cout.flush())
-      throw std::runtime_error("standard output cannot be written");
+    run(app, argc, argv);
     return EXIT_SUCCESS;
-  }
-  catch(const CLI::Success& request_for_help)
-  {
-    return app.exit(request_for_help);
   }
   catch(const CLI::ParseError& error)
   {

@@ -11,6 +11,7 @@
 
 #include "base/threads.h"
 #include "commands/commands.h"
+#include "commands/option_values.h"
 #include "input/threshold_input.h"
 
 #include <CLI/CLI.hpp>
@@ -23,21 +24,26 @@
 namespace reeb_graph_program {
 inline void add_input_options(CLI::App& command, Input_options& options)
 {
-  command.add_option("MESH", options.mesh_path, "Mesh: OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file")->required();
-  command.add_option("--scalars", options.scalars_path,
-                     "The field: file of one number per line, in the vertex order of the mesh file, or CSV file");
+  add_file(command, "MESH", options.mesh_path, "Mesh: OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file")->required();
+  add_file(command, "--scalars", options.scalars_path,
+           "The field: file of one number per line, in the vertex order of the mesh file, or CSV file");
   command.add_option("--column", options.column,
                      "The column of the CSV file, by its name, or its number from 0, if there is more than one");
-  command.add_option("--min", options.lowest_vertex, "For harmonic: the vertex of value 0, from 0 as in the mesh file");
-  command.add_option("--max", options.highest_vertex, "For harmonic: the vertex of value 1");
+  add_whole_number(command, "--min", options.lowest_vertex,
+                   "For harmonic: the vertex of value 0, from 0 as in the mesh file");
+  add_whole_number(command, "--max", options.highest_vertex, "For harmonic: the vertex of value 1");
   command.add_option("--weights", options.weights, "For harmonic: mean-value (the default), cotangent, or uniform")
     ->check(CLI::IsMember({"mean-value", "cotangent", "uniform"}));
-  command
-    .add_option("--source", options.source_vertices, "For poisson and geodesic: the vertices of value 0, as V,W,...")
-    ->delimiter(',')
+  const auto parse_vertex = [](const std::string& name, const std::string& text) {
+    return parse_whole_number(name, text, {});
+  };
+  add_numbers(command, "--source", options.source_vertices,
+              "For poisson and geodesic: the vertices of value 0, as V,W,...", parse_vertex)
+    ->type_name("UINT")
     ->allow_extra_args(false);
-  command.add_option("--direction", options.direction, "For height: the direction, as X,Y,Z; by default 0,0,1")
-    ->delimiter(',')
+  add_numbers(command, "--direction", options.direction, "For height: the direction, as X,Y,Z; by default 0,0,1",
+              parse_real_number)
+    ->type_name("FLOAT")
     ->expected(3);
   command.add_flag("--triangulate", options.are_faces_triangulated, "Cut faces that are not triangles into triangles");
 }
@@ -50,19 +56,19 @@ inline void add_field_option(CLI::App& command, Input_options& options)
       "The field: a coordinate x, y, or z; height; harmonic, between two vertices that are far apart if no "
       "others are given; poisson, by mean curvature; geodesic, the distance from vertices; unit-gradient, of "
       "the file --scalars, else of harmonic; or the name of a property of the vertices of a PLY, VTK, or VTU file")
-    ->check(CLI::Validator([](const std::string& name) { return name.empty() ? "it is empty" : ""; }, ""));
+    ->check(is_not_empty());
 }
 
 inline void add_page_options(CLI::App& command, std::string& page_path, std::string& unit)
 {
-  command.add_option("--html", page_path, "Write a page to this file, .html, that shows the graph on the surface");
+  add_file(command, "--html", page_path, "Write a page to this file, .html, that shows the graph on the surface");
   command.add_option("--unit", unit, "The unit of the field, for the page and for the drawing of the graph");
 }
 
 inline void add_threads_option(CLI::App& command, std::size_t& number_of_threads)
 {
-  command.add_option("--threads", number_of_threads, "Work with this many threads, by default one per core")
-    ->check(CLI::Range(std::size_t(1), largest_number_of_threads));
+  add_whole_number(command, "--threads", number_of_threads, "Work with this many threads, by default one per core",
+                   {1, largest_number_of_threads});
 }
 
 inline void add_json_option(CLI::App& command, bool& is_report_json)
@@ -95,10 +101,9 @@ inline void add_graph_options(CLI::App& command, Graph_options& options)
                                       "contour-trees; the graph is the same")
     ->check(CLI::IsMember({"auto", "critical-sets", "contour-trees"}));
   add_threads_option(command, options.number_of_threads);
-  command
-    .add_option("--slabs", options.number_of_slabs,
-                "Cut the surface at level sets into this many slabs, which threads share; the graph is the same")
-    ->check(CLI::PositiveNumber);
+  add_whole_number(command, "--slabs", options.number_of_slabs,
+                   "Cut the surface at level sets into this many slabs, which threads share; the graph is the same",
+                   {1});
 }
 
 inline void add_simplification_options(CLI::App& command, Simplification_options& options)
@@ -106,8 +111,8 @@ inline void add_simplification_options(CLI::App& command, Simplification_options
   command.add_option_function<std::string>(
     "--simplify", [&options](const std::string& text) { options.threshold = parse_threshold(text); },
     "Remove branches of the graph that are less persistent: X in units of the field, or P% of its range");
-  command.add_option("--leaves", options.number_of_leaves, "Remove branches until the graph has this many leaves")
-    ->check(CLI::NonNegativeNumber);
+  add_whole_number(command, "--leaves", options.number_of_leaves,
+                   "Remove branches until the graph has this many leaves");
   command.add_flag("--cancel-loops", options.are_loops_cancelled, "With --simplify: remove loops as well");
 }
 
@@ -119,9 +124,9 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
   add_graph_options(*command, options.graph);
-  command->add_option("--graph", options.graph_path,
-                      "Write the graph to this file: .graphml, .dot, .svg, or in space .vtp, .obj, .polylines.txt, "
-                      ".json, or .csv, which stands for two files, .nodes.csv and .arcs.csv");
+  add_file(*command, "--graph", options.graph_path,
+           "Write the graph to this file: .graphml, .dot, .svg, or in space .vtp, .obj, .polylines.txt, "
+           ".json, or .csv, which stands for two files, .nodes.csv and .arcs.csv");
   const auto set_embedding = [&options](const std::string& name) {
     options.embedding_manner = name == "on-surface" ? CGAL::Reeb_graph::Embedding_manner::ON_SURFACE
                              : name == "straight"   ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
@@ -134,20 +139,18 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
                                        ".csv), which leave nodes at their vertices; what is no oriented manifold "
                                        "surface has straight ones only")
     ->check(CLI::IsMember({"centroids", "on-surface", "straight"}));
-  command->add_option(
-    "--mesh-out", options.mesh_path,
-    "Write the mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex, "
-    "and colours");
-  command->add_option("--vertex-arcs", options.vertex_arcs_path,
-                      "Write to this file, for each vertex on a line, the arc or node of the graph that it belongs to");
-  command->add_option(
-    "--pairs", options.pairs_path,
-    "Write the pairs of extended persistence of the given graph to this file, .csv, or .pers for GUDHI");
-  command->add_option("--diagram", options.diagram_path, "Draw the persistence diagram of the given graph, .svg");
+  add_file(*command, "--mesh-out", options.mesh_path,
+           "Write the mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex, "
+           "and colours");
+  add_file(*command, "--vertex-arcs", options.vertex_arcs_path,
+           "Write to this file, for each vertex on a line, the arc or node of the graph that it belongs to");
+  add_file(*command, "--pairs", options.pairs_path,
+           "Write the pairs of extended persistence of the given graph to this file, .csv, or .pers for GUDHI");
+  add_file(*command, "--diagram", options.diagram_path, "Draw the persistence diagram of the given graph, .svg");
   add_page_options(*command, options.page_path, options.unit);
   add_simplification_options(*command, options.simplification);
-  command->add_option("--simplified-scalars", options.simplified_scalars_path,
-                      "With --simplify or --leaves: write a field that has the simplified graph to this file");
+  add_file(*command, "--simplified-scalars", options.simplified_scalars_path,
+           "With --simplify or --leaves: write a field that has the simplified graph to this file");
   CLI::Option* table = command->add_flag_callback(
     "--table", [&options] { options.is_table_wanted = true; },
     "Print a table of the arcs with their ends, lengths, areas and numbers of vertices; by default for graphs of up to "

@@ -130,7 +130,7 @@ void check_field_options(const Input_options& options)
 {
   const std::string& field = options.field;
   const bool is_harmonic = field == "harmonic" || (field == "unit-gradient" && options.scalars_path.empty());
-  check(!field.empty() || !options.scalars_path.empty(), "a field is needed: --field or --scalars");
+  check(!field.empty() || !options.scalars_path.empty(), "a field is needed, such as --field z or --scalars FILE");
   check(field.empty() || field == "unit-gradient" || options.scalars_path.empty(),
         "--scalars goes with the field unit-gradient only, or without any");
   check(options.column.empty() || !options.scalars_path.empty(), "--column goes with --scalars only");

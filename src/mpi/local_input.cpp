@@ -48,7 +48,7 @@ Local_mesh read_local_mesh(const Communicator& communicator, const Input_options
   if(extension != ".ply")
     throw Input_error(options.mesh_path, "ranks share binary .ply files, and .raw files");
   if(options.field.empty())
-    throw std::runtime_error("a field is needed: --field");
+    throw std::runtime_error("a field is needed, such as --field z");
   const Field_of_point of_point = field_of_point(options);
   return read_local_ply(communicator, options.mesh_path, {of_point, of_point ? std::string() : options.field});
 }

@@ -9,6 +9,7 @@
 #include "commands/command_line.h"
 #include "mpi/commands_on_ranks.h"
 #include "mpi/ranks.h"
+#include "output/output_file.h"
 
 #include <CGAL/version.h>
 
@@ -18,6 +19,7 @@
 
 #include <mpi.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -25,6 +27,8 @@
 #include <string>
 
 namespace {
+using reeb_graph_program::add_file;
+using reeb_graph_program::add_whole_number;
 using reeb_graph_program::Communicator;
 using reeb_graph_program::Compute_on_ranks_options;
 using reeb_graph_program::Generate_options;
@@ -32,10 +36,9 @@ using reeb_graph_program::Generation_options;
 
 void add_generation_options(CLI::App& command, Generation_options& options)
 {
-  command
-    .add_option("--triangles", options.number_of_triangles,
-                "For a surface that is generated: about how many triangles it has")
-    ->capture_default_str();
+  add_whole_number(command, "--triangles", options.number_of_triangles,
+                   "For a surface that is generated: about how many triangles it has")
+    ->default_str(std::to_string(options.number_of_triangles));
 }
 
 void add_compute_on_ranks_command(CLI::App& app, Compute_on_ranks_options& options)
@@ -43,9 +46,9 @@ void add_compute_on_ranks_command(CLI::App& app, Compute_on_ranks_options& optio
   CLI::App* command = add_compute_command(app, options.compute);
   command->description("Compute the Reeb graph of a scalar field on a surface that the ranks share");
   command->get_option("MESH")->required(false)->description("Mesh: a binary PLY file of triangles, or a raw file");
-  command->add_option("--generate", options.generation.surface,
-                      "Instead of MESH: a closed surface that the ranks make, genus-0, genus-1, ..., with the field x, "
-                      "y, z, height, smooth, or noise");
+  add_file(*command, "--generate", options.generation.surface,
+           "Instead of MESH: a closed surface that the ranks make, genus-0, genus-1, ..., with the field x, "
+           "y, z, height, smooth, or noise");
   add_generation_options(*command, options.generation);
 }
 
@@ -53,7 +56,7 @@ void add_generate_command(CLI::App& app, Generate_options& options)
 {
   CLI::App* command =
     app.add_subcommand("generate", "Write a closed surface with a field, of which each rank makes a part");
-  command->add_option("FILE", options.path, "The file: a binary .ply, or a .raw, with the values of the field")
+  add_file(*command, "FILE", options.path, "The file: a binary .ply, or a .raw, with the values of the field")
     ->required();
   options.generation.surface = "genus-3";
   options.input.field = "smooth";
@@ -86,6 +89,24 @@ int end_with_error(const Communicator& communicator, const Communicator& meeting
   return EXIT_FAILURE;
 }
 
+// Reads the command line. Rank 0 prints the help that is asked for there. Collective.
+bool is_help_printed(CLI::App& app, int argc, char** argv, const Communicator& communicator)
+{
+  try
+  {
+    app.parse(argc, argv);
+    return false;
+  }
+  catch(const CLI::Success& request_for_help)
+  {
+    reeb_graph_program::run_on_rank_0(communicator, [&] {
+      app.exit(request_for_help);
+      reeb_graph_program::flush_standard_output();
+    });
+    return true;
+  }
+}
+
 int run(int argc, char** argv, const Communicator& communicator, const Communicator& meeting)
 {
   CLI::App app("Exact Reeb graphs of scalar fields on surfaces that the ranks of MPI share", "reeb_graph_mpi");
@@ -97,16 +118,13 @@ int run(int argc, char** argv, const Communicator& communicator, const Communica
   add_generate_command(app, generate_options);
   try
   {
-    app.parse(argc, argv);
+    if(is_help_printed(app, argc, argv, communicator))
+      return EXIT_SUCCESS;
     if(app.got_subcommand("compute"))
       run_compute_on_ranks(communicator, compute_options);
     else
       run_generate(communicator, generate_options);
     return EXIT_SUCCESS;
-  }
-  catch(const CLI::Success& request_for_help)
-  {
-    return communicator.rank() == 0 ? app.exit(request_for_help) : EXIT_SUCCESS;
   }
   catch(const CLI::ParseError& error)
   {
@@ -126,6 +144,7 @@ int run(int argc, char** argv, const Communicator& communicator, const Communica
 
 int main(int argc, char** argv)
 {
+  std::signal(SIGXFSZ, SIG_IGN); // A file that may not grow is an error, as a full disk is.
   const boost::mpi::environment environment(argc, argv);
   const Communicator communicator;
   const Communicator meeting(communicator, boost::mpi::comm_duplicate);

@@ -92,7 +92,7 @@ expect_success(contour ${constant} --arc 0 --t 0.5 --output constant.polylines.t
 # places without a contour
 set(output_option --output contour.polylines.txt)
 foreach(t 0 1 -0.5 1.5 nan)
-  expect_error("between 0 and 1" contour ${tetrahedron} --arc 0 --t ${t} ${output_option})
+  expect_error("greater than 0 and less than 1" contour ${tetrahedron} --arc 0 --t ${t} ${output_option})
 endforeach()
 expect_error("no arc 1" contour ${tetrahedron} --arc 1 --t 0.5 ${output_option})
 expect_error("no arc 0" contour ${constant} --ties contract --arc 0 --t 0.5 ${output_option})

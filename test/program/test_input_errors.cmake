@@ -29,6 +29,28 @@ expect_error("" compute tetrahedron.off)
 expect_error("" compute tetrahedron.off --field z --scalars scalars.txt)
 expect_error("no field 'w'" compute tetrahedron.off --field w)
 expect_error("" compute tetrahedron.off --field z --no-such-option)
+# numbers: each option, what is given, and what the message says
+foreach(item "--leaves -1|'-1' is less than 0" "--slabs 0|'0' is less than 1" "--slabs -0|'-0' is less than 1"
+             "--leaves 18446744073709551616|'18446744073709551616' is more than 18446744073709551615"
+             "--leaves -18446744073709551616|is less than 0" "--leaves 1.5|'1.5' is not a whole number"
+             "--leaves 0x10|'0x10' is not a whole number" "--leaves --5|'--5' is not a whole number"
+             "--threads 0|'0' is less than 1" "--threads 1025|'1025' is more than 1024" "--threads 2x|'2x' is not"
+             "--source -1|'-1' is less than 0" "--source 0,-1|'-1' is less than 0" "--source 1,x|'x' is not"
+             "--min -1|'-1' is less than 0" "--max 1e3|'1e3' is not" "--direction 0,0,z|'z' is not a number"
+             "--direction 0,0,1e999|'1e999' is too large")
+  string(REGEX MATCH "^(--[a-z]*) (.*)[|](.*)$" item "${item}")
+  expect_error("${CMAKE_MATCH_1}: .*${CMAKE_MATCH_3}" compute missing.off --field z ${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
+endforeach()
+foreach(arguments "--arc -1 --t 0.5" "--arc 18446744073709551616 --t 0.5" "--arc 0 --t half" "--level 0.5m" "--level 1e999")
+  string(REPLACE " " ";" arguments "${arguments}")
+  expect_error("--[a-z]+: '[^ ]*' is " contour missing.off --field z ${arguments} --output contours.polylines.txt)
+endforeach()
+foreach(option --persistence --area)
+  expect_error("${option}: 'small' is not a number" curves missing.off --field z --type branch ${option} small)
+endforeach()
+expect_success(compute tetrahedron.off --field z --leaves 010) # no octal 8
+expect_success(compute tetrahedron.off --field height --direction 0,-0.5,1e-999)
+expect_error("a field is needed, such as --field z or --scalars FILE" compute tetrahedron.off)
 expect_success(--version)
 expect_match("${output}" "^reeb_graph [0-9]+[.][0-9]+[.][0-9]+ .CGAL [5-9][.]")
 

@@ -1,13 +1,17 @@
-# Output that cannot be written is an error, and what was there before stays as it was.
+# Output that cannot be written is an error that names the file and the reason, and what was there before stays as it was.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
 file(WRITE ${FOLDER}/tetrahedron.off "${tetrahedron_off}")
 file(MAKE_DIRECTORY ${FOLDER}/folder.dot)
 expect_error("[.]graphml, [.]dot, .*or [.]csv" compute tetrahedron.off --field z --graph graph.txt)
 expect_error("[.]graphml, [.]dot, .*or [.]csv" compute missing.off --field z --graph graph)
-expect_error("missing/graph.dot: the file cannot be written" compute tetrahedron.off --field z
+expect_error("missing/graph.dot: the file cannot be written: No such file" compute tetrahedron.off --field z
              --graph missing/graph.dot)
-expect_error("folder.dot: the file cannot be written" compute tetrahedron.off --field z --graph folder.dot)
+expect_error("folder.dot: the file cannot be written: Is a directory" compute tetrahedron.off --field z
+             --graph folder.dot)
+file(CREATE_LINK circle.dot ${FOLDER}/circle.dot SYMBOLIC)
+expect_error("circle.dot: the file cannot be written: Too many levels" compute tetrahedron.off --field z
+             --graph circle.dot)
 
 file(WRITE ${FOLDER}/graph.dot "from before")
 expect_error("missing.txt" compute tetrahedron.off --scalars missing.txt --graph graph.dot)
@@ -20,9 +24,94 @@ expect_match("${content}" "^digraph")
 file(WRITE ${FOLDER}/file "")
 expect_error("" demo --out file/folder)
 
-if(EXISTS /dev/full)
-  execute_process(COMMAND ${PROGRAM} compute ${FOLDER}/tetrahedron.off --field z OUTPUT_FILE /dev/full
-                  RESULT_VARIABLE exit_code ERROR_VARIABLE error)
-  expect_equal("${exit_code}" "1")
-  expect_match("${error}" "^reeb_graph: error: standard output cannot be written")
+# Each output there is: its command, the options without which there is none, its option, and its endings.
+set(outputs
+    "compute|--graph|.graphml .dot .svg .vtp .obj .polylines.txt .json" "compute|--mesh-out|.ply .vtp"
+    "compute|--vertex-arcs|.txt" "compute|--pairs|.csv .pers" "compute|--diagram|.svg"
+    "compute --leaves 2|--simplified-scalars|.txt" "contour --level 0.1|--output|.polylines.txt"
+    "curves --type pants|--curves|.polylines.txt" "curves --type pants|--cut-mesh|.off .ply"
+    "curves --type pants|--patches|.txt" "curves --type pants|--mesh-out|.ply .vtp" "field|--output|.txt")
+
+run(compute missing.off --field z --html page.html)
+if(NOT error MATCHES "without the page")
+  list(APPEND outputs "compute|--html|.html" "curves --type pants|--html|.html")
 endif()
+
+# Calls a command for each output and each of its endings, with the variables `arguments`, `option`, and `ending`.
+macro(foreach_output command)
+  foreach(output_and_endings IN LISTS outputs)
+    string(REPLACE "|" ";" parts "${output_and_endings}")
+    list(GET parts 0 arguments)
+    list(GET parts 1 option)
+    list(GET parts 2 endings)
+    string(REPLACE " " ";" arguments "${arguments}")
+    string(REPLACE " " ";" endings "${endings}")
+    list(POP_FRONT arguments subcommand)
+    if(subcommand STREQUAL "field")
+      set(field --type height)
+    else()
+      set(field --field y)
+    endif()
+    foreach(ending IN LISTS endings)
+      cmake_language(CALL ${command})
+    endforeach()
+  endforeach()
+endmacro()
+
+# a full disk
+function(expect_full_disk)
+  file(CREATE_LINK /dev/full ${FOLDER}/full${ending} SYMBOLIC)
+  expect_error("full${ending}: the file cannot be written: No space left on device" ${subcommand} ${genus_3} ${field}
+               ${arguments} ${option} full${ending})
+endfunction()
+
+if(EXISTS /dev/full)
+  foreach_output(expect_full_disk)
+  foreach(arguments "compute ${FOLDER}/tetrahedron.off --field z" "--help" "compute --help" "--version")
+    string(REPLACE " " ";" arguments "${arguments}")
+    execute_process(COMMAND ${PROGRAM} ${arguments} OUTPUT_FILE /dev/full RESULT_VARIABLE exit_code
+                    ERROR_VARIABLE error)
+    expect_equal("${exit_code}" "1")
+    expect_match("${error}" "^reeb_graph: error: standard output cannot be written")
+  endforeach()
+endif()
+
+# a limit of the size of files
+function(expect_limit)
+  set(PROGRAM sh -c "ulimit -f 0 && exec \"$@\"" sh ${PROGRAM})
+  expect_error("new${ending}: the file cannot be written: File too large" ${subcommand} ${genus_3} ${field}
+               ${arguments} ${option} new${ending})
+endfunction()
+
+foreach_output(expect_limit)
+
+# an output that is an input, also by another name
+function(expect_replaced_input)
+  foreach(name mesh hard_link symbolic_link)
+    expect_error("${name}${ending}: this output would replace an input" ${subcommand} mesh${ending} ${field}
+                 ${arguments} ${option} ${name}${ending})
+  endforeach()
+endfunction()
+
+foreach(ending .graphml .dot .svg .vtp .obj .polylines.txt .json .ply .txt .csv .pers .off .html)
+  file(WRITE ${FOLDER}/mesh${ending} "from before")
+  file(CREATE_LINK ${FOLDER}/mesh${ending} ${FOLDER}/hard_link${ending})
+  file(CREATE_LINK mesh${ending} ${FOLDER}/symbolic_link${ending} SYMBOLIC)
+endforeach()
+foreach_output(expect_replaced_input)
+file(WRITE ${FOLDER}/scalars.arcs.csv "0\n1\n2\n3\n")
+expect_error("scalars.arcs.csv: this output would replace an input" compute tetrahedron.off --scalars scalars.arcs.csv
+             --graph scalars.csv)
+expect_error("hard_link.txt: two outputs" compute tetrahedron.off --field z --vertex-arcs mesh.txt --leaves 2
+             --simplified-scalars hard_link.txt)
+
+# a name that is empty, which a list in CMake cannot have
+set(PROGRAM sh -c "exec \"$@\" ''" sh ${PROGRAM})
+function(expect_empty_name)
+  expect_error("${option}: it is empty" ${subcommand} tetrahedron.off ${field} ${arguments} ${option})
+endfunction()
+
+foreach_output(expect_empty_name)
+expect_error("MESH: it is empty" compute --field z)
+expect_error("--scalars: it is empty" compute tetrahedron.off --scalars)
+expect_error("--out: it is empty" demo --out)

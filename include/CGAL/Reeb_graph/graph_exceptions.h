@@ -48,7 +48,9 @@ class Parameter_error : public Error
 {
 public:
   /// constructs the exception for the parameter `t`.
-  explicit Parameter_error(double t) : Error("the place on an arc must be between 0 and 1, not " + std::to_string(t)) {}
+  explicit Parameter_error(double t)
+    : Error("the place on an arc must be greater than 0 and less than 1, not " + std::to_string(t))
+  {}
 };
 
 /// \brief thrown for a level at which an arc has no contour.
