@@ -11,18 +11,31 @@ are_installed() {
   done
 }
 
+# change_packages ARGUMENTS...: calls apt-get, and waits for another package manager, at most ten minutes. apt-get itself
+# waits for the lock of dpkg, but not for that of the lists.
+change_packages() {
+  local as_root=() message end=$((SECONDS + 600))
+  [[ $EUID -eq 0 ]] || as_root=(sudo)
+  until message=$("${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive \
+    apt-get --quiet=2 -o DPkg::Lock::Timeout=600 "$@" 2>&1 >/dev/null); do
+    if [[ $message != *"Could not get lock"* || $SECONDS -ge $end ]]; then
+      echo "$message" >&2
+      return 1
+    fi
+    sleep 2
+  done
+}
+
 # install_packages PACKAGE...: installs those of the Debian packages that are missing; no network if all are there.
 install_packages() {
-  local package missing=() as_root=()
+  local package missing=()
   for package in "$@"; do
     are_installed "$package" || missing+=("$package")
   done
   [[ ${#missing[@]} -gt 0 ]] || return 0
   echo "Installing ${missing[*]}"
-  [[ $EUID -eq 0 ]] || as_root=(sudo)
-  "${as_root[@]}" apt-get update --quiet=2
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install --yes --quiet=2 --no-install-recommends "${missing[@]}" >/dev/null
+  change_packages update
+  change_packages install --yes --no-install-recommends "${missing[@]}"
 }
 
 # number_of_jobs: one per core, as long as each has the memory that compiling with CGAL takes.
