@@ -79,6 +79,7 @@ struct Simplification_counts
   double threshold = 0; // infinite if only the number of leaves counts
   Graph_counts graph;
   std::optional<double> largest_change; // of the field, if that has been simplified
+  bool are_ties_contracted = false;     // of that field, though not asked for
 };
 
 // What was found, and what it took.
@@ -149,6 +150,7 @@ struct Curves_report : Work_report
   std::size_t curves = 0;
   std::size_t patches = 0;
   CGAL::Reeb_graph::Border_level_changes border_changes; // of the field
+  bool are_ties_contracted = false;                      // of the simplified field
 };
 
 } // namespace reeb_graph_program

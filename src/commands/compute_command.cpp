@@ -27,8 +27,6 @@
 #include "output/report_output.h"
 #include "page/page_output.h"
 
-#include <CGAL/Reeb_graph/fields/exceptions.h>
-
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -172,15 +170,10 @@ void write_simplified_field(const Compute_options& options,
     return;
   const Stopwatch stopwatch;
   const Scalar_map simplified_map = surface.add_property_map<Surface::Vertex_index, double>("v:simplified").first;
-  try
-  {
-    report.simplification->largest_change = compute_simplified_field(surface, scalar_map, options.simplification,
-                                                                     threshold, options.graph.ties, simplified_map);
-  }
-  catch(const CGAL::Reeb_graph::Scalar_resolution_error& error)
-  {
-    throw std::runtime_error(std::string(error.what()) + "; with --ties contract none are needed");
-  }
+  const Simplified_field field = compute_simplified_field(surface, scalar_map, options.simplification, threshold,
+                                                          options.graph.ties, simplified_map);
+  report.simplification->largest_change = field.largest_change;
+  report.simplification->are_ties_contracted = field.are_ties_contracted;
   write_scalars(options.simplified_scalars_path, surface, simplified_map);
   report.seconds.emplace_back("simplified field", stopwatch.seconds());
 }

@@ -25,6 +25,7 @@
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 
 #include <iostream>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -130,11 +131,30 @@ void write_page_file(const Curves_options& options,
   report.add_seconds("page", stopwatch.seconds());
 }
 
-Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& options)
+// Writes the simplified field over the given one.
+void simplify(const Surface& surface,
+              Scalar_map scalar_map,
+              const Simplification_options& options,
+              Curves_report& report)
 {
+  const Stopwatch stopwatch;
+  const double threshold = threshold_in_units(options, surface, scalar_map);
+  report.are_ties_contracted =
+    compute_simplified_field(surface, scalar_map, options, threshold, CGAL::Reeb_graph::Ties::PERTURB, scalar_map)
+      .are_ties_contracted;
+  if(report.are_ties_contracted)
+    std::cerr << "contracted ties of the simplified field: what is removed has the value of its saddle\n";
+  report.add_seconds("simplified field", stopwatch.seconds());
+}
+
+Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& options, bool are_ties_contracted)
+{
+  Cut_options cut = options.cut;
+  if(are_ties_contracted && !cut.persistence) // a branch of no height is none
+    cut.persistence = std::numeric_limits<double>::denorm_min();
   try
   {
-    return cut_along_curves(surface, scalar_map, properties_to_keep(options, surface), options.cut);
+    return cut_along_curves(surface, scalar_map, properties_to_keep(options, surface), cut);
   }
   catch(const CGAL::Reeb_graph::Border_level_error& error)
   {
@@ -161,15 +181,9 @@ void run_curves(const Curves_options& options)
   input.are_borders_fixed = true;
   const Scalar_map scalar_map = add_field(input, surface, report);
   if(options.simplification.is_anything_removed())
-  {
-    const Stopwatch stopwatch;
-    compute_simplified_field(surface, scalar_map, options.simplification,
-                             threshold_in_units(options.simplification, surface, scalar_map),
-                             CGAL::Reeb_graph::Ties::PERTURB, scalar_map);
-    report.add_seconds("simplified field", stopwatch.seconds());
-  }
+    simplify(surface, scalar_map, options.simplification, report);
   const Stopwatch cut_stopwatch;
-  const Cut_result result = cut(surface, scalar_map, options);
+  const Cut_result result = cut(surface, scalar_map, options, report.are_ties_contracted);
   report.add_seconds("cut", cut_stopwatch.seconds());
   const Stopwatch output_stopwatch;
   write_files(options, surface, result);

@@ -15,18 +15,29 @@
 #include <functional>
 
 namespace reeb_graph_program {
-double compute_simplified_field(const Surface& surface,
-                                Scalar_map scalar_map,
-                                const Simplification_options& options,
-                                double threshold,
-                                CGAL::Reeb_graph::Ties ties,
-                                Scalar_map simplified_map)
+Simplified_field compute_simplified_field(const Surface& surface,
+                                          Scalar_map scalar_map,
+                                          const Simplification_options& options,
+                                          double threshold,
+                                          CGAL::Reeb_graph::Ties ties,
+                                          Scalar_map simplified_map)
 {
   namespace parameters = CGAL::parameters;
-  Progress_bar progress_bar("simplified field");
   const auto leaves = parameters::number_of_leaves(options.number_of_leaves.value_or(0));
-  return CGAL::Reeb_graph::simplify_field(surface, scalar_map, threshold, simplified_map,
-                                          parameters::ties(ties, leaves).callback(std::ref(progress_bar)));
+  const auto simplify = [&](CGAL::Reeb_graph::Ties ties_of_field) {
+    Progress_bar progress_bar("simplified field");
+    const auto np = parameters::ties(ties_of_field, leaves).callback(std::ref(progress_bar));
+    const double change = CGAL::Reeb_graph::simplify_field(surface, scalar_map, threshold, simplified_map, np);
+    return Simplified_field{change, ties_of_field != ties};
+  };
+  try
+  {
+    return simplify(ties);
+  }
+  catch(const CGAL::Reeb_graph::Perturbed_ties_error&)
+  {
+    return simplify(CGAL::Reeb_graph::Ties::CONTRACT);
+  }
 }
 
 } // namespace reeb_graph_program

@@ -149,6 +149,7 @@ nlohmann::ordered_json json_of(const Simplification_counts& simplification)
   json["arcs"] = simplification.graph.arcs;
   json["loops"] = simplification.graph.loops;
   json["largest_change"] = json_number(simplification.largest_change);
+  json["ties_contracted"] = simplification.are_ties_contracted;
   return json;
 }
 
@@ -307,7 +308,8 @@ void write_text(std::ostream& out, const Report& report)
   if(report.simplification)
     out << "\n         simplified: " << count_parts(report.simplification->graph);
   if(report.simplification && report.simplification->largest_change)
-    out << ", largest change of the field " << *report.simplification->largest_change;
+    out << ", largest change of the field " << *report.simplification->largest_change
+        << (report.simplification->are_ties_contracted ? ", which needs --ties contract" : "");
   out << "\nseconds  " << std::fixed << std::setprecision(3);
   for(std::size_t i = 0; i < report.seconds.size(); ++i)
     out << (i == 0 ? "" : ", ") << report.seconds[i].first << " " << report.seconds[i].second;
@@ -366,6 +368,7 @@ void write_json(std::ostream& out, const Curves_report& report)
   json["borders_made_level"] = report.border_changes.number_of_changed_borders;
   json["vertices_changed"] = report.border_changes.number_of_changed_vertices;
   json["largest_change"] = json_number(report.border_changes.largest_change);
+  json["ties_contracted"] = report.are_ties_contracted;
   add_field_and_costs(json, report);
   out << json.dump(2) << '\n';
 }

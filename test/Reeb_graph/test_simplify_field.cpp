@@ -12,10 +12,7 @@
 #include "simplification_oracle.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/internal/simplification/Loop_free_order.h>
-#include <CGAL/Reeb_graph/internal/simplification/Piece_sweep.h>
-#include <CGAL/Reeb_graph/internal/simplification/Triangle_neighbors.h>
-#include <CGAL/Reeb_graph/internal/simplification/simplified_values.h>
+#include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/Reeb_graph/simplification/simplify_field.h>
 
@@ -24,9 +21,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
 #include <limits>
-#include <numeric>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,9 +37,6 @@ using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
 using simplification_oracle::Simplification_oracle;
 namespace parameters = CGAL::parameters;
-
-namespace internal = CGAL::Reeb_graph::internal;
-using internal::scalar_fields::Position;
 
 typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
 
@@ -145,7 +140,13 @@ bool is_expanded(const Graph& graph, const Graph& simplified, const PlaceOfVerte
       && found.size() == num_vertices(simplified);
 }
 
-// Tests a field; returns `false` if there is none, which the caller has to justify.
+bool names_the_way_out(const CGAL::Reeb_graph::Perturbed_ties_error& error)
+{
+  return std::string(error.what()).find("Ties::CONTRACT") != std::string::npos;
+}
+
+// Tests a field; returns `false` if there is none, which the caller has to justify. Then there is one with contracted
+// ties.
 template <class Mesh>
 bool test_field(const Field_sample& sample, Ties ties)
 {
@@ -163,8 +164,10 @@ bool test_field(const Field_sample& sample, Ties ties)
     largest_change =
       CGAL::Reeb_graph::simplify_field(mesh, scalar_map, sample.threshold, result_map, parameters::ties(ties));
   }
-  catch(const CGAL::Reeb_graph::Piece_topology_error&)
+  catch(const CGAL::Reeb_graph::Perturbed_ties_error& error)
   {
+    BOOST_TEST(names_the_way_out(error));
+    BOOST_TEST((ties == Ties::PERTURB && test_field<Mesh>(sample, Ties::CONTRACT)));
     BOOST_TEST(values_of(mesh, result_map) == sample.values, boost::test_tools::per_element());
     return false;
   }
@@ -205,33 +208,28 @@ bool test_field(const Field_sample& sample, Ties ties)
   return true;
 }
 
-// An order of some vertices that follow one another, the members, is good if the Reeb graph has neither leaves nor
-// loops among them.
-bool is_good_order(const Surface_mesh& mesh, const std::vector<Position>& order, std::size_t begin, std::size_t end)
+// A landscape with slits of three squares.
+generated_surfaces::Triangle_soup terrain_with_holes(std::size_t side)
 {
-  std::vector<double> ranks(order.size());
-  for(std::size_t i = 0; i < order.size(); ++i)
-    ranks[order[i]] = static_cast<double>(i);
-  const auto graph = graph_checks::compute(mesh, ranks);
-  const auto is_member = [&](std::size_t node) {
-    return static_cast<double>(begin) <= graph[node].value && graph[node].value < static_cast<double>(end);
-  };
-  std::vector<std::size_t> trees;
-  for(std::size_t node = 0; node < num_vertices(graph); ++node)
+  auto soup = generated_surfaces::terrain(side, side);
+  const auto triangles = std::move(soup.triangles);
+  soup.triangles.clear();
+  for(std::size_t i = 0; i < triangles.size(); ++i)
   {
-    trees.push_back(node);
-    if(is_member(node) && (in_degree(node, graph) == 0 || out_degree(node, graph) == 0))
-      return false;
+    const std::size_t column = i / 2 % (side - 1), row = i / 2 / (side - 1);
+    if(row % 5 != 2 || column % 5 == 0 || column % 5 == 4)
+      soup.triangles.push_back(triangles[i]);
   }
-  for(const auto& [lower, upper] : persistence_oracle::arcs_of(graph))
-  {
-    if(!is_member(lower) || !is_member(upper))
-      continue;
-    if(trees[lower] == trees[upper])
-      return false;
-    std::replace(trees.begin(), trees.end(), std::size_t(trees[lower]), std::size_t(trees[upper]));
-  }
-  return true;
+  return soup;
+}
+
+template <class Work>
+double cpu_seconds(const Work& work)
+{
+  const auto begin = std::clock();
+  for(int i = 0; i < 5; ++i)
+    work();
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
 // The arcs as pairs of numbers of nodes.
@@ -240,53 +238,6 @@ Arcs shape(const Surface_mesh& mesh, const std::vector<double>& values)
   return persistence_oracle::arcs_of(graph_checks::compute(mesh, values));
 }
 } // namespace
-
-// The search for an order finds one if there is any, as trying all of them tells.
-BOOST_AUTO_TEST_CASE(orders_without_loops)
-{
-  std::size_t number_of_orders = 0, number_of_late_orders = 0, number_without = 0;
-  for(std::size_t seed = 0; seed < 600; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      Random random(seed);
-      const auto combinatorial_mesh = random_meshes::random_mesh(static_cast<Mesh_class>(seed % 4), random);
-      const auto mesh = make_mesh<Surface_mesh>(combinatorial_mesh);
-      std::vector<Position> order(num_vertices(mesh));
-      const std::size_t size = std::min<std::size_t>(2 + seed % 5, order.size());
-      std::iota(order.begin(), order.end(), Position(0));
-      for(std::size_t i = order.size(); i > 1; --i)
-        std::swap(order[i - 1], order[random.below(i)]);
-      const std::size_t begin = random.below(order.size() - size + 1), end = begin + size;
-      std::vector<Position> members(order.begin() + begin, order.begin() + end);
-      const std::set<Position> lower(order.begin(), order.begin() + begin);
-
-      const auto is_lower = [&](Position v) { return lower.count(v) != 0; };
-      const auto graph = internal::scalar_fields::make_vertex_graph(
-        mesh, internal::scalar_fields::make_position_map(mesh), order.size());
-      const internal::Triangle_neighbors triangles(mesh);
-      internal::Piece_sweep sweep(graph, triangles, members, is_lower);
-      const bool is_found = internal::Loop_free_order(sweep).find();
-      if(is_found)
-      {
-        for(std::size_t i = 0; i < size; ++i)
-          order[begin + i] = members[sweep.swept()[i].number()];
-        BOOST_TEST(is_good_order(mesh, order, begin, end));
-        ++number_of_orders;
-        number_of_late_orders += std::equal(members.begin(), members.end(), order.begin() + begin) ? 0 : 1;
-        continue;
-      }
-      std::sort(order.begin() + begin, order.begin() + end);
-      bool is_good = false;
-      do
-        is_good = is_good || is_good_order(mesh, order, begin, end);
-      while(std::next_permutation(order.begin() + begin, order.begin() + end));
-      BOOST_TEST(!is_good);
-      ++number_without;
-    }
-  BOOST_TEST(number_of_orders > 100u);
-  BOOST_TEST(number_of_late_orders > 20u);
-  BOOST_TEST(number_without > 100u);
-}
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(fields_with_contracted_ties, Mesh, Meshes)
 {
@@ -324,7 +275,7 @@ BOOST_AUTO_TEST_CASE(fields_of_surfaces_with_border)
                              Ties::PERTURB)
       ? 0
       : 1;
-  BOOST_TEST(number_of_failures < 20u);
+  BOOST_TEST(number_of_failures < 40u);
 }
 
 // Where vertices are tied with a saddle, there is no number between them before they are told apart.
@@ -358,6 +309,14 @@ BOOST_AUTO_TEST_CASE(ties_that_have_to_be_spread)
   BOOST_TEST(result[1] == 3); // the saddle: only those behind it change
   BOOST_TEST((3 < result[2] && result[2] == result[3] && result[3] < 3 + 2.5 / 1024));
   BOOST_TEST(result[5] == 4);
+
+  // and if there is no room for that
+  const std::vector<double> close_values = {0, 3, 3, 3, 1, std::nextafter(3., 4.)};
+  const auto close_map = CGAL::Reeb_graph::make_scalar_map(mesh, close_values);
+  BOOST_CHECK_EXCEPTION(CGAL::Reeb_graph::simplify_field(mesh, close_map, 2.5, result_map),
+                        CGAL::Reeb_graph::Perturbed_ties_error, names_the_way_out);
+  const auto contracted = parameters::ties(Ties::CONTRACT);
+  BOOST_TEST(CGAL::Reeb_graph::simplify_field(mesh, close_map, 2.5, result_map, contracted) == 2);
 }
 
 // Heights that are rounded, as those of scans are.
@@ -380,6 +339,46 @@ BOOST_AUTO_TEST_CASE(rounded_heights)
       BOOST_TEST(CGAL::Reeb_graph::simplify_field(mesh, scalar_map, 0.15, scalar_map) < 0.15);
       BOOST_TEST(number_of_leaves(graph_checks::compute(mesh, values_of(mesh, scalar_map)))
                  == number_of_leaves(simplified));
+    }
+}
+
+// Heights of a landscape with holes that are levels: where many of them are in one removed piece, moving it next to its
+// saddle mostly makes loops. That is told in near-linear time, and contracted ties have a field.
+BOOST_AUTO_TEST_CASE(many_holes_in_one_piece)
+{
+  for(const std::size_t side : {40, 80, 160})
+    BOOST_TEST_CONTEXT("side " << side)
+    {
+      const auto mesh = make_mesh<Surface_mesh>(terrain_with_holes(side));
+      std::vector<double> values;
+      for(const auto v : vertices(mesh))
+        values.push_back(mesh.point(v)[2]);
+      const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+      CGAL::Reeb_graph::make_borders_level(mesh, scalar_map);
+      std::vector<double> result = values;
+      const auto result_map = CGAL::Reeb_graph::make_scalar_map(mesh, result);
+      Settings settings;
+      settings.ties = Ties::CONTRACT;
+      const double threshold = 0.09;
+
+      const double graph_seconds = cpu_seconds([&] { compute<CGAL::Sequential_tag>(mesh, scalar_map, settings); });
+      const double perturbed_seconds = cpu_seconds([&] {
+        BOOST_CHECK_EXCEPTION(CGAL::Reeb_graph::simplify_field(mesh, scalar_map, threshold, result_map),
+                              CGAL::Reeb_graph::Perturbed_ties_error, names_the_way_out);
+      });
+      BOOST_TEST(result == values, boost::test_tools::per_element());
+      const double contracted_seconds = cpu_seconds([&] {
+        const auto contracted = parameters::ties(Ties::CONTRACT);
+        BOOST_TEST(CGAL::Reeb_graph::simplify_field(mesh, scalar_map, threshold, result_map, contracted) < threshold);
+      });
+      BOOST_TEST(perturbed_seconds < 100 * graph_seconds);
+      BOOST_TEST(contracted_seconds < 100 * graph_seconds);
+
+      graph_checks::Graph_of<Surface_mesh> simplified;
+      CGAL::Reeb_graph::simplify(compute<CGAL::Sequential_tag>(mesh, scalar_map, settings), threshold, simplified);
+      const auto graph = compute<CGAL::Sequential_tag>(mesh, result_map, settings);
+      BOOST_TEST((persistence_oracle::arcs_of(graph) == persistence_oracle::arcs_of(simplified)));
+      BOOST_TEST(sorted_values(graph) == sorted_values(simplified), boost::test_tools::per_element());
     }
 }
 

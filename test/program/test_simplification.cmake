@@ -108,14 +108,30 @@ expect_success(curves ${figure})
 expect_equal("${output}" "6 curves, 7 patches\n")
 expect_success(curves ${figure} --simplify 30%)
 expect_equal("${output}" "0 curves, 1 patch\n")
+# a sphere whose field needs contracted ties: what is left of its branch has no height, and gives no curve
+file(WRITE ${FOLDER}/sphere.off "OFF\n6 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n-1 0 0\n3 0 5 3\n3 1 4 2\n3 4 1 3\n"
+     "3 3 2 4\n3 2 3 5\n3 1 2 5\n3 3 1 0\n3 5 0 1\n")
+file(WRITE ${FOLDER}/sphere.txt "0\n3\n3\n3\n1\n3.0000000000000004\n")
+set(sphere curves sphere.off --scalars sphere.txt --type branch --simplify 2.5)
+run(${sphere})
+expect_equal("${exit_code} ${output}" "0 0 curves, 1 patch\n")
+expect_match("${error}" "^contracted ties of the simplified field: [^\n]*\n$")
+run(${sphere} --json)
+expect_match("${output}" "\"curves\": 0,.*\"ties_contracted\": true,")
 # vertices tied with a saddle are told apart
 file(WRITE ${FOLDER}/tied.txt "3\n4\n3\n4\n0\n3\n1\n5\n")
 expect_success(compute strip.off --scalars tied.txt --simplify 2 --simplified-scalars simplified.txt)
 expect_json(2 nodes ARGUMENTS strip.off --scalars simplified.txt)
-# and not if there is no number between them and the next one
+expect_json(OFF simplified ties_contracted ARGUMENTS strip.off --scalars tied.txt --simplify 2 --simplified-scalars
+            simplified.txt)
+# and contracted if there is no number between them and the next one, as the report says
 file(WRITE ${FOLDER}/close.txt "3\n3.0000000000000004\n3\n4\n0\n3\n1\n5\n")
-expect_error("too few numbers.*with --ties contract none are needed" compute strip.off --scalars close.txt --simplify 2
-             --simplified-scalars none.txt)
+set(close strip.off --scalars close.txt --simplify 2 --simplified-scalars)
+expect_json(ON simplified ties_contracted ARGUMENTS ${close} contracted.txt)
+expect_success(compute ${close} contracted.txt)
+expect_match("${output}" "largest change of the field 1, which needs --ties contract\n")
+expect_success(compute ${close} simplified.txt --ties contract)
+expect_same_file(contracted.txt simplified.txt)
 expect_json("1.0" simplified largest_change ARGUMENTS strip.off --scalars close.txt --simplify 2 --ties contract
             --simplified-scalars simplified.txt)
 expect_error("--simplified-scalars goes with" compute ${strip} --simplified-scalars none.txt)

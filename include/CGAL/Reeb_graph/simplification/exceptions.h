@@ -73,18 +73,21 @@ public:
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown if no field with the simplified graph has been found, because of a border or of a hidden handle in a
-/// removed piece; see `simplify_field()`.
-class Piece_topology_error : public Error
+/// \brief thrown by `simplify_field()` if it finds no field that has the simplified graph with `Ties::PERTURB`: because
+/// of a border or a hidden handle in a removed piece, or for want of numbers. The message names the way out,
+/// `Ties::CONTRACT`.
+class Perturbed_ties_error : public Error
 {
 public:
   /// constructs the exception.
-  Piece_topology_error() : Error("the graph of the simplified field would not be the simplified graph") {}
+  explicit Perturbed_ties_error(const std::string& reason)
+    : Error(reason + "; with ties(Ties::CONTRACT), there always is a simplified field")
+  {}
 
-  /// constructs the exception for the pieces at the saddle whose vertex has the position `saddle`.
-  explicit Piece_topology_error(std::size_t saddle)
-    : Error("no order of the vertices that are moved next to vertex " + std::to_string(saddle)
-            + " is without a node or a loop of its own")
+  /// constructs the exception for the vertex at position `vertex`, which there is no number for.
+  explicit Perturbed_ties_error(std::size_t vertex)
+    : Perturbed_ties_error("there are too few numbers next to a saddle to give vertex " + std::to_string(vertex)
+                           + " one")
   {}
 };
 

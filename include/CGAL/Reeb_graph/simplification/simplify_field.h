@@ -50,12 +50,9 @@ namespace Reeb_graph {
 ///   order, by at most a 1024th of the threshold. Only then does a value outside of the pieces change.
 ///
 /// With perturbed ties not every simplified graph is that of a field on the mesh. A removed piece with a border, or
-/// with a handle that a multi-saddle hides, can need a loop. So the graph of the result is computed and compared. If it
-/// has a loop too many, another order is looked for: one in which each vertex that is moved next to a saddle, and this
-/// saddle, have contours below and above them, and join no contours that the vertices before them have joined or split.
-/// Where they are up to 16, all orders are searched, where they are more, a large number. Section
-/// \ref ReebGraph_simplify_field of the manual says which pieces have none. With contracted ties there is always a
-///            field.
+/// with a handle that a multi-saddle hides, can need a loop, or has one in the order that is taken. So the graph of the
+/// result is computed and compared; if it is another one, there is an exception. <b>With `Ties::CONTRACT` there is always
+/// a field</b>: ask for it then.
 ///
 /// On the subject, see U. Bauer, C. Lange, M. Wardetzky, *Optimal Topological Simplification of Discrete Functions on
 /// Surfaces*, 2012, and J. Tierny, V. Pascucci, *Generalized Topological Simplification of Scalar Fields on Surfaces*,
@@ -79,10 +76,9 @@ namespace Reeb_graph {
 ///
 /// \returns the largest absolute difference between a value of the result and the given one.
 ///
-/// \exception Reeb_graph::Scalar_resolution_error if there are too few numbers next to the value of a saddle to give
-///            each vertex of a piece another one, as for infinite values
-/// \exception Reeb_graph::Piece_topology_error with `Reeb_graph::Ties::PERTURB`, if an order of the vertices that are
-///            moved next to a saddle has not been found
+/// \exception Reeb_graph::Perturbed_ties_error with `Reeb_graph::Ties::PERTURB` only, if the result would have another
+///            graph, or there are too few numbers next to the value of a saddle to give each vertex of a piece another
+///            one, as for infinite values
 /// \exception Reeb_graph::Loop_cancellation_error if `cancel_loops` is `true`
 ///
 /// and the exceptions of `compute_reeb_graph()` and `simplify()`. When one is thrown, `simplified_scalar_map` is as it

@@ -11,16 +11,15 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/St_numbering.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
+#include <CGAL/Reeb_graph/simplification/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -32,8 +31,7 @@ namespace internal {
 // are moved next to it in the order of the vertices: just above it if one of them is below it, else just below it. The
 // vertices around the piece do not change sides. Within it, the vertices are numbered so that each has a lower and a
 // higher neighbor. So no extremum is left, and as the indices of the piece and of its saddle add up to the same as
-// before, no other saddle than that of the arcs that stay if the piece has no handle and no border. Where this does not
-// do, an order of all pieces at the saddle is given.
+// before, no other saddle than that of the arcs that stay if the piece has no handle and no border.
 template <class Scalar>
 class Moved_pieces
 {
@@ -41,9 +39,6 @@ class Moved_pieces
   typedef scalar_fields::Weighted_graph Vertex_graph;
 
 public:
-  // The vertices of all pieces at a saddle and this, from below to above, by saddle.
-  typedef std::map<Index, std::vector<Position>> Orders;
-
   // `saddles` has for each vertex that is to be moved the vertex of the saddle, and no_index for each other one.
   // `rooms` has for the vertex of a saddle how far the next values of nodes are: a saddle in a piece must not pass
   // them.
@@ -51,27 +46,24 @@ public:
                const std::vector<Index>& saddles,
                const std::vector<Scalar>& rooms,
                const std::vector<Scalar>& values,
-               const Orders& orders,
                double threshold)
     : graph_(graph),
       saddles_(saddles),
       rooms_(rooms),
       values_(values),
-      orders_(orders),
       threshold_(threshold),
       st_numbering_(graph),
       numbers_(values.size(), no_index)
   {}
 
-  // The values with those of the pieces changed, but not those of a piece with all its surroundings on one side that no
-  // order is given for.
+  // The values with those of the pieces changed, but not those of a piece with all its surroundings on one side.
   std::vector<Scalar> move()
   {
     std::vector<Scalar> moved = values_;
     Index number = 0;
     for(Position v = 0; v != graph_.number_of_vertices(); ++v)
     {
-      if(saddles_[v] == no_index || numbers_[v] != no_index || orders_.count(saddles_[v]) != 0)
+      if(saddles_[v] == no_index || numbers_[v] != no_index)
         continue;
       const Piece piece = collect_piece(v, number++);
       if(!piece.has_source || !piece.has_sink)
@@ -81,7 +73,6 @@ public:
         [&](Position u) { return is_source(u, piece); });
       put_values(order, choose_values(piece), moved);
     }
-    move_ordered_pieces(moved);
     return moved;
   }
 
@@ -153,26 +144,18 @@ private:
   }
 
   // As many values as the piece has vertices, ascending, between the saddle and the middle of the way to the next of
-  // the vertices around the piece: the other half is for a piece that comes the other way.
+  // the vertices around the piece: the other half is for a piece that comes the other way. They take a small part of the
+  // room, so that the largest change stays below the threshold.
   std::vector<Scalar> choose_values(const Piece& piece) const
   {
-    return choose_values(piece.vertices, piece.saddle, piece.is_above,
-                         piece.is_above ? piece.lowest_sink : piece.highest_source);
-  }
-
-  // The same for any vertices between the saddle and a value. They take a small part of the room, so that the largest
-  // change stays below the threshold.
-  std::vector<Scalar> choose_values(const std::vector<Position>& vertices,
-                                    Position saddle,
-                                    bool is_above,
-                                    Scalar to) const
-  {
-    const Scalar from = values_[saddle], infinity = std::numeric_limits<Scalar>::infinity();
+    const bool is_above = piece.is_above;
+    const Scalar from = values_[piece.saddle], to = is_above ? piece.lowest_sink : piece.highest_source;
+    const Scalar infinity = std::numeric_limits<Scalar>::infinity();
     const Scalar middle = std::isinf(to) ? to : from / 2 + to / 2;
-    const Scalar slack = static_cast<Scalar>(threshold_) - largest_distance(vertices, from);
-    const Scalar room =
-      (std::min)({std::abs(middle - from), std::abs(slack), rooms_[saddle], (std::max)(std::abs(from), Scalar(1))});
-    const std::size_t size = vertices.size();
+    const Scalar slack = static_cast<Scalar>(threshold_) - largest_distance(piece.vertices, from);
+    const Scalar room = (std::min)(
+      {std::abs(middle - from), std::abs(slack), rooms_[piece.saddle], (std::max)(std::abs(from), Scalar(1))});
+    const std::size_t size = piece.vertices.size();
     std::vector<Scalar> values;
     Scalar last = from;
     for(std::size_t i = 0; i != size; ++i)
@@ -181,7 +164,7 @@ private:
       last = is_above ? (std::max)(from + step, std::nextafter(last, infinity))
                       : (std::min)(from - step, std::nextafter(last, -infinity));
       if(!(is_above ? from < last && last < middle : last < from && middle < last))
-        throw Scalar_resolution_error(vertices.front());
+        throw Perturbed_ties_error(piece.vertices.front());
       values.push_back(last);
     }
     if(!is_above)
@@ -197,31 +180,7 @@ private:
     {
       moved[order[i]] = values[i];
       if(!(std::abs(static_cast<double>(values[i]) - static_cast<double>(values_[order[i]])) < threshold_))
-        throw Scalar_resolution_error(order[i]);
-    }
-  }
-
-  // Moves the pieces that an order is given for to between the saddle and the next values on both sides.
-  void move_ordered_pieces(std::vector<Scalar>& moved) const
-  {
-    if(orders_.empty())
-      return;
-    constexpr Scalar infinity = std::numeric_limits<Scalar>::infinity();
-    std::vector<Scalar> other_values = {-infinity, infinity};
-    for(Position v = 0; v != values_.size(); ++v)
-    {
-      if(saddles_[v] == no_index)
-        other_values.push_back(values_[v]);
-    }
-    std::sort(other_values.begin(), other_values.end());
-    for(const auto& [saddle, order] : orders_)
-    {
-      const auto middle = std::find(order.begin(), order.end(), saddle);
-      const auto [begin, end] = std::equal_range(other_values.begin(), other_values.end(), values_[saddle]);
-      const std::vector<Position> below(order.begin(), middle), above(middle + 1, order.end());
-      put_values(below, choose_values(below, saddle, false, begin == other_values.begin() ? -infinity : begin[-1]),
-                 moved);
-      put_values(above, choose_values(above, saddle, true, end == other_values.end() ? infinity : *end), moved);
+        throw Perturbed_ties_error(order[i]);
     }
   }
 
@@ -237,7 +196,6 @@ private:
   const std::vector<Index>& saddles_;
   const std::vector<Scalar>& rooms_;
   const std::vector<Scalar>& values_;
-  const Orders& orders_;
   const double threshold_;
   scalar_fields::St_numbering st_numbering_;
   std::vector<Index> numbers_; // by vertex, of its piece

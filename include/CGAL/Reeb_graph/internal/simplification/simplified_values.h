@@ -17,8 +17,6 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/vertex_graph.h>
 #include <CGAL/Reeb_graph/internal/simplification/Moved_pieces.h>
-#include <CGAL/Reeb_graph/internal/simplification/Triangle_neighbors.h>
-#include <CGAL/Reeb_graph/internal/simplification/find_loop_free_orders.h>
 #include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
 #include <CGAL/Reeb_graph/internal/simplification/spread_ties.h>
 #include <CGAL/Reeb_graph/internal/simplification/write_simplified_graph.h>
@@ -140,53 +138,38 @@ bool is_simplified_graph(const ReebGraph& graph, const SimplifiedGraph& simplifi
       && std::find(is_found.begin(), is_found.end(), false) == is_found.end();
 }
 
-// With contracted ties, a removed piece is part of the plateau of its saddle.
-template <class ReebGraph, class Scalar, class IsSimplified>
+// With contracted ties, a removed piece is part of the plateau of its saddle. Nothing can be in the way: the contour of
+// the saddle and the piece are connected, and no other edge crosses another level than before.
+template <class ReebGraph, class Scalar>
 std::vector<Scalar> contracted_values(const ReebGraph& graph,
                                       const std::vector<Index>& nodes_of_saddles,
-                                      std::vector<Scalar> values,
-                                      const IsSimplified& is_simplified,
-                                      const Stage_progress& progress)
+                                      std::vector<Scalar> values)
 {
   for(std::size_t v = 0; v != values.size(); ++v)
   {
     if(nodes_of_saddles[v] != no_index)
       values[v] = graph[nodes_of_saddles[v]].value;
   }
-  if(!is_simplified(values, progress))
-    throw Piece_topology_error();
   return values;
 }
 
-// With perturbed ties, it is moved next to its saddle. `is_simplified(values, progress)` tells whether the graph is
-// right: only if it is not, and that is rare, are contours followed to find a better order.
-template <class Mesh, class ReebGraph, class Scalar, class IsSimplified>
+// With perturbed ties, it is moved next to its saddle.
+template <class Mesh, class ReebGraph, class Scalar>
 std::vector<Scalar> perturbed_values(const Mesh& mesh,
                                      const ReebGraph& graph,
                                      std::vector<Index> saddles, // at first, nodes
                                      const std::vector<Scalar>& values,
-                                     double threshold,
-                                     const IsSimplified& is_simplified,
-                                     const Stage_progress& progress)
+                                     double threshold)
 {
   const std::vector<Index> positions = positions_of_nodes(mesh, graph);
   for(Index& saddle : saddles)
     saddle = saddle == no_index ? no_index : positions[saddle];
   const auto vertex_graph =
     scalar_fields::make_vertex_graph(mesh, scalar_fields::make_position_map(mesh), values.size());
-  const auto move = [&](const typename Moved_pieces<Scalar>::Orders& orders) {
-    const std::vector<Scalar> spread =
-      spread_ties(values, find_tied_saddles(vertex_graph, saddles, values, orders, static_cast<Scalar>(threshold)));
-    const std::vector<Scalar> rooms = rooms_of_nodes(positions, spread);
-    return Moved_pieces<Scalar>(vertex_graph, saddles, rooms, spread, orders, threshold).move();
-  };
-  std::vector<Scalar> moved = move({});
-  if(is_simplified(moved, progress.part(0.4, 0.8)))
-    return moved;
-  moved = move(find_loop_free_orders(vertex_graph, Triangle_neighbors(mesh), saddles, values, moved));
-  if(!is_simplified(moved, progress.part(0.9, 1)))
-    throw Piece_topology_error();
-  return moved;
+  const std::vector<Scalar> spread =
+    spread_ties(values, find_tied_saddles(vertex_graph, saddles, values, static_cast<Scalar>(threshold)));
+  const std::vector<Scalar> rooms = rooms_of_nodes(positions, spread);
+  return Moved_pieces<Scalar>(vertex_graph, saddles, rooms, spread, threshold).move();
 }
 
 // The values of the simplified field, by position of the vertex; see simplify_field().
@@ -199,24 +182,10 @@ auto simplified_values(const Mesh& mesh,
 {
   typedef typename Traits::Scalar Scalar;
   const Ties ties_of_graph = parameters::choose_parameter(parameters::get_parameter(np, ties), Ties::PERTURB);
-  typename Traits::Graph graph, simplified;
+  typename Traits::Graph graph;
   compute_reeb_graph(mesh, scalar_map, graph, np.callback(progress.part(0, 0.22).callback()));
   const Leaf_pruning pruned = prune_graph<Branch>(graph, threshold, np);
-  const auto simplification = write_simplified_graph(graph, pruned, simplified);
   const std::vector<Index> places = find_places_of_vertices(mesh, scalar_map, graph, np, progress.part(0.3, 0.75));
-  const auto is_simplified = [&](const std::vector<Scalar>& values, const Stage_progress& comparing) {
-    const auto map = make_scalar_map(mesh, values);
-    typename Reeb_graph_traits<Mesh, std::decay_t<decltype(map)>>::Graph graph_of_values;
-    compute_reeb_graph(mesh, map, graph_of_values,
-                       parameters::ties(ties_of_graph, parameters::callback(comparing.callback())));
-    const std::vector<Index> positions = positions_of_nodes(mesh, graph_of_values);
-    return is_simplified_graph(graph_of_values, simplified, [&](std::size_t node) {
-      const Index place = places[positions[node]];
-      return place < num_vertices(graph) ? simplification.index_of_node(place)
-                                         : simplification.index_of_arc(place - num_vertices(graph));
-    });
-  };
-
   const std::vector<Index> saddles_of_places = pruned.find_saddles();
   std::vector<Index> saddles;
   saddles.reserve(places.size());
@@ -224,11 +193,27 @@ auto simplified_values(const Mesh& mesh,
     saddles.push_back(saddles_of_places[place]);
   const std::vector<Scalar> values = scalar_fields::read_values_of_vertices(mesh, scalar_map);
   if(ties_of_graph == Ties::CONTRACT)
-    return contracted_values(graph, saddles, values, is_simplified, progress.part(0.75, 1));
+    return contracted_values(graph, saddles, values);
   if constexpr(std::is_floating_point_v<Scalar>)
-    return perturbed_values(mesh, graph, std::move(saddles), values, threshold, is_simplified, progress.part(0.75, 1));
+  {
+    typename Traits::Graph simplified;
+    const auto simplification = write_simplified_graph(graph, pruned, simplified);
+    std::vector<Scalar> moved = perturbed_values(mesh, graph, std::move(saddles), values, threshold);
+    const auto map = make_scalar_map(mesh, moved);
+    typename Reeb_graph_traits<Mesh, std::decay_t<decltype(map)>>::Graph graph_of_moved;
+    compute_reeb_graph(mesh, map, graph_of_moved, parameters::callback(progress.part(0.85, 1).callback()));
+    const std::vector<Index> positions = positions_of_nodes(mesh, graph_of_moved);
+    const auto place_of_node = [&](std::size_t node) {
+      const Index place = places[positions[node]];
+      return place < num_vertices(graph) ? simplification.index_of_node(place)
+                                         : simplification.index_of_arc(place - num_vertices(graph));
+    };
+    if(!is_simplified_graph(graph_of_moved, simplified, place_of_node))
+      throw Perturbed_ties_error("a removed piece has a border or a handle that makes a loop of its own");
+    return moved;
+  }
   else
-    throw Scalar_resolution_error(0);
+    throw Perturbed_ties_error("the values are no floating point numbers");
 }
 
 } // namespace internal

@@ -11,10 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
-#include <CGAL/Reeb_graph/internal/simplification/Moved_pieces.h>
+#include <CGAL/Reeb_graph/simplification/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,12 +40,11 @@ struct Tied_saddles
 };
 
 // These saddles, by value: those of pieces with a neighbor of the value of the saddle, as no number is between the two.
-// `saddles` and `orders` are those of Moved_pieces: pieces in an order of their own need room on both sides.
+// `saddles` are those of Moved_pieces.
 template <class Scalar>
 std::map<Scalar, Tied_saddles<Scalar>> find_tied_saddles(const scalar_fields::Weighted_graph& graph,
                                                          const std::vector<Index>& saddles,
                                                          const std::vector<Scalar>& values,
-                                                         const typename Moved_pieces<Scalar>::Orders& orders,
                                                          Scalar threshold)
 {
   std::map<Scalar, Tied_saddles<Scalar>> tied_saddles;
@@ -66,8 +64,6 @@ std::map<Scalar, Tied_saddles<Scalar>> find_tied_saddles(const scalar_fields::We
         add(saddles[v]);
     }
   }
-  for(const auto& [saddle, order] : orders)
-    add(saddle);
   for(Index v = 0; v != values.size() && !tied_saddles.empty(); ++v)
   {
     const auto tied = saddles[v] == no_index ? tied_saddles.end() : tied_saddles.find(values[saddles[v]]);
@@ -111,7 +107,7 @@ std::vector<Scalar> spread_ties(const std::vector<Scalar>& values,
       if(number_of_steps != 0)
         spread[*it] = value + room * (static_cast<Scalar>(number_of_steps) / size);
       if((is_step && !(spread[it[-1]] < spread[*it])) || !(spread[*it] < next || number_of_steps == 0))
-        throw Scalar_resolution_error(*it);
+        throw Perturbed_ties_error(*it);
     }
   }
   return spread;
