@@ -1,5 +1,5 @@
 # Compiles mistakes.cpp with COMPILER and OPTIONS. Each of its functions has to give one error, with the message above it,
-# and a few lines in all.
+# which can be that of several functions, and a few lines in all.
 cmake_minimum_required(VERSION 3.21)
 
 set(most_lines_of_a_mistake 30)
@@ -10,11 +10,16 @@ execute_process(COMMAND ${COMPILER} ${OPTIONS} -fsyntax-only ${program} OUTPUT_V
 file(STRINGS ${program} messages REGEX "^// message: ")
 list(TRANSFORM messages REPLACE "^// message: " "")
 list(LENGTH messages number_of_messages)
-foreach(message IN LISTS messages)
+set(different_messages ${messages})
+list(REMOVE_DUPLICATES different_messages)
+foreach(message IN LISTS different_messages)
   string(REGEX MATCHALL "error:[^\n]*${message}" errors "${output}")
   list(LENGTH errors number_of_errors)
-  if(NOT number_of_errors EQUAL 1)
-    message(SEND_ERROR "${number_of_errors} errors say \"${message}\".")
+  set(functions ${messages})
+  list(FILTER functions INCLUDE REGEX "^${message}$")
+  list(LENGTH functions number_of_functions)
+  if(NOT number_of_errors EQUAL number_of_functions)
+    message(SEND_ERROR "${number_of_errors} errors say \"${message}\", expected ${number_of_functions}.")
   endif()
 endforeach()
 

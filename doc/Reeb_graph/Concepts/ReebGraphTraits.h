@@ -5,8 +5,8 @@
 The concept `ReebGraphTraits` describes the types of a Reeb graph, and the predicates by which
 `CGAL::compute_reeb_graph()` orders the scalar values. This function asks nothing else of a scalar value: there is no
 arithmetic, and no conversion to a floating point number. If it works in parallel, values are copied and compared by
-several threads at once. `CGAL::Reeb_graph::Augmentation` converts number types to `double` and back, and other ones as
-the optional members do.
+several threads at once. Other functions convert number types to `double` and back, and other ones as the optional
+members do.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Reeb_graph_traits}
@@ -61,16 +61,21 @@ public:
   /// @}
 
   /// \name Optional
-  /// Scalar values that are no numbers need these two for the values of contours and the places of their points in
-  /// `CGAL::Reeb_graph::Augmentation`; without them, these values are NaN, and points are in the middles of edges. They
-  /// take the place of the conversions of number types, too.
+  /// For scalar values that are no numbers, and in the place of the conversions of number types. Functions that need
+  /// numbers, such as those that simplify, draw, measure and cut, use them, and say when they are compiled if there are
+  /// none. `CGAL::Reeb_graph::Augmentation` uses them for the values of contours and the places of their points;
+  /// without them, these values are NaN, and points are in the middles of edges. Graphs are written with numbers where
+  /// values have no `operator<<`. Functions that take no mesh are given the traits class as named parameter
+  /// `geom_traits`, too.
   /// @{
 
-  /// returns a function object with `double operator()(const Scalar& a) const`, which must not fall in the order.
+  /// returns a function object with `double operator()(const Scalar& a) const`, which must not fall in the order. An
+  /// order of numbers that has a table, for one, can return the places in it.
   unspecified_type scalar_to_double_object() const;
 
   /// returns a function object with `Scalar operator()(double x) const`: for a number between those of two values, a
-  /// value between these or equal to the lower one.
+  /// value between these or equal to the lower one. If there is only the other conversion, contours are placed by the
+  /// vertices of chains, and vertices that are added to a mesh get values of others.
   unspecified_type scalar_from_double_object() const;
 
   /// @}

@@ -11,10 +11,13 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Scalar_conversion.h>
 #include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/point_map.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/piece_measures.h>
+#include <CGAL/Reeb_graph_traits.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -75,9 +78,9 @@ std::vector<double> arc_areas(const FaceListGraph& mesh,
 /// chain that passes a plateau up to where the arc enters it. It takes time linear in the length of the chains.
 ///
 /// \param mesh the mesh that the graph has been computed of
-/// \param scalar_map the field that it has been computed of, of values that `CGAL::to_double()` takes
+/// \param scalar_map the field that it has been computed of
 /// \param graph the Reeb graph
-/// \param np named parameters: those of `areas_of_pieces()`
+/// \param np named parameters: those of `areas_of_pieces()`, and `geom_traits`, as for `simplify()`
 ///
 /// \returns the lengths, in the order of `edges(graph)`.
 template <class FaceListGraph,
@@ -89,10 +92,12 @@ std::vector<double> arc_lengths(const FaceListGraph& mesh,
                                 const ReebGraph& graph,
                                 const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Mesh_with_scalars<FaceListGraph, ScalarMap>::value)
+  typedef internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters> Traits;
+  if constexpr(internal::Mesh_with_numbers<FaceListGraph, ScalarMap, Traits>::value)
   {
+    const internal::Scalar_conversion<Traits> conversion(internal::choose_traits<Traits>(np));
     const auto point_map = internal::choose_point_map(mesh, np);
-    const auto value = [&](const auto v) { return CGAL::to_double(get(scalar_map, v)); };
+    const auto value = [&](const auto v) { return conversion.to_double(get(scalar_map, v)); };
     const auto used_length = [&](const auto h, const auto end) {
       const auto u = source(h, mesh), w = target(h, mesh);
       const double length = std::sqrt(CGAL::to_double((get(point_map, w) - get(point_map, u)).squared_length()));

@@ -12,8 +12,10 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/drawing/Plane_drawing.h>
 #include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
+#include <CGAL/Reeb_graph/internal/simplification/persistence.h>
 #include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 
@@ -33,18 +35,22 @@ struct Plane_layout
 {
   /// by number of node, its horizontal position. The leftmost column is at 0; neighboring columns are 1 apart, those of
   /// short branches half of that. Nodes of equal value in one column are up to 0.2 beside it. The vertical position of
-  /// a node is its value.
+  /// a node is its value, or in an order that is not that of numbers up or down its number.
   std::vector<double> node_positions;
 
-  /// by arc, in the order of `edges(graph)`, the points of a curve from its lower node to its upper one, horizontal
-  /// position and value. The values do not descend. Instead of an infinite value there is a finite one, a tenth of the
-  /// range beyond the finite values.
+  /// by arc, in the order of `edges(graph)`, the points of a curve from its lower node to its upper one, horizontal and
+  /// vertical position. The vertical ones do not descend, or do not ascend if larger numbers come first in the order.
+  /// Instead of an infinite value there is a finite one, a tenth of the range beyond the finite values.
   std::vector<std::vector<std::array<double, 2>>> arc_polylines;
 };
 
 /// \ingroup PkgReebGraphDrawing
 ///
 /// \brief lays out a Reeb graph in the plane: the height of a node is its value, arcs ascend.
+///
+/// In another order than that of `operator<`, larger numbers may come first: then the axis is to be drawn with the
+/// largest number at the bottom, and arcs ascend again. If the numbers neither ascend nor fall from node to node, the
+/// height of a node is its number, its place in the order.
 ///
 /// The graph is taken apart into branches, from the least persistent one to the trunk of each component, as by
 /// `simplify()`; of the sides of a loop, all but one are branches that end where the loop closes. A branch is drawn in
@@ -57,21 +63,21 @@ struct Plane_layout
 ///
 /// \tparam ReebGraph the type `Graph` of the traits class, or another bidirectional graph with `std::size_t` as vertex
 ///         descriptor
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param graph a Reeb graph, computed with any named parameters; `CGAL::to_double()` has to take its values
+/// \param graph a Reeb graph, computed with any named parameters
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, as for `simplify()`
 ///
+/// \exception Reeb_graph::Measure_error if the number of a value is NaN
 /// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
-template <class ReebGraph>
-Plane_layout lay_out_in_plane(const ReebGraph& graph)
+template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
+Plane_layout lay_out_in_plane(const ReebGraph& graph, const NamedParameters& np = parameters::default_values())
 {
   Plane_layout layout;
-  if constexpr(internal::Plain_reeb_graph<ReebGraph>::value)
+  if constexpr(internal::Plain_graph_of_numbers<ReebGraph, NamedParameters>::value)
   {
     const std::vector<internal::Leaf_pruning::Arc> arcs = internal::read_arcs(graph);
-    std::vector<double> values;
-    values.reserve(num_vertices(graph));
-    for(std::size_t node = 0; node != num_vertices(graph); ++node)
-      values.push_back(internal::node_value(graph, node));
+    const std::vector<double> values = internal::drawn_values(internal::numbers_of_nodes(graph, np));
     const internal::Value_scale scale(values);
     std::vector<double> heights;
     heights.reserve(values.size());
@@ -82,15 +88,16 @@ Plane_layout lay_out_in_plane(const ReebGraph& graph)
     layout.arc_polylines = drawing.curves();
     for(std::size_t i = 0; i != arcs.size(); ++i)
     {
-      double lowest = scale.finite_value(values[arcs[i].lower]);
-      const double highest = scale.finite_value(values[arcs[i].upper]);
-      layout.arc_polylines[i].front()[1] = lowest;
+      double last = scale.finite_value(values[arcs[i].lower]);
+      const double end = scale.finite_value(values[arcs[i].upper]);
+      layout.arc_polylines[i].front()[1] = last;
       for(std::size_t k = 1; k != layout.arc_polylines[i].size(); ++k)
       {
         double& value = layout.arc_polylines[i][k][1];
-        value = lowest = (std::clamp)(scale.value(value), lowest, highest); // rounded values could descend
+        const auto [low, high] = std::minmax(last, end);
+        value = last = (std::clamp)(scale.value(value), low, high); // rounded values could go back
       }
-      layout.arc_polylines[i].back()[1] = highest;
+      layout.arc_polylines[i].back()[1] = end;
     }
   }
   return layout;

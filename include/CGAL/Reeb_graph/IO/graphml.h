@@ -15,6 +15,8 @@
 #include <CGAL/Reeb_graph/internal/output/Graphml_writer.h>
 #include <CGAL/Reeb_graph/internal/output/files.h>
 
+#include <CGAL/Named_function_parameters.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <ostream>
@@ -31,24 +33,53 @@ namespace Reeb_graph {
 /// the graph has the property `boost::edge_index`. Nodes and edges are written in the order that they have in the
 /// graph, so that equal graphs give equal files. A floating-point value is written with as many digits as
 /// it takes to read back the same value; an integer as a number, even if it is a character;
-/// any other value by its `operator<<`.
+/// any other value by its `operator<<`, or if it has none, as the number that the traits class makes of it.
 ///
 /// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
 /// \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an
 ///         integer type as value type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param out the stream; whether writing succeeded is seen by its state
 /// \param graph the Reeb graph
 /// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that
 ///        it is `boost::typed_identity_property_map<std::size_t>`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a traits class whose `scalar_to_double_object()` makes numbers of values
+///                           that have no `operator<<`}
+///     \cgalParamType{a model of `ReebGraphTraits`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \note Boost has a function of this name; qualify the call.
+#ifdef DOXYGEN_RUNNING
+template <class Graph, class VertexIndexMap, class NamedParameters = parameters::Default_named_parameters>
+void write_graphml(std::ostream& out,
+                   const Graph& graph,
+                   VertexIndexMap vertex_index_map,
+                   const NamedParameters& np = parameters::default_values());
+#else
+template <class Graph, class VertexIndexMap, class T, class Tag, class Base>
+void write_graphml(std::ostream& out,
+                   const Graph& graph,
+                   VertexIndexMap vertex_index_map,
+                   const Named_function_parameters<T, Tag, Base>& np)
+{
+  if constexpr(internal::Graph_to_write<Graph, VertexIndexMap, Named_function_parameters<T, Tag, Base>>::value)
+    internal::Graphml_writer(out, graph, vertex_index_map, internal::choose_conversion_of_nodes<Graph>(np), nullptr)
+      .write();
+}
+
 template <class Graph, class VertexIndexMap>
 void write_graphml(std::ostream& out, const Graph& graph, VertexIndexMap vertex_index_map)
 {
-  if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
-    internal::Graphml_writer(out, graph, vertex_index_map, nullptr).write();
+  Reeb_graph::write_graphml(out, graph, vertex_index_map, parameters::default_values());
 }
+#endif
 
 /// \ingroup PkgReebGraphIO
 ///
@@ -65,20 +96,30 @@ void write_graphml(std::ostream& out, const Graph& graph, VertexIndexMap vertex_
 /// \param vertex_index_map the index of each vertex of the mesh; for `read_graphml()` its position, as
 ///        `make_vertex_index_map()` gives it
 /// \param halfedge_index_map the index of each halfedge of the mesh, likewise
-template <class Graph, class VertexIndexMap, class HalfedgeIndexMap>
+/// \param np named parameters, as without chains
+template <class Graph,
+          class VertexIndexMap,
+          class HalfedgeIndexMap,
+          class NamedParameters = parameters::Default_named_parameters>
 void write_graphml(std::ostream& out,
                    const Graph& graph,
                    VertexIndexMap vertex_index_map,
-                   HalfedgeIndexMap halfedge_index_map)
+                   HalfedgeIndexMap halfedge_index_map,
+                   const NamedParameters& np = parameters::default_values())
 {
-  typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
-  const auto chain_of_arc = [&](arc_descriptor arc) {
-    std::string text;
-    for(const auto h : graph[arc].chain)
-      text += (text.empty() ? "" : " ") + std::to_string(get(halfedge_index_map, h));
-    return text;
-  };
-  internal::Graphml_writer(out, graph, vertex_index_map, chain_of_arc).write();
+  if constexpr(internal::Graph_to_write<Graph, VertexIndexMap, NamedParameters>::value)
+  {
+    typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
+    const auto chain_of_arc = [&](arc_descriptor arc) {
+      std::string text;
+      for(const auto h : graph[arc].chain)
+        text += (text.empty() ? "" : " ") + std::to_string(get(halfedge_index_map, h));
+      return text;
+    };
+    internal::Graphml_writer(out, graph, vertex_index_map, internal::choose_conversion_of_nodes<Graph>(np),
+                             chain_of_arc)
+      .write();
+  }
 }
 
 /// \ingroup PkgReebGraphIO
@@ -87,7 +128,7 @@ void write_graphml(std::ostream& out,
 ///
 /// \param filename the name of the file
 /// \param graph the Reeb graph
-/// \param index_maps the index maps that are passed on
+/// \param index_maps the index maps that are passed on, and named parameters behind them
 ///
 /// \exception Reeb_graph::File_error if the file cannot be written
 template <class Graph, class... IndexMaps>

@@ -13,6 +13,8 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/arc_index.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/output/Graphml_document.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -45,11 +47,17 @@ namespace Reeb_graph {
 ///
 /// \param in the stream
 /// \param mesh the mesh
-/// \param graph the result. Values that are no built-in numbers are read by their `operator>>`.
+/// \param graph the result. Values that are no built-in numbers are read by their `operator>>`, or if they have none,
+///        as numbers, of which the traits class makes values. They have to be the same values as before.
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, a model of
+///        `ReebGraphTraits` whose `scalar_from_double_object()` does so
 ///
 /// \exception Reeb_graph::File_error if the stream has no such graph; then `graph` is as it was before
-template <class FaceListGraph, class Graph>
-void read_graphml(std::istream& in, const FaceListGraph& mesh, Graph& graph)
+template <class FaceListGraph, class Graph, class NamedParameters = parameters::Default_named_parameters>
+void read_graphml(std::istream& in,
+                  const FaceListGraph& mesh,
+                  Graph& graph,
+                  const NamedParameters& np = parameters::default_values())
 {
   typedef typename boost::vertex_bundle_type<Graph>::type Node;
   typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
@@ -60,13 +68,14 @@ void read_graphml(std::istream& in, const FaceListGraph& mesh, Graph& graph)
   };
   const std::vector<vertex_descriptor> mesh_vertices(vertices(mesh).begin(), vertices(mesh).end());
   const std::vector<halfedge_descriptor> mesh_halfedges(halfedges(mesh).begin(), halfedges(mesh).end());
+  const auto conversion = internal::choose_conversion_of_nodes<Graph>(np);
   const internal::Graphml_document document(in);
   std::map<std::string, std::size_t> numbers;
   std::vector<Node> nodes;
   document.for_each("node", [&](const auto& element, const auto& data) {
     Node node;
     node.vertex = internal::element_at(mesh_vertices, internal::data_of(data, "vertex"));
-    node.value = internal::parse_value<std::decay_t<decltype(node.value)>>(internal::data_of(data, "value"));
+    node.value = internal::parse_scalar(internal::data_of(data, "value"), conversion);
     node.kind = internal::parse_node_kind(internal::data_of(data, "kind"));
     numbers.emplace(document.attribute(element, "id"), nodes.size());
     nodes.push_back(std::move(node));
@@ -104,15 +113,18 @@ void read_graphml(std::istream& in, const FaceListGraph& mesh, Graph& graph)
 /// \brief reads a Reeb graph from a file, as from a stream.
 ///
 /// \exception Reeb_graph::File_error if the file cannot be read, or has no such graph
-template <class FaceListGraph, class Graph>
-void read_graphml(const std::string& filename, const FaceListGraph& mesh, Graph& graph)
+template <class FaceListGraph, class Graph, class NamedParameters = parameters::Default_named_parameters>
+void read_graphml(const std::string& filename,
+                  const FaceListGraph& mesh,
+                  Graph& graph,
+                  const NamedParameters& np = parameters::default_values())
 {
   std::ifstream in(filename);
   if(!in)
     throw File_error(filename + " cannot be read");
   try
   {
-    Reeb_graph::read_graphml(in, mesh, graph);
+    Reeb_graph::read_graphml(in, mesh, graph, np);
   }
   catch(const File_error& error)
   {

@@ -15,12 +15,12 @@
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/drawing/Svg_drawing.h>
+#include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
 #include <CGAL/Reeb_graph/internal/output/files.h>
 #include <CGAL/Reeb_graph/internal/output/number_text.h>
+#include <CGAL/Reeb_graph/internal/simplification/persistence.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/plane_layout.h>
-
-#include <CGAL/number_utils.h>
 
 #include <cstddef>
 #include <locale>
@@ -46,7 +46,8 @@ inline std::string counted(std::size_t number, const std::string& name)
 ///
 /// \brief draws a Reeb graph as a picture in the format SVG, which web browsers show and vector graphics programs edit.
 ///
-/// The height of a node is its value, as the axis tells; see `lay_out_in_plane()` for where nodes and arcs lie. The
+/// The height of a node is its value, as the axis tells, which falls if larger numbers come first in the order, and
+/// counts the nodes in any order but that of numbers; see `lay_out_in_plane()` for where nodes and arcs lie. The
 /// colours and shapes of the nodes tell their kinds, colours that people with colour blindness can tell apart. Nodes
 /// are labelled with `n` and their number, and in a small graph with their value, arcs with their number in the order
 /// of `edges(graph)`, where there is room: no label lies on another one, on a node, or on an arc. A graph of more than
@@ -57,7 +58,7 @@ inline std::string counted(std::size_t number, const std::string& name)
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param out the stream; whether writing succeeded is seen by its state
-/// \param graph a Reeb graph, computed with any named parameters; `CGAL::to_double()` has to take its values
+/// \param graph a Reeb graph, computed with any named parameters
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -80,13 +81,20 @@ inline std::string counted(std::size_t number, const std::string& name)
 ///                    integer type as value type}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a traits class whose `scalar_to_double_object()` makes numbers of the
+///                           values}
+///     \cgalParamType{a model of `ReebGraphTraits`}
+///     \cgalParamDefault{none: `CGAL::to_double()` of the values}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \exception Reeb_graph::Measure_error if the number of a value is NaN
 /// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
 template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
 void write_svg(std::ostream& out, const ReebGraph& graph, const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Augmented_reeb_graph<ReebGraph>::value)
+  if constexpr(internal::Graph_of_numbers<ReebGraph, NamedParameters>::value)
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
@@ -94,12 +102,13 @@ void write_svg(std::ostream& out, const ReebGraph& graph, const NamedParameters&
     const std::string unit = choose_parameter(get_parameter(np, internal::field_unit), std::string());
     const auto vertex_index_map = get_parameter(np, internal_np::vertex_index);
     const std::string unit_text = unit.empty() ? "" : ' ' + unit;
+    const std::vector<double> values = internal::numbers_of_nodes(graph, np), heights = internal::drawn_values(values);
     const auto value_text = [&](std::size_t node, int digits = 6) {
-      return internal::to_string_with_precision(CGAL::to_double(graph[node].value), digits);
+      return internal::to_string_with_precision(values[node], digits);
     };
     constexpr std::size_t few_nodes = 40;
 
-    Plane_layout layout = lay_out_in_plane(graph);
+    Plane_layout layout = lay_out_in_plane(graph, np);
     std::vector<internal::Drawn_node> nodes;
     for(std::size_t node = 0; node != num_vertices(graph); ++node)
     {
@@ -108,7 +117,7 @@ void write_svg(std::ostream& out, const ReebGraph& graph, const NamedParameters&
       title << "node " << node << ": " << graph[node].kind << '\n' << name << ' ' << value_text(node) << unit_text;
       if constexpr(internal::is_given<decltype(vertex_index_map)>)
         title << "\nvertex " << get(vertex_index_map, graph[node].vertex);
-      nodes.push_back({layout.node_positions[node], CGAL::to_double(graph[node].value), graph[node].kind,
+      nodes.push_back({layout.node_positions[node], heights[node], graph[node].kind,
                        'n' + std::to_string(node) + (num_vertices(graph) > few_nodes ? "" : ": " + value_text(node, 4)),
                        title.str()});
     }
@@ -126,8 +135,10 @@ void write_svg(std::ostream& out, const ReebGraph& graph, const NamedParameters&
     description.append(", ").append(internal::counted(num_edges(graph), "arc"));
     description.append(", ").append(internal::counted(number_of_loops(graph), "loop"));
     description.append(", ").append(internal::counted(number_of_components(graph), "component"));
-    internal::Svg_drawing(std::move(nodes), std::move(arcs), unit.empty() ? name : name + " [" + unit + "]")
-      .write(out, "Reeb graph", description);
+    const std::string axis_title = heights != values ? "order of " + name
+                                 : unit.empty()      ? name
+                                                     : name + " [" + unit + "]";
+    internal::Svg_drawing(std::move(nodes), std::move(arcs), axis_title).write(out, "Reeb graph", description);
   }
 }
 

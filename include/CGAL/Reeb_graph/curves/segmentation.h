@@ -34,8 +34,8 @@ namespace Reeb_graph {
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can
-///         be.
+///         type of numbers, or one that `geom_traits` makes numbers of. It is not read at vertices that are added, but
+///         written there if it can be.
 /// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
 ///         integer type as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -72,8 +72,8 @@ std::size_t segment_by_pants(MutableFaceGraph& mesh,
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can
-///         be.
+///         type of numbers, or one that `geom_traits` makes numbers of. It is not read at vertices that are added, but
+///         written there if it can be.
 /// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
 ///         integer type as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -115,8 +115,8 @@ std::size_t segment_by_branches(MutableFaceGraph& mesh,
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes. It is not read at vertices that are added, but written there if it can
-///         be.
+///         type of numbers, or one that `geom_traits` makes numbers of. It is not read at vertices that are added, but
+///         written there if it can be.
 /// \tparam ReebGraph the type `Graph` of the traits class
 /// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
 ///         integer type as value type

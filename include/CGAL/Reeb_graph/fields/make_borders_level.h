@@ -68,10 +68,10 @@ struct Border_level_changes
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph` with dynamic property maps
 /// \tparam ScalarMap a model of `ReadWritePropertyMap` with the vertex descriptors of the mesh as key type, and with a
-///         value type that `CGAL::to_double()` takes. If it is no built-in floating point type, or is ordered by
-///         another function object, there is no arithmetic: a border gets a value of one of its vertices or of those
-///         next to them, so that it has no higher neighbor, or no lower one, but can have equal ones, and nothing else
-///         changes.
+///         value type of numbers, or one that `geom_traits` makes numbers of. If it is no built-in floating point type,
+///         or is ordered by another function object, there is no arithmetic: a border gets a value of one of its
+///         vertices or of those next to them, so that it has no higher neighbor, or no lower one, but can have equal
+///         ones, and nothing else changes.
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the triangulated surface; it is only read
@@ -116,7 +116,7 @@ Border_level_changes make_borders_level(const FaceListGraph& mesh,
   using parameters::choose_parameter;
   using parameters::get_parameter;
   typedef internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters> Traits;
-  if constexpr(internal::Scalar_field_and_map<FaceListGraph, ScalarMap, Traits, ScalarMap>::value)
+  if constexpr(internal::Field_of_numbers_and_map<FaceListGraph, ScalarMap, Traits, ScalarMap>::value)
     return internal::scalar_fields::write_level_borders<Border_level_changes>(
       mesh, scalar_map, internal::choose_traits<Traits>(np),
       choose_parameter(get_parameter(np, internal::border_extremum), Border_extremum::AUTOMATIC),

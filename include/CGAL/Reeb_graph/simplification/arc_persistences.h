@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/simplification/Arc_removal.h>
 #include <CGAL/Reeb_graph/internal/simplification/persistence.h>
 #include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
@@ -44,24 +45,23 @@ namespace Reeb_graph {
 /// \tparam ReebGraph the type `Graph` of the traits class, or another bidirectional graph with `std::size_t` as vertex
 ///         descriptor
 ///
-/// \param graph a Reeb graph, computed with any named parameters; `CGAL::to_double()` has to take its values
+/// \param graph a Reeb graph, computed with any named parameters
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, as for `simplify()`
 ///
 /// \returns a number for each arc, in the order of `edges(graph)` and in units of the field. Arcs that stay for any
 /// threshold have the difference between the highest and the lowest value of their connected component.
 ///
+/// \exception Reeb_graph::Measure_error if the number of a value is NaN
 /// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
-template <class ReebGraph>
-std::vector<double> arc_persistences(const ReebGraph& graph)
+template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
+std::vector<double> arc_persistences(const ReebGraph& graph, const NamedParameters& np = parameters::default_values())
 {
   std::vector<double> persistences;
-  if constexpr(internal::Plain_reeb_graph<ReebGraph>::value)
+  if constexpr(internal::Plain_graph_of_numbers<ReebGraph, NamedParameters>::value)
   {
     const std::size_t number_of_nodes = num_vertices(graph);
     const std::vector<internal::Leaf_pruning::Arc> arcs = internal::read_arcs(graph);
-    std::vector<double> values;
-    values.reserve(number_of_nodes);
-    for(std::size_t node = 0; node != number_of_nodes; ++node)
-      values.push_back(internal::node_value(graph, node));
+    const std::vector<double> values = internal::numbers_of_nodes(graph, np);
     persistences = internal::Arc_removal(arcs, values)();
 
     std::vector<std::size_t> components(number_of_nodes), lowest(number_of_nodes, number_of_nodes),

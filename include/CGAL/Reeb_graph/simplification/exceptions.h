@@ -41,7 +41,7 @@ public:
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown for a measure or a weight of a piece that is NaN.
+/// \brief thrown for a measure, a weight of a piece, or the number of a value that is NaN.
 class Measure_error : public Error
 {
 public:

@@ -88,14 +88,22 @@ inline std::string to_string(Persistence_pair_kind kind)
 /// \brief returns the persistence of a pair: the absolute difference of the values of its two nodes, as a `double`.
 /// That of equal values is 0, also if they are infinite.
 ///
-/// \param graph the graph that the pair is one of; `CGAL::to_double()` has to take its values
+/// \param graph the graph that the pair is one of
 /// \param pair the pair
-template <class ReebGraph>
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, as for `simplify()`
+template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
 double persistence(const ReebGraph& graph,
-                   const Persistence_pair<typename boost::graph_traits<ReebGraph>::vertex_descriptor>& pair)
+                   const Persistence_pair<typename boost::graph_traits<ReebGraph>::vertex_descriptor>& pair,
+                   const NamedParameters& np = parameters::default_values())
 {
-  return internal::persistence(internal::node_value(graph, pair.lower_node),
-                               internal::node_value(graph, pair.upper_node));
+  if constexpr(internal::Nodes_have_numbers<ReebGraph, NamedParameters>::value)
+  {
+    const auto conversion = internal::choose_conversion_of_nodes<ReebGraph>(np);
+    return internal::persistence(conversion.to_double(graph[pair.lower_node].value),
+                                 conversion.to_double(graph[pair.upper_node].value));
+  }
+  else
+    return 0;
 }
 
 /// \ingroup PkgReebGraphSimplification
@@ -115,8 +123,8 @@ double persistence(const ReebGraph& graph,
 ///   loop from below, and the lower node is the highest one that can be the lowest node of such a loop.
 ///
 /// A node at which more than three arcs end takes part in several pairs, a node with one arc below and one above in
-/// none. Nodes are compared by their numbers, which is the total order of the vertices, so the pairs are unique. Turned
-/// upside down, the graph has the same pairs upside down.
+/// none. Nodes are compared by their numbers, which is the total order of the vertices, so the pairs are unique, and
+/// values can be of any type. Turned upside down, the graph has the same pairs upside down.
 ///
 /// With \f$ n \f$ nodes and arcs, of which \f$ l \f$ are in loops, the time is \f$ O(n \log n) \f$ with a small
 /// constant, plus \f$ O(l \log l) \f$. Loops are found by link-cut trees. See P. K. Agarwal, H. Edelsbrunner, J. Harer,

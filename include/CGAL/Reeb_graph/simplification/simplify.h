@@ -67,7 +67,7 @@ struct Branch
 /// With \f$ n \f$ nodes and arcs, it takes \f$ O(n \log n) \f$ time, and the same again each time that cancelled loops
 /// have made new leaf arcs.
 ///
-/// \tparam ReebGraph the type `Graph` of the traits class. `CGAL::to_double()` has to take the values of the nodes
+/// \tparam ReebGraph the type `Graph` of the traits class
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param graph a Reeb graph, computed with any named parameters
@@ -105,12 +105,19 @@ struct Branch
 ///     \cgalParamDefault{`Branch::weight` if there are `piece_weights`, else `Branch::persistence`}
 ///     \cgalParamExtra{use the functions `parameters::branch_measure()`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a traits class whose `scalar_to_double_object()` makes numbers of the
+///                           values. Values that are numbers need none, in whatever order they are: persistence is an
+///                           absolute difference.}
+///     \cgalParamType{a model of `ReebGraphTraits`}
+///     \cgalParamDefault{none: `CGAL::to_double()` of the values}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns for each node and arc of `graph` the node or arc of `simplified` that has taken it up.
 ///
 /// \exception Reeb_graph::Threshold_error if the threshold is negative or NaN
-/// \exception Reeb_graph::Measure_error if a measure is NaN
+/// \exception Reeb_graph::Measure_error if a measure, or the number of a value, is NaN
 /// \exception Reeb_graph::Piece_count_error if there is not one weight for each node and each arc
 /// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
 ///
@@ -121,7 +128,7 @@ Simplification<ReebGraph> simplify(const ReebGraph& graph,
                                    ReebGraph& simplified,
                                    const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Augmented_reeb_graph<ReebGraph>::value)
+  if constexpr(internal::Graph_of_numbers<ReebGraph, NamedParameters>::value)
   {
     if(std::addressof(graph) == std::addressof(simplified))
     {

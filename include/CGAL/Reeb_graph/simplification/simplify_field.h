@@ -98,7 +98,7 @@ double simplify_field(const FaceListGraph& mesh,
   if(parameters::choose_parameter(parameters::get_parameter(np, internal::cancel_loops), false))
     throw Loop_cancellation_error();
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Traits;
-  if constexpr(internal::Scalar_field_and_map<FaceListGraph, ScalarMap, Traits, SimplifiedScalarMap>::value)
+  if constexpr(internal::Field_of_numbers_and_map<FaceListGraph, ScalarMap, Traits, SimplifiedScalarMap>::value)
   {
     typedef Branch<typename boost::graph_traits<typename Traits::Graph>::vertex_descriptor> Branch;
     const internal::Progress progress(np);

@@ -26,13 +26,21 @@ namespace Reeb_graph {
 namespace internal {
 
 template <class Traits, class = void>
-struct Has_scalar_conversion : std::false_type
+struct Has_scalar_to_double : std::false_type
 {
 };
 template <class Traits>
-struct Has_scalar_conversion<Traits,
-                             std::void_t<decltype(std::declval<const Traits&>().scalar_to_double_object()),
-                                         decltype(std::declval<const Traits&>().scalar_from_double_object())>>
+struct Has_scalar_to_double<Traits, std::void_t<decltype(std::declval<const Traits&>().scalar_to_double_object())>>
+  : std::true_type
+{
+};
+
+template <class Traits, class = void>
+struct Has_scalar_from_double : std::false_type
+{
+};
+template <class Traits>
+struct Has_scalar_from_double<Traits, std::void_t<decltype(std::declval<const Traits&>().scalar_from_double_object())>>
   : std::true_type
 {
 };
@@ -43,12 +51,15 @@ template <class Traits>
 class Scalar_conversion
 {
   typedef typename Traits::Scalar Scalar;
-  static constexpr bool is_given = Has_scalar_conversion<Traits>::value;
+  static constexpr bool is_given = Has_scalar_to_double<Traits>::value;
   static constexpr bool is_number =
     std::is_arithmetic_v<
-      Scalar> || (std::is_same_v<typename Real_embeddable_traits<Scalar>::Is_real_embeddable, Tag_true> && std::is_constructible_v<Scalar, double>);
+      Scalar> || std::is_same_v<typename Real_embeddable_traits<Scalar>::Is_real_embeddable, Tag_true>;
 
 public:
+  // Whether each value has a number.
+  static constexpr bool has_numbers = is_given || is_number;
+
   explicit Scalar_conversion(const Traits& traits) : traits_(traits) {}
 
   double to_double(const Scalar& value) const
@@ -66,11 +77,13 @@ public:
   // The value of a number between two others; if the numbers of the field fall, integers are rounded up.
   std::optional<Scalar> from_double(double number, bool is_falling) const
   {
-    if constexpr(is_given)
+    if constexpr(Has_scalar_from_double<Traits>::value)
       return traits_.scalar_from_double_object()(number);
+    else if constexpr(is_given)
+      return std::nullopt;
     else if constexpr(std::is_integral_v<Scalar>)
       return static_cast<Scalar>(is_falling ? std::ceil(number) : std::floor(number));
-    else if constexpr(is_number)
+    else if constexpr(is_number && std::is_constructible_v<Scalar, double>)
       return static_cast<Scalar>(number);
     else
       return std::nullopt;

@@ -11,10 +11,13 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <istream>
+#include <ostream>
 #include <type_traits>
 #include <utility>
 
@@ -118,10 +121,81 @@ struct Graph_is_of_these_scalars : std::is_assignable<Value_of_node<Graph>&, con
     "The graph is one for scalar values of another type: use CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph.");
 };
 
+// The traits class for functions that see no more of a field than the values of the nodes: the named parameter
+// geom_traits, or else one that knows their type; another type if there are none, so that only the message says so.
+template <class Graph, class = void>
+struct Default_traits_of_nodes
+{
+  typedef int Scalar;
+};
+template <class Graph>
+struct Default_traits_of_nodes<Graph,
+                               std::enable_if_t<std::conjunction_v<Has<Vertices_of, Graph>, Has<Value_of_node, Graph>>>>
+{
+  typedef Value_of_node<Graph> Scalar;
+};
+
+template <class Graph, class NamedParameters>
+using Traits_of_nodes = Chosen_traits<Default_traits_of_nodes<Graph>, NamedParameters>;
+
+template <class Graph, class NamedParameters>
+auto choose_conversion_of_nodes(const NamedParameters& np)
+{
+  return Scalar_conversion<Traits_of_nodes<Graph, NamedParameters>>(choose_traits<Default_traits_of_nodes<Graph>>(np));
+}
+
+template <class Graph>
+struct Nodes_have_values : Has<Value_of_node, Graph>
+{
+  static_assert(Nodes_have_values::value,
+                "The nodes of the graph have no scalar values: their property needs a member `value`.");
+};
+
+template <class Graph, class NamedParameters>
+struct Nodes_have_numbers
+  : Then<Nodes_have_values<Graph>::value, Scalars_are_numbers<Traits_of_nodes<Graph, NamedParameters>>>
+{
+};
+
+// Graphs whose values are numbers, if need be by the named parameter geom_traits.
+template <class Graph, class NamedParameters>
+struct Plain_graph_of_numbers : Then<Plain_reeb_graph<Graph>::value, Nodes_have_numbers<Graph, NamedParameters>>
+{
+};
+
+template <class Graph, class NamedParameters>
+struct Graph_of_numbers : Then<Augmented_reeb_graph<Graph>::value, Nodes_have_numbers<Graph, NamedParameters>>
+{
+};
+
 template <class Graph, class Mesh, class Scalar>
 struct Graph_of_field : Then<Then<Augmented_reeb_graph<Graph>::value, Graph_is_of_this_mesh<Graph, Mesh>>::value,
                              Graph_is_of_these_scalars<Graph, Scalar>>
 {
+};
+
+// ---- Values as texts: by the operators of streams, or else as the numbers that the traits class makes of them.
+
+template <class Scalar>
+using Written_scalar = decltype(std::declval<std::ostream&>() << std::declval<const Scalar&>());
+template <class Scalar>
+using Read_scalar = decltype(std::declval<std::istream&>() >> std::declval<Scalar&>());
+
+template <class Traits>
+struct Scalars_can_be_written
+  : std::disjunction<Has<Written_scalar, typename Traits::Scalar>, Has_scalar_to_double<Traits>>
+{
+  static_assert(Scalars_can_be_written::value,
+                "The scalar values cannot be written: give their type an operator<<, or pass as named parameter "
+                "geom_traits a traits class with a member scalar_to_double_object() that makes numbers of them.");
+};
+
+template <class Traits>
+struct Scalars_can_be_read : std::disjunction<Has<Read_scalar, typename Traits::Scalar>, Has_scalar_from_double<Traits>>
+{
+  static_assert(Scalars_can_be_read::value,
+                "The scalar values cannot be read: give their type an operator>>, or pass as named parameter "
+                "geom_traits a traits class with a member scalar_from_double_object() that makes them of numbers.");
 };
 
 // A field, and the graph that it has.
@@ -139,7 +213,8 @@ struct Field_and_graph_to_write
 
 template <class Mesh, class ScalarMap, class Graph, class Traits, class FacePatchMap>
 struct Refinable_mesh_with_graph
-  : Then<Then<Refinable_mesh<Mesh>::value, Field_and_graph<Mesh, ScalarMap, Graph, Traits>>::value,
+  : Then<Then<Then<Refinable_mesh<Mesh>::value, Field_and_graph<Mesh, ScalarMap, Graph, Traits>>::value,
+              Scalars_are_numbers<Traits>>::value,
          Writable_face_map<FacePatchMap, Mesh>>
 {
 };
@@ -156,6 +231,13 @@ struct Keys_are_vertices_of_nodes : Has_key<Map, Vertex_of_node<Graph>>
 template <class Graph, class Map>
 struct Graph_and_vertex_map : Then<Then<Augmented_reeb_graph<Graph>::value, Map_is_property_map<Map>>::value,
                                    Keys_are_vertices_of_nodes<Graph, Map>>
+{
+};
+
+// The same for functions that write the values.
+template <class Graph, class Map, class NamedParameters>
+struct Graph_to_write
+  : Then<Graph_and_vertex_map<Graph, Map>::value, Scalars_can_be_written<Traits_of_nodes<Graph, NamedParameters>>>
 {
 };
 

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Scalar_conversion.h>
+
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -213,6 +215,15 @@ struct Scalars_are_ordered
                 "a traits class with a Less_scalar that compares them.");
 };
 
+template <class Traits>
+struct Scalars_are_numbers : std::bool_constant<Scalar_conversion<Traits>::has_numbers>
+{
+  static_assert(
+    Scalars_are_numbers::value,
+    "The scalar values are no numbers, which this function needs. Pass as named parameter geom_traits, if it "
+    "takes that, a traits class with a member scalar_to_double_object() that makes numbers of them.");
+};
+
 template <class Mesh, class ScalarMap>
 struct Mesh_with_scalars : Then<Mesh_is_face_list_graph<Mesh>::value, Vertex_map<ScalarMap, Mesh>>
 {
@@ -223,20 +234,31 @@ struct Scalar_field : Then<Mesh_with_scalars<Mesh, ScalarMap>::value, Scalars_ar
 {
 };
 
+template <class Mesh, class ScalarMap, class Traits>
+struct Mesh_with_numbers : Then<Mesh_with_scalars<Mesh, ScalarMap>::value, Scalars_are_numbers<Traits>>
+{
+};
+
+template <class Mesh, class ScalarMap, class Traits>
+struct Field_of_numbers : Then<Scalar_field<Mesh, ScalarMap, Traits>::value, Scalars_are_numbers<Traits>>
+{
+};
+
 // What the functions that refine a mesh take.
 template <class Mesh, class ScalarMap, class Traits>
-struct Refinable_mesh_with_field : Then<Refinable_mesh<Mesh>::value, Scalar_field<Mesh, ScalarMap, Traits>>
+struct Refinable_mesh_with_field : Then<Refinable_mesh<Mesh>::value, Field_of_numbers<Mesh, ScalarMap, Traits>>
 {
 };
 
 template <class Mesh, class ScalarMap, class Traits, class VertexMap>
-struct Scalar_field_and_map : Then<Scalar_field<Mesh, ScalarMap, Traits>::value, Writable_vertex_map<VertexMap, Mesh>>
+struct Field_of_numbers_and_map
+  : Then<Field_of_numbers<Mesh, ScalarMap, Traits>::value, Writable_vertex_map<VertexMap, Mesh>>
 {
 };
 
 template <class Mesh, class ScalarMap, class Traits, class VertexMap>
 struct Refinable_mesh_with_field_and_map
-  : Then<Refinable_mesh<Mesh>::value, Scalar_field_and_map<Mesh, ScalarMap, Traits, VertexMap>>
+  : Then<Refinable_mesh<Mesh>::value, Field_of_numbers_and_map<Mesh, ScalarMap, Traits, VertexMap>>
 {
 };
 

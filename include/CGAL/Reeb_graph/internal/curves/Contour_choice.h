@@ -44,7 +44,8 @@ Contour_to_cut<HalfedgeDescriptor> make_contour_to_cut(const RankedMesh& ranked,
   const auto lower = source(*std::max_element(halfedges.begin(), halfedges.end(), has_lower_source), mesh);
   const auto upper = target(*std::min_element(halfedges.begin(), halfedges.end(), has_lower_target), mesh);
   const double value = ranked.value(lower) + (ranked.value(upper) - ranked.value(lower)) / 2;
-  return {halfedges, is_closed, std::isfinite(value) ? value : ranked.value(lower), ranked.rank(lower)};
+  return {halfedges, is_closed, std::isfinite(value) ? value : ranked.value(lower), ranked.rank(lower),
+          ranked.value(upper) < ranked.value(lower)};
 }
 
 // Chooses contours of the Reeb graph of the ranks.

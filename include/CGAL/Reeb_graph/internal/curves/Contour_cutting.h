@@ -21,7 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,11 +36,15 @@ struct Contour_to_cut
   std::vector<HalfedgeDescriptor> halfedges; // ascending, one for each crossed edge; the higher side is on the left
   bool is_closed = false;
   double value = 0;
-  Rank lower_rank = 0; // rank of the highest lower end
+  Rank lower_rank = 0;     // rank of the highest lower end
+  bool is_falling = false; // whether larger values are lower there, in another order than that of numbers
 
   friend bool operator<(const Contour_to_cut& a, const Contour_to_cut& b)
   {
-    return std::tie(a.lower_rank, a.value) < std::tie(b.lower_rank, b.value);
+    const auto height = [](const Contour_to_cut& contour) {
+      return contour.is_falling ? -contour.value : contour.value;
+    };
+    return std::make_pair(a.lower_rank, height(a)) < std::make_pair(b.lower_rank, height(b));
   }
 };
 

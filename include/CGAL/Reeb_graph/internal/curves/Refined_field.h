@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
+#include <CGAL/Reeb_graph/internal/base/Scalar_conversion.h>
 #include <CGAL/Reeb_graph/internal/curves/Contour_cutting.h>
 #include <CGAL/Reeb_graph/internal/curves/value_between.h>
 
@@ -22,6 +23,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <optional>
@@ -54,13 +56,12 @@ struct Has_room_for_added_vertices<CGAL::internal::Dynamic_with_index<Key, Value
 };
 
 // Whether the field is written at vertices that are added.
-template <class ScalarMap, class Scalar>
+template <class ScalarMap, class Traits>
 struct Is_field_written
   : std::bool_constant<
       Has_room_for_added_vertices<ScalarMap>::value
-      && std::is_constructible_v<
-        Scalar,
-        double> && std::is_convertible_v<Scalar, typename boost::property_traits<ScalarMap>::value_type>>
+      && (std::is_constructible_v<typename Traits::Scalar, double> || Has_scalar_from_double<Traits>::value)
+      && std::is_convertible_v<typename Traits::Scalar, typename boost::property_traits<ScalarMap>::value_type>>
 {
 };
 
@@ -73,13 +74,14 @@ class Refined_field
   typedef typename RankedMesh::vertex_descriptor vertex_descriptor;
   typedef typename RankedMesh::halfedge_descriptor halfedge_descriptor;
   typedef Contour_to_cut<halfedge_descriptor> Contour;
-  static constexpr bool is_written = Is_field_written<ScalarMap, Scalar>::value;
+  static constexpr bool is_written = Is_field_written<ScalarMap, Traits>::value;
 
 public:
   Refined_field(const RankedMesh& ranked, const ScalarMap& scalar_map, const Traits& traits)
     : ranked_(ranked),
       scalar_map_(scalar_map),
-      less_(traits.less_scalar_object())
+      less_(traits.less_scalar_object()),
+      conversion_(traits)
   {}
 
   // Writes the values of the vertices that have got ranks between those of others.
@@ -116,7 +118,7 @@ public:
         std::optional<Scalar> below = lower_values_[i];
         for(const std::size_t j : lower)
           raise_bound(below, values_[j]);
-        values_[i] = value_between(*below, upper_end_value(contours[i]), contours[i].value, less_);
+        values_[i] = between(*below, upper_end_value(contours[i]), contours[i].value);
       });
       for_each_contour(contours, order.rbegin(), order.rend(),
                        [&](std::size_t i, const std::vector<std::size_t>& upper) {
@@ -124,7 +126,7 @@ public:
                          for(const std::size_t j : upper)
                            lower_bound(above, values_[j]);
                          if(!less_(values_[i], *above))
-                           values_[i] = value_between(lower_values_[i], *above, contours[i].value, less_);
+                           values_[i] = between(lower_values_[i], *above, contours[i].value);
                        });
     }
   }
@@ -208,8 +210,20 @@ private:
   Scalar value_next_to_vertex(vertex_descriptor v, const Scalar& below, const Scalar& above) const
   {
     const bool is_next_to_lower = ranked_.rank(v) % rank_spacing < rank_spacing / 2;
-    return is_next_to_lower ? value_between(below, value_near(below, above), ranked_.value(v), less_)
-                            : value_between(value_near(above, below), above, ranked_.value(v), less_);
+    return is_next_to_lower ? between(below, value_near(below, above), ranked_.value(v))
+                            : between(value_near(above, below), above, ranked_.value(v));
+  }
+
+  // A value strictly between two others, if possible the one that the traits class makes of the number.
+  Scalar between(const Scalar& lower, const Scalar& upper, double wish) const
+  {
+    if constexpr(Has_scalar_from_double<Traits>::value)
+    {
+      const Scalar value = std::isfinite(wish) ? *conversion_.from_double(wish, false) : lower;
+      if(less_(lower, value) && less_(value, upper))
+        return value;
+    }
+    return value_between(lower, upper, wish, less_);
   }
 
   Scalar lower_end_value(const Contour& contour) const
@@ -256,6 +270,7 @@ private:
   const RankedMesh& ranked_;
   ScalarMap scalar_map_;
   const typename Traits::Less_scalar less_;
+  const Scalar_conversion<Traits> conversion_;
   std::vector<Scalar> lower_values_, values_; // of the highest lower ends of contours, and of contours
 };
 

@@ -169,14 +169,13 @@ std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_bra
 }
 
 // Copies the values at vertices that have been added to the field of the user, if that has room for them.
-template <class Mesh, class VertexDescriptor, class LevelMap, class ScalarMap>
+template <class Traits, class Mesh, class VertexDescriptor, class LevelMap, class ScalarMap>
 void copy_added_values(const Mesh& mesh,
                        const std::set<VertexDescriptor>& old,
                        const LevelMap& level_map,
                        ScalarMap scalar_map)
 {
-  typedef typename boost::property_traits<LevelMap>::value_type Scalar;
-  if constexpr(Is_field_written<ScalarMap, Scalar>::value)
+  if constexpr(Is_field_written<ScalarMap, Traits>::value)
   {
     for(const auto v : vertices(mesh))
     {
@@ -217,7 +216,7 @@ OutputIterator cut_along_chosen_contours(Mesh& mesh,
       put(level_map, v, get(scalar_map, v));
     make_borders_level(mesh, level_map, np.callback(progress.part(0, 0.2).callback()));
     const OutputIterator end = cut(level_map, progress.part(0.2, 1));
-    copy_added_values(mesh, old, level_map, scalar_map);
+    copy_added_values<Traits>(mesh, old, level_map, scalar_map);
     return end;
   }
   else

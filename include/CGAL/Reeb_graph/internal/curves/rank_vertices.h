@@ -11,10 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Scalar_conversion.h>
 #include <CGAL/Reeb_graph/internal/curves/Ranked_mesh.h>
 #include <CGAL/Reeb_graph/internal/curves/level_borders.h>
-
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -64,9 +63,10 @@ auto sorted_vertex_keys(const RankedMesh& ranked,
 template <class RankedMesh, class ScalarMap, class Traits>
 void rank_vertices(const RankedMesh& ranked, const ScalarMap& scalar_map, const Traits& traits)
 {
+  const Scalar_conversion<Traits> conversion(traits);
   Rank rank = 0;
   for(const auto& key : sorted_vertex_keys(ranked, scalar_map, traits, nullptr))
-    ranked.place(key.vertex, rank += rank_spacing, CGAL::to_double(key.value));
+    ranked.place(key.vertex, rank += rank_spacing, conversion.to_double(key.value));
 }
 
 // Gives each vertex the rank of its place in the total order, but all vertices of a border component one rank, beyond
@@ -77,6 +77,7 @@ void rank_vertices(const RankedMesh& ranked,
                    const Traits& traits,
                    Level_borders<typename RankedMesh::Mesh>& borders)
 {
+  const Scalar_conversion<Traits> conversion(traits);
   const auto less = traits.less_scalar_object();
   const auto keys = sorted_vertex_keys(ranked, scalar_map, traits, &borders);
   Rank rank = 0;
@@ -87,7 +88,7 @@ void rank_vertices(const RankedMesh& ranked,
     const bool is_same_border = is_same_side && keys[i].position == keys[i - 1].position;
     if(!is_same_border)
       rank += rank_spacing;
-    ranked.place(keys[i].vertex, rank, CGAL::to_double(keys[i].value));
+    ranked.place(keys[i].vertex, rank, conversion.to_double(keys[i].value));
     if(keys[i].side == 0 || is_same_border)
       continue;
     if(!is_same_side)

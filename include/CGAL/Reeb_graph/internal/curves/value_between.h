@@ -75,7 +75,7 @@ template <class Scalar, class Less>
 Scalar value_between(const Scalar& lower, const Scalar& upper, double wish, const Less& less)
 {
   const auto is_between = [&](const Scalar& value) { return less(lower, value) && less(value, upper); };
-  if constexpr(!std::is_integral_v<Scalar>)
+  if constexpr(!std::is_integral_v<Scalar> && std::is_constructible_v<Scalar, double>)
   {
     const Scalar value(std::isfinite(wish) ? wish : 0.); // not all numbers can be infinite
     if(is_between(value))

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -21,8 +22,17 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The values that are drawn, and their heights from 0 to 1. An infinite value is drawn as a finite one, a tenth of the
-// range of the finite ones beyond them.
+// What is drawn as the values of nodes: the values, if they all ascend or all fall from node to node; in any other
+// order, where differences mean nothing, the numbers of the nodes.
+inline std::vector<double> drawn_values(std::vector<double> values)
+{
+  if(!std::is_sorted(values.begin(), values.end()) && !std::is_sorted(values.rbegin(), values.rend()))
+    std::iota(values.begin(), values.end(), 0.);
+  return values;
+}
+
+// The values that are drawn, and their heights from 0 to 1, which ascend with the nodes, as the values do, or fall. An
+// infinite value is drawn as a finite one, a tenth of the range of the finite ones beyond them.
 class Value_scale
 {
 public:
@@ -49,6 +59,10 @@ public:
     highest_finite_ = highest;
     lowest_ = has_lowest ? (std::max)(lowest - beyond, -limit) : lowest;
     highest_ = has_highest ? (std::min)(highest + beyond, limit) : highest;
+    bottom_ = lowest_;
+    top_ = highest_;
+    if(!values.empty() && values.back() < values.front())
+      std::swap(bottom_, top_);
   }
 
   double lowest() const { return lowest_; }
@@ -61,14 +75,15 @@ public:
 
   double height(double value) const
   {
-    const double range = highest_ / 2 - lowest_ / 2;
-    return range > 0 ? (std::clamp)((finite_value(value) / 2 - lowest_ / 2) / range, 0., 1.) : 0.5;
+    const double range = top_ / 2 - bottom_ / 2;
+    return range != 0 ? (std::clamp)((finite_value(value) / 2 - bottom_ / 2) / range, 0., 1.) : 0.5;
   }
 
-  double value(double height) const { return (1 - height) * lowest_ + height * highest_; }
+  double value(double height) const { return (1 - height) * bottom_ + height * top_; }
 
 private:
   double lowest_, highest_, lowest_finite_, highest_finite_;
+  double bottom_, top_; // of the drawing
 };
 
 } // namespace internal

@@ -13,6 +13,8 @@
 
 #include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Scalar_conversion.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -53,6 +55,19 @@ Value parse_value(const std::string& text)
   if(!is_read)
     throw File_error("'" + text + "' is not a value of a Reeb graph");
   return value;
+}
+
+// The scalar value that written_scalar() has written.
+template <class Traits>
+typename Traits::Scalar parse_scalar(const std::string& text, const Scalar_conversion<Traits>& conversion)
+{
+  typedef typename Traits::Scalar Scalar;
+  if constexpr(!Scalars_can_be_read<Traits>::value)
+    return Scalar();
+  else if constexpr(Has<Read_scalar, Scalar>::value)
+    return parse_value<Scalar>(text);
+  else
+    return *conversion.from_double(parse_value<double>(text), false);
 }
 
 inline Node_kind parse_node_kind(const std::string& text)

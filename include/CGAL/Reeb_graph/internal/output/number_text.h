@@ -11,6 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Scalar_conversion.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+
 #include <charconv>
 #include <cstddef>
 #include <limits>
@@ -74,6 +77,16 @@ std::string to_round_trip_string(const Value& value)
     return to_string_with_precision(value, std::numeric_limits<Value>::max_digits10);
   else
     return to_short_string(value);
+}
+
+// What is written for a scalar value: itself, or its number if it has no operator<<.
+template <class Traits>
+auto written_scalar(const Scalar_conversion<Traits>& conversion, const typename Traits::Scalar& value)
+{
+  if constexpr(Has<Written_scalar, typename Traits::Scalar>::value)
+    return value;
+  else
+    return conversion.to_double(value);
 }
 
 } // namespace internal

@@ -30,20 +30,20 @@ namespace scalar_fields {
 //
 // Borders that share an edge become extrema of opposite kinds where that can be. Where it cannot, as for three borders
 // each of which touches the other two, those of one kind that touch each other, a group, share one level.
-template <class Scalar, class Less>
+template <class Scalar, class Traits>
 class Border_levels
 {
   typedef Field_border<Scalar> Border;
   typedef std::optional<Border_extremum> Kind; // MINIMUM or MAXIMUM, nothing before it is chosen
-  typedef Level_arithmetic<Scalar, Less> Arithmetic;
+  typedef Level_arithmetic<Scalar, Traits> Arithmetic;
 
 public:
   Border_levels(const Weighted_graph& graph,
                 const std::vector<Scalar>& values,
                 const std::vector<std::vector<Position>>& borders,
-                const Less& less)
-    : arithmetic_(less),
-      borders_(find_field_borders(graph, values, borders, less)),
+                const Traits& traits)
+    : arithmetic_(traits),
+      borders_(find_field_borders(graph, values, borders, traits.less_scalar_object())),
       kinds_(borders.size()),
       groups_of_borders_(borders.size(), no_position)
   {}

@@ -11,10 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Scalar_conversion.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/options.h>
-
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -90,24 +89,25 @@ std::vector<Field_border<Scalar>> find_field_borders(const Weighted_graph& graph
 }
 
 // The difference of infinities is no number.
-template <class Scalar>
-double distance_of_values(const Scalar& a, const Scalar& b)
+template <class Traits, class Scalar>
+double distance_of_values(const Scalar_conversion<Traits>& conversion, const Scalar& a, const Scalar& b)
 {
-  const double first = CGAL::to_double(a), second = CGAL::to_double(b);
+  const double first = conversion.to_double(a), second = conversion.to_double(b);
   return first == second ? 0 : std::abs(first - second);
 }
 
 // What is done with values to choose the levels of borders. With floating point numbers, levels are in the middle
 // between values, or beyond them; of any other type, and with any other order, they are values that there are.
-template <class Scalar, class Less>
+template <class Scalar, class Traits>
 class Level_arithmetic
 {
   typedef Field_border<Scalar> Border;
+  typedef typename Traits::Less_scalar Less;
 
 public:
   static constexpr bool has_numbers = std::is_floating_point_v<Scalar> && std::is_same_v<Less, std::less<Scalar>>;
 
-  explicit Level_arithmetic(const Less& less) : less_(less) {}
+  explicit Level_arithmetic(const Traits& traits) : less_(traits.less_scalar_object()), conversion_(traits) {}
 
   bool less(const Scalar& a, const Scalar& b) const { return less_(a, b); }
 
@@ -164,7 +164,8 @@ public:
 
   double largest_distance(const Border& border, const Scalar& level) const
   {
-    return (std::max)(distance_of_values(border.lowest, level), distance_of_values(border.highest, level));
+    return (std::max)(distance_of_values(conversion_, border.lowest, level),
+                      distance_of_values(conversion_, border.highest, level));
   }
 
 private:
@@ -190,6 +191,7 @@ private:
   static constexpr int margin_divisor = 1024;
 
   Less less_;
+  Scalar_conversion<Traits> conversion_;
 };
 
 } // namespace scalar_fields

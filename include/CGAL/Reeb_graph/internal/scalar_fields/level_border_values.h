@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Scalar_conversion.h>
 #include <CGAL/Reeb_graph/internal/mesh/border_cycles.h>
 #include <CGAL/Reeb_graph/internal/mesh/flatten.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Basin_filling.h>
@@ -71,18 +72,19 @@ inline std::vector<Position> vertices_around(const Weighted_graph& graph,
 }
 
 // The values of a field, changed so that each border component is an extremal level; see make_borders_level().
-template <class Scalar, class Less>
+template <class Scalar, class Traits>
 std::vector<Scalar> level_border_values(const Weighted_graph& graph,
                                         const std::vector<std::vector<Position>>& borders,
                                         const std::vector<Scalar>& values,
-                                        const Less& less,
+                                        const Traits& traits,
                                         Border_extremum wish,
                                         std::size_t collar_width)
 {
+  const auto less = traits.less_scalar_object();
   std::vector<Scalar> result = values;
   std::vector<bool> is_on_border(values.size(), false), is_free(values.size(), false);
   std::vector<Position> changed;
-  const std::vector<Scalar> levels = Border_levels<Scalar, Less>(graph, values, borders, less)(wish);
+  const std::vector<Scalar> levels = Border_levels<Scalar, Traits>(graph, values, borders, traits)(wish);
   for(std::size_t b = 0; b != borders.size(); ++b)
     for(const Position v : borders[b])
     {
@@ -91,7 +93,7 @@ std::vector<Scalar> level_border_values(const Weighted_graph& graph,
         changed.push_back(v);
       result[v] = levels[b];
     }
-  if constexpr(Level_arithmetic<Scalar, Less>::has_numbers)
+  if constexpr(Level_arithmetic<Scalar, Traits>::has_numbers)
   {
     const std::vector<Position> collar = vertices_around(graph, changed, is_on_border, collar_width);
     if(collar.empty())
@@ -123,9 +125,10 @@ Changes write_level_borders(const Mesh& mesh,
   const auto borders = vertices_of_borders(mesh, positions);
   const auto graph = make_vertex_graph(mesh, positions, values.size());
   progress.report(0.9);
-  const auto new_values = level_border_values(graph, borders, values, less, wish, collar_width);
+  const auto new_values = level_border_values(graph, borders, values, traits, wish, collar_width);
   progress.report(0.95); // the last one before the field changes
   Changes changes;
+  const Scalar_conversion<Traits> conversion(traits);
   const auto is_changed = [&](Position v) { return less(values[v], new_values[v]) || less(new_values[v], values[v]); };
   changes.number_of_borders = borders.size();
   for(const auto& border : borders)
@@ -136,7 +139,8 @@ Changes write_level_borders(const Mesh& mesh,
     if(!is_changed(i))
       continue;
     ++changes.number_of_changed_vertices;
-    changes.largest_change = (std::max)(changes.largest_change, distance_of_values(values[i], new_values[i]));
+    changes.largest_change =
+      (std::max)(changes.largest_change, distance_of_values(conversion, values[i], new_values[i]));
     put(scalar_map, v, new_values[i]);
   }
   progress.report_end();

@@ -91,10 +91,7 @@ Leaf_pruning prune_graph(const ReebGraph& graph, double threshold, const NamedPa
 
   Leaf_pruning pruned(static_cast<Index>(num_vertices(graph)), read_arcs(graph),
                       read_piece_weights(num_vertices(graph) + num_edges(graph), np));
-  std::vector<double> values;
-  values.reserve(num_vertices(graph));
-  for(std::size_t node = 0; node != num_vertices(graph); ++node)
-    values.push_back(node_value(graph, node));
+  const std::vector<double> values = numbers_of_nodes(graph, np);
   const auto difference = [&](Index lower, Index upper) { return persistence(values[lower], values[upper]); };
   const auto measure = [&](const Leaf_arc& arc) {
     const double size = persistence_of_leaf_arc(arc, difference);
