@@ -23,8 +23,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <ctime>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <string>
 #include <thread>
 #include <tuple>
@@ -419,6 +421,40 @@ BOOST_AUTO_TEST_CASE(several_threads_ask_for_vertices_of_other_meshes)
     put(dynamic_map, v, get(index_map, v));
   ask_for_known_and_unknown_vertices(mesh, values, graph, other_mesh, CGAL::parameters::vertex_index_map(dynamic_map));
   BOOST_TEST(dynamic_map.map_->size() == num_vertices(mesh)); // Nothing has been inserted.
+}
+
+template <class Function>
+double cpu_seconds(const Function& function)
+{
+  const std::clock_t start = std::clock();
+  function();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+// Of all ways, looking for the halfedges around the hub is the slowest: it would take fifty times as long as the graph.
+BOOST_AUTO_TEST_CASE_TEMPLATE(contours_at_a_hub_take_linear_time, Mesh, Meshes)
+{
+  constexpr std::size_t number_of_peaks = 5000;
+  const auto hub = random_meshes::bipyramid(2 * number_of_peaks);
+  std::vector<double> values = {0, 0.1};
+  for(std::size_t i = 0; i != 2 * number_of_peaks; ++i)
+    values.push_back(i % 2 == 0 ? -1 : 1 + 1e-6 * static_cast<double>(i));
+  const Mesh mesh = make_mesh<Mesh>(mesh_builders::make_soup(hub));
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+  graph_checks::Graph_of<Mesh> graph;
+  std::optional<CGAL::Reeb_graph::Augmentation<Mesh, graph_checks::Scalar_map_of<Mesh>>> augmentation;
+  const double seconds = cpu_seconds([&] {
+    graph = graph_checks::compute(mesh, values);
+    augmentation.emplace(mesh, scalar_map, graph);
+  });
+  std::size_t number_of_contours = 0;
+  const double seconds_of_contours = cpu_seconds([&] {
+    number_of_contours += augmentation->contours_at_value(0.5).size();
+    for(const auto arc : CGAL::make_range(edges(graph)))
+      number_of_contours += augmentation->contour(arc, 0.5).halfedges.empty() ? 0 : 1;
+  });
+  BOOST_TEST(number_of_contours == number_of_peaks + num_edges(graph));
+  BOOST_TEST(seconds_of_contours < 10 * seconds);
 }
 
 BOOST_AUTO_TEST_CASE(several_edges_between_two_vertices)
