@@ -538,6 +538,22 @@ BOOST_AUTO_TEST_CASE(differences_of_values_can_be_infinite)
   BOOST_TEST(interpolation(-1.5e308, 1.6e308, 0.5) == 0.05e308, boost::test_tools::tolerance(1e-12));
 }
 
+// Long contours make lines straight, unless centroids are asked for.
+BOOST_AUTO_TEST_CASE(the_default_manner_is_chosen_by_cost)
+{
+  for(const std::size_t kind : {0, 1})
+  {
+    const Embedded_sample<Surface_mesh> s(curve_samples::smooth_sample(1, 6000, kind));
+    const auto embedding = embed(s.augmentation);
+    const Embedding_manner manner = kind == 0 ? Embedding_manner::CENTROIDS : Embedding_manner::STRAIGHT;
+    BOOST_TEST((embedding.manner == manner));
+    BOOST_TEST((embedding.arc_polylines == s.embedded(manner).arc_polylines));
+    BOOST_TEST((embedding.node_points == s.embedded(manner).node_points));
+    BOOST_TEST((embed<CGAL::Parallel_if_available_tag>(s.augmentation).manner == manner));
+    BOOST_TEST((s.embedded(Embedding_manner::CENTROIDS).manner == Embedding_manner::CENTROIDS));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(progress_is_told_and_work_is_cancelled)
 {
   const Embedded_sample<Surface_mesh> s(curve_samples::smooth_sample(2, 600, 1));
