@@ -11,6 +11,7 @@
 
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
+#include <CGAL/Reeb_graph/options.h>
 #include <CGAL/Reeb_graph/visitor.h>
 
 #include <cstddef>
@@ -141,7 +142,8 @@ struct Report : Work_report
   Graph_counts graph;
   std::optional<Simplification_counts> simplification;
   std::optional<double> suggested_threshold;
-  std::optional<std::vector<Arc_row>> arc_table; // of the simplified graph if there is one
+  std::optional<CGAL::Reeb_graph::Embedding_manner> embedding_manner; // of a graph in space
+  std::optional<std::vector<Arc_row>> arc_table;                      // of the simplified graph if there is one
 };
 
 // What the mesh was cut into.

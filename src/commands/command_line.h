@@ -133,11 +133,12 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
                                                     : CGAL::Reeb_graph::Embedding_manner::CENTROIDS;
   };
   command
-    ->add_option_function<std::string>("--embedding", set_embedding,
-                                       "Where the arcs of a graph in space are: centroids of contours (centroids, the "
-                                       "default), chains (on-surface), or straight lines (straight, the default for "
-                                       ".csv), which leave nodes at their vertices; what is no oriented manifold "
-                                       "surface has straight ones only")
+    ->add_option_function<std::string>(
+      "--embedding", set_embedding,
+      "Where the arcs of a graph in space are: centroids of contours (centroids, the "
+      "default), chains (on-surface), or straight lines (straight, the default for "
+      ".csv, and where contours are very long), which leave nodes at their vertices; what is no oriented manifold "
+      "surface has straight ones only")
     ->check(CLI::IsMember({"centroids", "on-surface", "straight"}));
   add_file(*command, "--mesh-out", options.mesh_path,
            "Write the mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex, "

@@ -27,7 +27,7 @@ struct Compute_options
   Simplification_options simplification;
   // Each path is empty if that file is not written.
   std::string graph_path;
-  std::optional<CGAL::Reeb_graph::Embedding_manner> embedding_manner; // by default through centroids
+  std::optional<CGAL::Reeb_graph::Embedding_manner> embedding_manner; // by default by cost
   std::string mesh_path;
   std::string vertex_arcs_path;
   std::string pairs_path;

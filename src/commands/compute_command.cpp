@@ -92,9 +92,10 @@ Graph_in_space embed_and_time(const Compute_options& options,
   // tables hold no lines, only the points of nodes
   const auto default_manner = std::filesystem::path(options.graph_path).extension() == ".csv"
                               ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
-                              : CGAL::Reeb_graph::Embedding_manner::CENTROIDS;
+                              : CGAL::Reeb_graph::Embedding_manner::BY_COST;
   Graph_in_space result = embed_graph(augmentation, options.embedding_manner.value_or(default_manner),
                                       has_arc_attributes(options.graph_path) ? &arcs : nullptr);
+  report.embedding_manner = result.embedding.manner;
   report.seconds.emplace_back("embed", stopwatch.seconds());
   return result;
 }
@@ -254,6 +255,7 @@ void compute_on_complex(const Compute_options& options, Mesh& mesh, Report& repo
   {
     const Stopwatch embed_stopwatch;
     const Graph_in_space graph_in_space = embed_straight(result, mesh.surface);
+    report.embedding_manner = graph_in_space.embedding.manner;
     report.seconds.emplace_back("embed", embed_stopwatch.seconds());
     const Stopwatch stopwatch;
     write_graph_in_space(options.graph_path, result, graph_in_space, mesh.surface);

@@ -44,7 +44,8 @@ double threshold_in_units(const Simplification_options& options,
   const std::optional<Value_range> range = find_range();
   if(!range)
     return 0;
-  const double threshold = (range->second - range->first) * (options.threshold->number / 100);
+  const double part = options.threshold->number / 100, length = range->second - range->first;
+  const double threshold = std::isinf(length) ? part * range->second - part * range->first : length * part;
   if(!std::isfinite(threshold))
     throw std::runtime_error("a percentage needs a field of finite range");
   return threshold;

@@ -235,8 +235,11 @@ void write_results(const Compute_options& options,
     return;
   const Stopwatch stopwatch;
   if(is_graph_in_space(options))
-    write_graph_in_space(options.graph_path, simplified.result(), embed_straight(simplified.result(), given.surface),
-                         given.surface);
+  {
+    const Graph_in_space graph_in_space = embed_straight(simplified.result(), given.surface);
+    report.embedding_manner = graph_in_space.embedding.manner;
+    write_graph_in_space(options.graph_path, simplified.result(), graph_in_space, given.surface);
+  }
   else
     write_graph(options.graph_path, simplified.result(), label(options), numbers);
   report.add_seconds("output", stopwatch.seconds());

@@ -141,6 +141,15 @@ nlohmann::ordered_json json_of(const Complex_counts& complex)
   return json;
 }
 
+// As the option --embedding calls it.
+std::string name_of(CGAL::Reeb_graph::Embedding_manner manner)
+{
+  using CGAL::Reeb_graph::Embedding_manner;
+  return manner == Embedding_manner::ON_SURFACE ? "on-surface"
+       : manner == Embedding_manner::STRAIGHT   ? "straight"
+                                                : "centroids";
+}
+
 nlohmann::ordered_json json_of(const Simplification_counts& simplification)
 {
   nlohmann::ordered_json json;
@@ -310,6 +319,8 @@ void write_text(std::ostream& out, const Report& report)
   if(report.simplification && report.simplification->largest_change)
     out << ", largest change of the field " << *report.simplification->largest_change
         << (report.simplification->are_ties_contracted ? ", which needs --ties contract" : "");
+  if(report.embedding_manner)
+    out << "\n         in space: " << name_of(*report.embedding_manner);
   out << "\nseconds  " << std::fixed << std::setprecision(3);
   for(std::size_t i = 0; i < report.seconds.size(); ++i)
     out << (i == 0 ? "" : ", ") << report.seconds[i].first << " " << report.seconds[i].second;
@@ -340,6 +351,9 @@ void write_json(std::ostream& out, const Report& report)
   json["simplified"] = nullptr;
   if(report.simplification)
     json["simplified"] = json_of(*report.simplification);
+  json["embedding"] = nullptr;
+  if(report.embedding_manner)
+    json["embedding"] = name_of(*report.embedding_manner);
   json["arc_table"] = report.arc_table ? nlohmann::ordered_json::array() : nlohmann::ordered_json();
   for(std::size_t arc = 0; report.arc_table && arc < report.arc_table->size(); ++arc)
     json["arc_table"].push_back(json_of((*report.arc_table)[arc], arc));

@@ -14,15 +14,21 @@
 #include "known_meshes.h"
 #include "random_fields.h"
 
+#include <CGAL/Reeb_graph/index_maps.h>
+
 #include <boost/mpl/list.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <ctime>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <string>
+#include <thread>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -365,6 +371,90 @@ BOOST_AUTO_TEST_CASE(unknown_vertices_have_no_place)
   const auto values = coordinate_field(soup, 1, 0.5, 0.25);
   check_that_unknown_vertices_have_no_place(make_mesh<Surface_mesh>(soup), values);
   check_that_unknown_vertices_have_no_place(make_mesh<Polyhedron>(soup), values);
+}
+
+// Asks for vertices of a mesh and of another one, from several threads.
+template <class Graph, class NamedParameters>
+void ask_for_known_and_unknown_vertices(const Polyhedron& mesh,
+                                        const std::vector<double>& values,
+                                        const Graph& graph,
+                                        const Polyhedron& other_mesh,
+                                        const NamedParameters& np)
+{
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+  const CGAL::Reeb_graph::Augmentation augmentation(mesh, scalar_map, graph, np);
+  const auto locations = augmentation.locate_vertices();
+  std::atomic<std::size_t> number_of_mistakes = 0;
+  const auto ask = [&](const Polyhedron& asked_mesh) {
+    for(const auto v : CGAL::make_range(vertices(asked_mesh)))
+    {
+      std::size_t number_of_answers = 0;
+      try
+      {
+        number_of_answers += augmentation.value(v) == get(scalar_map, v) ? 1 : 2;
+        number_of_answers += locations.index(v) < num_vertices(graph) + num_edges(graph) ? 1 : 2;
+      }
+      catch(const CGAL::Reeb_graph::Unknown_vertex_error&)
+      {}
+      number_of_mistakes += number_of_answers == (&asked_mesh == &mesh ? 2 : 0) ? 0 : 1;
+    }
+  };
+  std::vector<std::thread> threads;
+  for(const Polyhedron* asked_mesh : {&mesh, &other_mesh, &mesh, &other_mesh})
+    threads.emplace_back([=] { ask(*asked_mesh); });
+  for(std::thread& thread : threads)
+    thread.join();
+  BOOST_TEST(number_of_mistakes == 0);
+}
+
+BOOST_AUTO_TEST_CASE(several_threads_ask_for_vertices_of_other_meshes)
+{
+  const auto soup = generated_surfaces::torus(60, 50);
+  const auto values = coordinate_field(soup, 1, 0.5, 0.25);
+  const auto mesh = make_mesh<Polyhedron>(soup), other_mesh = make_mesh<Polyhedron>(generated_surfaces::torus(60, 55));
+  const auto graph = graph_checks::compute(mesh, values);
+  ask_for_known_and_unknown_vertices(mesh, values, graph, other_mesh, CGAL::parameters::default_values());
+  const auto index_map = CGAL::Reeb_graph::make_vertex_index_map(mesh);
+  ask_for_known_and_unknown_vertices(mesh, values, graph, other_mesh, CGAL::parameters::vertex_index_map(index_map));
+  const auto dynamic_map = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  for(const auto v : CGAL::make_range(vertices(mesh)))
+    put(dynamic_map, v, get(index_map, v));
+  ask_for_known_and_unknown_vertices(mesh, values, graph, other_mesh, CGAL::parameters::vertex_index_map(dynamic_map));
+  BOOST_TEST(dynamic_map.map_->size() == num_vertices(mesh)); // Nothing has been inserted.
+}
+
+template <class Function>
+double cpu_seconds(const Function& function)
+{
+  const std::clock_t start = std::clock();
+  function();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+// Of all ways, looking for the halfedges around the hub is the slowest: it would take fifty times as long as the graph.
+BOOST_AUTO_TEST_CASE_TEMPLATE(contours_at_a_hub_take_linear_time, Mesh, Meshes)
+{
+  constexpr std::size_t number_of_peaks = 5000;
+  const auto hub = random_meshes::bipyramid(2 * number_of_peaks);
+  std::vector<double> values = {0, 0.1};
+  for(std::size_t i = 0; i != 2 * number_of_peaks; ++i)
+    values.push_back(i % 2 == 0 ? -1 : 1 + 1e-6 * static_cast<double>(i));
+  const Mesh mesh = make_mesh<Mesh>(mesh_builders::make_soup(hub));
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+  graph_checks::Graph_of<Mesh> graph;
+  std::optional<CGAL::Reeb_graph::Augmentation<Mesh, graph_checks::Scalar_map_of<Mesh>>> augmentation;
+  const double seconds = cpu_seconds([&] {
+    graph = graph_checks::compute(mesh, values);
+    augmentation.emplace(mesh, scalar_map, graph);
+  });
+  std::size_t number_of_contours = 0;
+  const double seconds_of_contours = cpu_seconds([&] {
+    number_of_contours += augmentation->contours_at_value(0.5).size();
+    for(const auto arc : CGAL::make_range(edges(graph)))
+      number_of_contours += augmentation->contour(arc, 0.5).halfedges.empty() ? 0 : 1;
+  });
+  BOOST_TEST(number_of_contours == number_of_peaks + num_edges(graph));
+  BOOST_TEST(seconds_of_contours < 10 * seconds);
 }
 
 BOOST_AUTO_TEST_CASE(several_edges_between_two_vertices)

@@ -12,6 +12,7 @@
 #include "curve_samples.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/curves/Interpolating_visitor.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
@@ -470,6 +471,89 @@ BOOST_AUTO_TEST_CASE(a_tube_is_its_axis)
   for(const Point& point : embedding.arc_polylines[0])
     BOOST_TEST(std::hypot(point.x(), point.y()) < 1e-9);
   BOOST_TEST(embedding.node_points[1].z() == along - 1, boost::test_tools::tolerance(1e-9));
+}
+
+// The field with all values in units of this power of two: near the greatest numbers, so that differences are infinite.
+constexpr int largest_exponent = 1024;
+
+std::vector<double> in_large_units(std::vector<double> values)
+{
+  for(double& value : values)
+    value = std::ldexp(value, largest_exponent);
+  return values;
+}
+
+double distance_of_lines(const Polyline& a, const Polyline& b)
+{
+  double distance = a.size() == b.size() ? 0 : std::numeric_limits<double>::infinity();
+  for(std::size_t i = 0; i < (std::min)(a.size(), b.size()); ++i)
+    distance = (std::max)(distance, CGAL::squared_distance(a[i], b[i]));
+  return distance;
+}
+
+BOOST_AUTO_TEST_CASE(differences_of_values_can_be_infinite)
+{
+  for(std::size_t kind = 0; kind != 3; ++kind)
+  {
+    Sample sample = curve_samples::smooth_sample(1, 200, kind);
+    const auto [lowest, highest] = std::minmax_element(sample.values.begin(), sample.values.end());
+    const double low = *lowest, range = *highest - low;
+    for(double& value : sample.values)
+      value = 1.9 * ((value - low) / range) - 0.95;
+    const Embedded_sample<Surface_mesh> s(sample);
+    sample.values = in_large_units(sample.values);
+    const Embedded_sample<Surface_mesh> large(sample);
+    double distance = 0;
+    auto large_arc = edges(large.graph).first;
+    for(const auto arc : CGAL::make_range(edges(s.graph)))
+    {
+      for(const double t : {0.11, 0.53, 0.87})
+      {
+        const auto contours = {s.augmentation.contour(arc, t), s.augmentation.contour(arc, t, s.scalar_map)};
+        const auto large_contours = {large.augmentation.contour(*large_arc, t),
+                                     large.augmentation.contour(*large_arc, t, large.scalar_map)};
+        for(auto a = contours.begin(), b = large_contours.begin(); a != contours.end(); ++a, ++b)
+        {
+          Polyline points, large_points;
+          s.augmentation.points_of_contour(*a, std::back_inserter(points));
+          large.augmentation.points_of_contour(*b, std::back_inserter(large_points));
+          distance = (std::max)(distance, distance_of_lines(points, large_points));
+        }
+      }
+      ++large_arc;
+    }
+    for(const auto manner : {Embedding_manner::CENTROIDS, Embedding_manner::ON_SURFACE})
+    {
+      const auto embedding = s.embedded(manner), large_embedding = large.embedded(manner);
+      for(std::size_t i = 0; i != embedding.arc_polylines.size(); ++i)
+      {
+        distance =
+          (std::max)(distance, distance_of_lines(embedding.arc_polylines[i], large_embedding.arc_polylines[i]));
+        const auto values = in_large_units(embedding.arc_values[i]);
+        for(std::size_t j = 0; j != values.size(); ++j)
+          BOOST_TEST(std::abs(values[j] / 2 - large_embedding.arc_values[i][j] / 2) < std::ldexp(1, 980));
+      }
+    }
+    BOOST_TEST(distance < 1e-16);
+  }
+  const CGAL::Reeb_graph::Linear_interpolation interpolation;
+  BOOST_TEST(interpolation(-1.5e308, 1.6e308, 0.5) == 0.05e308, boost::test_tools::tolerance(1e-12));
+}
+
+// Long contours make lines straight, unless centroids are asked for.
+BOOST_AUTO_TEST_CASE(the_default_manner_is_chosen_by_cost)
+{
+  for(const std::size_t kind : {0, 1})
+  {
+    const Embedded_sample<Surface_mesh> s(curve_samples::smooth_sample(1, 6000, kind));
+    const auto embedding = embed(s.augmentation);
+    const Embedding_manner manner = kind == 0 ? Embedding_manner::CENTROIDS : Embedding_manner::STRAIGHT;
+    BOOST_TEST((embedding.manner == manner));
+    BOOST_TEST((embedding.arc_polylines == s.embedded(manner).arc_polylines));
+    BOOST_TEST((embedding.node_points == s.embedded(manner).node_points));
+    BOOST_TEST((embed<CGAL::Parallel_if_available_tag>(s.augmentation).manner == manner));
+    BOOST_TEST((s.embedded(Embedding_manner::CENTROIDS).manner == Embedding_manner::CENTROIDS));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(progress_is_told_and_work_is_cancelled)

@@ -222,6 +222,18 @@ BOOST_AUTO_TEST_CASE(the_unit_gradient_field_of_a_harmonic_field_on_a_surface_wi
   BOOST_TEST(lengths[lengths.size() * 9 / 10] < 1.2);
 }
 
+BOOST_AUTO_TEST_CASE(differences_of_fixed_values_can_be_infinite)
+{
+  const double unit = std::ldexp(1, 1023);
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(noisy_surface());
+  const auto field = vertex_map(mesh), large_field = vertex_map(mesh);
+  const Surface_mesh::Vertex_index low(0), high(400);
+  compute_harmonic_field(mesh, field, Constraints{{low, -1.5}, {high, 1.75}});
+  compute_harmonic_field(mesh, large_field, Constraints{{low, -1.5 * unit}, {high, 1.75 * unit}});
+  for(const auto v : vertices(mesh))
+    BOOST_TEST(std::abs(get(large_field, v) / unit - get(field, v)) < 1e-12);
+}
+
 BOOST_AUTO_TEST_CASE(constant_fields_have_no_direction)
 {
   Triangle_soup soup = noisy_surface();

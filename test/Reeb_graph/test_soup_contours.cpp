@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <ctime>
 #include <iterator>
 #include <set>
 #include <type_traits>
@@ -62,6 +63,24 @@ bool is_turned(std::vector<Point> a, const std::vector<Point>& b, bool is_closed
   return false;
 }
 } // namespace
+
+// The fan around vertex 0 has a peak in each second sector. Looking at all its edges for each contour would take a
+// many times as long as the graph.
+BOOST_AUTO_TEST_CASE(contours_at_a_hub_take_linear_time)
+{
+  constexpr std::size_t number_of_peaks = 40000;
+  const auto hub = random_meshes::bipyramid(2 * number_of_peaks);
+  std::vector<double> values = {0, 0.1};
+  for(std::size_t i = 0; i != 2 * number_of_peaks; ++i)
+    values.push_back(i % 2 == 0 ? -1 : 1);
+  CGAL::Reeb_graph_soup_traits<double>::Graph graph;
+  const std::clock_t start = std::clock();
+  CGAL::compute_reeb_graph_of_soup(values.size(), hub.triangles, values, graph);
+  const Soup_augmentation augmentation(values.size(), hub.triangles, values, graph);
+  const std::clock_t middle = std::clock();
+  BOOST_TEST(augmentation.contours_at_value(0.5).size() == number_of_peaks);
+  BOOST_TEST(std::clock() - middle < 3 * (middle - start));
+}
 
 // The same points in the same order, but for where a closed curve begins, and for the direction.
 BOOST_AUTO_TEST_CASE(contours_of_a_surface_are_those_of_its_soup)

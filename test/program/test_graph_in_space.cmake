@@ -23,6 +23,12 @@ expect_success(compute ${z} --graph centroids.polylines.txt)
 file(READ ${FOLDER}/centroids.polylines.txt content)
 expect_match("${content}" "^14 0 0 0 [^\n]* 0 0 1\n$")
 
+# The report tells the manner.
+expect_success(compute ${z} --graph centroids.obj)
+expect_match("${output}" "in space: centroids")
+expect_success(compute ${z} --graph straight.obj --embedding straight --json)
+expect_match("${output}" "\"embedding\": ?\"straight\"")
+
 # The tables are two files.
 expect_success(compute ${z} --graph table.csv --embedding straight)
 file(GLOB tables RELATIVE ${FOLDER} ${FOLDER}/table*)

@@ -45,8 +45,9 @@ namespace Reeb_graph {
 /// threads at a time; those that return contours throw `Graph_mismatch_error` if the chain of an arc does not lead to
 /// them.
 ///
-/// The contour of an arc takes time proportional to its length and to the degrees of the ends of the arc and of the
-/// halfedge it starts from, and logarithmic in the length of the chain. To locate vertices takes linear time on a field
+/// The contour of an arc takes time proportional to its length, to the lower one of the degrees of the ends of the arc,
+/// and, unless the mesh is a `CGAL::Surface_mesh`, to that of the ends of the halfedge it starts from, and logarithmic in
+/// the length of the chain; so contours of many arcs at one vertex take hardly longer than those elsewhere. To locate vertices takes linear time on a field
 /// with few critical vertices, and hardly longer than computing the graph again; on noise, that of sorting all vertices
 /// besides: near-linear for any field. The named parameter `vertex_place_map` of `compute_reeb_graph()` finds the
 /// places without computing anything twice.

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/options.h>
+
 #include <vector>
 
 namespace CGAL {
@@ -25,6 +27,9 @@ template <class Point_>
 struct Embedding
 {
   typedef Point_ Point; ///< a point
+
+  /// the manner in which it has been made, not `BY_COST`
+  Embedding_manner manner = Embedding_manner::STRAIGHT;
 
   /// the point of each node, by its descriptor
   std::vector<Point> node_points;

@@ -39,6 +39,9 @@ namespace Reeb_graph {
 ///   values ascend, and stay the same on this part of a contour. It takes time proportional to the lengths of the
 ///   chains and of these contours.
 /// - `STRAIGHT`: two points; parallel arcs have the same ones.
+/// - `BY_COST`: `CENTROIDS`, unless its contours of arcs cross more edges than 64 for each vertex of the mesh, and
+///   \f$ 2^{20} \f$ besides; then `STRAIGHT`. No more than that many are crossed to find out, and the result tells which
+///   it is. It does not depend on threads.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether arcs are embedded
 ///         in parallel; the point map and `parametrization_map` are then read by several threads
@@ -50,7 +53,7 @@ namespace Reeb_graph {
 ///   \cgalParamNBegin{embedding_manner}
 ///     \cgalParamDescription{where the arcs are}
 ///     \cgalParamType{`Reeb_graph::Embedding_manner`}
-///     \cgalParamDefault{`Embedding_manner::CENTROIDS`}
+///     \cgalParamDefault{`Embedding_manner::BY_COST`}
 ///     \cgalParamExtra{use the functions `parameters::embedding_manner()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_contours}
@@ -105,7 +108,8 @@ auto embed(const Augmentation<FaceListGraph, ScalarMap, ReebGraph, Traits>& augm
   typedef internal::Point_of_mesh<FaceListGraph, NamedParameters> Point;
   const auto point_map = internal::choose_point_map(augmentation.mesh(), np);
   return internal::embed_in_manner<ConcurrencyTag, Point>(
-    augmentation, point_map, np, [&] { return internal::Centroid_polylines(augmentation, point_map, np); },
+    augmentation, num_vertices(augmentation.mesh()), point_map, np,
+    [&] { return internal::Centroid_polylines(augmentation, point_map, np); },
     [&] { return internal::Surface_polylines(augmentation, point_map, np); });
 }
 

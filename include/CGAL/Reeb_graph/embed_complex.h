@@ -36,6 +36,7 @@ namespace Reeb_graph {
 ///   that has been removed, the contour just below that, on a way through few triangles. It stays in the complex,
 ///   unless ties are contracted: then it goes straight where a plateau is passed.
 /// - `STRAIGHT`: two points; parallel arcs have the same ones.
+/// - `BY_COST`: `CENTROIDS`, or `STRAIGHT` if the contours are long, as for a mesh.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether arcs are embedded
 ///         in parallel; `parametrization_map` is then read by several threads
@@ -70,7 +71,7 @@ auto embed(const Complex_augmentation<ContourOfArc, ReebGraph, Traits>& augmenta
   const auto point_map =
     boost::make_iterator_property_map(std::begin(points), boost::typed_identity_property_map<std::size_t>());
   return internal::embed_in_manner<ConcurrencyTag, Point>(
-    augmentation, point_map, np, [&] { return internal::Complex_centroids(augmentation, point_map); },
+    augmentation, number_of_points, point_map, np, [&] { return internal::Complex_centroids(augmentation, point_map); },
     [&] { return internal::Complex_polylines(augmentation, point_map); });
 }
 

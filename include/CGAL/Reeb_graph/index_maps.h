@@ -11,8 +11,11 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Descriptor_numbers.h>
+
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 
@@ -25,14 +28,15 @@ namespace Reeb_graph {
 ///
 /// It serves where a mesh has no indices of its own, such as a plain `Polyhedron_3`, or where its indices have holes.
 /// The mesh is only read, so that several threads may call this function for one mesh. The map holds the positions: it
-/// is that of the mesh as it is now, and copies of it share them.
+/// is that of the mesh as it is now, and copies of it share them. Several threads may read it; what is not one of the mesh
+/// has the greatest number of the type.
 template <class FaceListGraph>
 auto make_vertex_index_map(const FaceListGraph& mesh)
 {
-  auto map = get(dynamic_vertex_property_t<std::size_t>(), mesh);
-  std::size_t number = 0;
+  typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
+  internal::Descriptor_numbers<vertex_descriptor, std::size_t> map(num_vertices(mesh));
   for(const auto v : CGAL::make_range(vertices(mesh)))
-    put(map, v, number++);
+    map.add(v);
   return map;
 }
 
@@ -43,10 +47,10 @@ auto make_vertex_index_map(const FaceListGraph& mesh)
 template <class FaceListGraph>
 auto make_halfedge_index_map(const FaceListGraph& mesh)
 {
-  auto map = get(dynamic_halfedge_property_t<std::size_t>(), mesh);
-  std::size_t number = 0;
+  typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
+  internal::Descriptor_numbers<halfedge_descriptor, std::size_t> map(num_halfedges(mesh));
   for(const auto h : CGAL::make_range(halfedges(mesh)))
-    put(map, h, number++);
+    map.add(h);
   return map;
 }
 

@@ -76,7 +76,8 @@ enum class Embedding_manner
 {
   CENTROIDS,  ///< through the centroids of contours: inside of the surface where that is a tube
   ON_SURFACE, ///< on the surface, ascending: along the chain of the arc
-  STRAIGHT    ///< straight from node to node
+  STRAIGHT,   ///< straight from node to node
+  BY_COST     ///< `CENTROIDS`, or `STRAIGHT` if the contours are much longer than the mesh is large, as those of noise
 };
 
 } // namespace Reeb_graph

@@ -15,12 +15,13 @@
 #include <CGAL/Reeb_graph/internal/base/arc_index.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/output/Text_output.h>
 #include <CGAL/Reeb_graph/internal/output/files.h>
 #include <CGAL/Reeb_graph/internal/output/number_text.h>
 
-#include <boost/graph/graph_traits.hpp>
-#include <boost/graph/graphviz.hpp>
+#include <CGAL/boost/graph/iterator.h>
 
+#include <cstddef>
 #include <ostream>
 #include <string>
 
@@ -39,6 +40,35 @@ inline const char* fill_color(Node_kind kind)
   case Node_kind::DEGREE_TWO: break;
   }
   return "#e6e6e6";
+}
+
+// A number that DOT reads without quotation marks: with digits and a point, but without an exponent.
+inline bool is_dot_number(const std::string& text)
+{
+  const char* digits = "0123456789";
+  const std::size_t begin = text.compare(0, 1, "-") == 0 ? 1 : 0, point = text.find_first_not_of(digits, begin);
+  if(point == std::string::npos)
+    return begin != text.size();
+  return text[point] == '.' && text.find_first_not_of(digits, point + 1) == std::string::npos;
+}
+
+inline bool is_dot_name(const std::string& text)
+{
+  const std::string letters = "_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  return letters.find(text[0]) != std::string::npos
+      && text.find_first_not_of(letters + "0123456789") == std::string::npos;
+}
+
+// The text as DOT reads it, in quotation marks where it needs them. Boost has such a function, in a header whose names
+// break its own algorithms where they are included later.
+inline std::string dot_text(const std::string& text)
+{
+  if(is_dot_number(text) || is_dot_name(text))
+    return text;
+  std::string quoted = "\"";
+  for(const char c : text)
+    quoted += c == '"' ? std::string("\\\"") : std::string(1, c);
+  return quoted + "\"";
 }
 
 } // namespace internal
@@ -75,33 +105,33 @@ void write_graphviz(std::ostream& out,
   if constexpr(internal::Graph_to_write<Graph, VertexIndexMap, NamedParameters>::value)
   {
     const auto conversion = internal::choose_conversion_of_nodes<Graph>(np);
-    typedef typename boost::graph_traits<Graph>::vertex_descriptor node_descriptor;
-    typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
-
-    const auto write_graph_attributes = [](std::ostream& stream) {
-      stream
-        << "rankdir=BT;\nnodesep=0.8;\n"
-           "node [shape=box, style=\"rounded,filled\", fontname=\"Helvetica\", fontsize=11, margin=\"0.08,0.04\"];\n"
-           "edge [arrowhead=none, fontname=\"Helvetica\", fontsize=11];\n";
-    };
-    const auto write_node_attributes = [&](std::ostream& stream, node_descriptor node) {
+    internal::Text_output text(out);
+    text << "digraph G {\nrankdir=BT;\nnodesep=0.8;\n"
+            "node [shape=box, style=\"rounded,filled\", fontname=\"Helvetica\", fontsize=11, margin=\"0.08,0.04\"];\n"
+            "edge [arrowhead=none, fontname=\"Helvetica\", fontsize=11];\n";
+    for(const auto node : CGAL::make_range(vertices(graph)))
+    {
       const auto& properties = graph[node];
       const auto value = internal::written_scalar(conversion, properties.value);
       const std::string index = std::to_string(get(vertex_index_map, properties.vertex));
       const std::string label = "n" + std::to_string(node) + ", v" + index + "\n" + internal::to_short_string(value);
-      stream << " [label=" << boost::escape_dot_string(label) << ", fillcolor=\""
-             << internal::fill_color(properties.kind) << "\", vertex=" << index
-             << ", value=" << boost::escape_dot_string(internal::to_round_trip_string(value)) << ", kind=\""
-             << to_string(properties.kind) << "\"]";
-    };
-    const auto write_arc_attributes = [&](std::ostream& stream, const arc_descriptor& arc) {
+      text << std::size_t(node) << " [label=" << internal::dot_text(label) << ", fillcolor=\""
+           << internal::fill_color(properties.kind) << "\", vertex=" << index
+           << ", value=" << internal::dot_text(internal::to_round_trip_string(value)) << ", kind=\""
+           << to_string(properties.kind) << "\"];\n";
+    }
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      text << std::size_t(source(arc, graph)) << "->" << std::size_t(target(arc, graph)) << ' ';
       if constexpr(internal::Has_arc_index<Graph>::value)
       {
         const std::string index = std::to_string(get(boost::edge_index, graph, arc));
-        stream << " [label=" << index << ", index=" << index << "]";
+        text << " [label=" << index << ", index=" << index << "]";
       }
-    };
-    boost::write_graphviz(out, graph, write_node_attributes, write_arc_attributes, write_graph_attributes);
+      text << ";\n";
+    }
+    text << "}\n";
+    text.flush();
   }
 }
 

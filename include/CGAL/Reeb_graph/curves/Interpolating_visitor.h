@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
+#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 
 #include <CGAL/IO/Color.h>
@@ -47,7 +48,7 @@ struct Linear_interpolation
       // not larger than the larger one, as differences of small numbers are exact
       return static_cast<Value>(a + std::llround(t * (static_cast<double>(b) - static_cast<double>(a))));
     else
-      return a + t * (b - a);
+      return internal::value_at_fraction(a, b, t);
   }
 
   /// returns the same, component by component.

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/walks/Level.h>
 #include <CGAL/Reeb_graph/options.h>
@@ -92,7 +93,7 @@ public:
     const double lower = on_mesh_.value(on_mesh_.lower_vertex(arc)), upper = on_mesh_.value(on_mesh_.upper_vertex(arc));
     const auto& chain = on_mesh_.chain(arc);
     const std::size_t step = (std::min)(static_cast<std::size_t>(t * chain.size()), chain.size() - 1);
-    return between(arc, lower + t * (upper - lower), on_mesh_.source_of(chain[step]));
+    return between(arc, value_at_fraction(lower, upper, t), on_mesh_.source_of(chain[step]));
   }
 
   // The level at the fraction t of the differences of another field, summed up along the chain.
@@ -120,7 +121,7 @@ public:
       (std::min)(std::size_t(std::lower_bound(sums.begin() + 1, sums.end(), sum) - sums.begin()), chain.size()) - 1;
     const double fraction = used_fraction(arc, step) * (sum - sums[step]) / (sums[step + 1] - sums[step]);
     const Vertex_index from = on_mesh_.source_of(chain[step]), to = on_mesh_.target_of(chain[step]);
-    return between(arc, on_mesh_.value(from) + fraction * (on_mesh_.value(to) - on_mesh_.value(from)), from);
+    return between(arc, value_at_fraction(on_mesh_.value(from), on_mesh_.value(to), fraction), from);
   }
 
 private:

@@ -21,6 +21,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -71,20 +72,21 @@ public:
 
   halfedge_descriptor halfedge(Halfedge_index number) const { return this->field().halfedges(mesh_, number); }
 
-  // The number of h or of its opposite, whichever has a triangle.
+  // The number of the opposite of h, or that of h if only h has a triangle.
   Halfedge_index number_of_edge(halfedge_descriptor h) const
   {
-    Halfedge_index result = no_index;
-    complex().visit_edges_around(source_of(h), [&](Vertex_index, Halfedge_index halfedge_number) {
-      const halfedge_descriptor around = halfedge(halfedge_number);
-      if(around != h && around != opposite(h, mesh_))
-        return false;
-      result = halfedge_number;
-      return true;
-    });
-    if(result == no_index)
+    Halfedge_index found = this->field().halfedges.find(mesh_, h);
+    // Around the ends by turns, ever farther: the one of lower degree ends the search.
+    std::size_t most_steps = 8;
+    for(bool is_done = found != no_index; !is_done; most_steps *= 2)
+    {
+      const bool is_source_done = find_around(source_of(h), h, most_steps, found);
+      is_done = is_source_done || find_around(target_of(h), h, most_steps, found);
+    }
+    if(found == no_index)
       throw Graph_mismatch_error();
-    return result;
+    const Halfedge_index across = halfedge(found) == h ? opposite_of(found) : found;
+    return complex().has_triangle(across) ? across : opposite_of(across);
   }
 
   // The ends of a halfedge that may be one of another mesh.
@@ -129,6 +131,19 @@ public:
   }
 
 private:
+  // Looks for a halfedge or its opposite around a vertex. Returns whether it has been found, or is not there.
+  bool find_around(Vertex_index v, halfedge_descriptor h, std::size_t most_steps, Halfedge_index& found) const
+  {
+    std::size_t number_of_steps = 0;
+    complex().visit_edges_around(v, [&](Vertex_index, Halfedge_index halfedge_number) {
+      const halfedge_descriptor around = halfedge(halfedge_number);
+      if(around == h || around == opposite(h, mesh_))
+        found = halfedge_number;
+      return found != no_index || ++number_of_steps == most_steps;
+    });
+    return number_of_steps != most_steps;
+  }
+
   template <class ScalarMap, class NamedParameters>
   static Surface flatten_reported(const FaceListGraph& mesh,
                                   const ScalarMap& scalar_map,

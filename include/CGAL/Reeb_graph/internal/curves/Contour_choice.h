@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/internal/curves/Contour_cutting.h>
 #include <CGAL/Reeb_graph/internal/curves/Graph_retract.h>
 
@@ -43,7 +44,7 @@ Contour_to_cut<HalfedgeDescriptor> make_contour_to_cut(const RankedMesh& ranked,
   };
   const auto lower = source(*std::max_element(halfedges.begin(), halfedges.end(), has_lower_source), mesh);
   const auto upper = target(*std::min_element(halfedges.begin(), halfedges.end(), has_lower_target), mesh);
-  const double value = ranked.value(lower) + (ranked.value(upper) - ranked.value(lower)) / 2;
+  const double value = value_at_fraction(ranked.value(lower), ranked.value(upper), 0.5);
   return {halfedges, is_closed, std::isfinite(value) ? value : ranked.value(lower), ranked.rank(lower),
           ranked.value(upper) < ranked.value(lower)};
 }

@@ -22,7 +22,9 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -89,10 +91,24 @@ void embed_on_surface(const Augmentation& augmentation,
   });
 }
 
-// `centroids` are a Centroid_polylines, or what is one for another kind of contours.
+// How many edges a contour crosses.
+template <class Contour>
+auto number_of_crossings(const Contour& contour) -> decltype(contour.halfedges.size())
+{
+  return contour.halfedges.size();
+}
+template <class Contour>
+auto number_of_crossings(const Contour& contour) -> decltype(contour.edges.size())
+{
+  return contour.edges.size();
+}
+
+// `centroids` are a Centroid_polylines, or what is one for another kind of contours. Returns false if the contours of
+// arcs cross more than so many edges.
 template <class ConcurrencyTag, class Result, class Augmentation, class Centroids, class NamedParameters>
-void embed_at_centroids(const Augmentation& augmentation,
+bool embed_at_centroids(const Augmentation& augmentation,
                         const Centroids& centroids,
+                        std::size_t most_crossings,
                         const NamedParameters& np,
                         const Progress& progress,
                         Result& result)
@@ -113,13 +129,22 @@ void embed_at_centroids(const Augmentation& augmentation,
       return augmentation.contour(arc, t);
   };
 
-  for_each_reported<ConcurrencyTag>(result.node_points.size(), Stage_progress(progress, 0, 0.1),
-                                    [&](std::size_t i) { result.node_points[i] = centroids.node_point(i); });
   const auto arcs = arcs_of(augmentation);
   std::vector<Places> places(arcs.size());
-  for_each_reported<ConcurrencyTag>(arcs.size(), Stage_progress(progress, 0.1, 1), [&](std::size_t i) {
-    places[i] = centroids.places(arcs[i], number_of_contours, contour_at);
+  std::atomic<std::size_t> crossings = 0;
+  for_each_reported<ConcurrencyTag>(arcs.size(), Stage_progress(progress, 0, 0.9), [&](std::size_t i) {
+    const auto counted_contour_at = [&](const auto arc, double t) {
+      auto contour = contour_at(arc, t);
+      crossings += number_of_crossings(contour);
+      return contour;
+    };
+    if(crossings <= most_crossings)
+      places[i] = centroids.places(arcs[i], number_of_contours, counted_contour_at);
   });
+  if(crossings > most_crossings)
+    return false;
+  for_each_reported<ConcurrencyTag>(result.node_points.size(), Stage_progress(progress, 0.9, 1),
+                                    [&](std::size_t i) { result.node_points[i] = centroids.node_point(i); });
   separate_parallel_arcs(graph, places);
   embed_straight(augmentation, result);
   for(std::size_t i = 0; i != arcs.size(); ++i)
@@ -136,6 +161,7 @@ void embed_at_centroids(const Augmentation& augmentation,
     polyline.insert(polyline.begin() + 1, inner_points.begin(), inner_points.end());
     values.insert(values.begin() + 1, places[i].values.begin(), places[i].values.end());
   }
+  return true;
 }
 
 // `make_centroids` and `make_polylines` return what the two functions above take.
@@ -147,6 +173,7 @@ template <class ConcurrencyTag,
           class MakeCentroids,
           class MakePolylines>
 Embedding<Point> embed_in_manner(const Augmentation& augmentation,
+                                 std::size_t number_of_vertices,
                                  const PointMap& point_map,
                                  const NamedParameters& np,
                                  const MakeCentroids& make_centroids,
@@ -157,16 +184,21 @@ Embedding<Point> embed_in_manner(const Augmentation& augmentation,
   const Progress progress(np);
   Embedding<Point> result;
   embed_nodes_at_vertices(augmentation, point_map, result);
-  switch(choose_parameter(get_parameter(np, internal::embedding_manner), Embedding_manner::CENTROIDS))
+  Embedding_manner& manner = result.manner;
+  manner = choose_parameter(get_parameter(np, internal::embedding_manner), Embedding_manner::BY_COST);
+  std::size_t most_crossings = (std::numeric_limits<std::size_t>::max)();
+  if(manner == Embedding_manner::BY_COST)
   {
-  case Embedding_manner::CENTROIDS:
-    embed_at_centroids<ConcurrencyTag>(augmentation, make_centroids(), np, progress, result);
-    break;
-  case Embedding_manner::ON_SURFACE:
-    embed_on_surface<ConcurrencyTag>(augmentation, make_polylines(), progress, result);
-    break;
-  case Embedding_manner::STRAIGHT: embed_straight(augmentation, result); break;
+    most_crossings = 64 * number_of_vertices + (std::size_t(1) << 20);
+    manner = Embedding_manner::CENTROIDS;
   }
+  if(manner == Embedding_manner::CENTROIDS
+     && !embed_at_centroids<ConcurrencyTag>(augmentation, make_centroids(), most_crossings, np, progress, result))
+    manner = Embedding_manner::STRAIGHT;
+  if(manner == Embedding_manner::ON_SURFACE)
+    embed_on_surface<ConcurrencyTag>(augmentation, make_polylines(), progress, result);
+  if(manner == Embedding_manner::STRAIGHT)
+    embed_straight(augmentation, result);
   progress.report_end();
   return result;
 }

@@ -12,12 +12,16 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Descriptor_numbers.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
+#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 #include <type_traits>
@@ -90,32 +94,23 @@ private:
   std::vector<Position> positions_;         // empty if the indices are the positions
 };
 
-// The position of each vertex (or face) of a mesh that has no index map, found through a dynamic property map.
-template <class Position, class DynamicMap>
-class Dynamic_positions
+// The same for a mesh that has no index map.
+template <class Position, class Descriptor>
+class Stored_positions
 {
 public:
   template <class DescriptorList>
-  Dynamic_positions(const DynamicMap& map, const DescriptorList& descriptors) : map_(map)
+  explicit Stored_positions(const DescriptorList& descriptors) : numbers_(descriptors.size())
   {
     for(const Position position : Index_range<Position>(descriptors.size()))
-      put(map_, descriptors[position], position.number() + 1);
+      numbers_.add(descriptors[position]);
   }
 
-  // no_index if nothing has been put there.
-  template <class Descriptor>
-  Position operator[](const Descriptor& d) const
-  {
-    return Position(get(map_, d) - 1);
-  }
-  template <class Descriptor>
-  Position operator()(const Descriptor& d) const
-  {
-    return (*this)[d];
-  }
+  Position operator()(const Descriptor& d) const { return Position(get(numbers_, d)); } // no_index if it is unknown
+  Position operator[](const Descriptor& d) const { return (*this)(d); }
 
 private:
-  DynamicMap map_; // by descriptor: one more than its position, so that 0 is no_index
+  Descriptor_numbers<Descriptor, Number> numbers_;
 };
 
 // Whether the mesh has indices that cannot be written. Writable ones, such as the ids of a Polyhedron_3, may never
@@ -132,36 +127,53 @@ struct Has_constant_index<Graph, IndexTag, true>
 {
 };
 
-template <class Position, class IndexTag, class DynamicTag, class Graph, class DescriptorList, class IndexParameter>
+// Whether reading a map can change it: one of CGAL's inserts a default value where there is none.
+template <class Map>
+struct Is_changed_by_reading : std::false_type
+{
+};
+template <class Key, class Value>
+struct Is_changed_by_reading<CGAL::internal::Dynamic_property_map<Key, Value>> : std::true_type
+{
+};
+
+template <class Position, class Descriptor, class IndexTag, class Graph, class DescriptorList, class IndexParameter>
 auto make_descriptor_positions(const Graph& mesh,
                                const DescriptorList& descriptors,
                                const IndexParameter& index_parameter,
                                const char* name)
 {
   if constexpr(!std::is_same_v<IndexParameter, internal_np::Param_not_found>)
-    return Descriptor_positions<Position, IndexParameter>(index_parameter, descriptors, name);
+  {
+    Descriptor_positions<Position, IndexParameter> positions(index_parameter, descriptors,
+                                                             name); // which checks the map
+    if constexpr(Is_changed_by_reading<IndexParameter>::value)
+      return Stored_positions<Position, Descriptor>(descriptors);
+    else
+      return positions;
+  }
   else if constexpr(Has_constant_index<Graph, IndexTag>::value)
   {
     typedef typename boost::property_map<Graph, IndexTag>::const_type Index_map;
     return Descriptor_positions<Position, Index_map>(get(IndexTag(), mesh), descriptors, name);
   }
   else
-  {
-    return Dynamic_positions<Position, decltype(get(DynamicTag(), mesh))>(get(DynamicTag(), mesh), descriptors);
-  }
+    return Stored_positions<Position, Descriptor>(descriptors);
 }
 
 template <class Graph, class DescriptorList, class NamedParameters>
 auto make_vertex_positions(const Graph& mesh, const DescriptorList& vertices, const NamedParameters& np)
 {
-  return make_descriptor_positions<Vertex_index, boost::vertex_index_t, dynamic_vertex_property_t<Number>>(
+  typedef typename boost::graph_traits<Graph>::vertex_descriptor vertex_descriptor;
+  return make_descriptor_positions<Vertex_index, vertex_descriptor, boost::vertex_index_t>(
     mesh, vertices, parameters::get_parameter(np, internal_np::vertex_index), "vertices");
 }
 
 template <class Graph, class DescriptorList, class NamedParameters>
 auto make_face_positions(const Graph& mesh, const DescriptorList& faces, const NamedParameters& np)
 {
-  return make_descriptor_positions<Face_index, boost::face_index_t, dynamic_face_property_t<Number>>(
+  typedef typename boost::graph_traits<Graph>::face_descriptor face_descriptor;
+  return make_descriptor_positions<Face_index, face_descriptor, boost::face_index_t>(
     mesh, faces, parameters::get_parameter(np, internal_np::face_index), "faces");
 }
 

@@ -42,6 +42,9 @@ public:
     return halfedge == even_halfedge(edge_of(halfedge)) ? h : opposite(h, mesh);
   }
 
+  // The number of a halfedge, no_index if the mesh does not know it.
+  Halfedge_index find(const FaceListGraph&, const halfedge_descriptor&) const { return no_index; }
+
 private:
   Indexed_vector<Edge_index, halfedge_descriptor> even_halfedges_;
 };
@@ -56,6 +59,12 @@ public:
   halfedge_descriptor operator()(const Surface_mesh<Point>&, Halfedge_index halfedge) const
   {
     return halfedge_descriptor(halfedge.number());
+  }
+
+  // The number of a halfedge, which may have been removed.
+  Halfedge_index find(const Surface_mesh<Point>& mesh, halfedge_descriptor h) const
+  {
+    return mesh.has_garbage() && mesh.is_removed(h) ? Halfedge_index(no_index) : Halfedge_index(h);
   }
 };
 

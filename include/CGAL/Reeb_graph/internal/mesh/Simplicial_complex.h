@@ -149,12 +149,12 @@ public:
   Halfedge_index find_halfedge(Vertex_index source, Vertex_index target) const
   {
     const Vertex_index low = (std::min)(source, target), high = (std::max)(source, target);
-    for(const Edge_index edge : edges_from(low))
-    {
-      if(higher_ends_[edge] == high)
-        return low == source ? even_halfedge(edge) : opposite_of(even_halfedge(edge));
-    }
-    return no_index;
+    const auto edges = lower_edges_[high]; // which are sorted by their lower ends
+    const auto edge =
+      std::partition_point(edges.begin(), edges.end(), [&](Edge_index e) { return lower_ends_[e] < low; });
+    if(edge == edges.end() || lower_ends_[*edge] != low)
+      return no_index;
+    return low == source ? even_halfedge(*edge) : opposite_of(even_halfedge(*edge));
   }
 
   bool is_on_border_edge(Halfedge_index halfedge) const { return !has_two_triangles(edge_of(halfedge)); }

@@ -27,7 +27,6 @@
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/mesh/read_halfedges.h>
 
-#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -79,17 +78,6 @@ template <class FaceListGraph, class Scalar>
 using Unchecked_surface = Complex_with_field<Unchecked_complex<Complex_of_t<FaceListGraph>>, FaceListGraph, Scalar>;
 template <class FaceListGraph, class Scalar>
 using Flat_surface = Complex_with_field<Complex_of_t<FaceListGraph>, FaceListGraph, Scalar>;
-
-// A map that stores a default when a vertex without a value is read.
-template <class Map>
-struct Is_changed_by_reading : std::false_type
-{
-};
-
-template <class Key, class Value>
-struct Is_changed_by_reading<CGAL::internal::Dynamic_property_map<Key, Value>> : std::true_type
-{
-};
 
 // The values of all vertices. Only plain numbers are read in parallel: copies of others may share parts.
 template <class ConcurrencyTag, class VertexList, class ScalarMap, class Traits>

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/St_numbering.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 
@@ -131,9 +132,9 @@ private:
   void raise_above(Position pass)
   {
     const Scalar infinity = std::numeric_limits<Scalar>::infinity();
-    const Scalar from = sign_ * values_[pass], depth = from - sign_ * values_[vertices_.front()];
+    const Scalar from = sign_ * values_[pass], lowest = sign_ * values_[vertices_.front()];
     const Scalar to = shore_.empty() ? infinity : shore_.top().first.first;
-    const Scalar room = (std::min)((to - from) / 2, depth / 16);
+    const Scalar room = (std::min)((to - from) / 2, part_of_difference(lowest, from, 16));
     const auto size = static_cast<Scalar>(vertices_.size());
     std::vector<Scalar> ascending;
     Scalar last = from;

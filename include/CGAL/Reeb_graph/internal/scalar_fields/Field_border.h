@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Scalar_conversion.h>
+#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/options.h>
 
@@ -129,9 +130,9 @@ public:
     {
       const Scalar infinity = std::numeric_limits<Scalar>::infinity();
       const Scalar sign = kind == Border_extremum::MAXIMUM ? 1 : -1;
-      const Scalar range = (std::max)(border.highest, border.highest_neighbor.value_or(border.highest))
-                         - (std::min)(border.lowest, border.lowest_neighbor.value_or(border.lowest));
-      Scalar result = level + sign * (range / margin_divisor);
+      const Scalar highest = (std::max)(border.highest, border.highest_neighbor.value_or(border.highest));
+      const Scalar lowest = (std::min)(border.lowest, border.lowest_neighbor.value_or(border.lowest));
+      Scalar result = level + sign * part_of_difference(lowest, highest, margin_divisor);
       if(!(sign * level < sign * result))
         result = std::nextafter(level, sign * infinity);
       return std::isfinite(result) ? result : level;

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
@@ -47,25 +48,24 @@ Laplacian_weights choose_weights(const NamedParameters& np)
 template <class Scalar>
 struct Unit_range
 {
-  double lowest, length;
+  double lowest, highest;
 
   explicit Unit_range(const Constraints<Scalar>& constraints)
   {
     lowest = std::numeric_limits<double>::infinity();
-    double highest = -lowest;
+    highest = -lowest;
     for(std::size_t v = 0; v != constraints.values.size(); ++v)
       if(constraints.is_fixed[v])
       {
         lowest = (std::min)(lowest, static_cast<double>(constraints.values[v]));
         highest = (std::max)(highest, static_cast<double>(constraints.values[v]));
       }
-    length = highest - lowest;
-    if(!std::isfinite(length) && highest >= lowest)
+    if(highest >= lowest && (std::isinf(lowest) || std::isinf(highest)))
       throw Linear_solver_error();
   }
 
-  double to_unit(Scalar value) const { return length > 0 ? (value - lowest) / length : 0; }
-  Scalar from_unit(double t) const { return static_cast<Scalar>(lowest + t * length); }
+  double to_unit(Scalar value) const { return lowest < highest ? crossing_fraction(lowest, highest, value) : 0; }
+  Scalar from_unit(double t) const { return static_cast<Scalar>(value_at_fraction(lowest, highest, t)); }
 };
 
 // The harmonic field with these fixed values, and without extrema at free vertices. The fraction is that of the work

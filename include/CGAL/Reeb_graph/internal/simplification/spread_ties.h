@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 
@@ -88,8 +89,9 @@ std::vector<Scalar> spread_ties(const std::vector<Scalar>& values,
   std::iota(ascending.begin(), ascending.end(), Index(0));
   std::stable_sort(ascending.begin(), ascending.end(), [&](Index u, Index v) { return values[u] < values[v]; });
   const Scalar infinity = std::numeric_limits<Scalar>::infinity();
-  const Scalar range = values[ascending.back()] - values[ascending.front()]; // 0 if there are no other values
-  const Scalar largest_spread = range > 0 ? range / largest_spread_divisor : infinity;
+  const Scalar lowest = values[ascending.front()], highest = values[ascending.back()];
+  const Scalar largest_spread =
+    lowest < highest ? part_of_difference(lowest, highest, largest_spread_divisor) : infinity;
   for(const auto& [value, tied] : tied_saddles)
   {
     const auto begin = std::partition_point(ascending.begin(), ascending.end(),
