@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/Halfedge_chain.h>
 #include <CGAL/Reeb_graph/Node_kind.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/is_ordered.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/output/graph_storage.h>
@@ -61,6 +62,23 @@ struct Arc
   Halfedge_chain<HalfedgeDescriptor> chain;
 };
 
+namespace internal {
+
+template <class Node, class Arc>
+using Stored_graph = boost::adjacency_list<Inline_edge_list_selector,
+                                           boost::vecS,
+                                           boost::bidirectionalS,
+                                           Node,
+                                           boost::property<boost::edge_index_t, std::size_t, Arc>,
+                                           boost::no_property,
+                                           Block_list_selector>;
+
+// That on a Surface_mesh, whatever its points are.
+template <class Scalar>
+using Surface_graph = Stored_graph<Node<SM_Vertex_index, Scalar>, Arc<SM_Halfedge_index>>;
+
+} // namespace internal
+
 } // namespace Reeb_graph
 
 /// \ingroup PkgReebGraphRef
@@ -105,14 +123,7 @@ public:
                                 boost::property<boost::edge_index_t, std::size_t, Arc>>
     Graph;
 #else
-  typedef boost::adjacency_list<Reeb_graph::internal::Inline_edge_list_selector,
-                                boost::vecS,
-                                boost::bidirectionalS,
-                                Node,
-                                boost::property<boost::edge_index_t, std::size_t, Arc>,
-                                boost::no_property,
-                                Reeb_graph::internal::Block_list_selector>
-    Graph;
+  typedef Reeb_graph::internal::Stored_graph<Node, Arc> Graph;
 #endif
 
   /// the strict weak order of the scalar values

@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/internal/arcs/reduce_arcs.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Wanted_places.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
@@ -269,6 +270,17 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
   progress.report_end();
 }
 
+namespace Reeb_graph {
+namespace internal {
+
+#define CGAL_REEB_GRAPH_WRITE_GRAPH(PREFIX, TAG, POINT, SCALAR)                                                        \
+  PREFIX template void write_graph<TAG>(const Surface_mesh<POINT>&, const Surface_mesh_complex<POINT>&,                \
+                                        const Flat_field<Surface_mesh<POINT>, SCALAR>&, const Natural_order<SCALAR>&,  \
+                                        const Flat_graph&, Surface_graph<SCALAR>&);
+CGAL_REEB_GRAPH_FOR_POINTS(CGAL_REEB_GRAPH_WRITE_GRAPH)
+
+} // namespace internal
+} // namespace Reeb_graph
 } // namespace CGAL
 
 #endif // CGAL_COMPUTE_REEB_GRAPH_H

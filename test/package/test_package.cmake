@@ -6,12 +6,8 @@ file(REMOVE_RECURSE ${FOLDER})
 set(options -D CMAKE_BUILD_TYPE=Release "-D CMAKE_CXX_FLAGS_RELEASE=-O0 -DNDEBUG" -D CGAL_DIR=${CGAL_DIR}
             -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
 if(USAGE STREQUAL "installed")
-  execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_FOLDER} -B ${FOLDER}/package ${options}
-                          -D CGAL_REEB_GRAPH_BUILD_PROGRAM=OFF -D CGAL_REEB_GRAPH_BUILD_TESTS=OFF
-                          -D CGAL_REEB_GRAPH_BUILD_EXAMPLES=OFF -D CGAL_REEB_GRAPH_BUILD_BENCHMARK=OFF
-                          -D CGAL_REEB_GRAPH_BUILD_DOC=OFF
-                  COMMAND_ERROR_IS_FATAL ANY)
-  execute_process(COMMAND ${CMAKE_COMMAND} --install ${FOLDER}/package --prefix ${FOLDER}/prefix
+  execute_process(COMMAND ${CMAKE_COMMAND} --install ${BINARY_FOLDER} --prefix ${FOLDER}/prefix
+                          --component Reeb_graph_development
                   COMMAND_ERROR_IS_FATAL ANY)
   list(APPEND options -D CMAKE_PREFIX_PATH=${FOLDER}/prefix)
 else()
@@ -37,4 +33,4 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -
                         "-D COMPONENTS=${COMPONENTS}"
                 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${FOLDER}/build COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${FOLDER}/build/consumer COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${FOLDER}/build/consumer ${FOLDER}/graphs COMMAND_ERROR_IS_FATAL ANY)

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Contour_trees_engine.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Vertex_queries.h>
@@ -127,6 +128,18 @@ Slab_arcs find_arcs_of_vertices(const Complex& complex,
   arc_of_vertex = queries.take_arc_of_vertex();
   return arcs;
 }
+
+#define CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, METHOD, NUMBER_OF_SLABS)                            \
+  PREFIX template Slab_arcs find_arcs<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, const Swept_vertices&,        \
+                                           METHOD, NUMBER_OF_SLABS, const Stage_progress&);
+#define CGAL_REEB_GRAPH_FIND_ARCS(PREFIX, TAG, COMPLEX, SCALAR)                                                        \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Default_method, Default_number_of_slabs)
+#define CGAL_REEB_GRAPH_FIND_ARCS_BY_CHOICE(PREFIX, TAG, COMPLEX, SCALAR)                                              \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Method, Default_number_of_slabs)                          \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Default_method, std::size_t)                              \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Method, std::size_t)
+CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_FIND_ARCS)
+CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_ARCS_BY_CHOICE)
 
 } // namespace internal
 } // namespace Reeb_graph

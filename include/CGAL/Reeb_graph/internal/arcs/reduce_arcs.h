@@ -17,6 +17,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
@@ -290,6 +291,11 @@ Flat_graph reduce_arcs(const Complex& complex,
   return Arc_reduction<ConcurrencyTag, Complex, Order>(complex, order, critical_vertices, arcs, ties,
                                                        are_degree_two_nodes_kept)(are_passing_arcs_named);
 }
+
+#define CGAL_REEB_GRAPH_REDUCE_ARCS(PREFIX, TAG, COMPLEX, SCALAR)                                                      \
+  PREFIX template Flat_graph reduce_arcs<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, const Swept_vertices&,     \
+                                              const Slab_arcs&, Ties, bool, bool);
+CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_REDUCE_ARCS)
 
 } // namespace internal
 } // namespace Reeb_graph

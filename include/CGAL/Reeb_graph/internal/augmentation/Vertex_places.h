@@ -17,6 +17,7 @@
 #include <CGAL/Reeb_graph/internal/augmentation/Vertex_lists.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Vertex_queries.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
@@ -134,6 +135,12 @@ private:
   const Flat_graph& graph_;
   const bool are_ties_contracted_;
 };
+
+#define CGAL_REEB_GRAPH_FIND_ARCS_WITH_VERTICES(PREFIX, TAG, COMPLEX, SCALAR)                                          \
+  PREFIX template Slab_arcs find_arcs_with_vertices<TAG>(                                                              \
+    const COMPLEX&, const Natural_order<SCALAR>&, const Swept_vertices&, Default_method, Default_number_of_slabs,      \
+    Arc_of_vertex&, const Stage_progress&);
+CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_ARCS_WITH_VERTICES)
 
 } // namespace internal
 } // namespace Reeb_graph

@@ -21,6 +21,7 @@
 #include <CGAL/Reeb_graph/internal/augmentation/check_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/contour_trees/Vertex_queries.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
@@ -29,6 +30,7 @@
 #include <CGAL/Reeb_graph/options.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 
 namespace CGAL {
@@ -37,12 +39,12 @@ namespace internal {
 
 // The places of all vertices in the exact graph, which is computed once more. Nothing but the surface and the order of
 // its vertices is asked. check_graph(graph) may throw.
-template <class ConcurrencyTag, class Complex, class Order, class CheckGraph>
+template <class ConcurrencyTag, class Complex, class Order>
 Place_of_vertex find_places(const Complex& complex,
                             const Order& order,
                             Ties ties,
                             bool are_degree_two_nodes_kept,
-                            const CheckGraph& check_graph,
+                            const std::function<void(const Flat_graph&)>& check_graph,
                             const Progress& progress)
 {
   progress.report(0);
@@ -85,6 +87,11 @@ auto locate_vertices(const GraphOnMesh& on_mesh,
     on_mesh.vertex_numbers(), num_vertices(graph), {arcs.first, arcs.second}, place_of_vertex,
     std::make_shared<Vertex_lists<vertex_descriptor>>(on_mesh.list_vertices(place_of_vertex, number_of_places)));
 }
+
+#define CGAL_REEB_GRAPH_FIND_PLACES(PREFIX, TAG, COMPLEX, SCALAR)                                                      \
+  PREFIX template Place_of_vertex find_places<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, Ties, bool,           \
+                                                   const std::function<void(const Flat_graph&)>&, const Progress&);
+CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_PLACES)
 
 } // namespace internal
 } // namespace Reeb_graph

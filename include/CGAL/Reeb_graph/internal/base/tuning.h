@@ -27,7 +27,9 @@ enum class Tuned_part
   EDGE_SWEEP
 };
 
-#ifndef CGAL_REEB_GRAPH_LEFT_OUT
+#ifdef CGAL_REEB_GRAPH_LEFT_OUT
+#undef CGAL_REEB_GRAPH_COMPILED // Compiled stages leave nothing out.
+#else
 #define CGAL_REEB_GRAPH_LEFT_OUT NONE
 #endif
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Link_forests.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
@@ -98,6 +99,10 @@ Classified_complex<Simplicial_complex> check_and_classify_vertices(Simplicial_co
   Swept_vertices critical_vertices = classify_vertices<ConcurrencyTag>(complex, order);
   return {std::move(complex), std::move(critical_vertices)};
 }
+
+#define CGAL_REEB_GRAPH_CLASSIFY_VERTICES_OF_SOUP(PREFIX, TAG, COMPLEX, SCALAR)                                        \
+  PREFIX template Classified_complex<COMPLEX> check_and_classify_vertices<TAG>(COMPLEX, const Natural_order<SCALAR>&);
+CGAL_REEB_GRAPH_FOR_SOUPS(CGAL_REEB_GRAPH_CLASSIFY_VERTICES_OF_SOUP)
 
 } // namespace internal
 } // namespace Reeb_graph

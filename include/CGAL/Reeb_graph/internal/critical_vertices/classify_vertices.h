@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Monotone_neighbors.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
@@ -176,6 +177,11 @@ Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Comple
   Swept_vertices critical_vertices = join_parts<ConcurrencyTag>(complex, order, found);
   return {std::move(complex), std::move(critical_vertices)};
 }
+
+#define CGAL_REEB_GRAPH_CLASSIFY_VERTICES(PREFIX, TAG, COMPLEX, SCALAR)                                                \
+  PREFIX template Classified_complex<COMPLEX> check_and_classify_vertices<TAG>(Unchecked_complex<COMPLEX>,             \
+                                                                               const Natural_order<SCALAR>&);
+CGAL_REEB_GRAPH_FOR_SURFACES(CGAL_REEB_GRAPH_CLASSIFY_VERTICES)
 
 } // namespace internal
 } // namespace Reeb_graph

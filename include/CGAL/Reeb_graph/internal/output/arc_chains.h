@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/walks/ascending_path.h>
@@ -98,6 +99,10 @@ Flat_chains find_arc_chains(const Complex& complex, const Order& order, const Fl
   });
   return chains;
 }
+
+#define CGAL_REEB_GRAPH_FIND_ARC_CHAINS(PREFIX, TAG, COMPLEX, SCALAR)                                                  \
+  PREFIX template Flat_chains find_arc_chains<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, const Flat_graph&);
+CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_FIND_ARC_CHAINS)
 
 } // namespace internal
 } // namespace Reeb_graph

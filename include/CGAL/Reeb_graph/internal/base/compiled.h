@@ -1,0 +1,116 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_BASE_COMPILED_H
+#define CGAL_REEB_GRAPH_INTERNAL_BASE_COMPILED_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/tuning.h>
+
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <functional>
+
+// The seam of the library CGAL::Reeb_graph_compiled, in which the stages are compiled once for what nearly all use. Its
+// target defines CGAL_REEB_GRAPH_COMPILED: then headers declare that these are instantiated elsewhere. For all other
+// types, and without the macro, they are templates as any.
+//
+// A stage says so behind its definition, by a macro M(PREFIX, TAG, COMPLEX, SCALAR) with its signature, which one of
+// the lists below is given. A stage has to be a function that is neither in a class nor inline, and whose result is not
+// `auto`, as g++ instantiates all others nevertheless. No kernel is included here: only the library needs them all.
+
+namespace CGAL {
+
+template <class FieldNumber>
+struct Simple_cartesian;
+class Epick;
+class Epeck;
+template <class Kernel>
+class Point_3;
+class SM_Vertex_index;
+class SM_Halfedge_index;
+
+namespace Reeb_graph {
+namespace internal {
+
+template <class Point>
+class Surface_mesh_complex;
+class Triangle_complex;
+class Simplicial_complex;
+template <class Scalar, class Less>
+class Vertex_order;
+
+typedef Point_3<Simple_cartesian<double>> Cartesian_point;
+typedef Point_3<Epick> Epick_point;
+typedef Point_3<Epeck> Epeck_point;
+typedef Surface_mesh_complex<Cartesian_point> Cartesian_complex;
+typedef Surface_mesh_complex<Epick_point> Epick_complex;
+typedef Surface_mesh_complex<Epeck_point> Epeck_complex;
+
+template <class Scalar>
+using Natural_order = Vertex_order<Scalar, std::less<Scalar>>;
+typedef std::size_t Rank; // the scalars of those who cut along curves
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+// A source of the library defines as empty what it is there to instantiate.
+#ifndef CGAL_REEB_GRAPH_SEQUENTIAL
+#define CGAL_REEB_GRAPH_SEQUENTIAL extern
+#endif
+#ifndef CGAL_REEB_GRAPH_PARALLEL
+#define CGAL_REEB_GRAPH_PARALLEL extern
+#endif
+
+// Without TBB on both sides, Parallel_tag is nothing for the seam.
+#if defined(CGAL_REEB_GRAPH_COMPILED_PARALLEL) && defined(CGAL_LINKED_WITH_TBB)
+#define CGAL_REEB_GRAPH_IF_PARALLEL(...) __VA_ARGS__
+#else
+#define CGAL_REEB_GRAPH_IF_PARALLEL(...)
+#endif
+
+#ifdef CGAL_REEB_GRAPH_COMPILED
+#define CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, PREFIX, TAG, SCALAR)                                                        \
+  M(PREFIX, TAG, Cartesian_complex, SCALAR)                                                                            \
+  M(PREFIX, TAG, Epick_complex, SCALAR)                                                                                \
+  M(PREFIX, TAG, Epeck_complex, SCALAR)                                                                                \
+  M(PREFIX, TAG, Triangle_complex, SCALAR)
+#define CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES(M)                                                                     \
+  CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, double)                               \
+  CGAL_REEB_GRAPH_IF_PARALLEL(CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, double))
+#define CGAL_REEB_GRAPH_FOR_SURFACES_OF_RANKS(M)                                                                       \
+  CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Rank)
+#define CGAL_REEB_GRAPH_FOR_SOUPS(M)                                                                                   \
+  M(CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Simplicial_complex, double)                                            \
+  CGAL_REEB_GRAPH_IF_PARALLEL(M(CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, Simplicial_complex, double))
+// With the point of a Surface_mesh instead of a complex.
+#define CGAL_REEB_GRAPH_FOR_POINTS_OF(M, PREFIX, TAG, SCALAR)                                                          \
+  M(PREFIX, TAG, Cartesian_point, SCALAR)                                                                              \
+  M(PREFIX, TAG, Epick_point, SCALAR)                                                                                  \
+  M(PREFIX, TAG, Epeck_point, SCALAR)
+#define CGAL_REEB_GRAPH_FOR_POINTS(M)                                                                                  \
+  CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, double)                                 \
+  CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Rank)                                   \
+  CGAL_REEB_GRAPH_IF_PARALLEL(CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, double))
+#else
+#define CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES(M)
+#define CGAL_REEB_GRAPH_FOR_SURFACES_OF_RANKS(M)
+#define CGAL_REEB_GRAPH_FOR_SOUPS(M)
+#define CGAL_REEB_GRAPH_FOR_POINTS(M)
+#endif
+#define CGAL_REEB_GRAPH_FOR_SURFACES(M)                                                                                \
+  CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES(M) CGAL_REEB_GRAPH_FOR_SURFACES_OF_RANKS(M)
+#define CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(M)                                                                    \
+  CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES(M) CGAL_REEB_GRAPH_FOR_SOUPS(M)
+#define CGAL_REEB_GRAPH_FOR_COMPLEXES(M) CGAL_REEB_GRAPH_FOR_SURFACES(M) CGAL_REEB_GRAPH_FOR_SOUPS(M)
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_BASE_COMPILED_H

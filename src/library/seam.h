@@ -1,0 +1,23 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_LIBRARY_SEAM_H
+#define CGAL_REEB_GRAPH_SRC_LIBRARY_SEAM_H
+
+// All headers with functions of the seam, and what they are compiled for. internal/base/compiled.h tells more.
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/Soup_augmentation.h>
+#include <CGAL/compute_reeb_graph.h>
+#include <CGAL/compute_reeb_graph_of_soup.h>
+
+#endif // CGAL_REEB_GRAPH_SRC_LIBRARY_SEAM_H
