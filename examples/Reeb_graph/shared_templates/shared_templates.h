@@ -11,14 +11,12 @@
 
 // For those who build the project, not for those who read the examples: what nearly all of these begin with, to be
 // precompiled, and the templates that most of them instantiate with the same arguments. They are declared to be
-// instantiated elsewhere, shared_templates.cpp, so that it is done once.
+// instantiated elsewhere, shared_templates.cpp, so that it is done once. The compiled library has the stages.
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/compute_reeb_graph.h>
 
-#include <cstddef>
-#include <functional>
 #include <string>
 
 namespace shared_templates {
@@ -27,22 +25,7 @@ typedef CGAL::Surface_mesh<Point> Mesh;
 typedef Mesh::Property_map<Mesh::Vertex_index, double> Scalar_map;
 typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Graph;
 typedef CGAL::parameters::Default_named_parameters Default_parameters;
-
-namespace stages = CGAL::Reeb_graph::internal;
-typedef stages::Surface_mesh_complex<Point> Complex;
-typedef stages::Vertex_order<double, std::less<double>> Order;
-typedef stages::Vertex_order<std::size_t, std::less<std::size_t>> Rank_order; // of meshes whose saddles are unfolded
 } // namespace shared_templates
-
-// The stages are on their own for those who give named parameters.
-#define CGAL_REEB_GRAPH_SHARED_STAGES(EXTERN, ORDER)                                                                   \
-  EXTERN template Classified_complex<shared_templates::Complex> check_and_classify_vertices<Sequential_tag>(           \
-    Unchecked_complex<shared_templates::Complex>, const ORDER&);                                                       \
-  EXTERN template Slab_arcs find_arcs<Sequential_tag>(const shared_templates::Complex&, const ORDER&,                  \
-                                                      const Swept_vertices&, Default_method, Default_number_of_slabs,  \
-                                                      const Stage_progress&);                                          \
-  EXTERN template Flat_graph reduce_arcs<Sequential_tag>(const shared_templates::Complex&, const ORDER&,               \
-                                                         const Swept_vertices&, const Slab_arcs&, Ties, bool, bool);
 
 #define CGAL_REEB_GRAPH_SHARED_TEMPLATES(EXTERN)                                                                       \
   namespace CGAL {                                                                                                     \
@@ -53,12 +36,6 @@ typedef stages::Vertex_order<std::size_t, std::less<std::size_t>> Rank_order; //
                                                           shared_templates::Scalar_map,                                \
                                                           shared_templates::Graph&,                                    \
                                                           const shared_templates::Default_parameters&);                \
-  namespace Reeb_graph {                                                                                               \
-  namespace internal {                                                                                                 \
-  CGAL_REEB_GRAPH_SHARED_STAGES(EXTERN, shared_templates::Order)                                                       \
-  CGAL_REEB_GRAPH_SHARED_STAGES(EXTERN, shared_templates::Rank_order)                                                  \
-  }                                                                                                                    \
-  }                                                                                                                    \
   }
 
 CGAL_REEB_GRAPH_SHARED_TEMPLATES(extern)
