@@ -15,6 +15,7 @@
 #include "random_complexes.h"
 #include "random_fields.h"
 
+#include <CGAL/Reeb_graph/internal/level_sets/Components_of_complex.h>
 #include <CGAL/Reeb_graph/internal/level_sets/Contour_search.h>
 #include <CGAL/Reeb_graph/internal/level_sets/Contours_of_sectors.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
@@ -232,43 +233,142 @@ BOOST_AUTO_TEST_CASE(orders_that_contradict_themselves_end)
   BOOST_TEST(number_of_exceptions > 50);
 }
 
-// Finds for all vertices with several lower sectors which are in one contour, and returns the steps that it takes.
 namespace {
-template <class ForEachTriangle>
-std::pair<std::size_t, std::size_t> count_steps(std::size_t number_of_vertices,
-                                                const ForEachTriangle& for_each_triangle,
-                                                const std::vector<double>& values)
+namespace stages = CGAL::Reeb_graph::internal;
+
+template <class Cells>
+stages::Simplicial_complex make_complex(std::size_t number_of_vertices, const Cells& cells)
 {
-  namespace stages = CGAL::Reeb_graph::internal;
-  const stages::Simplicial_complex complex(number_of_vertices, for_each_triangle, [](const auto&) {});
-  const stages::Indexed_vector<stages::Vertex_index, double> scalars(values.begin(), values.end());
-  const stages::Vertex_order order(scalars, std::less<double>());
-  const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(complex, order);
-  stages::Plain_vector<stages::Swept_index> vertices;
-  for(const stages::Swept_index i : critical_vertices.ascending())
-    if(critical_vertices.number_of_lower_sectors(i) > 1)
-      vertices.push_back(i);
-  stages::Contours_of_sectors contours(complex, order, critical_vertices, vertices);
-  stages::Indexed_vector<stages::Sector_index, stages::Number> names(
-    critical_vertices.total_number_of_sectors(stages::Side::LOWER), stages::no_index);
-  contours([](stages::Vertex_index) { return false; }, names);
-  return {complex.number_of_triangles(), contours.number_of_steps()};
+  using stages::Vertex_index;
+  const auto for_each_triangle = [&](const auto& visit) {
+    for(const auto& cell : cells)
+      for(std::size_t i = 2; i < cell.size(); ++i)
+        for(std::size_t j = 1; j < i; ++j)
+          for(std::size_t k = 0; k < j; ++k)
+            visit(Vertex_index(cell[i]), Vertex_index(cell[j]), Vertex_index(cell[k]));
+  };
+  return stages::Simplicial_complex(number_of_vertices, for_each_triangle, [](const auto&) {});
 }
 
+// Finds for all vertices with several lower sectors which of these are in one contour.
+struct Found_contours
+{
+  template <class Cells>
+  Found_contours(const Cells& cells, const std::vector<double>& values)
+    : complex(make_complex(values.size(), cells)),
+      scalars(values.begin(), values.end()),
+      critical_vertices(stages::classify_vertices<CGAL::Sequential_tag>(complex, order))
+  {
+    for(const stages::Swept_index i : critical_vertices.ascending())
+      if(critical_vertices.number_of_lower_sectors(i) > 1)
+        vertices.push_back(i);
+    names.assign(critical_vertices.total_number_of_sectors(stages::Side::LOWER), stages::no_index);
+    stages::Contours_of_sectors contours(complex, order, critical_vertices, vertices);
+    contours([](stages::Vertex_index) { return false; }, names);
+    number_of_steps = contours.number_of_steps();
+  }
+
+  stages::Simplicial_complex complex;
+  stages::Indexed_vector<stages::Vertex_index, double> scalars;
+  stages::Vertex_order<double, std::less<double>> order = {scalars, std::less<double>()};
+  stages::Swept_vertices critical_vertices;
+  stages::Plain_vector<stages::Swept_index> vertices;
+  stages::Indexed_vector<stages::Sector_index, stages::Number> names; // by lower sector
+  std::size_t number_of_steps = 0;
+};
+
+// By edge, one edge of its contour just below the vertex.
+std::vector<stages::Edge_index> find_contours_below(const Found_contours& found, stages::Vertex_index vertex)
+{
+  const auto& complex = found.complex;
+  const auto is_crossed = [&](stages::Edge_index edge) {
+    return found.order(complex.lower_end(edge), vertex) != found.order(complex.higher_end(edge), vertex);
+  };
+  std::vector<stages::Edge_index> contours;
+  for(const stages::Edge_index edge : complex.edges())
+    contours.push_back(edge);
+  for(const stages::Triangle_index triangle : complex.triangles())
+    for(const stages::Edge_index a : complex.edges_of(triangle))
+      for(const stages::Edge_index b : complex.edges_of(triangle))
+        if(is_crossed(a) && is_crossed(b))
+          std::replace(contours.begin(), contours.end(), stages::Edge_index(contours[a.number()]),
+                       stages::Edge_index(contours[b.number()]));
+  return contours;
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(lower_sectors_in_one_contour_are_found)
+{
+  std::size_t number_of_pairs = 0, number_of_joined_pairs = 0;
+  for(std::size_t seed = 0; seed < 1000; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      const auto complex_class = static_cast<Complex_class>(seed % static_cast<int>(Complex_class::NUMBER_OF_CLASSES));
+      const Complex complex = skeleton(random_complexes::random_complex(complex_class, random));
+      const Found_contours found(complex.triangles,
+                                 random_complexes::random_values(complex.number_of_vertices, random));
+      for(const stages::Swept_index i : found.vertices)
+      {
+        const auto contours = find_contours_below(found, found.critical_vertices.vertex(i));
+        const auto sectors = found.critical_vertices.sectors(i, stages::Side::LOWER);
+        const auto contour = [&](stages::Sector_index sector) {
+          return contours[edge_of(found.critical_vertices.sector(stages::Side::LOWER, sector).edge).number()];
+        };
+        for(const stages::Sector_index a : sectors)
+          for(const stages::Sector_index b : sectors)
+          {
+            BOOST_TEST((found.names[a] == found.names[b]) == (contour(a) == contour(b)));
+            ++number_of_pairs;
+            number_of_joined_pairs += a != b && contour(a) == contour(b) ? 1 : 0;
+          }
+      }
+    }
+  BOOST_TEST(number_of_pairs > 1000u);
+  BOOST_TEST(number_of_joined_pairs > 100u);
+}
+
+// What excludes loops saves searches only: graphs do not tell whether it is found.
+BOOST_AUTO_TEST_CASE(components_are_closed_or_simply_connected)
+{
+  const auto check = [](const Complex& complex, bool is_closed, bool is_simply_connected) {
+    // The complex twice, and a triangle.
+    const auto one = skeleton(complex).triangles;
+    auto triangles = one;
+    for(const auto& t : one)
+      triangles.push_back(
+        {t[0] + complex.number_of_vertices, t[1] + complex.number_of_vertices, t[2] + complex.number_of_vertices});
+    const std::size_t lone = 2 * complex.number_of_vertices;
+    triangles.push_back({lone, lone + 1, lone + 2});
+    const stages::Simplicial_complex both = make_complex(lone + 3, triangles);
+    const stages::Components_of_complex components(both);
+    for(const stages::Vertex_index v : both.vertices())
+    {
+      BOOST_TEST(components.is_closed(v) == (v.number() < lone && is_closed));
+      BOOST_TEST(components.is_simply_connected(v) == (v.number() >= lone || is_simply_connected));
+    }
+  };
+  for(const std::size_t size : {4, 6, 9})
+  {
+    check(random_complexes::complex_of(random_meshes::bipyramid(size)), true, true);
+    check(random_complexes::complex_of(random_meshes::disk(size)), false, true);
+    check(random_complexes::complex_of(random_meshes::cylinder(size, 3)), false, false);
+    check(random_complexes::closed_grid(size, size, false), true, false);
+    check(random_complexes::closed_grid(size, size, true), true, false);
+    check(random_complexes::book(size, 4), false, true);
+  }
+  check(random_complexes::projective_plane(), true, false);
+  check(random_complexes::triangle_strip(7), false, false);
+  check(random_complexes::sphere_with_wall(), false, true);
+  check({4, {}, {}, {{0, 1, 2, 3}}}, true, true);
+}
+
+namespace {
 template <class Cells>
 std::pair<std::size_t, std::size_t> count_steps(const Cells& cells, const std::vector<double>& values)
 {
-  using CGAL::Reeb_graph::internal::Vertex_index;
-  return count_steps(
-    values.size(),
-    [&](const auto& visit) {
-      for(const auto& cell : cells)
-        for(std::size_t i = 2; i < cell.size(); ++i)
-          for(std::size_t j = 1; j < i; ++j)
-            for(std::size_t k = 0; k < j; ++k)
-              visit(Vertex_index(cell[i]), Vertex_index(cell[j]), Vertex_index(cell[k]));
-    },
-    values);
+  const Found_contours found(cells, values);
+  return {found.complex.number_of_triangles(), found.number_of_steps};
 }
 } // namespace
 
@@ -296,7 +396,6 @@ BOOST_AUTO_TEST_CASE(the_steps_of_noise_are_near_linear)
 // Contours of one edge beside a contour at whose edge all pages of a book meet, one at a time and all at once.
 BOOST_AUTO_TEST_CASE(the_steps_of_short_contours_do_not_depend_on_the_long_ones)
 {
-  namespace stages = CGAL::Reeb_graph::internal;
   using stages::Vertex_index;
   constexpr std::size_t number_of_pages = 1000;
   // Below the level are vertex 0 and the second half of the other ones, above it vertex 1 and the first half.
