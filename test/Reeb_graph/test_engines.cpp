@@ -627,19 +627,20 @@ BOOST_AUTO_TEST_CASE(the_corrections_of_cuts_around_a_hub_grow_linearly)
 
 BOOST_AUTO_TEST_CASE(the_traced_edges_of_noise_grow_linearly)
 {
-  const auto compare_sizes = [](const Surface_mesh& small, const Surface_mesh& large) {
+  // Without the rules that exclude loops, it is at least half as much again.
+  const auto compare_sizes = [](const Surface_mesh& small, const Surface_mesh& large, double bound) {
     const double before = traced_edges_per_vertex(small), after = traced_edges_per_vertex(large);
     BOOST_TEST_MESSAGE(before << " and " << after << " traced edges per vertex");
-    BOOST_TEST(before < 4);
-    BOOST_TEST(after < 4);
+    BOOST_TEST(before < bound);
+    BOOST_TEST(after < bound);
     BOOST_TEST(after < 2 * before + 0.5);
   };
   BOOST_TEST_CONTEXT("terrain")
   compare_sizes(make_mesh<Surface_mesh>(generated_surfaces::terrain(50, 50)),
-                make_mesh<Surface_mesh>(generated_surfaces::terrain(200, 200)));
+                make_mesh<Surface_mesh>(generated_surfaces::terrain(200, 200)), 0.12);
   BOOST_TEST_CONTEXT("genus 3")
   compare_sizes(make_mesh<Surface_mesh>(generated_surfaces::closed_surface(3, 2500)),
-                make_mesh<Surface_mesh>(generated_surfaces::closed_surface(3, 40000)));
+                make_mesh<Surface_mesh>(generated_surfaces::closed_surface(3, 40000)), 0.65);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
