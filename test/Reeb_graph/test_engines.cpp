@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 #include <type_traits>
 #include <utility>
@@ -524,6 +525,28 @@ BOOST_AUTO_TEST_CASE(a_mesh_in_bad_order_has_the_graph_of_the_ordered_one)
   mesh = make_mesh<Surface_mesh>(soup);
   CGAL::Euler::join_face(halfedge(Surface_mesh::Face_index(777), mesh), mesh);
   BOOST_CHECK_THROW(graph_checks::compute(mesh, values), CGAL::Reeb_graph::Non_triangular_face_error);
+}
+
+// Neighbors are near each other in memory, but vertices in a row are not, as where they have been sorted.
+BOOST_AUTO_TEST_CASE(a_mesh_with_vertices_and_faces_in_two_orders_has_the_graph_of_the_ordered_one)
+{
+  auto soup = generated_surfaces::closed_surface(3, 36000);
+  const auto ordered_mesh = make_mesh<Surface_mesh>(soup);
+  Random random(431000);
+  std::vector<std::size_t> new_numbers;
+  for(std::size_t first = 0; first < soup.points.size(); first = new_numbers.size())
+  {
+    std::vector<std::size_t> numbers((std::min)(soup.points.size() - first, std::size_t(1500)));
+    std::iota(numbers.begin(), numbers.end(), first);
+    random.shuffle(numbers);
+    new_numbers.insert(new_numbers.end(), numbers.begin(), numbers.end());
+  }
+  generated_surfaces::renumber(soup, new_numbers);
+  const auto mesh = make_mesh<Surface_mesh>(soup);
+  const auto values = smooth_field(mesh);
+  BOOST_TEST(is_sweep_faster(mesh, values));
+  BOOST_TEST(!is_sweep_faster(mesh, noise(mesh, 1)));
+  BOOST_TEST((values_of_arcs(mesh, values) == values_of_arcs(ordered_mesh, smooth_field(ordered_mesh))));
 }
 
 BOOST_AUTO_TEST_CASE(there_are_as_many_cuts_as_loops_but_none_along_the_longest_contour)
