@@ -46,9 +46,9 @@ for kind in ("cutting-system", "branch", "pants"):
 
 
 def is_meant(surface, command):
-    """Curves on noise are much longer than the mesh is large, and only some surfaces have pants."""
+    """Curves on noise are much longer than the mesh is large, and so are pants of plates; other surfaces have none."""
     if command.startswith("curves"):
-        return "noise" not in surface and ("k^2" in surface or "pants" not in command)
+        return "noise" not in surface and ("genus k^2" in surface or "pants" not in command)
     return not command.startswith("field") or "noise" not in surface
 
 
