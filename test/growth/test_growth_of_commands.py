@@ -66,7 +66,8 @@ def run(command, stem):
             if status != 0:
                 sys.exit(f"{' '.join(arguments)} has failed")
             best = min(best, usage.ru_utime + usage.ru_stime)
-            written = sum(file.stat().st_size for file in pathlib.Path(folder).iterdir())
+            files = [file for file in pathlib.Path(folder).iterdir() if file.suffix != ".html"]  # a page does not grow
+            written = sum(file.stat().st_size for file in files)
         if best > 1:
             break
     return best, written + os.path.getsize(mesh)
