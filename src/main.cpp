@@ -93,6 +93,9 @@ void add_curves_command(CLI::App& app, Curves_options& options)
                                        "(make-level, the default), or refuse a field for which they are not (level)")
     ->check(CLI::IsMember({"make-level", "level"}));
   command->add_flag("--cut-open", options.cut.is_cut_open, "Cut the mesh open along the curves");
+  command->add_flag("--large", options.is_large_accepted,
+                    "Cut the mesh even if it will have more than 50 times its triangles, as noise on many handles has, "
+                    "and tell their number before");
   add_file(*command, "--curves", options.curves_path, "Write the curves to this file, .polylines.txt");
   add_file(*command, "--cut-mesh", options.cut_mesh_path,
            "Write the mesh that is cut along the curves to this file, .off or .ply; PLY has the patches as "

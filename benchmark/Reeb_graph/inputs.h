@@ -9,6 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_BENCHMARK_INPUTS_H
 #define CGAL_REEB_GRAPH_BENCHMARK_INPUTS_H
 
+#include "meshes_as_they_come.h"
+
 #include "generated_surfaces/build_mesh.h"
 #include "generated_surfaces/generated_surfaces.h"
 #include "generated_surfaces/random_meshes.h"
@@ -33,7 +35,8 @@ typedef Mesh::Property_map<Mesh::Vertex_index, double> Scalar_map;
 
 inline const std::vector<std::string>& surface_names()
 {
-  static const std::vector<std::string> names = {"genus-0", "genus-3", "genus-25", "terrain"};
+  static const std::vector<std::string> names = {"genus-0", "genus-3", "genus-25",   "terrain",   "cells",
+                                                 "across",  "sorted",  "subdivided", "decimated", "remeshed"};
   return names;
 }
 
@@ -50,7 +53,13 @@ inline generated_surfaces::Triangle_soup make_surface(const std::string& name, s
     const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(number_of_vertices)));
     return generated_surfaces::terrain(side, side);
   }
-  const unsigned genus = name == "genus-0" ? 0 : name == "genus-3" ? 3 : 25;
+  if(name == "cells" || name == "across")
+    return isosurface(number_of_vertices, name == "across");
+  if(name == "sorted")
+    return with_sorted_vertices(isosurface(number_of_vertices, false));
+  if(name == "subdivided")
+    return subdivided_surface(number_of_vertices);
+  const unsigned genus = name == "genus-0" ? 0 : name == "genus-25" ? 25 : 3;
   return generated_surfaces::closed_surface(genus, number_of_vertices);
 }
 
@@ -74,10 +83,16 @@ public:
       generated_surfaces::shuffle(soup, random);
     }
     generated_surfaces::build(mesh_, soup);
-    triangles_.reserve(soup.triangles.size());
-    for(const auto& t : soup.triangles)
-      triangles_.push_back(
-        {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
+    if(surface == "decimated")
+      decimate(mesh_);
+    if(surface == "remeshed")
+      remesh(mesh_);
+    triangles_.reserve(mesh_.number_of_faces());
+    for(const Mesh::Face_index f : mesh_.faces())
+    {
+      const Mesh::Halfedge_index h = mesh_.halfedge(f);
+      triangles_.push_back({mesh_.source(h).idx(), mesh_.target(h).idx(), mesh_.target(mesh_.next(h)).idx()});
+    }
     scalar_map_ = mesh_.add_property_map<Mesh::Vertex_index, double>("v:scalar").first;
   }
 

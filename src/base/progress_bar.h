@@ -30,9 +30,10 @@ public:
   // The form that the named parameter `callback` has: `fraction` is between 0 and 1, and the work shall go on.
   bool operator()(double fraction);
 
-private:
+  // Makes room for other messages.
   void clear();
 
+private:
   std::string name_of_work_;
   std::ostream* terminal_; // null if nothing is shown
   double seconds_until_shown_;

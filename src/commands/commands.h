@@ -56,7 +56,8 @@ struct Curves_options
   std::string patches_path;
   std::string mesh_path;
   std::string page_path;
-  std::string unit; // of the field, for what is drawn
+  std::string unit;               // of the field, for what is drawn
+  bool is_large_accepted = false; // a cut mesh of more than 50 times the triangles
   bool is_report_json = false;
   std::size_t number_of_threads = 0; // 0: one per core
 };

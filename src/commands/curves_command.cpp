@@ -149,12 +149,25 @@ void simplify(const Surface& surface,
 
 Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& options, bool are_ties_contracted)
 {
+  const std::size_t given = surface.number_of_faces();
+  const auto is_size_accepted = [&](std::size_t number_of_triangles) {
+    if(options.is_large_accepted)
+      std::cerr << "the cut mesh is going to have " << number_of_triangles << " triangles, the mesh has " << given
+                << '\n';
+    return options.is_large_accepted || number_of_triangles <= 50 * given;
+  };
   Cut_options cut = options.cut;
   if(are_ties_contracted && !cut.persistence) // a branch of no height is none
     cut.persistence = std::numeric_limits<double>::denorm_min();
   try
   {
-    return cut_along_curves(surface, scalar_map, properties_to_keep(options, surface), cut);
+    return cut_along_curves(surface, scalar_map, properties_to_keep(options, surface), cut, is_size_accepted);
+  }
+  catch(const CGAL::Reeb_graph::Face_count_error& error)
+  {
+    throw std::runtime_error("the cut mesh would have " + std::to_string(error.number_of_faces())
+                             + " triangles, more than 50 times the " + std::to_string(given)
+                             + " of the mesh: --large cuts it all the same");
   }
   catch(const CGAL::Reeb_graph::Border_level_error& error)
   {

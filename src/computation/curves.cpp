@@ -29,6 +29,7 @@ std::vector<Curve> find_curves(Surface& surface,
                                Scalar_map scalar_map,
                                const std::vector<Any_vertex_property>& properties,
                                const Cut_options& options,
+                               const std::function<bool(std::size_t)>& face_count_callback,
                                Patch_map patch_map)
 {
   namespace parameters = CGAL::parameters;
@@ -38,7 +39,11 @@ std::vector<Curve> find_curves(Surface& surface,
     std::visit([&](const auto& map) { visitor.add_vertex_map(map); }, property);
   Progress_bar progress_bar("cut");
   const auto maps = parameters::face_patch_map(patch_map).visitor(visitor).callback(std::ref(progress_bar));
-  const auto cut = parameters::cut_open(options.is_cut_open, maps);
+  const auto tell = [&](std::size_t number_of_faces) {
+    progress_bar.clear();
+    return face_count_callback(number_of_faces);
+  };
+  const auto cut = parameters::face_count_callback(tell, parameters::cut_open(options.is_cut_open, maps));
   switch(options.type)
   {
   case Curves_type::CUTTING_SYSTEM:
@@ -62,7 +67,8 @@ std::vector<Curve> find_curves(Surface& surface,
 Cut_result cut_along_curves(Surface& surface,
                             Scalar_map scalar_map,
                             const std::vector<Any_vertex_property>& properties,
-                            const Cut_options& options)
+                            const Cut_options& options,
+                            const std::function<bool(std::size_t)>& face_count_callback)
 {
   Cut_result result;
   if(options.borders == CGAL::Reeb_graph::Borders::MAKE_LEVEL)
@@ -72,7 +78,7 @@ Cut_result cut_along_curves(Surface& surface,
       CGAL::Reeb_graph::make_borders_level(surface, scalar_map, CGAL::parameters::callback(std::ref(progress_bar)));
   }
   result.patch_map = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
-  for(const Curve& curve : find_curves(surface, scalar_map, properties, options, result.patch_map))
+  for(const Curve& curve : find_curves(surface, scalar_map, properties, options, face_count_callback, result.patch_map))
     result.polylines.push_back(CGAL::Reeb_graph::polyline_of_curve(surface, curve));
   for(const Surface::Face_index f : surface.faces())
     result.number_of_patches = (std::max)(result.number_of_patches, std::size_t(result.patch_map[f]) + 1);

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -27,11 +28,13 @@ struct Cut_result
 };
 
 // Makes the borders levels of the field if that is asked for, refines the surface, and finds the curves and the patches
-// between them. The properties are interpolated at vertices that are added.
+// between them. The properties are interpolated at vertices that are added. The callback is told the number of triangles
+// of the cut surface before it is cut, and may refuse it.
 Cut_result cut_along_curves(Surface& surface,
                             Scalar_map scalar_map,
                             const std::vector<Any_vertex_property>& properties,
-                            const Cut_options& options);
+                            const Cut_options& options,
+                            const std::function<bool(std::size_t)>& face_count_callback);
 
 } // namespace reeb_graph_program
 

@@ -120,7 +120,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(many_contours_at_a_time, Mesh, Meshes)
       Cut_sample<Mesh> sample(curve_samples::any_sample(seed));
       Face_history<Mesh> history(sample.mesh);
       auto visitor = history.visitor();
-      sample.cut(CGAL::parameters::visitor(std::ref(visitor)));
+      std::size_t number_of_faces = 0; // that is told before
+      const auto tell = [&](std::size_t number) {
+        number_of_faces = number;
+        return true;
+      };
+      sample.cut(CGAL::parameters::face_count_callback(tell, CGAL::parameters::visitor(std::ref(visitor))));
+      BOOST_TEST(number_of_faces == num_faces(sample.mesh));
       BOOST_REQUIRE(sample.curves.size() == sample.contours.size());
       long number_of_open_curves = 0;
       for(std::size_t i = 0; i < sample.curves.size(); ++i)

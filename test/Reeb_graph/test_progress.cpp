@@ -35,11 +35,13 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <vector>
 
-// The named parameter callback: how far the work is, and how it is stopped.
+// The named parameter callback: how far the work is, and how it is stopped; and face_count_callback, which tells how
+// large a cut mesh will be.
 
 BOOST_AUTO_TEST_SUITE(test_progress)
 
@@ -207,6 +209,24 @@ struct No_output
   static inline std::size_t number_of_outputs = 0;
 };
 
+// What is told of the number of faces of a cut mesh.
+struct Face_counts
+{
+  bool operator()(std::size_t number) const
+  {
+    numbers.push_back(number);
+    return !are_refused;
+  }
+
+  static inline std::vector<std::size_t> numbers;
+  static inline bool are_refused = false;
+};
+
+auto with_face_counts(Callback callback)
+{
+  return parameters::face_count_callback(Face_counts(), parameters::callback(callback));
+}
+
 template <class Mesh>
 std::vector<Work<Mesh>> cuts()
 {
@@ -214,13 +234,13 @@ std::vector<Work<Mesh>> cuts()
   const auto output = boost::make_function_output_iterator(No_output());
   return {{"cutting_system",
            [=](Mesh& mesh, Field<Mesh> field, Callback callback) {
-             cutting_system(mesh, field, output, parameters::borders(Borders::MAKE_LEVEL).callback(callback));
+             cutting_system(mesh, field, output, parameters::borders(Borders::MAKE_LEVEL, with_face_counts(callback)));
            }},
           {"segment_by_arcs", [](Mesh& mesh, Field<Mesh> field, Callback callback) {
              typename CGAL::Reeb_graph_traits<Mesh, Field<Mesh>>::Graph graph;
              CGAL::compute_reeb_graph(mesh, field, graph);
              const auto patch_map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
-             segment_by_arcs(mesh, field, graph, patch_map, parameters::callback(callback));
+             segment_by_arcs(mesh, field, graph, patch_map, with_face_counts(callback));
            }}};
 }
 
@@ -233,11 +253,12 @@ std::vector<Work<Surface_mesh>> all_works()
   std::vector<Work<Surface_mesh>> works = cuts<Surface_mesh>();
   const auto add = [&](const char* name, const auto& run) { works.push_back({name, run}); };
   add("pants_decomposition", [=](Surface_mesh& mesh, Map field, Callback callback) {
-    pants_decomposition(mesh, field, output,
-                        parameters::cut_open(true, parameters::borders(Borders::MAKE_LEVEL).callback(callback)));
+    pants_decomposition(
+      mesh, field, output,
+      parameters::cut_open(true, parameters::borders(Borders::MAKE_LEVEL, with_face_counts(callback))));
   });
   add("branch_curves", [=](Surface_mesh& mesh, Map field, Callback callback) {
-    const auto np = parameters::borders(Borders::MAKE_LEVEL).callback(callback);
+    const auto np = parameters::borders(Borders::MAKE_LEVEL, with_face_counts(callback));
     branch_curves(mesh, field, output, parameters::area_threshold(1e-9, np));
   });
   add("cut_along_contours", [=](Surface_mesh& mesh, Map field, Callback callback) {
@@ -247,7 +268,7 @@ std::vector<Work<Surface_mesh>> all_works()
     const Augmentation<Surface_mesh, Map> augmentation(mesh, field, graph);
     for(const auto arc : CGAL::make_range(edges(graph)))
       contours.push_back(augmentation.contour(arc, 0.5));
-    cut_along_contours(mesh, field, contours, output, parameters::callback(callback));
+    cut_along_contours(mesh, field, contours, output, with_face_counts(callback));
   });
   add("unfold_multi_saddles", [](Surface_mesh& mesh, Map field, Callback callback) {
     const auto rank_map = get(CGAL::dynamic_vertex_property_t<std::uint64_t>(), mesh);
@@ -279,7 +300,7 @@ std::vector<Work<Surface_mesh>> all_works()
   });
 #ifdef CGAL_EIGEN3_ENABLED
   add("harmonic_pants_decomposition", [=](Surface_mesh& mesh, Map, Callback callback) {
-    harmonic_pants_decomposition(mesh, output, parameters::callback(callback));
+    harmonic_pants_decomposition(mesh, output, with_face_counts(callback));
   });
 #endif
   return works;
@@ -330,6 +351,36 @@ struct Input
   }
 };
 
+template <class Mesh>
+std::size_t number_of_faces(const Mesh& mesh)
+{
+  return static_cast<std::size_t>(std::distance(faces(mesh).first, faces(mesh).second));
+}
+
+// Each function that cuts tells how many faces it will make, and makes them, or leaves everything as it was.
+template <class Mesh>
+void check_face_counts(const Work<Mesh>& work, const Sample& sample)
+{
+  Listener listener;
+  Input<Mesh> input(sample), cut(sample);
+  const Snapshot<Mesh> before(input.mesh, input.field);
+  Face_counts::numbers.clear();
+  work.run(cut.mesh, cut.field, std::ref(listener));
+  if(number_of_faces(cut.mesh) != number_of_faces(input.mesh) && work.name != std::string("unfold_multi_saddles"))
+    BOOST_TEST_REQUIRE(Face_counts::numbers.size() == 1u);
+  if(Face_counts::numbers.empty())
+    return;
+  BOOST_TEST(Face_counts::numbers.front() == number_of_faces(cut.mesh));
+
+  No_output::number_of_outputs = 0;
+  Face_counts::are_refused = true;
+  BOOST_CHECK_EXCEPTION(work.run(input.mesh, input.field, std::ref(listener)), CGAL::Reeb_graph::Face_count_error,
+                        [&](const auto& error) { return error.number_of_faces() == number_of_faces(cut.mesh); });
+  Face_counts::are_refused = false;
+  BOOST_TEST((Snapshot<Mesh>(input.mesh, input.field) == before));
+  BOOST_TEST(No_output::number_of_outputs == 0u);
+}
+
 // The work can be stopped at each call but the last few, and leaves everything as it was then.
 template <class Mesh>
 void check_work(const Work<Mesh>& work, const Sample& sample)
@@ -367,26 +418,31 @@ void check_work(const Work<Mesh>& work, const Sample& sample)
   BOOST_TEST(number_of_stops < fractions.size());
   BOOST_TEST(number_of_stops + 2 >= fractions.size());
   // What could not be stopped gives what it gives on a mesh on which nothing has been undone.
-  const auto number_of_faces = [](const Mesh& mesh) { return std::distance(faces(mesh).first, faces(mesh).second); };
   BOOST_TEST(number_of_faces(input.mesh) == number_of_faces(expected.mesh));
   BOOST_TEST(CGAL::is_triangle_mesh(input.mesh));
 }
 
 template <class Mesh>
-void check_works(const std::vector<Work<Mesh>>& works)
+void check_works(const std::vector<Work<Mesh>>& works, void (*check)(const Work<Mesh>&, const Sample&))
 {
   for(const Work<Mesh>& work : works)
     for(const bool has_borders : {false, true})
       for(std::size_t seed = 0; seed < 3; ++seed)
       {
         BOOST_TEST_CONTEXT(work.name << ", borders " << has_borders << ", seed " << seed)
-        check_work(work, curve_samples::random_sample(seed, has_borders, 1, 2));
+        check(work, curve_samples::random_sample(seed, has_borders, 1, 2));
       }
 }
 } // namespace
 
-BOOST_AUTO_TEST_CASE(work_that_is_stopped_changes_nothing) { check_works(all_works()); }
+BOOST_AUTO_TEST_CASE(work_that_is_stopped_changes_nothing) { check_works(all_works(), check_work<Surface_mesh>); }
 
-BOOST_AUTO_TEST_CASE(splits_are_undone_in_polyhedra) { check_works(cuts<Polyhedron>()); }
+BOOST_AUTO_TEST_CASE(splits_are_undone_in_polyhedra) { check_works(cuts<Polyhedron>(), check_work<Polyhedron>); }
+
+BOOST_AUTO_TEST_CASE(the_size_of_a_cut_mesh_is_told_before)
+{
+  check_works(all_works(), check_face_counts<Surface_mesh>);
+  check_works(cuts<Polyhedron>(), check_face_counts<Polyhedron>);
+}
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -410,6 +410,40 @@ BOOST_AUTO_TEST_CASE(one_side_of_a_loop_has_its_persistence)
   BOOST_TEST((std::max)(persistences[1], persistences[2]) == 6);
 }
 
+BOOST_AUTO_TEST_CASE(arcs_have_the_persistence_at_which_they_are_removed_one_by_one)
+{
+  for(std::size_t seed = 0; seed < 1000; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      const std::size_t number_of_nodes = 2 + random.below(25);
+      Graph graph = random_graphs::random_sparse_graph(number_of_nodes, random.below(8), random);
+      set_random_values(graph, random);
+      BOOST_TEST(CGAL::Reeb_graph::arc_persistences(graph) == simplification_oracle::Removal_oracle(graph).persistences,
+                 boost::test_tools::per_element());
+    }
+}
+
+// Loops of different persistence, each between its leaf arcs: a way that looks at all that is left for each of them
+// would take minutes.
+BOOST_AUTO_TEST_CASE(arcs_of_a_graph_of_many_loops_have_their_persistence_in_near_linear_time)
+{
+  const std::size_t number_of_loops = 50000;
+  std::vector<random_graphs::Arc> arcs;
+  for(std::size_t i = 0; i < number_of_loops; ++i)
+  {
+    arcs.insert(arcs.end(), 2, {2 * i + 1, 2 * i + 2});
+    arcs.emplace_back(2 * i, 2 * i + 1);
+  }
+  Graph graph = random_graphs::make_graph(2 * number_of_loops + 1, arcs);
+  Random random(1);
+  for(std::size_t node = 1; node < num_vertices(graph); ++node)
+    graph[node].value = graph[node - 1].value + 1 + static_cast<double>(random.below(1000000));
+  const std::vector<double> persistences = CGAL::Reeb_graph::arc_persistences(graph);
+  const double range = graph[2 * number_of_loops].value - graph[0].value;
+  BOOST_TEST(std::count(persistences.begin(), persistences.end(), range) == 2 * number_of_loops);
+}
+
 BOOST_AUTO_TEST_CASE(arcs_of_any_graph_have_a_persistence_within_its_range)
 {
   for(std::size_t seed = 0; seed < 500; ++seed)

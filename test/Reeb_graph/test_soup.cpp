@@ -7,29 +7,19 @@
 // Author(s)     : The Reeb_graph authors
 
 #include "complex_oracle.h"
-#include "generated_surfaces/generated_complexes.h"
-#include "generated_surfaces/generated_surfaces.h"
 #include "generated_surfaces/mesh_builders.h"
 #include "generated_surfaces/random_meshes.h"
 #include "graph_checks.h"
 #include "random_complexes.h"
 #include "random_fields.h"
 
-#include <CGAL/Reeb_graph/internal/level_sets/Contour_search.h>
-#include <CGAL/Reeb_graph/internal/level_sets/Contours_of_sectors.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
 #include <boost/test/unit_test.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <random>
-#include <string>
-#include <utility>
 #include <vector>
 
 // Reeb graphs of soups and tetrahedra, against the oracle, and against those of the same surfaces as meshes.
@@ -230,141 +220,6 @@ BOOST_AUTO_TEST_CASE(orders_that_contradict_themselves_end)
     }
   BOOST_TEST(number_of_graphs > 50);
   BOOST_TEST(number_of_exceptions > 50);
-}
-
-// Finds for all vertices with several lower sectors which are in one contour, and returns the steps that it takes.
-namespace {
-template <class ForEachTriangle>
-std::pair<std::size_t, std::size_t> count_steps(std::size_t number_of_vertices,
-                                                const ForEachTriangle& for_each_triangle,
-                                                const std::vector<double>& values)
-{
-  namespace stages = CGAL::Reeb_graph::internal;
-  const stages::Simplicial_complex complex(number_of_vertices, for_each_triangle, [](const auto&) {});
-  const stages::Indexed_vector<stages::Vertex_index, double> scalars(values.begin(), values.end());
-  const stages::Vertex_order order(scalars, std::less<double>());
-  const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(complex, order);
-  stages::Plain_vector<stages::Swept_index> vertices;
-  for(const stages::Swept_index i : critical_vertices.ascending())
-    if(critical_vertices.number_of_lower_sectors(i) > 1)
-      vertices.push_back(i);
-  stages::Contours_of_sectors contours(complex, order, critical_vertices, vertices);
-  stages::Indexed_vector<stages::Sector_index, stages::Number> names(
-    critical_vertices.total_number_of_sectors(stages::Side::LOWER), stages::no_index);
-  contours([](stages::Vertex_index) { return false; }, names);
-  return {complex.number_of_triangles(), contours.number_of_steps()};
-}
-
-template <class Cells>
-std::pair<std::size_t, std::size_t> count_steps(const Cells& cells, const std::vector<double>& values)
-{
-  using CGAL::Reeb_graph::internal::Vertex_index;
-  return count_steps(
-    values.size(),
-    [&](const auto& visit) {
-      for(const auto& cell : cells)
-        for(std::size_t i = 2; i < cell.size(); ++i)
-          for(std::size_t j = 1; j < i; ++j)
-            for(std::size_t k = 0; k < j; ++k)
-              visit(Vertex_index(cell[i]), Vertex_index(cell[j]), Vertex_index(cell[k]));
-    },
-    values);
-}
-} // namespace
-
-BOOST_AUTO_TEST_CASE(the_steps_of_noise_are_near_linear)
-{
-  std::vector<std::pair<std::size_t, std::size_t>> books, solids;
-  for(const std::size_t side : {6, 12})
-  {
-    const auto book = generated_surfaces::book(12, 2 * side);
-    books.push_back(count_steps(book.triangles, generated_surfaces::noise_field(book.points)));
-    const auto solid = generated_surfaces::solid(side);
-    solids.push_back(count_steps(solid.tetrahedra, generated_surfaces::noise_field(solid.points)));
-  }
-  for(const auto& counts : {books, solids})
-  {
-    // four, or eight, times as many triangles; a quadratic number of steps would be 16, or 64, times as large
-    const double growth = static_cast<double>(counts[1].second) / static_cast<double>(counts[0].second);
-    const double triangles = static_cast<double>(counts[1].first) / static_cast<double>(counts[0].first);
-    BOOST_TEST(growth > triangles / 2);
-    BOOST_TEST(growth < 1.6 * triangles);
-    BOOST_TEST(counts[1].second < 4 * counts[1].first * std::log2(static_cast<double>(counts[1].first)));
-  }
-}
-
-// Contours of one edge beside a contour at whose edge all pages of a book meet, one at a time and all at once.
-BOOST_AUTO_TEST_CASE(the_steps_of_short_contours_do_not_depend_on_the_long_ones)
-{
-  namespace stages = CGAL::Reeb_graph::internal;
-  using stages::Vertex_index;
-  constexpr std::size_t number_of_pages = 1000;
-  // Below the level are vertex 0 and the second half of the other ones, above it vertex 1 and the first half.
-  const auto for_each_triangle = [&](const auto& visit) {
-    for(std::size_t i = 0; i < number_of_pages; ++i)
-      visit(Vertex_index(0), Vertex_index(1), Vertex_index(2 + i));
-  };
-  const auto for_each_edge = [&](const auto& visit) {
-    for(std::size_t i = 0; i < number_of_pages; ++i)
-      visit(Vertex_index(2 + i), Vertex_index(2 + number_of_pages + i));
-  };
-  const stages::Simplicial_complex complex(2 + 2 * number_of_pages, for_each_triangle, for_each_edge);
-  const auto is_below = [&](Vertex_index v) { return v.number() == 0 || v.number() >= 2 + number_of_pages; };
-  const auto spine = complex.find_halfedge(Vertex_index(0), Vertex_index(1));
-  stages::Plain_vector<stages::Halfedge_index> all = {spine};
-  std::size_t number_of_visited = 0;
-  const auto visit = [&](const stages::Plain_vector<stages::Halfedge_index>& crossed_edges) {
-    number_of_visited += crossed_edges.size() == 1 ? 1 : 0;
-  };
-  stages::Contour_search one_at_a_time(complex), all_at_once(complex);
-  for(std::size_t i = 0; i < number_of_pages; ++i)
-  {
-    all.push_back(complex.find_halfedge(Vertex_index(2 + i), Vertex_index(2 + number_of_pages + i)));
-    one_at_a_time.visit_all_but_one({spine, all.back()}, is_below, visit);
-  }
-  BOOST_TEST(number_of_visited == number_of_pages);
-  BOOST_TEST(one_at_a_time.number_of_steps() <= 2 * number_of_pages);
-  all_at_once.visit_all_but_one(all, is_below, visit);
-  BOOST_TEST(number_of_visited == 2 * number_of_pages);
-  BOOST_TEST(all_at_once.number_of_steps() <= 2 * number_of_pages);
-}
-
-// A sphere with crosscaps has no loop, but its contours pass each of the one-sided saddles twice.
-BOOST_AUTO_TEST_CASE(contours_that_close_no_loop_are_found_at_once)
-{
-  // A projective plane of six vertices, and its copies glued at one triangle each to the triangles of a sphere.
-  const std::vector<std::array<std::size_t, 3>> plane = {{0, 1, 2}, {0, 1, 3}, {0, 2, 4}, {0, 3, 5}, {0, 4, 5},
-                                                         {1, 2, 5}, {1, 3, 4}, {1, 4, 5}, {2, 3, 4}, {2, 3, 5}};
-  const auto sphere = generated_surfaces::closed_surface(0, 300);
-  for(unsigned seed = 0; seed < 20; ++seed)
-  {
-    std::mt19937 random(seed);
-    std::vector<double> values;
-    for(const auto& point : sphere.points)
-      values.push_back(point[2]);
-    std::vector<std::vector<std::size_t>> triangles;
-    for(const auto& t : sphere.triangles)
-    {
-      if(random() % 2 == 0)
-      {
-        triangles.push_back({t[0], t[1], t[2]});
-        continue;
-      }
-      std::vector<std::size_t> names(t.begin(), t.end());
-      for(int i = 0; i < 3; ++i)
-      {
-        names.push_back(values.size());
-        const double value = values[t[random() % 3]];
-        values.push_back(value + 1e-3 * static_cast<double>(random() % 1000));
-      }
-      for(std::size_t i = 1; i < plane.size(); ++i)
-        triangles.push_back({names[plane[i][0]], names[plane[i][1]], names[plane[i][2]]});
-    }
-    Graph graph, expected;
-    CGAL::compute_reeb_graph_of_soup(values.size(), triangles, values, graph);
-    CGAL::compute_reeb_graph_of_soup(values.size(), triangles, values, expected, params::method(Method::CRITICAL_SETS));
-    BOOST_TEST(graph_checks::are_identical(graph, expected), "seed " << seed);
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

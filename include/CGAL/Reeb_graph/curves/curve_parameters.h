@@ -98,6 +98,15 @@
 ///                    value type}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{face_count_callback}
+///     \cgalParamDescription{is told once how many faces the cut mesh is going to have: after the curves are found,
+///                           before the mesh is cut along them. On noise, many curves can cross one face, and each
+///                           adds two. If it returns `false`, `Reeb_graph::Face_count_error` is thrown, and the mesh
+///                           is as `callback` leaves it.}
+///     \cgalParamType{a function object that can be called with a `std::size_t` and returns `bool`}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{use the functions `parameters::face_count_callback()`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 
 /// \defgroup PkgReebGraphRefinementParameters Named Parameters of Refinements
@@ -164,5 +173,6 @@ CGAL_REEB_GRAPH_NAMED_PARAMETER(vertex_count_threshold, std::size_t)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(measure_threshold, double)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(cut_open, bool)
 CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(edge_curve_map)
+CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(face_count_callback)
 
 #endif // CGAL_REEB_GRAPH_CURVES_CURVE_PARAMETERS_H

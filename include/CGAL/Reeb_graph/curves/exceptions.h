@@ -97,6 +97,25 @@ private:
   std::size_t contour_;
 };
 
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown if the named parameter `face_count_callback` returns `false`.
+class Face_count_error : public Error
+{
+public:
+  /// constructs the exception for a cut mesh of `number_of_faces` faces.
+  explicit Face_count_error(std::size_t number_of_faces)
+    : Error(message("the cut mesh would have ", number_of_faces, " faces: more than are wanted")),
+      number_of_faces_(number_of_faces)
+  {}
+
+  /// the number of faces that the cut mesh would have.
+  std::size_t number_of_faces() const { return number_of_faces_; }
+
+private:
+  std::size_t number_of_faces_;
+};
+
 } // namespace Reeb_graph
 } // namespace CGAL
 

@@ -29,7 +29,8 @@ namespace Reeb_graph {
 ///
 /// \brief refines a mesh and numbers the pairs of pants that it consists of.
 ///
-/// The mesh is cut along the curves of `pants_decomposition()`: each patch is a sphere with three holes.
+/// The mesh is cut along the curves of `pants_decomposition()`, and in its time: each patch is a sphere with three
+/// holes.
 ///
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`
@@ -66,8 +67,8 @@ std::size_t segment_by_pants(MutableFaceGraph& mesh,
 ///
 /// \brief refines a mesh and numbers its branches, and what is left without them.
 ///
-/// The mesh is cut along the curves of `branch_curves()`. A figure is segmented into head, arms, legs and body, if the
-/// field rises or falls along each of them. Choose a threshold, as noise makes branches, too.
+/// The mesh is cut along the curves of `branch_curves()`, and in its time. A figure is segmented into head, arms, legs
+/// and body, if the field rises or falls along each of them. Choose a threshold, as noise makes branches, too.
 ///
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`

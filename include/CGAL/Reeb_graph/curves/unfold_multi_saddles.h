@@ -32,7 +32,8 @@ namespace Reeb_graph {
 /// g \f$ independent loops in its graph.
 ///
 /// As values between those of the field need not exist, the result has ranks in their place: numbers in the same order.
-/// Only comparisons decide the Reeb graph, so that of `rank_map` is the one of the unfolded field.
+/// Only comparisons decide the Reeb graph, so that of `rank_map` is the one of the unfolded field. It takes
+/// \f$ O(n \log n) \f$ time for \f$ n \f$ vertices and faces.
 ///
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
 ///         `Surface_mesh` and `Polyhedron_3`

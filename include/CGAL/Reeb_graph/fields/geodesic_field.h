@@ -46,9 +46,9 @@ namespace Reeb_graph {
 /// long as the two others to 14 digits, or edges differ in length by a factor of 10<sup>7</sup>, where the intrinsic
 /// Delaunay triangulation may not end.
 ///
-/// It needs Eigen: the macro `CGAL_EIGEN3_ENABLED` has to be defined. Time and memory are those of
-/// `compute_harmonic_field()`, plus the time of the intrinsic Delaunay triangulation, plus the number of vertices times
-/// that of the sources.
+/// It needs Eigen: the macro `CGAL_EIGEN3_ENABLED` has to be defined. Matrices are factorized, in about
+/// \f$ O(n^{3/2}) \f$ time and \f$ O(n \log n) \f$ memory for \f$ n \f$ vertices, plus the time of the intrinsic
+/// Delaunay triangulation, plus the number of vertices times that of the sources.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
 /// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value

@@ -38,6 +38,7 @@ namespace Reeb_graph {
 /// See M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, Section 8.1, and M.
 /// Meyer, M. Desbrun, P. Schr&ouml;der, A. Barr, *Discrete Differential-Geometry Operators for Triangulated
 /// 2-Manifolds*, 2003. It is never negative. On the border the formula means little; at isolated vertices it is zero.
+/// It takes linear time.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
 /// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value

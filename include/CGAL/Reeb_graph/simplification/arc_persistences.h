@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/simplification/Arc_removal.h>
+#include <CGAL/Reeb_graph/internal/simplification/Node_neighbors.h>
 #include <CGAL/Reeb_graph/internal/simplification/persistence.h>
 #include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
 
@@ -39,8 +40,7 @@ namespace Reeb_graph {
 /// `simplify()` looks at them only when all branches below the threshold have gone, and can keep another one of
 /// branches that compete.
 ///
-/// With \f$ n \f$ nodes and arcs and \f$ l \f$ loops of different persistence, the time is
-/// \f$ O((l + 1)\, n \log n) \f$.
+/// With \f$ n \f$ nodes and arcs, the time is \f$ O(n \log n) \f$.
 ///
 /// \tparam ReebGraph the type `Graph` of the traits class, or another bidirectional graph with `std::size_t` as vertex
 ///         descriptor
@@ -62,7 +62,7 @@ std::vector<double> arc_persistences(const ReebGraph& graph, const NamedParamete
     const std::size_t number_of_nodes = num_vertices(graph);
     const std::vector<internal::Leaf_pruning::Arc> arcs = internal::read_arcs(graph);
     const std::vector<double> values = internal::numbers_of_nodes(graph, np);
-    persistences = internal::Arc_removal(arcs, values)();
+    persistences = internal::Arc_removal(arcs, internal::read_arc_ends(graph), values)();
 
     std::vector<std::size_t> components(number_of_nodes), lowest(number_of_nodes, number_of_nodes),
       highest(number_of_nodes);

@@ -74,13 +74,12 @@ private:
   {
     const Vertex_index vertex = critical_vertices_.vertex(critical);
     const auto is_below = [&](Vertex_index u) { return order_(u, vertex); };
-    const Slab_arc_index first_contour = arcs_.end_key();
     for(const Sector_index i : critical_vertices_.sectors(critical, Side::LOWER))
     {
-      // A contour can pass several sectors of the vertex; then the earlier trace has been here.
+      // A contour can pass several sectors of the vertex; then the earlier trace has been here. Those of higher vertices
+      // do not cross an edge that ends at this one.
       const Halfedge_index edge = critical_vertices_.sector(Side::LOWER, i).edge;
-      const Slab_arc_index registered = contour_at(edge);
-      if(registered != no_index && registered >= first_contour)
+      if(contour_at(edge) != no_index)
         continue;
       arcs_.push_back({no_index, node_of(critical), {no_index, no_index}});
       trace_contour(complex_, edge, is_below,

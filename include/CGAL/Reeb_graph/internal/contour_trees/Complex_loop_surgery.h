@@ -112,6 +112,9 @@ public:
     }
   }
 
+  // How many crossed edges searches have looked at.
+  std::size_t number_of_steps() const { return search_.number_of_steps(); }
+
 private:
   bool is_simply_connected(Vertex_index vertex) const
   {

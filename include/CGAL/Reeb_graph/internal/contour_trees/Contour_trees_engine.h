@@ -183,6 +183,7 @@ private:
     sweep.merge_last_contours();
   }
 
+  // For the whole surface, which has no level below.
   template <class Queries>
   void sweep_downwards(Downward_sweep& sweep, Queries& queries) const
   {
@@ -192,7 +193,6 @@ private:
       sweep.merge_at(critical);
       answers.find_next();
     });
-    sweep.merge_last_contours();
   }
 
   // The Euler characteristic that the surface has if its components, with and without border, are spheres, disks, and

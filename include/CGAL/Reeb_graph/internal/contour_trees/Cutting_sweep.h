@@ -107,6 +107,9 @@ public:
   Loop_cuts take_cuts() { return std::move(cuts_); }
   const Merge_tree& tree() const { return sweep_.tree(); }
 
+  // How many edges and sectors corrections have looked at.
+  std::size_t number_of_steps() const { return number_of_steps_; }
+
 private:
   // A path meets a cut before the upper level of the slab.
   auto end_at_cut_or_level() const

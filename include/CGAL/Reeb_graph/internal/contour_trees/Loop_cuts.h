@@ -78,8 +78,7 @@ public:
   Slab_node node_below(Cut_index cut) const { return Slab_node(number_of_other_nodes_ + 2 * cut.number()); }
   Slab_node node_above(Cut_index cut) const { return Slab_node(number_of_other_nodes_ + 2 * cut.number() + 1); }
 
-  bool is_node_below(Slab_node node) const { return is_cut_node(node) && place_of_node(node) % 2 == 0; }
-  bool is_node_above(Slab_node node) const { return is_cut_node(node) && place_of_node(node) % 2 == 1; }
+  bool is_cut_node(Slab_node node) const { return node.number() >= number_of_other_nodes_; }
   Cut_index cut_of_node(Slab_node node) const { return Cut_index(place_of_node(node) / 2); }
 
   Swept_index critical_vertex(Cut_index cut) const { return critical_vertices_[cut]; }
@@ -111,7 +110,6 @@ private:
     few_lowest_cuts_.clear();
   }
 
-  bool is_cut_node(Slab_node node) const { return node.number() >= number_of_other_nodes_; }
   Number place_of_node(Slab_node node) const { return node.number() - number_of_other_nodes_; }
 
   Number number_of_other_nodes_;

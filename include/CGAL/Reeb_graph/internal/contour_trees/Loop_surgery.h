@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Side.h>
@@ -114,7 +113,8 @@ private:
   }
 
   // Joins the two lower sectors beside each upper one that is alone in a component without border, as the closed
-  // contour just above that sector is that component's only one here, and one contour just below runs along it.
+  // contour just above that sector is that component's only one here, and one contour just below runs along it. No two
+  // are joined twice: inside of the surface, some upper sector is in a component with border.
   Number count_joined_lower_sectors(Swept_index critical, bool is_on_border)
   {
     sort_classes(critical, Side::UPPER);
@@ -122,27 +122,17 @@ private:
     const Number number_of_upper_sectors = critical_vertices_.number_of_upper_sectors(critical);
     const Sector_index first = critical_vertices_.first_sector(critical, Side::UPPER);
     const bool is_first_upper = critical_vertices_.is_first_upper(critical);
-    struct Lower_place_tag;
-    typedef Index_of<Lower_place_tag> Lower_place;
-    Disjoint_sets<Lower_place> sets(number_of_lower_sectors);
-    Number number_of_sets = number_of_lower_sectors;
+    Number result = number_of_lower_sectors;
     for(Number i = 0; i != number_of_upper_sectors; ++i)
     {
       const Slab_node upper_class = split_tree_.classes[Sector_index(first.number() + i)];
       const auto range = std::equal_range(classes_.begin(), classes_.end(), upper_class);
-      // The lower sector before upper sector i, and the one behind it.
-      const Number behind = is_first_upper ? i : i + 1, before = behind + number_of_lower_sectors - 1;
-      const bool is_at_end = behind % number_of_lower_sectors == 0;
-      if((is_on_border && is_at_end) || range.second - range.first != 1 || split_tree_.is_border_reached[upper_class])
-        continue;
-      const Lower_place left = sets.find(Lower_place(before % number_of_lower_sectors));
-      const Lower_place right = sets.find(Lower_place(behind % number_of_lower_sectors));
-      if(left == right)
-        continue;
-      sets.link(left, right);
-      --number_of_sets;
+      // On the border, an upper sector at an end of the link has one lower sector beside it.
+      const bool is_at_end = is_on_border && (is_first_upper ? i : i + 1) % number_of_lower_sectors == 0;
+      if(!is_at_end && range.second - range.first == 1 && !split_tree_.is_border_reached[upper_class])
+        --result;
     }
-    return number_of_sets;
+    return result;
   }
 
   const Merge_tree& tree(Side side) const { return side == Side::UPPER ? split_tree_ : join_tree_; }

@@ -148,7 +148,7 @@ public:
     }
     for(const Component_index component : merged_components_)
     {
-      if(components_.find(component) != component || components_.top(component) == node_of(critical))
+      if(components_.top(component) == node_of(critical)) // It has been merged, and keeps its last top.
       {
         tree_.is_class_shared[critical] = true;
         continue;

@@ -53,13 +53,13 @@ public:
   // Adds nodes, which have to be put somewhere then.
   void resize(std::size_t number_of_nodes) { nodes_.resize(number_of_nodes); }
 
+  // The child is no root.
   void put_above(Slab_node child, Slab_node node)
   {
     const Slab_node parent = nodes_[child].parent;
     nodes_[node] = {parent, 1, child.number()};
     nodes_[child].parent = node;
-    if(parent != no_index)
-      nodes_[parent].child_names ^= node.number() ^ child.number();
+    nodes_[parent].child_names ^= node.number() ^ child.number();
   }
 
   void put_leaf_below(Slab_node parent, Slab_node node)

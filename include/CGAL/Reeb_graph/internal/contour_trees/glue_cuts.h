@@ -29,11 +29,11 @@ inline void glue_cuts(const Loop_cuts& cuts, Slab_arcs& arcs)
 {
   if(cuts.size() == 0)
     return;
-  const auto begins_at_cut = [&](const Slab_arc& arc) { return cuts.is_node_above(arc.lower); };
+  const auto begins_at_cut = [&](const Slab_arc& arc) { return cuts.is_cut_node(arc.lower); };
   arcs.erase(std::remove_if(arcs.begin(), arcs.end(), begins_at_cut), arcs.end());
   for(Slab_arc& arc : arcs)
   {
-    if(cuts.is_node_below(arc.upper))
+    if(cuts.is_cut_node(arc.upper))
       arc.upper = node_of(cuts.critical_vertex(cuts.cut_of_node(arc.upper)));
   }
 }
@@ -47,7 +47,7 @@ inline void rename_glued_arcs(const Loop_cuts& cuts, const Slab_arcs& arcs, Arcs
   Slab_arc_index next(0);
   for(const Slab_arc_index i : arcs.keys())
   {
-    if(cuts.is_node_above(arcs[i].lower))
+    if(cuts.is_cut_node(arcs[i].lower))
       continue;
     new_names[i] = next;
     ++next;

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
+#include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/curves/Contour_cutting.h>
 #include <CGAL/Reeb_graph/internal/curves/Curve_opening.h>
@@ -92,6 +93,26 @@ std::size_t number_patches(const Mesh& mesh,
                                                        parameters::edge_is_constrained_map(is_curve_edge));
 }
 
+// Tells the named parameter `face_count_callback` the number of faces that cutting along the contours is going to make.
+// A triangle with k new vertices on its edges becomes k + 1 triangles, and a contour has two of them in each triangle
+// that it crosses.
+template <class RankedMesh, class NamedParameters>
+void check_face_count(const RankedMesh& ranked,
+                      const std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>>& contours,
+                      const NamedParameters& np)
+{
+  using parameters::get_parameter;
+  if constexpr(is_given<decltype(get_parameter(np, face_count_callback))>)
+  {
+    std::size_t number = faces(ranked.mesh()).size();
+    for(const auto& contour : contours)
+      number += 2 * (contour.halfedges.size() - (contour.is_closed ? 0 : 1));
+    auto callback = get_parameter(np, face_count_callback);
+    if(!callback(number))
+      throw Face_count_error(number);
+  }
+}
+
 // Cuts a mesh along contours, and writes the field and the property maps that have been asked for. If it is
 // cancelled, the mesh is as it was before the first split.
 template <class RankedMesh, class ScalarMap, class Traits, class NamedParameters>
@@ -106,6 +127,7 @@ std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
   using parameters::choose_parameter;
   using parameters::get_parameter;
   auto& mesh = ranked.mesh();
+  check_face_count(ranked, contours, np);
   Refined_field<RankedMesh, ScalarMap, Traits> field(ranked, scalar_map, traits);
   field.write_ranked_vertices();
   field.place_contours(contours);

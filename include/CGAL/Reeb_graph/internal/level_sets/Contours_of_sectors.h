@@ -66,12 +66,12 @@ public:
     first_questions.push_back(static_cast<Number>(questions.size()));
 
     Offline_connectivity connectivity(questions, first_questions);
-    const Plain_vector<Number> components = connectivity(complex_.number_of_edges(), find_links());
+    const Plain_vector<Graph_node> components = connectivity(complex_.number_of_edges(), find_links());
     number_of_steps_ = connectivity.number_of_steps();
     auto component = components.begin();
     for(const Swept_index i : vertices_)
       for(const Sector_index sector : critical_vertices_.sectors(i, Side::LOWER))
-        contours[sector] = *component++;
+        contours[sector] = (component++)->number();
   }
 
   std::size_t number_of_steps() const { return number_of_steps_; }

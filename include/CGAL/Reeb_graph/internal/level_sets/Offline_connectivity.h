@@ -48,12 +48,11 @@ public:
   // At time t, the nodes in question are those from first_questions[t] to first_questions[t + 1].
   Offline_connectivity(const Plain_vector<Graph_node>& questions, const Plain_vector<Number>& first_questions)
     : first_questions_(first_questions),
-      nodes_(questions),
-      components_(questions.size())
+      nodes_(questions)
   {}
 
   // Names the components of the nodes in question: two of one time have the same name if they are connected then.
-  Plain_vector<Number> operator()(Number number_of_nodes, Plain_vector<Timed_link> links)
+  Plain_vector<Graph_node> operator()(Number number_of_nodes, Plain_vector<Timed_link> links)
   {
     if(number_of_times() == 0)
       return {};
@@ -65,7 +64,7 @@ public:
     links = Plain_vector<Timed_link>();
     rename_questions(all);
     divide(all.begin, all.end, std::move(all.links), all.number_of_nodes);
-    return std::move(components_);
+    return std::move(nodes_);
   }
 
   // How many links have been looked at, in all intervals.
@@ -127,11 +126,12 @@ private:
       nodes_[i] = part.name(nodes_[i]);
   }
 
-  // Answers the questions of the times from `begin` to `end`. Each link begins or ends in between.
+  // Answers the questions of the times from `begin` to `end`. Each link begins or ends in between; where none is left,
+  // nothing changes, and connected nodes have become one.
   void divide(Number begin, Number end, Plain_vector<Timed_link> links, Number number_of_nodes)
   {
-    if(links.empty() || end - begin == 1)
-      return answer(begin, end, links, number_of_nodes);
+    if(links.empty())
+      return;
     number_of_steps_ += links.size();
     const Number middle = find_middle(begin, end, links);
     Plain_vector<Timed_link> lower_links, upper_links;
@@ -184,23 +184,8 @@ private:
     return middle;
   }
 
-  // Answers questions between which nothing changes: all links that are there last all through.
-  void answer(Number begin, Number end, const Plain_vector<Timed_link>& links, Number number_of_nodes)
-  {
-    number_of_steps_ += links.size();
-    Disjoint_sets<Graph_node> sets(number_of_nodes);
-    for(const Timed_link& link : links)
-    {
-      if(link.begin < end && link.end > begin)
-        sets.unite(link.a, link.b);
-    }
-    for(Number i = first_questions_[begin]; i != first_questions_[end]; ++i)
-      components_[i] = sets.find(nodes_[i]).number();
-  }
-
   const Plain_vector<Number>& first_questions_;
   Plain_vector<Graph_node> nodes_; // in question, by the names of the interval that is looked at
-  Plain_vector<Number> components_;
   std::size_t number_of_steps_ = 0;
 };
 

@@ -64,8 +64,30 @@ Sampled_edges sample_edges(const Complex& complex, const Order& order)
   return sample;
 }
 
+// How many pages of memory the halfedges are on with which turns around some vertices begin, for each of these. They
+// are few if the mesh was made vertex by vertex, and nearly one for each if its faces are in another order.
+template <class Complex>
+double pages_per_vertex(const Complex& complex)
+{
+  constexpr std::size_t number_of_runs = 32, length = 64, halfedges_per_page = 256;
+  if(complex.number_of_vertices() < length)
+    return 0;
+  std::size_t number_of_pages = 0;
+  for(std::size_t run = 0; run != number_of_runs; ++run)
+  {
+    const std::size_t first = run * (complex.number_of_vertices() - length) / number_of_runs;
+    std::array<std::size_t, length> pages;
+    for(std::size_t i = 0; i != length; ++i)
+      pages[i] = complex.halfedge_of_face_at(Vertex_index(first + i)).number() / halfedges_per_page;
+    std::sort(pages.begin(), pages.end());
+    number_of_pages += static_cast<std::size_t>(std::unique(pages.begin(), pages.end()) - pages.begin());
+  }
+  return static_cast<double>(number_of_pages) / (number_of_runs * length);
+}
+
 // Whether a sweep finds vertices to be regular faster than turns around them. It does if neighbors are often far from
-// each other in memory: each step of a turn then waits, as it is known only when the last one has come.
+// each other in memory, or vertices in a row are: each step of a turn then waits, as it is known only when the last one
+// has come.
 template <class Complex, class Order>
 bool is_sweep_faster(const Complex& complex, const Order& order)
 {
@@ -73,7 +95,8 @@ bool is_sweep_faster(const Complex& complex, const Order& order)
   if(complex.number_of_edges() < smallest_number_of_edges)
     return false;
   const Sampled_edges sample = sample_edges(complex, order);
-  return sample.far_ones > sample.number / 4 && sample.link_maxima < sample.number / 2;
+  return sample.link_maxima < sample.number / 2
+      && (sample.far_ones > sample.number / 4 || pages_per_vertex(complex) > 0.3);
 }
 
 // The vertices that are seen to be regular, and to have one fan, with no turn around them: by a sweep over the edges,

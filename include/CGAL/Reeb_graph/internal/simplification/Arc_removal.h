@@ -13,11 +13,15 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/simplification/Leaf_pruning.h>
+#include <CGAL/Reeb_graph/internal/simplification/Node_neighbors.h>
+#include <CGAL/Reeb_graph/internal/simplification/loop_pairs.h>
 #include <CGAL/Reeb_graph/internal/simplification/persistence.h>
-#include <CGAL/Reeb_graph/internal/simplification/remove_small_loops.h>
 
 #include <algorithm>
-#include <limits>
+#include <functional>
+#include <map>
+#include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,93 +30,88 @@ namespace Reeb_graph {
 namespace internal {
 
 // Removes the arcs of a graph until nothing more can go, what is less persistent first, and of the same persistence
-// branches before loops. It is told how far it has come when an arc goes.
+// branches before loops.
+//
+// A loop can go when a single arc is one of its sides: one between two nodes that are a pair. A forest that is maximal
+// by lower ends never keeps this arc, so the other loops are pairs of the same nodes without it; nor do branches matter
+// to these pairs. So they are found once, and each arc is looked up when it comes to be.
 class Arc_removal
 {
 public:
   // By node, the values.
-  Arc_removal(const std::vector<Leaf_pruning::Arc>& arcs, std::vector<double> values)
+  Arc_removal(const std::vector<Leaf_pruning::Arc>& arcs, const Flat_arc_ends& ends, std::vector<double> values)
     : values_(std::move(values)),
       pruning_(static_cast<Index>(values_.size()), arcs, std::vector<double>(values_.size() + arcs.size(), 0)),
       persistences_(arcs.size(), not_removed),
       measures_(values_.size())
-  {}
+  {
+    pair_loops(ends, [&](Index split, Index join) { ++numbers_of_loops_[{split, join}]; });
+    for(Index arc = 0; arc != pruning_.number_of_arcs(); ++arc)
+      see_joined_arc(arc);
+  }
 
   // By arc, the persistence that was reached when it was removed; negative if it never was.
   std::vector<double> operator()()
-  {
-    double threshold = 0;
-    bool is_loop_left = true;
-    while(is_loop_left)
-    {
-      prune(threshold);
-      double next_threshold = std::numeric_limits<double>::infinity();
-      is_loop_left = false;
-      const auto is_small = [&](Index split, Index join) {
-        const double size = difference(split, join);
-        if(size <= threshold)
-          return true;
-        next_threshold = (std::min)(next_threshold, size);
-        is_loop_left = true;
-        return false;
-      };
-      if(remove_small_loops(pruning_, is_small))
-      {
-        mark_removed(threshold);
-        is_loop_left = true;
-      }
-      else
-        threshold = next_threshold;
-    }
-    prune(std::numeric_limits<double>::infinity());
-    return std::move(persistences_);
-  }
-
-private:
-  static constexpr double not_removed = -1;
-
-  double difference(Index lower, Index upper) const { return persistence(values_[lower], values_[upper]); }
-
-  void prune(double threshold)
   {
     const auto measure = [&](const Leaf_arc& arc) {
       return measures_[arc.leaf] =
                persistence_of_leaf_arc(arc, [&](Index lower, Index upper) { return difference(lower, upper); });
     };
-    const auto mark = [&](Index leaf) {
-      reached_ = (std::max)(reached_, measures_[leaf]);
-      mark_pieces(pruning_.arc_of_leaf(leaf));
-    };
     pruning_(
-      measure, [](const Leaf_arc&) { return true; }, [&](double size) { return size <= threshold; },
-      [](Index) { return true; }, mark);
+      measure, [](const Leaf_arc&) { return true; }, [](double) { return true; }, [](Index) { return true; },
+      [&](Index leaf) { mark_pieces(pruning_.arc_of_leaf(leaf), measures_[leaf]); }, *this);
+    return std::move(persistences_);
   }
 
-  // Marks the arcs that have gone with loops: those that no arc has taken up in one piece.
-  void mark_removed(double threshold)
+  // Removes a side of the least persistent loop, if it is less persistent than the next branch. It is taken up by the
+  // other side, or where more than two arcs leave the split saddle, by that node.
+  Index remove_arc(double persistence_of_branch)
   {
-    reached_ = (std::max)(reached_, threshold);
-    std::vector<bool> is_part(persistences_.size(), false);
-    for(Index arc = 0; arc != pruning_.number_of_arcs(); ++arc)
+    for(; !sides_.empty(); sides_.pop())
     {
-      if(pruning_.is_left(pruning_.place_of_arc(arc)))
-        pruning_.for_each_piece(arc, [&](Index piece) { is_part[piece] = true; });
+      const auto [size, arc, join] = sides_.top();
+      const auto loops = numbers_of_loops_.find({pruning_.arc(arc).lower, join});
+      if(!pruning_.is_left(pruning_.place_of_arc(arc)) || pruning_.arc(arc).upper != join || loops->second == 0)
+        continue;
+      if(persistence_of_branch <= size)
+        return no_index;
+      --loops->second;
+      mark_pieces(arc, size);
+      const Index split = pruning_.arc(arc).lower;
+      const bool has_other_side = pruning_.out_degree(split) == 2;
+      pruning_.remove_arc(arc, has_other_side ? pruning_.place_of_arc(pruning_.other_arc_above(split, arc)) : split);
+      return arc;
     }
-    for(Index arc = 0; arc != pruning_.number_of_arcs(); ++arc)
-    {
-      if(!is_part[arc] && persistences_[arc] == not_removed)
-        persistences_[arc] = reached_;
-    }
+    return no_index;
   }
 
-  void mark_pieces(Index arc)
+  // An arc may be a side of a loop as soon as it comes to be.
+  void see_joined_arc(Index arc)
   {
+    const auto [lower, upper] = pruning_.arc(arc);
+    if(numbers_of_loops_.count({lower, upper}) != 0)
+      sides_.emplace(difference(lower, upper), arc, upper);
+  }
+
+private:
+  typedef std::tuple<double, Index, Index> Side_of_loop; // persistence, arc, join saddle
+
+  static constexpr double not_removed = -1;
+
+  double difference(Index lower, Index upper) const { return persistence(values_[lower], values_[upper]); }
+
+  void mark_pieces(Index arc, double size)
+  {
+    reached_ = (std::max)(reached_, size);
     pruning_.for_each_piece(arc, [&](Index piece) { persistences_[piece] = reached_; });
   }
 
   std::vector<double> values_;
   Leaf_pruning pruning_;
-  std::vector<double> persistences_, measures_; // by arc; by leaf, the last ones
+  std::vector<double> persistences_, measures_;               // by arc; by leaf, the last ones
+  std::map<std::pair<Index, Index>, Index> numbers_of_loops_; // those that are left, by split and join saddle
+  // The least persistent one first. An arc that has grown or gone since is no side any more.
+  std::priority_queue<Side_of_loop, std::vector<Side_of_loop>, std::greater<Side_of_loop>> sides_;
   double reached_ = 0;
 };
 

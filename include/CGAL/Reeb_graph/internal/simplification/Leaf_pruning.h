@@ -23,6 +23,13 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+// Lets leaf arcs be all that is removed.
+struct No_rival
+{
+  static Index remove_arc(double) { return no_index; }
+  static void see_joined_arc(Index) {}
+};
+
 // Removes leaf arcs from a graph, the one of least measure first; of equal ones the one whose leaf has the lower
 // number. What is removed is taken up by the saddle at which it was. A node that is left with one arc below and one
 // above is taken up by these two, which become one arc. An arc is not removed if it is the only one on its side of the
@@ -58,13 +65,15 @@ public:
 
   // `measure(leaf arc)` is a number, `can_be_removed(leaf arc)` whether it may be, `is_small(measure)` whether an arc
   // of that measure is to be removed, and `goes_on(number of leaves)` whether there are still so many leaves. Before an
-  // arc is removed, `visit(leaf)` is called.
-  template <class Measure, class CanBeRemoved, class IsSmall, class GoesOn, class Visit>
+  // arc is removed, `visit(leaf)` is called; but before, `rival.remove_arc(measure)`, with NaN if no leaf arc is left, may
+  // call remove_arc() for another arc, and returns it, or no_index. The rival sees each arc that two have become.
+  template <class Measure, class CanBeRemoved, class IsSmall, class GoesOn, class Visit, class Rival = No_rival>
   void operator()(const Measure& measure,
                   const CanBeRemoved& can_be_removed,
                   const IsSmall& is_small,
                   const GoesOn& goes_on,
-                  const Visit& visit)
+                  const Visit& visit,
+                  Rival&& rival = Rival())
   {
     Leaf_queue queue(number_of_nodes_);
     const auto consider = [&](Index node) {
@@ -82,17 +91,29 @@ public:
     for(Index node = 0; node != number_of_nodes_; ++node)
     {
       if(is_left(node) && is_passed(node))
-        join_at(node);
+        join_at(node, rival);
     }
     for(Index node = 0; node != number_of_nodes_; ++node)
       consider(node);
     queue.sort();
-    for(Index leaf = queue.pop(); leaf != no_index && goes_on(number_of_leaves_); leaf = queue.pop())
+    for(;;)
     {
+      const auto [size, leaf] = queue.top();
+      const Index arc = rival.remove_arc(size);
+      if(arc != no_index)
+      {
+        const Arc ends = arcs_[arc].ends;
+        for(const Index node : {ends.lower, ends.upper})
+          tidy(node, consider, rival);
+        continue;
+      }
+      if(leaf == no_index || !goes_on(number_of_leaves_))
+        return;
+      queue.pop();
       if(is_left(leaf) && is_leaf(leaf) && is_branch(leaf))
       {
         visit(leaf);
-        remove(leaf, consider);
+        remove(leaf, consider, rival);
       }
     }
   }
@@ -191,8 +212,8 @@ private:
     return nodes_[saddle_of_leaf(leaf)].degrees[is_minimum(leaf) ? lower_side : upper_side] > 1;
   }
 
-  template <class Consider>
-  void remove(Index leaf, const Consider& consider)
+  template <class Consider, class Rival>
+  void remove(Index leaf, const Consider& consider, Rival& rival)
   {
     const Index arc = arc_of_leaf(leaf), saddle = saddle_of_leaf(leaf);
     nodes_[saddle].remove(is_minimum(leaf) ? lower_side : upper_side, arc);
@@ -200,20 +221,26 @@ private:
     places_.take_up(place_of_arc(arc), saddle);
     places_.take_up(leaf, saddle);
     --number_of_leaves_;
-    if(is_passed(saddle))
+    number_of_leaves_ += is_leaf(saddle) ? 1 : 0;
+    tidy(saddle, consider, rival);
+  }
+
+  // Joins the arcs at a node that has lost one, and considers the leaf arcs that are new.
+  template <class Consider, class Rival>
+  void tidy(Index node, const Consider& consider, Rival& rival)
+  {
+    if(is_passed(node))
     {
-      const Arc joined = join_at(saddle);
+      const Arc joined = join_at(node, rival);
       consider(joined.lower);
       consider(joined.upper);
     }
-    else if(is_leaf(saddle))
-    {
-      ++number_of_leaves_;
-      consider(saddle);
-    }
+    else
+      consider(node);
   }
 
-  Arc join_at(Index node)
+  template <class Rival>
+  Arc join_at(Index node, Rival& rival)
   {
     const Index below = nodes_[node].arcs[lower_side], above = nodes_[node].arcs[upper_side];
     places_.take_up(node, place_of_arc(below));
@@ -223,6 +250,7 @@ private:
     arcs_[below].ends.upper = arcs_[above].ends.upper;
     nodes_[node] = Node();
     nodes_[arcs_[below].ends.upper].arcs[lower_side] ^= above ^ below;
+    rival.see_joined_arc(below);
     return arcs_[below].ends;
   }
 

@@ -30,6 +30,8 @@ namespace internal {
 class Leaf_queue
 {
 public:
+  typedef std::pair<double, Index> Sized_leaf;
+
   explicit Leaf_queue(Index number_of_nodes) : measures_(number_of_nodes) {}
 
   void push(double measure, Index leaf)
@@ -51,25 +53,30 @@ public:
     is_sorted_ = true;
   }
 
-  // no_index if there is none
-  Index pop()
+  // The least measure and its leaf, which stays; NaN and no_index if there is none.
+  Sized_leaf top()
   {
     while(next_ != first_.size() || !later_.empty())
     {
-      const bool is_first = later_.empty() || (next_ != first_.size() && first_[next_] < later_.top());
-      const auto [measure, leaf] = is_first ? first_[next_] : later_.top();
-      if(is_first)
-        ++next_;
-      else
-        later_.pop();
-      if(measures_[leaf] == measure)
+      const Sized_leaf& leaf = is_first() ? first_[next_] : later_.top();
+      if(measures_[leaf.second] == leaf.first)
         return leaf;
+      pop();
     }
-    return no_index;
+    return {std::numeric_limits<double>::quiet_NaN(), no_index};
+  }
+
+  // Removes the leaf of least measure; there has to be one.
+  void pop()
+  {
+    if(is_first())
+      ++next_;
+    else
+      later_.pop();
   }
 
 private:
-  typedef std::pair<double, Index> Sized_leaf;
+  bool is_first() const { return later_.empty() || (next_ != first_.size() && first_[next_] < later_.top()); }
 
   std::vector<double> measures_; // the last ones
   std::vector<Sized_leaf> first_;

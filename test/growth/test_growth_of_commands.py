@@ -1,0 +1,104 @@
+"""Measures how the processor time of each command of the program grows from n to 4n.
+
+Usage: test_growth_of_commands.py REEB_GRAPH TEST_GROWTH [PART_OF_A_NAME]; the second program writes the surfaces. Only
+rows whose names have the part are measured. Fails if a command takes more than the bound says for the bytes that it
+reads and writes.
+"""
+
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+program, surfaces, *rest = sys.argv[1:]
+name_part = rest[0] if rest else ""
+vertices = 20000
+near_linear = 1.75
+factorized = 1.85  # where a matrix is factorized instead of solved by multigrid
+shortest = 0.1  # seconds; what takes less is mostly the start of the program
+
+graph_files = ["graph.graphml", "graph.dot", "graph.svg", "graph.vtp", "graph.obj", "graph.json", "graph.csv",
+               "graph.polylines.txt"]
+compute = ["compute", "{mesh}", "--scalars", "{values}", "--no-table"]
+commands = {f"compute --graph {file}": (compute + ["--graph", file], near_linear) for file in graph_files}
+commands.update({
+    "compute, table": (compute[:-1] + ["--table"], near_linear),
+    "compute --pairs": (compute + ["--pairs", "pairs.csv"], near_linear),
+    "compute --diagram": (compute + ["--diagram", "diagram.svg"], near_linear),
+    "compute --vertex-arcs": (compute + ["--vertex-arcs", "arcs.txt"], near_linear),
+    "compute --mesh-out .ply": (compute + ["--mesh-out", "out.ply"], near_linear),
+    "compute --mesh-out .vtp": (compute + ["--mesh-out", "out.vtp"], near_linear),
+    "compute --html": (compute + ["--html", "page.html"], near_linear),
+    "compute --simplify": (compute + ["--simplify", "5%", "--simplified-scalars", "simple.txt"], near_linear),
+    "contour --level": (["contour", "{mesh}", "--scalars", "{values}", "--level", "{level}", "--output",
+                         "c.polylines.txt"], near_linear),
+    "contour --arc": (["contour", "{mesh}", "--scalars", "{values}", "--arc", "0", "--t", "0.5", "--output",
+                       "c.polylines.txt"], near_linear),
+    "field height": (["field", "{mesh}", "--type", "height", "--output", "f.txt"], near_linear),
+})
+for field in ("harmonic", "poisson", "unit-gradient", "geodesic"):
+    commands[f"field {field}"] = (["field", "{mesh}", "--type", field, "--output", "f.txt"], factorized)
+for kind in ("cutting-system", "branch", "pants"):
+    commands[f"curves {kind}"] = (["curves", "{mesh}", "--scalars", "{values}", "--type", kind, "--curves",
+                                   "c.polylines.txt", "--cut-mesh", "cut.off"], near_linear)
+
+
+def is_meant(surface, command):
+    """Curves on noise are much longer than the mesh is large, and so are pants of plates; other surfaces have none."""
+    if command.startswith("curves"):
+        return "noise" not in surface and ("genus k^2" in surface or "pants" not in command)
+    return not command.startswith("field") or "noise" not in surface
+
+
+def run(command, stem):
+    """The seconds of the processor, and the bytes read and written."""
+    mesh, values = f"{stem}.off", f"{stem}.txt"
+    numbers = sorted(pathlib.Path(values).read_text().split(), key=float)
+    arguments = [part.format(mesh=mesh, values=values, level=numbers[len(numbers) // 2]) for part in command]
+    best = math.inf
+    for _ in range(2):
+        with tempfile.TemporaryDirectory() as folder:
+            process = subprocess.Popen([program, *arguments, "--threads", "1"] if command[0] != "contour" else
+                                       [program, *arguments], cwd=folder, stdout=subprocess.DEVNULL)
+            _, status, usage = os.wait4(process.pid, 0)
+            if status != 0:
+                sys.exit(f"{' '.join(arguments)} has failed")
+            best = min(best, usage.ru_utime + usage.ru_stime)
+            files = [file for file in pathlib.Path(folder).iterdir() if file.suffix != ".html"]  # a page does not grow
+            written = sum(file.stat().st_size for file in files)
+        if best > 1:
+            break
+    return best, written + os.path.getsize(mesh)
+
+
+def main():
+    number_of_failures = 0
+    columns = "{:<20} {:<36} {:>8} {:>8} {:>8} {:>9} {:>6} {}"
+    print(columns.format("input", "command", "n [ms]", "2n [ms]", "4n [ms]", "exponent", "bound", ""))
+    with tempfile.TemporaryDirectory() as folder:
+        for factor in (1, 2, 4):
+            os.mkdir(f"{folder}/{factor}")
+            subprocess.run([surfaces, "--write", f"{folder}/{factor}", str(factor * vertices)], check=True)
+        for number, name_file in enumerate(sorted(pathlib.Path(folder, "1").glob("*.name"))):
+            surface = name_file.read_text()
+            for name, (command, bound) in commands.items():
+                if not is_meant(surface, name) or name_part not in f"{surface} {name}":
+                    continue
+                for _ in range(2):  # others may use the caches
+                    runs = [run(command, f"{folder}/{factor}/{number}") for factor in (1, 2, 4)]
+                    exponent = math.log(runs[2][0] / runs[0][0]) / math.log(runs[2][1] / runs[0][1])
+                    is_too_short = runs[2][0] < shortest
+                    if is_too_short or exponent <= bound:
+                        break
+                has_failed = not is_too_short and exponent > bound
+                number_of_failures += has_failed
+                note = "FAILS" if has_failed else "too short to tell" if is_too_short else ""
+                print(columns.format(surface, name, *(f"{1000 * seconds:.0f}" for seconds, _ in runs),
+                                     f"{exponent:.2f}", bound, note), flush=True)
+    if number_of_failures:
+        sys.exit(f"{number_of_failures} rows grow faster than their bounds")
+
+
+main()
