@@ -10,12 +10,14 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} 
 install(TARGETS CGAL_Reeb_graph EXPORT CGAL_Reeb_graph_targets)
 install(EXPORT CGAL_Reeb_graph_targets NAMESPACE CGAL:: DESTINATION ${package_dir} ${to_develop})
 if(CGAL_REEB_GRAPH_BUILD_COMPILED)
+  # Headers alone can be installed without building anything: then the component is missing.
   install(TARGETS CGAL_Reeb_graph_compiled EXPORT CGAL_Reeb_graph_compiled_targets
-          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} ${to_develop})
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} ${to_develop} OPTIONAL)
   install(EXPORT CGAL_Reeb_graph_compiled_targets NAMESPACE CGAL:: DESTINATION ${package_dir} ${to_develop})
 endif()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/CGAL_Reeb_graphConfig.cmake.in
-                              ${PROJECT_BINARY_DIR}/CGAL_Reeb_graphConfig.cmake INSTALL_DESTINATION ${package_dir})
+                              ${PROJECT_BINARY_DIR}/CGAL_Reeb_graphConfig.cmake INSTALL_DESTINATION ${package_dir}
+                              PATH_VARS CMAKE_INSTALL_LIBDIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/CGAL_Reeb_graphConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/CGAL_Reeb_graphConfig.cmake
