@@ -53,7 +53,7 @@ def is_meant(surface, command):
 
 
 def run(command, stem):
-    """The seconds of the processor, and the bytes read and written."""
+    """The seconds of the processor, the bytes of the mesh, and those with what has been written."""
     mesh, values = f"{stem}.off", f"{stem}.txt"
     numbers = sorted(pathlib.Path(values).read_text().split(), key=float)
     arguments = [part.format(mesh=mesh, values=values, level=numbers[len(numbers) // 2]) for part in command]
@@ -70,7 +70,7 @@ def run(command, stem):
             written = sum(file.stat().st_size for file in files)
         if best > 1:
             break
-    return best, written + os.path.getsize(mesh)
+    return best, os.path.getsize(mesh), written + os.path.getsize(mesh)
 
 
 def main():
@@ -88,14 +88,16 @@ def main():
                     continue
                 for _ in range(2):  # others may use the caches
                     runs = [run(command, f"{folder}/{factor}/{number}") for factor in (1, 2, 4)]
-                    exponent = math.log(runs[2][0] / runs[0][0]) / math.log(runs[2][1] / runs[0][1])
+                    # A larger graph can have a smaller file, where arcs become straight.
+                    growth = max(runs[2][i] / runs[0][i] for i in (1, 2))
+                    exponent = math.log(runs[2][0] / runs[0][0]) / math.log(growth)
                     is_too_short = runs[2][0] < shortest
                     if is_too_short or exponent <= bound:
                         break
                 has_failed = not is_too_short and exponent > bound
                 number_of_failures += has_failed
                 note = "FAILS" if has_failed else "too short to tell" if is_too_short else ""
-                print(columns.format(surface, name, *(f"{1000 * seconds:.0f}" for seconds, _ in runs),
+                print(columns.format(surface, name, *(f"{1000 * seconds:.0f}" for seconds, _, _ in runs),
                                      f"{exponent:.2f}", bound, note), flush=True)
     if number_of_failures:
         sys.exit(f"{number_of_failures} rows grow faster than their bounds")
