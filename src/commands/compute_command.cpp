@@ -157,7 +157,7 @@ void write_page_file(const Compute_options& options,
   const Stopwatch stopwatch;
   write_page(options.page_path, {surface, scalar_map, given, options.graph,
                                  std::filesystem::path(options.input.mesh_path).filename().string(),
-                                 field_label(options.input, options.unit), options.simplification, threshold});
+                                 field_label(options.input, options.unit), options.simplification, threshold, options.up});
   report.seconds.emplace_back("page", stopwatch.seconds());
 }
 
@@ -191,10 +191,11 @@ void write_report(const Compute_options& options, const Report& report)
 void compute_on_surface(const Compute_options& options, Surface& surface, Report& report)
 {
   const Scalar_map scalar_map = add_field(options.input, surface, report);
-  const double threshold = threshold_in_units(options.simplification, surface, scalar_map);
+  const double asked_threshold = threshold_in_units(options.simplification, surface, scalar_map);
   const Graph given = compute_and_time(surface, scalar_map, options.graph, report);
   const Stopwatch simplify_stopwatch;
-  const Simplified_graph graph(given, options.simplification, threshold);
+  const Simplified_graph graph(given, options.simplification, asked_threshold);
+  const double threshold = graph.threshold();
   const double simplify_seconds = simplify_stopwatch.seconds();
   count_all(surface, given, report);
   if(options.simplification.is_anything_removed())
@@ -231,10 +232,11 @@ void compute_on_complex(const Compute_options& options, Mesh& mesh, Report& repo
 {
   check_for_complex(options, *mesh.complex);
   const Scalar_map scalar_map = add_field(options.input, mesh, report);
-  const double threshold = threshold_in_units(options.simplification, mesh.surface, scalar_map);
+  const double asked_threshold = threshold_in_units(options.simplification, mesh.surface, scalar_map);
   const Complex_graph given = compute_and_time(mesh, scalar_map, options.graph, report);
   const Stopwatch simplify_stopwatch;
-  const Simplified_complex_graph graph(given, options.simplification, threshold);
+  const Simplified_complex_graph graph(given, options.simplification, asked_threshold);
+  const double threshold = graph.threshold();
   const double simplify_seconds = simplify_stopwatch.seconds();
   count_all(mesh, given, report);
   if(options.simplification.is_anything_removed())
@@ -273,11 +275,13 @@ void write_pairs_and_diagram(const Compute_options& options,
                              Report& report,
                              const Vertex_numbers& vertex_numbers)
 {
-  if(options.pairs_path.empty() && options.diagram_path.empty() && !options.is_report_json)
+  const Stopwatch thresholds_stopwatch;
+  report.thresholds = find_thresholds(graph, options.simplification.are_loops_cancelled);
+  report.seconds.emplace_back("thresholds", thresholds_stopwatch.seconds());
+  if(options.pairs_path.empty() && options.diagram_path.empty())
     return;
   const Stopwatch stopwatch;
   const std::vector<Persistence_pair> pairs = find_persistence_pairs(graph);
-  report.suggested_threshold = suggest_threshold(graph, pairs);
   report.seconds.emplace_back("pairs", stopwatch.seconds());
   if(!options.pairs_path.empty())
     write_pairs(options.pairs_path, graph, pairs, vertex_numbers);

@@ -45,7 +45,7 @@ namespace Reeb_graph {
 /// \param augmentation a `Soup_augmentation` or `Tetrahedra_augmentation` of the graph
 /// \param points the points of the vertices
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `embedding_manner`,
-///        `number_of_contours`, `number_of_smoothing_steps`, `parametrization_map` and `callback`, as for `embed()`
+///        `number_of_contours`, `number_of_contours_at_nodes`, `number_of_smoothing_steps`, `parametrization_map` and `callback`, as for `embed()`
 ///
 /// \returns an `Embedding` with the type of the points.
 ///

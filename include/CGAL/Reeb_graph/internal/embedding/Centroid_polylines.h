@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -34,7 +35,6 @@ struct Places
   std::vector<Coordinates> centroids;
   std::vector<Coordinates> contour_points;
   std::vector<double> values;
-  double size = 0; // the length of the longest contour
 };
 
 // The nodes and arcs of a graph at the centroids of contours.
@@ -89,7 +89,6 @@ public:
       result.centroids.push_back(centroid());
       result.contour_points.push_back(coordinates_of(points[contour.is_closed ? 0 : points.size() / 2]));
       result.values.push_back(contour.value);
-      result.size = (std::max)(result.size, centroid.length());
     }
     return result;
   }
@@ -123,10 +122,26 @@ private:
   const NamedParameters& np_;
 };
 
-// Whether the two sides of a loop look like one line, as those of a round tube inside of another one.
-inline bool do_coincide(const Places& a, const Places& b)
+// How far apart two lines are that look like one: about the width of a line in a picture of all.
+inline double width_of_lines(const std::vector<Places>& places)
 {
-  const double small = 1e-3 * (std::max)(a.size, b.size);
+  constexpr double part_of_picture = 0.015, infinity = std::numeric_limits<double>::infinity();
+  Coordinates low, high;
+  low.fill(infinity);
+  high.fill(-infinity);
+  for(const Places& arc : places)
+    for(const Coordinates& point : arc.contour_points)
+      for(std::size_t i = 0; i != point.size(); ++i)
+      {
+        low[i] = (std::min)(low[i], point[i]);
+        high[i] = (std::max)(high[i], point[i]);
+      }
+  return low[0] <= high[0] ? part_of_picture * distance(low, high) : 0;
+}
+
+// Whether the two sides of a loop look like one line, as those of a round tube inside of another one.
+inline bool do_coincide(const Places& a, const Places& b, double small)
+{
   return std::equal(a.centroids.begin(), a.centroids.end(), b.centroids.begin(), b.centroids.end(),
                     [&](const Coordinates& p, const Coordinates& q) { return distance(p, q) <= small; });
 }
@@ -140,12 +155,13 @@ void separate_parallel_arcs(const Graph& graph, std::vector<Places>& places)
     arcs.push_back({{source(arc, graph), target(arc, graph)}, arcs.size()});
   std::sort(arcs.begin(), arcs.end());
   std::vector<bool> is_moved(places.size(), false);
+  const double width = width_of_lines(places);
   for(auto first = arcs.begin(), last = first; first != arcs.end(); first = last)
   {
     last = std::find_if(first, arcs.end(), [&](const auto& arc) { return arc.first != first->first; });
     for(auto i = first; i != last; ++i)
       for(auto j = first; j != i; ++j)
-        if(do_coincide(places[i->second], places[j->second]))
+        if(do_coincide(places[i->second], places[j->second], width))
           is_moved[i->second] = is_moved[j->second] = true;
   }
   for(std::size_t i = 0; i != places.size(); ++i)

@@ -154,8 +154,6 @@ public:
       result.centroids.push_back(centroid());
       result.contour_points.push_back(coordinates_of(points[0]));
       result.values.push_back(contour.value);
-      for(const Point& point : points)
-        result.size = (std::max)(result.size, distance(centroid(), coordinates_of(point)));
     }
     return result;
   }
