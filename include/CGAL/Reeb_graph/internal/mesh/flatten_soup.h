@@ -51,6 +51,18 @@ struct Descriptors<Simplicial_complex, false>
   typedef boost::graph_traits<Simplicial_complex>::halfedge_descriptor halfedge_descriptor;
 };
 
+inline std::size_t source(const boost::graph_traits<Simplicial_complex>::halfedge_descriptor& h,
+                          const Simplicial_complex&)
+{
+  return h.first;
+}
+inline std::size_t target(const boost::graph_traits<Simplicial_complex>::halfedge_descriptor& h,
+                          const Simplicial_complex&)
+{
+  return h.second;
+}
+inline std::size_t num_vertices(const Simplicial_complex& complex) { return complex.number_of_vertices(); }
+
 // The type of a scalar map in the traits class of a soup.
 template <class Scalar>
 using Soup_scalars = boost::iterator_property_map<const Scalar*, boost::typed_identity_property_map<std::size_t>>;
