@@ -63,9 +63,10 @@ inline void add_page_options(CLI::App& command, std::string& page_path, std::str
 {
   add_file(command, "--html", page_path, "Write a page to this file, .html, that shows the graph on the surface");
   command
-    .add_option("--up", up,
-                "With --html: which way is up, x, y, z, -x, -y, or -z; by default that of a height, else away from the "
-                "largest flat side that the mesh stands on, else y for a mesh that is as tall in y as it is wide, else z")
+    .add_option(
+      "--up", up,
+      "With --html: which way is up, x, y, z, -x, -y, or -z; by default that of a height, else away from the "
+      "largest flat side that the mesh stands on, else y for a mesh that is as tall in y as it is wide, else z")
     ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
   command.add_option("--unit", unit, "The unit of the field, for the page and for the drawing of the graph");
 }

@@ -155,9 +155,10 @@ void write_page_file(const Compute_options& options,
   if(options.page_path.empty())
     return;
   const Stopwatch stopwatch;
-  write_page(options.page_path, {surface, scalar_map, given, options.graph,
-                                 std::filesystem::path(options.input.mesh_path).filename().string(),
-                                 field_label(options.input, options.unit), options.simplification, threshold, options.up});
+  write_page(options.page_path,
+             {surface, scalar_map, given, options.graph,
+              std::filesystem::path(options.input.mesh_path).filename().string(),
+              field_label(options.input, options.unit), options.simplification, threshold, options.up});
   report.seconds.emplace_back("page", stopwatch.seconds());
 }
 

@@ -67,7 +67,8 @@ template <class AnyGraph>
 Simplified_graph_of<AnyGraph>::Simplified_graph_of(const AnyGraph& given,
                                                    const Simplification_options& options,
                                                    double threshold)
-  : given_(given), threshold_(threshold)
+  : given_(given),
+    threshold_(threshold)
 {
   if(!options.is_anything_removed())
     return;

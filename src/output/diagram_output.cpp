@@ -226,7 +226,8 @@ void write_diagram(const std::filesystem::path& path,
   const Scale scale(graph, pairs);
   const double width = left + size + right, height = top + size + bottom;
   write_file(path, [&](std::ostream& stream) {
-    stream << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' ' << height << "\" font-family=\"sans-serif\" font-size=\"12\">\n<title>Persistence diagram</title>\n"
+    stream << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' ' << height
+           << "\" font-family=\"sans-serif\" font-size=\"12\">\n<title>Persistence diagram</title>\n"
            << "<rect fill=\"white\" width=\"" << width << "\" height=\"" << height << "\"/>\n";
     if(threshold)
       write_band(stream, scale, *threshold);

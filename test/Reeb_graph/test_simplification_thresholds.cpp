@@ -176,8 +176,7 @@ BOOST_AUTO_TEST_CASE(graphs_without_branches_suggest_nothing)
 
 BOOST_AUTO_TEST_CASE(the_figure_of_the_demo_is_found_under_noise)
 {
-  const auto mesh =
-    make_mesh<mesh_builders::Surface_mesh>(generated_surfaces::standing_figure(6000));
+  const auto mesh = make_mesh<mesh_builders::Surface_mesh>(generated_surfaces::standing_figure(6000));
   std::vector<double> heights;
   for(const auto v : mesh.vertices())
     heights.push_back(mesh.point(v).z());

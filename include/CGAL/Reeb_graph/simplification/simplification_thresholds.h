@@ -32,8 +32,9 @@ namespace internal {
 
 // The thresholds in the wide gaps of the persistences of branches.
 template <class ReebGraph>
-std::vector<Simplification_threshold>
-thresholds_for_branches(const ReebGraph& graph, const std::vector<double>& values, double range)
+std::vector<Simplification_threshold> thresholds_for_branches(const ReebGraph& graph,
+                                                              const std::vector<double>& values,
+                                                              double range)
 {
   const Pruning_history history = prune_step_by_step(graph, values);
   std::vector<Simplification_threshold> thresholds;
@@ -50,8 +51,9 @@ thresholds_for_branches(const ReebGraph& graph, const std::vector<double>& value
 
 // The thresholds in the wide gaps of the persistences of branches and loops.
 template <class ReebGraph, class NamedParameters>
-std::vector<Simplification_threshold>
-thresholds_for_branches_and_loops(const ReebGraph& graph, double range, const NamedParameters& np)
+std::vector<Simplification_threshold> thresholds_for_branches_and_loops(const ReebGraph& graph,
+                                                                        double range,
+                                                                        const NamedParameters& np)
 {
   std::vector<Simplification_threshold> thresholds;
   const std::vector<double> persistences = arc_persistences(graph, np);
@@ -139,9 +141,9 @@ OutputIterator simplification_thresholds(const ReebGraph& graph,
     const double range = *std::max_element(ranges.begin(), ranges.end());
     const bool are_loops_cancelled =
       parameters::choose_parameter(parameters::get_parameter(np, internal::cancel_loops), false);
-    const std::vector<Simplification_threshold> found =
-      are_loops_cancelled ? internal::thresholds_for_branches_and_loops(graph, range, np)
-                          : internal::thresholds_for_branches(graph, values, range);
+    const std::vector<Simplification_threshold> found = are_loops_cancelled
+                                                        ? internal::thresholds_for_branches_and_loops(graph, range, np)
+                                                        : internal::thresholds_for_branches(graph, values, range);
     for(const Simplification_threshold& threshold : internal::choose_thresholds(found))
       *thresholds++ = threshold;
   }

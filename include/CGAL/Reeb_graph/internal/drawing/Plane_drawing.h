@@ -85,7 +85,7 @@ public:
 
 private:
   static constexpr double corner_height = 0.05;
-  static constexpr double node_height = 0.02; // nodes that are nearer hide each other
+  static constexpr double node_height = 0.03; // nodes that are nearer hide each other
 
   // Nodes of a branch that are of one height, or nearly so, and that it has for itself, lie beside each other.
   void spread_ties(const Drawn_branch& branch, const std::vector<Leaf_pruning::Arc>& arcs)

@@ -83,11 +83,11 @@ public:
   void write(std::ostream& out, const std::string& title, const std::string& description) const
   {
     const double width = left + width_ + right, height = top + height_ + bottom;
-    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << pixels(width) << ' '
-        << pixels(height) << "\" role=\"img\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\""
-        << pixels(Svg_text::size) << "\">\n<title>" << escape_xml(title) << "</title>\n<desc>"
-        << escape_xml(description) << "</desc>\n<rect fill=\"white\" width=\"" << pixels(width) << "\" height=\""
-        << pixels(height) << "\"/>\n";
+    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 "
+        << pixels(width) << ' ' << pixels(height)
+        << "\" role=\"img\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"" << pixels(Svg_text::size)
+        << "\">\n<title>" << escape_xml(title) << "</title>\n<desc>" << escape_xml(description)
+        << "</desc>\n<rect fill=\"white\" width=\"" << pixels(width) << "\" height=\"" << pixels(height) << "\"/>\n";
     write_axis(out);
     out << "<g id=\"arcs\" fill=\"none\" stroke=\"#455a64\" stroke-width=\"" << (radius_ < 5 ? "1.3" : "1.8")
         << "\" stroke-linejoin=\"round\">\n";

@@ -92,8 +92,8 @@ Pruning_history prune_step_by_step(const ReebGraph& graph, const std::vector<dou
     history.states.push_back({number_of_nodes - joins.number_of_joins - history.persistences.size(), leaves});
   };
   const auto measure = [&](const Leaf_arc& arc) {
-    return persistence_of_leaf_arc(
-      arc, [&](Index lower, Index upper) { return persistence(values[lower], values[upper]); });
+    return persistence_of_leaf_arc(arc,
+                                   [&](Index lower, Index upper) { return persistence(values[lower], values[upper]); });
   };
   std::size_t last_number_of_leaves = 0;
   const auto see_leaves = [&](Index number) {
@@ -103,8 +103,7 @@ Pruning_history prune_step_by_step(const ReebGraph& graph, const std::vector<dou
   const auto visit = [&](Index leaf) {
     const double size = measure(pruned.leaf_arc_of(leaf));
     add_state(last_number_of_leaves);
-    history.persistences.push_back(history.persistences.empty() ? size
-                                                                : (std::max)(size, history.persistences.back()));
+    history.persistences.push_back(history.persistences.empty() ? size : (std::max)(size, history.persistences.back()));
   };
   pruned(
     measure, [](const Leaf_arc&) { return true; }, [](double) { return true; }, see_leaves, visit, joins);
