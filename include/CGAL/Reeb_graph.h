@@ -20,6 +20,7 @@
 #include <CGAL/Reeb_graph/Critical_vertex_counts.h>
 #include <CGAL/Reeb_graph/Embedding.h>
 #include <CGAL/Reeb_graph/Error.h>
+#include <CGAL/Reeb_graph/Flat_field.h>
 #include <CGAL/Reeb_graph/Halfedge_chain.h>
 #include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/Reeb_graph/IO/attributes.h>
