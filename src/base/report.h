@@ -93,7 +93,8 @@ struct Arc_row
   double upper_value = 0;
   double length = 0;
   double area = 0;
-  std::size_t vertices = 0; // that belong to the arc
+  std::size_t vertices = 0;                    // that belong to the arc
+  std::optional<double> volume = std::nullopt; // in tetrahedra, in the place of the area
 };
 
 // What the field took, and each step of the work.

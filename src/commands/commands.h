@@ -12,7 +12,7 @@
 #include "base/Vertex_numbers.h"
 #include "base/options.h"
 #include "base/report.h"
-#include "computation/augmentation.h"
+#include "computation/Mesh_graph.h"
 
 #include <cstddef>
 #include <filesystem>

@@ -104,8 +104,8 @@ void write_mesh_file(const Curves_options& options,
   const Stopwatch stopwatch;
   const Graph graph = compute_graph(surface, scalar_map, Graph_options());
   const Augmentation augmentation(surface, scalar_map, graph);
-  const Vertex_locations locations = locate_vertices(augmentation);
-  write_mesh(options.mesh_path, surface, {scalar_map, locations, num_vertices(graph), result.patch_map});
+  const std::vector<std::size_t> places = places_of(surface.vertices(), locate_vertices(augmentation));
+  write_mesh(options.mesh_path, surface, {scalar_map, places, num_vertices(graph), result.patch_map});
   report.add_seconds("mesh", stopwatch.seconds());
 }
 

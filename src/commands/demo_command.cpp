@@ -9,6 +9,7 @@
 #include "base/stopwatch.h"
 #include "commands/commands.h"
 #include "computation/analysis.h"
+#include "computation/augmentation.h"
 #include "generated_surfaces/build_mesh.h"
 #include "generated_surfaces/standing_figure.h"
 #include "output/graph_output.h"

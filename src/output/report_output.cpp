@@ -183,7 +183,7 @@ nlohmann::ordered_json json_of(const Arc_row& row, std::size_t arc)
   json["lower_value"] = json_number(row.lower_value);
   json["upper_value"] = json_number(row.upper_value);
   json["length"] = json_number(row.length);
-  json["area"] = json_number(row.area);
+  json[row.volume ? "volume" : "area"] = json_number(row.volume.value_or(row.area));
   json["vertices"] = row.vertices;
   return json;
 }
@@ -200,14 +200,15 @@ void write_thresholds(std::ostream& out, const std::vector<CGAL::Reeb_graph::Sim
 
 void write_table(std::ostream& out, const std::vector<Arc_row>& rows)
 {
-  out << "\n  arc   from     to        from value          to value          length            area  vertices\n"
+  out << "\n  arc   from     to        from value          to value          length          "
+      << (!rows.empty() && rows[0].volume ? "volume" : "  area") << "  vertices\n"
       << std::defaultfloat << std::setprecision(6);
   for(std::size_t arc = 0; arc < rows.size(); ++arc)
   {
     const Arc_row& row = rows[arc];
     out << std::setw(5) << arc << std::setw(7) << row.lower_node << std::setw(7) << row.upper_node << std::setw(18)
         << row.lower_value << std::setw(18) << row.upper_value << std::setw(16) << row.length << std::setw(16)
-        << row.area << std::setw(10) << row.vertices << '\n';
+        << row.volume.value_or(row.area) << std::setw(10) << row.vertices << '\n';
   }
 }
 
