@@ -151,9 +151,10 @@ void write_page_file(const Compute_options& options,
   if(options.page_path.empty())
     return;
   const Stopwatch stopwatch;
-  write_page(options.page_path, {surface, scalar_map, given, options.graph,
-                                 std::filesystem::path(options.input.mesh_path).filename().string(),
-                                 field_label(options.input, options.unit), options.simplification, threshold});
+  write_page(options.page_path,
+             {surface, scalar_map, given, options.graph,
+              std::filesystem::path(options.input.mesh_path).filename().string(),
+              field_label(options.input, options.unit), options.simplification, threshold, options.up});
   report.seconds.emplace_back("page", stopwatch.seconds());
 }
 
@@ -227,11 +228,13 @@ void write_pairs_and_diagram(const Compute_options& options,
                              Report& report,
                              const Vertex_numbers& vertex_numbers)
 {
-  if(options.pairs_path.empty() && options.diagram_path.empty() && !options.is_report_json)
+  const Stopwatch thresholds_stopwatch;
+  report.thresholds = find_thresholds(graph, options.simplification.are_loops_cancelled);
+  report.seconds.emplace_back("thresholds", thresholds_stopwatch.seconds());
+  if(options.pairs_path.empty() && options.diagram_path.empty())
     return;
   const Stopwatch stopwatch;
   const std::vector<Persistence_pair> pairs = find_persistence_pairs(graph);
-  report.suggested_threshold = suggest_threshold(graph, pairs);
   report.seconds.emplace_back("pairs", stopwatch.seconds());
   if(!options.pairs_path.empty())
     write_pairs(options.pairs_path, graph, pairs, vertex_numbers);

@@ -54,7 +54,6 @@ public:
                 Report& report)
     : kind_(mesh, scalar_map),
       options_(options),
-      threshold_(threshold),
       given_(compute_and_time(options, report, [&](const auto& np) { return kind_.compute(np); }))
   {
     const Stopwatch stopwatch;
@@ -68,7 +67,7 @@ public:
   {
     return simplified_->simplification() ? kind_.on_surface(simplified_->result(), result_on_surface_) : given();
   }
-  double threshold() const override { return threshold_; }
+  double threshold() const override { return simplified_->threshold(); }
 
   void locate_vertices() override
   {
@@ -153,7 +152,6 @@ private:
 
   const Kind kind_;
   const Graph_options options_;
-  const double threshold_;
   const Any_graph given_;
   std::optional<Simplified_graph_of<Any_graph>> simplified_;
   mutable std::optional<Graph> given_on_surface_, result_on_surface_;

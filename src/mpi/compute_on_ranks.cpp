@@ -234,7 +234,7 @@ Graph_in_space embed_straight(const Graph& graph, const Surface& surface)
 void write_results(const Compute_options& options,
                    const Graph_of_ranks& graph,
                    const Local_mesh& mesh,
-                   double threshold,
+                   double asked_threshold,
                    const Slab& slab,
                    Report& report)
 {
@@ -242,7 +242,8 @@ void write_results(const Compute_options& options,
   put_on_nodes(graph, mesh, is_graph_in_space(options), given);
   count_surface(mesh, slab, given.graph, report);
   const Stopwatch simplify_stopwatch;
-  const Simplified_graph simplified(given.graph, options.simplification, threshold);
+  const Simplified_graph simplified(given.graph, options.simplification, asked_threshold);
+  const double threshold = simplified.threshold();
   if(options.simplification.is_anything_removed())
   {
     report.seconds.emplace_back("simplify", simplify_stopwatch.seconds());
