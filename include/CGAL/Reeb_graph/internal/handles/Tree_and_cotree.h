@@ -43,6 +43,7 @@ public:
     : surface_(surface),
       to_vertex_(surface.points.size(), no_index),
       component_of_(surface.points.size(), no_index),
+      distances_(surface.points.size(), 0),
       to_parent_(surface.halfedge.size(), no_index)
   {
     find_tree();
@@ -68,6 +69,7 @@ public:
   {
     return to_parent_[f] == no_index ? Index(no_index) : surface_.face[surface_.opposite(to_parent_[f])];
   }
+  double distance(Index v) const { return distances_[v]; } // from the root
   const std::vector<Index>& face_order() const { return face_order_; } // parents first
 
   bool is_in_tree(Index h) const
@@ -122,6 +124,7 @@ private:
       {
         component_of_[w] = component_of_[v];
         to_vertex_[w] = h;
+        distances_[w] = distances_[v] + surface_.length(h);
         queue.push_back(w);
       }
       h = surface_.turned(h);
@@ -167,6 +170,7 @@ private:
 
   const Closed_surface& surface_;
   std::vector<Index> to_vertex_, component_of_;
+  std::vector<double> distances_;
   std::vector<Index> to_parent_, face_order_;
   std::vector<Component> components_;
 };
