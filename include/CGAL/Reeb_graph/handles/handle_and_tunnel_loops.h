@@ -212,7 +212,9 @@ private:
 ///
 /// \returns the loops.
 ///
-/// The exceptions are those of `compute_reeb_graph()`.
+/// \exception Reeb_graph::Non_finite_point_error if a coordinate of a point is infinite or NaN
+///
+/// and the exceptions of `compute_reeb_graph()`.
 template <class FaceListGraph, class ScalarMap, class NamedParameters = parameters::Default_named_parameters>
 Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(
   const FaceListGraph& mesh,

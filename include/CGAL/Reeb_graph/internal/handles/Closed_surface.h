@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/point_map.h>
 
@@ -107,6 +108,9 @@ private:
       put(vertex_number_map, v, static_cast<Index>(surface_.points.size()));
       const auto& point = get(point_map, v);
       surface_.points.push_back({CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())});
+      for(const double coordinate : surface_.points.back())
+        if(!std::isfinite(coordinate))
+          throw Non_finite_point_error(surface_.points.size() - 1);
     }
     surface_.number_of_given_vertices = checked_index(surface_.points.size());
     surface_.target.reserve(halfedges_.size());

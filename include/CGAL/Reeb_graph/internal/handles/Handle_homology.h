@@ -166,12 +166,13 @@ public:
     Class_codes codes(surface_.next.size() / 2, {0, 0});
     for(auto& component : homology_.components())
     {
-      halves_.emplace_back(component.loops, component.projection);
-      if(!halves_.back().is_valid())
-        component.projection.clear();
-      if(!halves_.back().is_valid())
+      if(!component.projection.empty())
+        halves_.emplace_back(component.loops, component.projection);
+      if(component.projection.empty() || !halves_.back().is_valid())
       {
-        halves_.pop_back();
+        if(!component.projection.empty())
+          halves_.pop_back();
+        component.projection.clear();
         halves_.emplace_back(component.loops, splitting<Integer>(component.loops));
       }
       const auto random = random_numbers(component.loops.size());

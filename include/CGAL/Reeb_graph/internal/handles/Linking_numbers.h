@@ -72,11 +72,12 @@ public:
     collect_segments();
   }
 
-  // Minus the linking number of each loop b_i of edges with each loop c_j of faces pushed to the front.
+  // Minus the linking number of each loop b_i of edges with each loop c_j of faces pushed to the front. Empty if no
+  // direction is in general position, as there is none where triangles have no area, or points are the same.
   Integer_rows operator()() const
   {
     std::uint64_t random = 20130617;
-    for(;;)
+    for(int trial = 0; trial != 16; ++trial)
     {
       std::array<double, 3> direction;
       for(double& coordinate : direction)
@@ -93,6 +94,7 @@ public:
       {
       }
     }
+    return {};
   }
 
 private:

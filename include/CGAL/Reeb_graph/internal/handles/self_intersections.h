@@ -47,8 +47,9 @@ inline std::vector<bool> find_self_intersections(const Closed_surface& surface, 
     const Index u = surface.source(h), v = surface.target[h], w = surface.target[surface.next[h]];
     if(surface.is_apex(u) || surface.is_apex(v) || surface.is_apex(w))
       continue;
-    mesh.add_face(Mesh::Vertex_index(u), Mesh::Vertex_index(v), Mesh::Vertex_index(w));
-    components.push_back(trees.component_of(u));
+    const Face f = mesh.add_face(Mesh::Vertex_index(u), Mesh::Vertex_index(v), Mesh::Vertex_index(w));
+    if(f != Mesh::null_face()) // as it is if two edges join the same vertices
+      components.push_back(trees.component_of(u));
   }
   std::vector<bool> result(trees.components().size(), false);
   Polygon_mesh_processing::self_intersections(
