@@ -56,6 +56,9 @@ public:
   // The simplified graph if there is one, else the given one.
   const AnyGraph& result() const { return simplification_ ? simplified_ : given_; }
 
+  // The simplified graph, whose nodes may be given other values of the same order.
+  AnyGraph& simplified() { return simplified_; }
+
   // Where the nodes and arcs of the given graph are in the simplified one.
   const std::optional<CGAL::Reeb_graph::Simplification<AnyGraph>>& simplification() const { return simplification_; }
 

@@ -76,9 +76,9 @@ private:
 
 typedef struct stat File_status;
 
-std::runtime_error output_error(const fs::path& path, int reason)
+Output_error output_error(const fs::path& path, int reason)
 {
-  return std::runtime_error(path.string() + ": the file cannot be written"
+  return Output_error(path.string() + ": the file cannot be written"
                             + (reason == 0 ? "" : ": " + std::generic_category().message(reason)));
 }
 
