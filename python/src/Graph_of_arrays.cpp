@@ -66,8 +66,7 @@ Graph_of_arrays::Graph_of_arrays(std::shared_ptr<Input> input, const Graph_optio
   Report report;
   if(is_surface())
   {
-    given_ =
-      std::make_shared<const Graph>(compute_and_time(input_->surface(), input_->scalar_map, options_, report));
+    given_ = std::make_shared<const Graph>(compute_and_time(input_->surface(), input_->scalar_map, options_, report));
     surface_graph_.emplace(*given_, simplification_, threshold_);
   }
   else
@@ -209,8 +208,7 @@ std::vector<std::size_t> Graph_of_arrays::components() const
 {
   std::vector<std::size_t> components(num_vertices(graph()));
   CGAL::Reeb_graph::number_components(
-    graph(),
-    boost::make_iterator_property_map(components.begin(), boost::typed_identity_property_map<std::size_t>()));
+    graph(), boost::make_iterator_property_map(components.begin(), boost::typed_identity_property_map<std::size_t>()));
   return components;
 }
 

@@ -106,7 +106,6 @@ public:
   // A field that has the graph, and whether ties were contracted for it, though not asked for.
   std::pair<std::vector<double>, bool> simplified_scalars() const;
 
-
   // Writes the graph, the page, the pairs, or the coloured mesh, by the ending of the name.
   void write(const std::filesystem::path& path, const File_options& options) const;
 

@@ -25,8 +25,8 @@ using namespace reeb_graph_program; // NOLINT(google-build-using-namespace): it 
 struct Input
 {
   Mesh mesh;
-  Scalar_map scalar_map; // the field whose order counts: the values or, if those are no doubles, their ranks
-  Scalar_map value_map;  // the values as doubles: the same map, but for ranks
+  Scalar_map scalar_map;      // the field whose order counts: the values or, if those are no doubles, their ranks
+  Scalar_map value_map;       // the values as doubles: the same map, but for ranks
   std::vector<double> levels; // the value of each rank; empty if the field is no ranks
   double base = 0;            // is to be added to values and levels: their differences are exact without it
   bool has_points = false;

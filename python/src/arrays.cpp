@@ -34,8 +34,7 @@ void copy_numbers(const py::array& array, const char* item, std::size_t number_o
     const char* const row = base + static_cast<py::ssize_t>(i) * row_stride;
     for(std::size_t j = 0; j < columns; ++j)
     {
-      const Integer v =
-        *reinterpret_cast<const volatile Integer*>(row + static_cast<py::ssize_t>(j) * column_stride);
+      const Integer v = *reinterpret_cast<const volatile Integer*>(row + static_cast<py::ssize_t>(j) * column_stride);
       // negative ones are large ones
       if(static_cast<std::uint64_t>(v) >= number_of_vertices)
         throw Item_error(item, i,

@@ -147,8 +147,8 @@ const AnyAugmentation& Graph_of_arrays::make(std::unique_ptr<AnyAugmentation>& a
 Contour_of_arrays Graph_of_arrays::contour_at_parameter(std::size_t arc, double t) const
 {
   return with_augmentation([&](const auto& augmentation) {
-    return Contour_conversion(*input_, std::nullopt)(
-      augmentation, augmentation.contour(arc_of_number(augmentation.graph(), arc), t));
+    return Contour_conversion(*input_, std::nullopt)(augmentation,
+                                                     augmentation.contour(arc_of_number(augmentation.graph(), arc), t));
   });
 }
 

@@ -107,8 +107,9 @@ void cut_surface(Cut& cut,
     cut.properties.push_back(add_scalar_map(cut.surface, "v:array" + std::to_string(cut.properties.size()), array));
     properties.emplace_back(cut.properties.back());
   }
-  cut.result = cut_along_curves(cut.surface, cut.scalar_map, properties, options,
-                                [&](std::size_t number_of_faces) { return number_of_faces <= largest_number_of_faces; });
+  cut.result = cut_along_curves(cut.surface, cut.scalar_map, properties, options, [&](std::size_t number_of_faces) {
+    return number_of_faces <= largest_number_of_faces;
+  });
 }
 
 py::dict describe(const Cut& cut)

@@ -237,11 +237,10 @@ void add_graph(py::module_& module)
     .def("critical_set", running(&G::critical_set, to_dict))
     .def("measures", running(&G::measures, [](const Arc_measures& measures) { return tuple_of(measures); }))
     .def("embed", running(&G::embed, to_dict))
-    .def("simplified_scalars",
-         running(&G::simplified_scalars,
-                 [](const std::pair<std::vector<double>, bool>& result) {
-                   return py::make_tuple(array_of(result.first), result.second);
-                 }))
+    .def("simplified_scalars", running(&G::simplified_scalars,
+                                       [](const std::pair<std::vector<double>, bool>& result) {
+                                         return py::make_tuple(array_of(result.first), result.second);
+                                       }))
     .def("write", [](const G& graph, const std::filesystem::path& path, const std::string& title,
                      const std::string& name, const std::string& unit, std::optional<Embedding_manner> manner,
                      std::size_t threads, const py::object& progress) {

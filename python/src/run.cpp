@@ -145,7 +145,8 @@ void run(const py::object& progress, std::size_t number_of_threads, std::functio
     if(running)
     {
       auto& works = stopped_work();
-      works.erase(std::remove_if(works.begin(), works.end(), [](const auto& work) { return work->wait({}); }), works.end());
+      works.erase(std::remove_if(works.begin(), works.end(), [](const auto& work) { return work->wait({}); }),
+                  works.end());
       works.push_back(std::move(running));
     }
     throw;

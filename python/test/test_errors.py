@@ -190,6 +190,7 @@ def test_control_c_ends_a_run():
 import os, signal, threading, time, numpy as np, meshes, reeb_graph
 triangles, points = meshes.grid(2000, 1000, True, True)
 scalars = np.random.default_rng(0).normal(size=len(points))
+signal.signal(signal.SIGINT, signal.default_int_handler)
 pressed = []
 def press():
     pressed.append(time.monotonic())
@@ -201,7 +202,8 @@ try:
 except KeyboardInterrupt:
     print(time.monotonic() - pressed[0])
 """
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=Path(__file__).parent)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=Path(__file__).parent)
+    assert done.returncode == 0, done.stderr
     assert float(done.stdout) < 3  # within a second, where the machine is not busy
 
 

@@ -56,8 +56,8 @@ Npy_array split_npy(const std::string& path, std::string_view text)
   if(size > longest_header || text.size() - begin < size)
     throw Input_error(path, "the file ends in its header");
   const std::string header(text.substr(begin, size));
-  return {header_value(path, header, "'descr': *('[^']*'|[^,}]*)"), header_value(path, header, "'shape': *\\(([^)]*)\\)"),
-          text.substr(begin + size)};
+  return {header_value(path, header, "'descr': *('[^']*'|[^,}]*)"),
+          header_value(path, header, "'shape': *\\(([^)]*)\\)"), text.substr(begin + size)};
 }
 
 template <class Number>

@@ -28,9 +28,8 @@ void write_npy(std::ostream& stream, const std::vector<Number>& numbers)
   static_assert(std::is_same_v<Number, double> || std::is_same_v<Number, std::int64_t>);
   constexpr std::size_t size_before = 10, multiple = 64;
   const bool is_little = boost::endian::order::native == boost::endian::order::little;
-  std::string header = std::string("{'descr': '") + (is_little ? '<' : '>')
-                     + (std::is_integral_v<Number> ? 'i' : 'f') + "8', 'fortran_order': False, 'shape': ("
-                     + std::to_string(numbers.size()) + ",), }";
+  std::string header = std::string("{'descr': '") + (is_little ? '<' : '>') + (std::is_integral_v<Number> ? 'i' : 'f')
+                     + "8', 'fortran_order': False, 'shape': (" + std::to_string(numbers.size()) + ",), }";
   header.append(multiple - (size_before + header.size() + 1) % multiple, ' ');
   header += '\n';
   const std::uint16_t size = boost::endian::native_to_little(static_cast<std::uint16_t>(header.size()));

@@ -79,7 +79,7 @@ typedef struct stat File_status;
 Output_error output_error(const fs::path& path, int reason)
 {
   return Output_error(path.string() + ": the file cannot be written"
-                            + (reason == 0 ? "" : ": " + std::generic_category().message(reason)));
+                      + (reason == 0 ? "" : ": " + std::generic_category().message(reason)));
 }
 
 bool look_up(const fs::path& path, File_status& status)
