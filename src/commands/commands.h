@@ -12,7 +12,7 @@
 #include "base/Vertex_numbers.h"
 #include "base/options.h"
 #include "base/report.h"
-#include "computation/augmentation.h"
+#include "computation/Mesh_graph.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -34,6 +34,7 @@ struct Compute_options
   std::string diagram_path;
   std::string simplified_scalars_path;
   std::string page_path;
+  std::string up;   // of the page: x, y, z, -x, -y, -z, or as it finds it
   std::string unit; // of the field, for what is drawn
   bool is_report_json = false;
   std::optional<bool> is_table_wanted; // by default that of a graph of few arcs
@@ -56,6 +57,7 @@ struct Curves_options
   std::string patches_path;
   std::string mesh_path;
   std::string page_path;
+  std::string up;                 // of the page: x, y, z, -x, -y, -z, or as it finds it
   std::string unit;               // of the field, for what is drawn
   bool is_large_accepted = false; // a cut mesh of more than 50 times the triangles
   bool is_report_json = false;
@@ -66,6 +68,15 @@ struct Field_options
 {
   Input_options input;
   std::string output_path;
+  bool is_report_json = false;
+  std::size_t number_of_threads = 0; // 0: one per core
+};
+
+struct Handles_options
+{
+  Input_options input;
+  std::string loops_path; // empty if they are not written
+  bool are_loops_shortened = true;
   bool is_report_json = false;
   std::size_t number_of_threads = 0; // 0: one per core
 };
@@ -87,6 +98,7 @@ void run_compute(const Compute_options& options);
 void run_contour(const Contour_options& options);
 void run_curves(const Curves_options& options);
 void run_field(const Field_options& options);
+void run_handles(const Handles_options& options);
 void run_demo(const Demo_options& options);
 
 } // namespace reeb_graph_program

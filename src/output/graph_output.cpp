@@ -8,6 +8,7 @@
 
 #include "output/graph_output.h"
 
+#include "output/npy_output.h"
 #include "output/output_file.h"
 
 #include <CGAL/Reeb_graph/IO.h>
@@ -15,6 +16,7 @@
 #include <CGAL/Reeb_graph/internal/output/Text_output.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 namespace reeb_graph_program {
@@ -90,25 +92,25 @@ void write_graph(const fs::path& path,
 void write_graph_in_space(const fs::path& path,
                           const Graph& graph,
                           const Graph_in_space& graph_in_space,
-                          const Surface& surface)
+                          const std::function<void(std::ostream&)>& write_json)
 {
-  const auto vertex_index_map = get(boost::vertex_index, surface);
+  const Vertex_numbers vertex_numbers;
   const auto& embedding = graph_in_space.embedding;
   const auto attributes = CGAL::parameters::arc_attributes(graph_in_space.arc_attributes);
   const std::string ending = format_of(path).ending;
   if(ending == ".csv")
     return write_files(
       {{table_path(path, "nodes"),
-        [&](std::ostream& stream) { CGAL::Reeb_graph::write_nodes_csv(stream, graph, embedding, vertex_index_map); }},
+        [&](std::ostream& stream) { CGAL::Reeb_graph::write_nodes_csv(stream, graph, embedding, vertex_numbers); }},
        {table_path(path, "arcs"),
         [&](std::ostream& stream) { CGAL::Reeb_graph::write_arcs_csv(stream, graph, embedding, attributes); }}});
   write_file(path, [&](std::ostream& stream) {
     if(ending == ".vtp")
-      CGAL::Reeb_graph::write_vtp(stream, graph, embedding, vertex_index_map, attributes);
+      CGAL::Reeb_graph::write_vtp(stream, graph, embedding, vertex_numbers, attributes);
     else if(ending == ".obj")
       CGAL::Reeb_graph::write_obj(stream, graph, embedding);
     else if(ending == ".json")
-      CGAL::Reeb_graph::write_json(stream, surface, graph, embedding, vertex_index_map, attributes);
+      write_json(stream);
     else
       CGAL::Reeb_graph::write_polylines(stream, embedding.arc_polylines);
   });
@@ -119,6 +121,8 @@ void write_vertex_arcs(const std::filesystem::path& path,
                        std::size_t number_of_nodes)
 {
   write_file(path, [&](std::ostream& stream) {
+    if(is_npy(path))
+      return write_npy(stream, std::vector<std::int64_t>(places.begin(), places.end()));
     CGAL::Reeb_graph::internal::Text_output text(stream);
     for(const std::size_t place : places)
       if(place < number_of_nodes)

@@ -12,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <optional>
@@ -162,6 +163,18 @@ nlohmann::ordered_json json_of(const Simplification_counts& simplification)
   return json;
 }
 
+nlohmann::ordered_json json_of(const CGAL::Reeb_graph::Simplification_threshold& threshold)
+{
+  nlohmann::ordered_json json;
+  json["threshold"] = json_number(threshold.threshold);
+  json["gap"] = json_number(threshold.gap);
+  json["nodes"] = threshold.nodes;
+  json["leaves"] = threshold.leaves;
+  json["loops"] = threshold.loops;
+  json["suggested"] = threshold.is_suggested;
+  return json;
+}
+
 nlohmann::ordered_json json_of(const Arc_row& row, std::size_t arc)
 {
   nlohmann::ordered_json json;
@@ -171,21 +184,32 @@ nlohmann::ordered_json json_of(const Arc_row& row, std::size_t arc)
   json["lower_value"] = json_number(row.lower_value);
   json["upper_value"] = json_number(row.upper_value);
   json["length"] = json_number(row.length);
-  json["area"] = json_number(row.area);
+  json[row.volume ? "volume" : "area"] = json_number(row.volume.value_or(row.area));
   json["vertices"] = row.vertices;
   return json;
 }
 
+// What a person can choose for --simplify, or leave to `auto`.
+void write_thresholds(std::ostream& out, const std::vector<CGAL::Reeb_graph::Simplification_threshold>& thresholds)
+{
+  out << std::defaultfloat << std::setprecision(3);
+  for(const auto& threshold : thresholds)
+    out << "\n         --simplify " << threshold.threshold << " gives " << count(threshold.nodes, "node") << ", "
+        << count(threshold.leaves, "leaf", "leaves") << ", " << count(threshold.loops, "loop")
+        << (threshold.is_suggested ? ", and so does auto" : "");
+}
+
 void write_table(std::ostream& out, const std::vector<Arc_row>& rows)
 {
-  out << "\n  arc   from     to        from value          to value          length            area  vertices\n"
+  out << "\n  arc   from     to        from value          to value          length          "
+      << (!rows.empty() && rows[0].volume ? "volume" : "  area") << "  vertices\n"
       << std::defaultfloat << std::setprecision(6);
   for(std::size_t arc = 0; arc < rows.size(); ++arc)
   {
     const Arc_row& row = rows[arc];
     out << std::setw(5) << arc << std::setw(7) << row.lower_node << std::setw(7) << row.upper_node << std::setw(18)
         << row.lower_value << std::setw(18) << row.upper_value << std::setw(16) << row.length << std::setw(16)
-        << row.area << std::setw(10) << row.vertices << '\n';
+        << row.volume.value_or(row.area) << std::setw(10) << row.vertices << '\n';
   }
 }
 
@@ -319,6 +343,7 @@ void write_text(std::ostream& out, const Report& report)
   if(report.simplification && report.simplification->largest_change)
     out << ", largest change of the field " << *report.simplification->largest_change
         << (report.simplification->are_ties_contracted ? ", which needs --ties contract" : "");
+  write_thresholds(out, report.thresholds);
   if(report.embedding_manner)
     out << "\n         in space: " << name_of(*report.embedding_manner);
   out << "\nseconds  " << std::fixed << std::setprecision(3);
@@ -347,7 +372,14 @@ void write_json(std::ostream& out, const Report& report)
   json["hidden_handles"] = nullptr;
   if(report.graph.hidden_handles)
     json["hidden_handles"] = *report.graph.hidden_handles;
-  json["suggested_threshold"] = json_number(report.suggested_threshold);
+  json["thresholds"] = nlohmann::ordered_json::array();
+  json["suggested_threshold"] = nullptr;
+  for(const auto& threshold : report.thresholds)
+  {
+    json["thresholds"].push_back(json_of(threshold));
+    if(threshold.is_suggested)
+      json["suggested_threshold"] = json_number(threshold.threshold);
+  }
   json["simplified"] = nullptr;
   if(report.simplification)
     json["simplified"] = json_of(*report.simplification);
@@ -394,6 +426,59 @@ void write_border_changes(std::ostream& out, const CGAL::Reeb_graph::Border_leve
   out << "made " << changes.number_of_changed_borders << " of " << count(changes.number_of_borders, "border")
       << " levels of the field: values of " << changes.number_of_changed_vertices << " vertices changed, by at most "
       << changes.largest_change << '\n';
+}
+
+void write_text(std::ostream& out, const Handles_report& report)
+{
+  const auto number_of = [&](const std::string& kind) {
+    return static_cast<std::size_t>(
+      std::count_if(report.loops.begin(), report.loops.end(), [&](const Loop_row& row) { return row.kind == kind; }));
+  };
+  out << "surface  " << count(number_of("handle"), "handle") << ", " << count(number_of("tunnel"), "tunnel") << ", "
+      << count(number_of("hole"), "hole") << ", " << count(number_of("loop"), "loop") << " without inside\n";
+  out << "field    " << report.field << '\n';
+  if(report.loops.empty())
+    return;
+  out << "\n loop    kind  partner          length     persistence            area  component\n"
+      << std::defaultfloat << std::setprecision(6);
+  const auto write = [&](const auto& number, int width) {
+    out << std::setw(width);
+    if(number)
+      out << *number;
+    else
+      out << '-';
+  };
+  for(std::size_t i = 0; i != report.loops.size(); ++i)
+  {
+    const Loop_row& row = report.loops[i];
+    out << std::setw(5) << i << std::setw(8) << row.kind;
+    write(row.partner, 9);
+    out << std::setw(16) << row.length;
+    write(row.persistence, 16);
+    write(row.area, 16);
+    out << std::setw(11) << row.component << (row.is_simple ? "" : "  crosses itself") << '\n';
+  }
+}
+
+void write_json(std::ostream& out, const Handles_report& report)
+{
+  nlohmann::ordered_json json;
+  json["field"] = report.field;
+  json["loops"] = nlohmann::ordered_json::array();
+  for(const Loop_row& row : report.loops)
+  {
+    nlohmann::ordered_json loop;
+    loop["kind"] = row.kind;
+    loop["partner"] = row.partner ? nlohmann::ordered_json(*row.partner) : nlohmann::ordered_json();
+    loop["length"] = json_number(row.length);
+    loop["persistence"] = json_number(row.persistence);
+    loop["area"] = json_number(row.area);
+    loop["component"] = row.component;
+    loop["simple"] = row.is_simple;
+    json["loops"].push_back(loop);
+  }
+  add_field_and_costs(json, report);
+  out << json.dump(2) << '\n';
 }
 
 } // namespace reeb_graph_program
