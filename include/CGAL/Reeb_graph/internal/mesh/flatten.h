@@ -128,21 +128,6 @@ Indexed_vector<Vertex_index, typename Traits::Scalar> read_values(const VertexLi
   return values;
 }
 
-// The function from the vertices of a mesh to their indices. It can outlive the mesh if its index map can.
-template <class FaceListGraph, class NamedParameters>
-auto find_vertex_numbers(const FaceListGraph& mesh,
-                         const Vertex_list<FaceListGraph>& vertices,
-                         const NamedParameters& np)
-{
-  return make_vertex_positions(mesh, vertices, np);
-}
-
-template <class Point, class NamedParameters>
-auto find_vertex_numbers(const Surface_mesh<Point>&, const Vertex_list<Surface_mesh<Point>>&, const NamedParameters&)
-{
-  return [](typename Surface_mesh<Point>::Vertex_index v) { return Vertex_index(v); };
-}
-
 // Whether a halfedge can be one of the mesh. Only a mesh that numbers its halfedges tells those of other meshes.
 template <class FaceListGraph, class HalfedgeDescriptor>
 bool can_be_halfedge(const FaceListGraph&, const HalfedgeDescriptor&)
