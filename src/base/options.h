@@ -87,10 +87,10 @@ struct Simplification_options
 
 inline auto named_parameters(const Graph_options& options)
 {
-  namespace parameters = CGAL::parameters;
-  const auto slabs = parameters::number_of_slabs(options.number_of_slabs);
-  const auto nodes = parameters::keep_degree_two_nodes(options.are_degree_two_nodes_kept, slabs);
-  return parameters::ties(options.ties, parameters::method(options.method, nodes));
+  return CGAL::parameters::ties(options.ties)
+    .method(options.method)
+    .keep_degree_two_nodes(options.are_degree_two_nodes_kept)
+    .number_of_slabs(options.number_of_slabs);
 }
 
 } // namespace reeb_graph_program

@@ -79,9 +79,7 @@ void write_graph(const fs::path& path,
     else if(ending == ".svg")
       CGAL::Reeb_graph::write_svg(
         stream, graph,
-        CGAL::parameters::field_name(
-          field_label.name,
-          CGAL::parameters::field_unit(field_label.unit, CGAL::parameters::vertex_index_map(vertex_numbers))));
+        CGAL::parameters::field_name(field_label.name).field_unit(field_label.unit).vertex_index_map(vertex_numbers));
     else
       CGAL::Reeb_graph::write_graphviz(stream, graph, vertex_numbers);
   });

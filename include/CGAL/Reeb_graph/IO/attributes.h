@@ -12,7 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -48,18 +48,6 @@ inline void check_attributes(const std::vector<Attribute>& attributes, std::size
     if(size_of(attribute) != size)
       throw Attribute_count_error(attribute.name, size_of(attribute), size);
 }
-
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
-
-CGAL_REEB_GRAPH_NAMED_PARAMETER(arc_attributes, std::vector<Reeb_graph::Attribute>)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(vertex_attributes, std::vector<Reeb_graph::Attribute>)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(face_attributes, std::vector<Reeb_graph::Attribute>)
-
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
 
 // The attributes of a named parameter, which have to be as many as things.
 template <class Parameter>

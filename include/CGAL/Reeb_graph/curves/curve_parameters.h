@@ -11,10 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
-
-#include <cstddef>
 
 // The named parameters of curves and of cutting along them, and what the functions that share them say of them. All are
 // in the list `PkgReebGraphNamedParameters`.
@@ -162,17 +160,5 @@
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-
-CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(curve_cost)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_candidates, std::size_t)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(borders, Reeb_graph::Borders)
-CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(arc_weight)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(persistence_threshold, double)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(area_threshold, double)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(vertex_count_threshold, std::size_t)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(measure_threshold, double)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(cut_open, bool)
-CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(edge_curve_map)
-CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(face_count_callback)
 
 #endif // CGAL_REEB_GRAPH_CURVES_CURVE_PARAMETERS_H
