@@ -32,7 +32,6 @@ struct Input_options
   std::vector<std::size_t> source_vertices;
   std::vector<double> direction; // empty or three coordinates
   bool are_faces_triangulated = false;
-  bool are_borders_fixed = false; // whether the harmonic field is that between the borders
 };
 
 // The files that are read. A path is empty if there is none.

@@ -100,29 +100,30 @@ Graph_in_space embed_and_time(const Compute_options& options,
   return result;
 }
 
-// The vertices are located if one of the files or the table needs it.
-void write_files_of_surface(const Compute_options& options,
-                            const Simplified_graph& graph,
-                            const Surface& surface,
-                            Scalar_map scalar_map,
-                            Report& report)
+// The vertices are located if one of the files or the table needs it. Returns the arcs, if one of these tells of them.
+std::vector<Arc_row> write_files_of_surface(const Compute_options& options,
+                                            const Simplified_graph& graph,
+                                            const Surface& surface,
+                                            Scalar_map scalar_map,
+                                            Report& report)
 {
   constexpr std::size_t few_arcs = 40;
   const bool has_table = options.is_table_wanted.value_or(num_edges(graph.result()) <= few_arcs);
+  const bool has_measures = !options.graph_path.empty() && has_arc_attributes(options.graph_path);
   const bool has_file = !options.vertex_arcs_path.empty() || !options.mesh_path.empty() || is_graph_in_space(options);
-  if(!has_table && !has_file)
-    return;
+  if(!has_table && !has_measures && !has_file)
+    return {};
   const Stopwatch stopwatch;
   const Augmentation augmentation = graph.augmentation(surface, scalar_map, options.graph);
   const Vertex_locations locations = locate_vertices(augmentation);
   std::vector<Arc_row> arcs;
-  if(has_table || (is_graph_in_space(options) && has_arc_attributes(options.graph_path)))
+  if(has_table || has_measures)
     arcs = measure_arcs(surface, scalar_map, graph.result(), locations);
   if(has_table)
     report.arc_table = arcs;
   report.seconds.emplace_back("locate", stopwatch.seconds());
   if(!has_file)
-    return;
+    return arcs;
   std::optional<Graph_in_space> graph_in_space;
   if(is_graph_in_space(options))
     graph_in_space = embed_and_time(options, augmentation, arcs, report);
@@ -134,15 +135,29 @@ void write_files_of_surface(const Compute_options& options,
   if(graph_in_space)
     write_graph_in_space(options.graph_path, graph.result(), *graph_in_space, surface);
   report.add_seconds("output", output_stopwatch.seconds());
+  return arcs;
 }
 
-void write_graph_file(const Compute_options& options, const Graph& graph, Report& report)
+void write_graph_file(const Compute_options& options,
+                      const Graph& graph,
+                      const std::vector<CGAL::Reeb_graph::Attribute>& attributes,
+                      Report& report)
 {
   if(options.graph_path.empty() || is_graph_in_space(options))
     return;
   const Stopwatch stopwatch;
-  write_graph(options.graph_path, graph, field_label(options.input, options.unit));
+  write_graph(options.graph_path, graph, field_label(options.input, options.unit), {}, attributes);
   report.add_seconds("output", stopwatch.seconds());
+}
+
+// The attributes of a graph file without points.
+std::vector<CGAL::Reeb_graph::Attribute> arc_attributes_of_file(const Compute_options& options,
+                                                                const Graph& graph,
+                                                                const std::vector<Arc_row>& arcs)
+{
+  const bool has_attributes =
+    !options.graph_path.empty() && !is_graph_in_space(options) && has_arc_attributes(options.graph_path);
+  return has_attributes ? arc_attributes(graph, arcs) : std::vector<CGAL::Reeb_graph::Attribute>();
 }
 
 void write_page_file(const Compute_options& options,
@@ -204,8 +219,8 @@ void compute_on_surface(const Compute_options& options, Surface& surface, Report
   }
   write_simplified_field(options, surface, scalar_map, threshold, report);
   write_pairs_and_diagram(options, given, threshold, report);
-  write_files_of_surface(options, graph, surface, scalar_map, report);
-  write_graph_file(options, graph.result(), report);
+  const std::vector<Arc_row> arcs = write_files_of_surface(options, graph, surface, scalar_map, report);
+  write_graph_file(options, graph.result(), arc_attributes_of_file(options, graph.result(), arcs), report);
   write_page_file(options, given, surface, scalar_map, threshold, report);
   write_report(options, report);
 }
@@ -261,7 +276,7 @@ void compute_on_complex(const Compute_options& options, Mesh& mesh, Report& repo
     write_graph_in_space(options.graph_path, result, graph_in_space, mesh.surface);
     report.add_seconds("output", stopwatch.seconds());
   }
-  write_graph_file(options, result, report);
+  write_graph_file(options, result, {}, report);
   write_report(options, report);
 }
 

@@ -11,11 +11,13 @@
 #include "computation/analysis.h"
 #include "computation/augmentation.h"
 #include "computation/curves.h"
+#include "computation/embedding.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/field_input.h"
 #include "input/mesh_formats.h"
 #include "input/mesh_input.h"
+#include "output/graph_output.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
 #include "output/polylines_output.h"
@@ -23,6 +25,7 @@
 #include "page/page_output.h"
 
 #include <CGAL/Reeb_graph/curves/exceptions.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <iostream>
 #include <limits>
@@ -53,8 +56,20 @@ void check_formats(const Curves_options& options)
     check_polylines_format(options.curves_path);
   if(!options.cut_mesh_path.empty())
     check_cut_mesh_format(options.cut_mesh_path);
+  if(!options.graph_path.empty())
+    check_graph_format(options.graph_path);
   if(!options.mesh_path.empty())
     check_mesh_format(options.mesh_path);
+  if(!options.page_path.empty())
+    check_page(options.page_path);
+}
+
+std::vector<std::filesystem::path> output_files(const Curves_options& options)
+{
+  std::vector<std::filesystem::path> paths = graph_files(options.graph_path);
+  paths.insert(paths.end(), {options.curves_path, options.cut_mesh_path, options.patches_path, options.mesh_path,
+                             options.page_path});
+  return paths;
 }
 
 std::vector<Any_vertex_property> properties_to_keep(const Curves_options& options, Surface& surface)
@@ -91,44 +106,82 @@ void write_files(const Curves_options& options, const Surface& surface, const Cu
     write_patches(options.patches_path, surface, result.patch_map);
 }
 
-// The mesh with results has the graph of the field on the cut mesh.
-void write_mesh_file(const Curves_options& options,
-                     const Surface& surface,
-                     Scalar_map scalar_map,
-                     const Cut_result& result,
-                     Curves_report& report)
+// The graph file in a format with points or measures.
+void write_measured_graph(const Curves_options& options,
+                          const Surface& surface,
+                          Scalar_map scalar_map,
+                          const Augmentation& augmentation,
+                          const Vertex_locations& locations)
 {
-  if(options.mesh_path.empty())
-    return;
-  const Stopwatch stopwatch;
-  const Graph graph = compute_graph(surface, scalar_map, Graph_options());
-  const Augmentation augmentation(surface, scalar_map, graph);
-  const Vertex_locations locations = locate_vertices(augmentation);
-  write_mesh(options.mesh_path, surface, {scalar_map, locations, num_vertices(graph), result.patch_map});
-  report.add_seconds("mesh", stopwatch.seconds());
+  const Graph& graph = augmentation.graph();
+  const std::vector<Arc_row> arcs = measure_arcs(surface, scalar_map, graph, locations);
+  if(is_format_in_space(options.graph_path))
+    write_graph_in_space(options.graph_path, graph,
+                         embed_graph(augmentation, CGAL::Reeb_graph::Embedding_manner::BY_COST, &arcs), surface);
+  else
+    write_graph(options.graph_path, graph, field_label(options.input, options.unit), {}, arc_attributes(graph, arcs));
 }
 
-// The page shows the graph of the field on the cut mesh.
-void write_page_file(const Curves_options& options,
-                     const Surface& surface,
-                     Scalar_map scalar_map,
-                     const Cut_result& result,
-                     Curves_report& report)
+// What shows the graph of the field on the cut mesh: the graph file, the mesh with results, and the page have the same
+// nodes and arcs.
+void write_files_of_graph(const Curves_options& options,
+                          const Surface& surface,
+                          Scalar_map scalar_map,
+                          const Cut_result& result,
+                          Curves_report& report)
 {
-  if(options.page_path.empty())
+  if(options.graph_path.empty() && options.mesh_path.empty() && options.page_path.empty())
     return;
-  const Stopwatch stopwatch;
-  const Graph graph = compute_graph(surface, scalar_map, Graph_options());
-  Page_request request = {surface,
-                          scalar_map,
-                          graph,
-                          Graph_options(),
-                          std::filesystem::path(options.input.mesh_path).filename().string(),
-                          field_label(options.input, options.unit)};
-  request.patch_map = result.patch_map;
-  request.curves = result.polylines;
-  write_page(options.page_path, request);
-  report.add_seconds("page", stopwatch.seconds());
+  const Stopwatch graph_stopwatch;
+  const Graph graph = compute_graph(surface, scalar_map, options.graph);
+  const Field_label label = field_label(options.input, options.unit);
+  const bool is_graph_measured =
+    !options.graph_path.empty() && (is_format_in_space(options.graph_path) || has_arc_attributes(options.graph_path));
+  if(!options.graph_path.empty() && !is_graph_measured)
+    write_graph(options.graph_path, graph, label);
+  report.add_seconds("graph", graph_stopwatch.seconds());
+  if(!options.mesh_path.empty() || is_graph_measured)
+  {
+    const Stopwatch stopwatch;
+    const Augmentation augmentation(surface, scalar_map, graph, named_parameters(options.graph));
+    const Vertex_locations locations = locate_vertices(augmentation);
+    if(is_graph_measured)
+      write_measured_graph(options, surface, scalar_map, augmentation, locations);
+    if(!options.mesh_path.empty())
+      write_mesh(options.mesh_path, surface, {scalar_map, locations, num_vertices(graph), result.patch_map});
+    report.add_seconds("mesh", stopwatch.seconds());
+  }
+  if(!options.page_path.empty())
+  {
+    const Stopwatch stopwatch;
+    Page_request request = {
+      surface, scalar_map, graph, options.graph, std::filesystem::path(options.input.mesh_path).filename().string(),
+      label};
+    request.patch_map = result.patch_map;
+    request.curves = result.polylines;
+    write_page(options.page_path, request);
+    report.add_seconds("page", stopwatch.seconds());
+  }
+}
+
+// The mesh, and the field, which is harmonic if none is asked for: between the borders if there are any.
+Surface read(Input_options& input, Curves_report& report)
+{
+  const bool is_default = input.field.empty() && input.scalars_path.empty();
+  if(is_default)
+    input.field = "harmonic";
+  Surface surface = read_surface(input, report);
+  const bool has_borders = !CGAL::is_closed(surface);
+  if(is_default && has_borders && !input.lowest_vertex)
+    input.field = "harmonic-between-borders";
+  if(is_default)
+    report.notes.push_back("the field is " + input.field + ", as the mesh has "
+                           + (has_borders ? "borders" : "no borders") + "; --field takes another one");
+  else if(input.field == "harmonic" && has_borders)
+    report.notes.push_back("harmonic is between two vertices, for curves too; harmonic-between-borders is the field "
+                           "that curves called harmonic before");
+  report.field_name = field_label(input, "").name;
+  return surface;
 }
 
 // Writes the simplified field over the given one.
@@ -177,22 +230,17 @@ Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& op
 
 } // namespace
 
-void run_curves(const Curves_options& options)
+void run_curves(Curves_options options)
 {
   check_thresholds(options.cut);
   check_formats(options);
   check_simplification_options(options.simplification);
   check_simplification_of_field(options.simplification);
-  if(!options.page_path.empty())
-    check_page(options.page_path);
-  const std::vector<std::filesystem::path> outputs = {options.curves_path, options.cut_mesh_path, options.patches_path,
-                                                      options.mesh_path, options.page_path};
+  const std::vector<std::filesystem::path> outputs = output_files(options);
   check_outputs(outputs, input_files(options.input));
   Curves_report report;
-  Surface surface = read_surface(options.input, report);
-  Input_options input = options.input;
-  input.are_borders_fixed = true;
-  const Scalar_map scalar_map = add_field(input, surface, report);
+  Surface surface = read(options.input, report);
+  const Scalar_map scalar_map = add_field(options.input, surface, report);
   if(options.simplification.is_anything_removed())
     simplify(surface, scalar_map, options.simplification, report);
   const Stopwatch cut_stopwatch;
@@ -201,8 +249,7 @@ void run_curves(const Curves_options& options)
   const Stopwatch output_stopwatch;
   write_files(options, surface, result);
   report.add_seconds("output", output_stopwatch.seconds());
-  write_mesh_file(options, surface, scalar_map, result, report);
-  write_page_file(options, surface, scalar_map, result, report);
+  write_files_of_graph(options, surface, scalar_map, result, report);
   report.curves = result.polylines.size();
   report.patches = result.number_of_patches;
   report.border_changes = result.border_changes;

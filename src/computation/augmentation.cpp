@@ -17,27 +17,6 @@
 #include <functional>
 
 namespace reeb_graph_program {
-namespace {
-std::vector<Polyline> contour_of_arc(const Surface& surface,
-                                     const Graph& graph,
-                                     const Augmentation& augmentation,
-                                     std::size_t arc,
-                                     double t)
-{
-  return {
-    CGAL::Reeb_graph::polyline_of_contour(surface, augmentation, augmentation.contour(arc_of_number(graph, arc), t))};
-}
-
-std::vector<Polyline> contours_at_level(const Surface& surface, const Augmentation& augmentation, double level)
-{
-  std::vector<Polyline> polylines;
-  for(const auto& contour : augmentation.contours_at_value<CGAL::Parallel_if_available_tag>(level))
-    polylines.push_back(CGAL::Reeb_graph::polyline_of_contour(surface, augmentation, contour));
-  return polylines;
-}
-
-} // namespace
-
 Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options)
 {
   Graph graph;
@@ -69,16 +48,6 @@ std::vector<Arc_row> measure_arcs(const Surface& surface,
                     locations.vertices_of_arc(i).size()});
   }
   return rows;
-}
-
-std::vector<Polyline> find_contours(const Surface& surface, Scalar_map scalar_map, const Contour_choice& choice)
-{
-  const Graph given = compute_graph(surface, scalar_map, choice.graph);
-  const Simplified_graph graph(given, choice.simplification,
-                               threshold_in_units(choice.simplification, surface, scalar_map));
-  const Augmentation augmentation = graph.augmentation(surface, scalar_map, choice.graph);
-  return choice.arc ? contour_of_arc(surface, graph.result(), augmentation, *choice.arc, choice.t)
-                    : contours_at_level(surface, augmentation, choice.level);
 }
 
 } // namespace reeb_graph_program

@@ -36,30 +36,6 @@ std::vector<Arc_row> measure_arcs(const Surface& surface,
                                   const Graph& graph,
                                   const Vertex_locations& locations);
 
-// Throws std::runtime_error if there is no such arc.
-template <class AnyGraph>
-typename boost::graph_traits<AnyGraph>::edge_descriptor arc_of_number(const AnyGraph& graph, std::size_t arc)
-{
-  if(arc >= num_edges(graph))
-    throw std::runtime_error("there is no arc " + std::to_string(arc) + ": the graph has "
-                             + std::to_string(num_edges(graph)) + ", numbered from 0");
-  return *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(arc));
-}
-
-// Which contours of which graph.
-struct Contour_choice
-{
-  Graph_options graph;
-  Simplification_options simplification;
-  std::optional<std::size_t>
-    arc; // its contour at the place `t` between 0 and 1; if not given, all contours at the level
-  double t = 0;
-  double level = 0;
-};
-
-// Throws std::runtime_error if there is no such arc. There is no contour at a level at which no arc is alive.
-std::vector<Polyline> find_contours(const Surface& surface, Scalar_map scalar_map, const Contour_choice& choice);
-
 } // namespace reeb_graph_program
 
 #endif // CGAL_REEB_GRAPH_SRC_AUGMENTATION_H

@@ -10,8 +10,11 @@
 
 #include "base/progress_bar.h"
 #include "computation/Report_visitor.h"
+#include "computation/choose_contours.h"
 #include "computation/complex_counts.h"
+#include "computation/nearest_place.h"
 
+#include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/Soup_augmentation.h>
 #include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
@@ -89,34 +92,59 @@ void with_augmentation(const Mesh& mesh,
     call(np);
 }
 
-std::vector<Point> points_of(const Surface& surface) { return {surface.points().begin(), surface.points().end()}; }
-
-void append(const std::vector<Point>& points,
-            const CGAL::Reeb_graph::Soup_contour<Soup_augmentation::arc_descriptor>& contour,
-            Complex_contours& contours)
+// Draws the contours of soups as lines, and those of tetrahedra as triangles.
+class Complex_drawer
 {
-  std::vector<Point> points_of_contour;
-  Soup_augmentation::points_of_contour(contour, std::back_inserter(points_of_contour), points);
-  for(const std::vector<std::size_t>& numbers : contour.polylines)
+public:
+  Complex_drawer(const Mesh& mesh, const Complex_graph& graph)
+    : points_(mesh.surface.points().begin(), mesh.surface.points().end()),
+      graph_(graph)
+  {}
+
+  void add(const Soup_augmentation::Contour& contour, Contours& contours) const
   {
-    contours.polylines.emplace_back();
-    for(const std::size_t i : numbers)
-      contours.polylines.back().push_back(points_of_contour[i]);
+    const std::size_t arc = get(boost::edge_index, graph_, contour.arc);
+    for(Polyline& points : CGAL::Reeb_graph::polylines_of_contour(contour, points_))
+    {
+      const bool is_closed = points.size() > 1 && points.front() == points.back();
+      add_line(std::move(points), arc, contour.value, is_closed, contours);
+    }
+    if(contour.polylines.empty()) // a point of an edge without triangles
+    {
+      Polyline points;
+      Soup_augmentation::points_of_contour(contour, std::back_inserter(points), points_);
+      add_line(std::move(points), arc, contour.value, false, contours);
+    }
+    ++contours.number;
   }
-  if(contour.polylines.empty()) // a point of an edge without triangles
-    contours.polylines.push_back(points_of_contour);
-  ++contours.number;
-}
 
-void append(const std::vector<Point>& points,
-            const CGAL::Reeb_graph::Isosurface_patch<Tetrahedra_augmentation::arc_descriptor>& patch,
-            Complex_contours& contours)
+  void add(const Tetrahedra_augmentation::Contour& patch, Contours& contours) const
+  {
+    const std::size_t first = contours.points.size();
+    Tetrahedra_augmentation::points_of_contour(patch, std::back_inserter(contours.points), points_);
+    for(const std::array<std::size_t, 3>& t : patch.triangles)
+      contours.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    ++contours.number;
+  }
+
+private:
+  std::vector<Point> points_;
+  const Complex_graph& graph_;
+};
+
+Nearest_place nearest_place(const Mesh& mesh, Scalar_map scalar_map, const Point& point)
 {
-  const std::size_t first = contours.points.size();
-  Tetrahedra_augmentation::points_of_contour(patch, std::back_inserter(contours.points), points);
-  for(const std::array<std::size_t, 3>& t : patch.triangles)
-    contours.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-  ++contours.number;
+  Nearest_place place(point);
+  const auto vertex = [](std::uint32_t v) { return Surface::Vertex_index(v); };
+  const auto at = [&](auto v) { return mesh.surface.point(vertex(v)); };
+  const auto value = [&](auto v) { return scalar_map[vertex(v)]; };
+  for(const auto& [a, b] : mesh.complex->edges)
+    place.add_triangle({at(a), at(b), at(b)}, {value(a), value(b), value(b)});
+  for(const auto& [a, b, c] : mesh.complex->triangles)
+    place.add_triangle({at(a), at(b), at(c)}, {value(a), value(b), value(c)});
+  for(const auto& [a, b, c, d] : mesh.complex->tetrahedra)
+    place.add_tetrahedron({at(a), at(b), at(c), at(d)}, {value(a), value(b), value(c), value(d)});
+  return place;
 }
 
 } // namespace
@@ -181,21 +209,17 @@ std::vector<std::size_t> locate_vertices(const Mesh& mesh,
   return places;
 }
 
-Complex_contours find_contours(const Mesh& mesh, Scalar_map scalar_map, const Contour_choice& choice)
+Contours find_contours(const Mesh& mesh, Scalar_map scalar_map, const Contour_choice& choice)
 {
   Progress_bar progress_bar("graph");
   const Complex_graph given =
     compute(mesh, scalar_map, with_edges(mesh, named_parameters(choice.graph).callback(std::ref(progress_bar))));
   const Simplified_complex_graph graph(given, choice.simplification,
                                        threshold_in_units(choice.simplification, mesh.surface, scalar_map));
-  Complex_contours contours;
-  const std::vector<Point> points = points_of(mesh.surface);
+  Contours contours;
   with_augmentation(mesh, scalar_map, graph, choice.graph, [&](const auto& augmentation) {
-    if(choice.arc)
-      append(points, augmentation.contour(arc_of_number(graph.result(), *choice.arc), choice.t), contours);
-    else
-      for(const auto& contour : augmentation.template contours_at_value<CGAL::Parallel_if_available_tag>(choice.level))
-        append(points, contour, contours);
+    contours = choose_contours(augmentation, Complex_drawer(mesh, graph.result()), scalar_map, choice,
+                               [&](const Point& point) { return nearest_place(mesh, scalar_map, point); });
   });
   return contours;
 }

@@ -15,7 +15,6 @@
 #include "computation/augmentation.h"
 #include "computation/simplification.h"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -38,18 +37,6 @@ std::vector<std::size_t> locate_vertices(const Mesh& mesh,
                                          Scalar_map scalar_map,
                                          const Simplified_complex_graph& graph,
                                          const Graph_options& options);
-
-// A part of level sets: curves in triangles, or triangles in tetrahedra.
-struct Complex_contours
-{
-  std::size_t number = 0;
-  std::vector<Polyline> polylines;
-  std::vector<Point> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
-};
-
-// Throws std::runtime_error if there is no such arc.
-Complex_contours find_contours(const Mesh& mesh, Scalar_map scalar_map, const Contour_choice& choice);
 
 } // namespace reeb_graph_program
 

@@ -18,8 +18,7 @@
 #include <functional>
 
 namespace reeb_graph_program {
-namespace {
-std::vector<CGAL::Reeb_graph::Attribute> measures(const Graph& graph, const std::vector<Arc_row>& arcs)
+std::vector<CGAL::Reeb_graph::Attribute> arc_attributes(const Graph& graph, const std::vector<Arc_row>& arcs)
 {
   std::vector<double> lengths, areas;
   std::vector<std::int64_t> vertices;
@@ -35,8 +34,6 @@ std::vector<CGAL::Reeb_graph::Attribute> measures(const Graph& graph, const std:
           {"vertices", vertices}};
 }
 
-} // namespace
-
 Graph_in_space embed_graph(const Augmentation& augmentation,
                            CGAL::Reeb_graph::Embedding_manner manner,
                            const std::vector<Arc_row>* arcs)
@@ -45,7 +42,7 @@ Graph_in_space embed_graph(const Augmentation& augmentation,
   const auto np = CGAL::parameters::embedding_manner(manner).callback(std::ref(progress_bar));
   Graph_in_space result = {CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(augmentation, np), {}};
   if(arcs)
-    result.arc_attributes = measures(augmentation.graph(), *arcs);
+    result.arc_attributes = reeb_graph_program::arc_attributes(augmentation.graph(), *arcs);
   return result;
 }
 

@@ -27,6 +27,9 @@ struct Graph_in_space
   std::vector<CGAL::Reeb_graph::Attribute> arc_attributes;
 };
 
+// The measures of the arcs that formats with attributes have.
+std::vector<CGAL::Reeb_graph::Attribute> arc_attributes(const Graph& graph, const std::vector<Arc_row>& arcs);
+
 // Without rows of arcs, there are no measures.
 Graph_in_space embed_graph(const Augmentation& augmentation,
                            CGAL::Reeb_graph::Embedding_manner manner,

@@ -31,8 +31,8 @@ struct Graph_format
 const std::vector<Graph_format>& graph_formats()
 {
   static const std::vector<Graph_format> formats = {
-    {".graphml", false, false}, {".dot", false, false},          {".svg", false, false}, {".vtp", true, true},
-    {".obj", true, false},      {".polylines.txt", true, false}, {".json", true, true},  {".csv", true, true}};
+    {".graphml", false, true}, {".dot", false, false},          {".svg", false, false}, {".vtp", true, true},
+    {".obj", true, false},     {".polylines.txt", true, false}, {".json", true, true},  {".csv", true, true}};
   return formats;
 }
 
@@ -70,12 +70,13 @@ std::vector<fs::path> graph_files(const fs::path& path)
 void write_graph(const fs::path& path,
                  const Graph& graph,
                  const Field_label& field_label,
-                 const Vertex_numbers& vertex_numbers)
+                 const Vertex_numbers& vertex_numbers,
+                 const std::vector<CGAL::Reeb_graph::Attribute>& arc_attributes)
 {
   const std::string ending = format_of(path).ending;
   write_file(path, [&](std::ostream& stream) {
     if(ending == ".graphml")
-      CGAL::Reeb_graph::write_graphml(stream, graph, vertex_numbers);
+      CGAL::Reeb_graph::write_graphml(stream, graph, vertex_numbers, CGAL::parameters::arc_attributes(arc_attributes));
     else if(ending == ".svg")
       CGAL::Reeb_graph::write_svg(
         stream, graph,

@@ -79,7 +79,7 @@ foreach(file graph.graphml graph.dot graph.svg graph.vtp graph.obj graph.polylin
   expect_success(compute book.off --field z --graph ${file})
 endforeach()
 file(READ ${FOLDER}/graph.json content)
-string(JSON value GET "${content}" arcs 0 chain 0 0)
+string(JSON value GET "${content}" edges 0 chain 0 0)
 expect_equal("${value}" 4)
 string(JSON value GET "${content}" nodes 0 vertex)
 expect_equal("${value}" 4)

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/Attribute.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/options.h>
 
@@ -24,8 +25,6 @@
 
 namespace CGAL {
 namespace Reeb_graph {
-
-struct Attribute;
 
 namespace internal {
 

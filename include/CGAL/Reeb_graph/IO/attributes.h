@@ -11,30 +11,16 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/Attribute.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <cstddef>
-#include <cstdint>
-#include <string>
 #include <variant>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
-
-/// \ingroup PkgReebGraphIO
-///
-/// \brief numbers that are written to a file with a name: one for each arc, vertex, or face.
-struct Attribute
-{
-  /// the name, in files a column or an array; in files of XML and JSON, bytes that are no UTF-8 become U+FFFD
-  std::string name;
-
-  /// the numbers, in the order of `edges(graph)`, `vertices(mesh)`, or `faces(mesh)`
-  std::variant<std::vector<double>, std::vector<std::int64_t>> numbers;
-};
-
 namespace internal {
 
 inline std::size_t size_of(const Attribute& attribute)

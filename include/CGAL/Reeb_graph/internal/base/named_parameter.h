@@ -25,6 +25,14 @@ namespace internal {
 template <class Parameter>
 inline constexpr bool is_given = !std::is_same_v<std::decay_t<Parameter>, internal_np::Param_not_found>;
 
+// Whether an argument is a sequence of named parameters.
+template <class T, class Tag, class Base>
+std::true_type test_named_parameters(const Named_function_parameters<T, Tag, Base>*);
+std::false_type test_named_parameters(const void*);
+
+template <class T>
+inline constexpr bool are_named_parameters = decltype(test_named_parameters(std::declval<const T*>()))::value;
+
 // The traits class: the named parameter geom_traits, or else the default.
 template <class Default, class NamedParameters>
 auto choose_traits(const NamedParameters& np)
