@@ -15,11 +15,13 @@
 // one.
 #include <CGAL/Reeb_graph/Attribute.h>
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/Basic_augmentation.h>
 #include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/Critical_vertex_counts.h>
 #include <CGAL/Reeb_graph/Embedding.h>
 #include <CGAL/Reeb_graph/Error.h>
+#include <CGAL/Reeb_graph/Flat_field.h>
 #include <CGAL/Reeb_graph/Halfedge_chain.h>
 #include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/Reeb_graph/IO/attributes.h>
@@ -40,7 +42,6 @@
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/embed.h>
-#include <CGAL/Reeb_graph/embed_complex.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/graph_exceptions.h>
 #include <CGAL/Reeb_graph/graph_topology.h>

@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
-#include <CGAL/Reeb_graph/internal/arcs/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Vertex_lists.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Vertex_places.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
@@ -37,12 +36,6 @@ namespace internal {
 struct No_places
 {
   static constexpr bool are_wanted = false;
-
-  template <class ConcurrencyTag, class... Arguments>
-  Slab_arcs find_arcs(const Arguments&... arguments) const
-  {
-    return internal::find_arcs<ConcurrencyTag>(arguments...);
-  }
 
   template <class ConcurrencyTag, class... Arguments>
   void find(const Arguments&...) const

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/triangle_geometry.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -138,6 +140,22 @@ Weighted_graph cotangent_graph(const Surface& surface)
         visit(Weighted_graph::Contribution{v[next], v[previous], weight});
         visit(Weighted_graph::Contribution{v[previous], v[next], weight});
       }
+    }
+  });
+}
+
+// The edges of a complex, with the weight 1, for what needs neither faces nor points.
+template <class Complex>
+Weighted_graph edge_graph(const Complex& complex)
+{
+  return Weighted_graph(complex.number_of_vertices(), [&](const auto& visit) {
+    for(const Edge_index e : Index_range<Edge_index>(complex.number_of_edges()))
+    {
+      if(!complex.is_on_triangle(e))
+        continue;
+      const Position u = complex.source(even_halfedge(e)).number(), v = complex.target(even_halfedge(e)).number();
+      visit(Weighted_graph::Contribution{u, v, 1});
+      visit(Weighted_graph::Contribution{v, u, 1});
     }
   });
 }
