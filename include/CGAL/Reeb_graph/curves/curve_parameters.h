@@ -20,7 +20,7 @@
 /// \defgroup PkgReebGraphPlaceParameters Named Parameters for the Places of Curves
 /// \ingroup PkgReebGraphCurves
 ///
-/// \brief of the functions that choose contours of a Reeb graph.
+/// Parameters of the functions that choose contours of a Reeb graph.
 ///
 /// <b>Where the curves are:</b>
 ///
@@ -44,7 +44,7 @@
 /// \defgroup PkgReebGraphBorderParameters Named Parameters for Borders
 /// \ingroup PkgReebGraphCurves
 ///
-/// \brief of the functions that find curves by the Reeb graph, and need borders that are extremal levels.
+/// Parameters of the functions that find curves by the Reeb graph, and need borders that are extremal levels.
 ///
 /// <b>What is done with borders:</b>
 ///
@@ -64,7 +64,7 @@
 /// \defgroup PkgReebGraphCuttingParameters Named Parameters of Cutting
 /// \ingroup PkgReebGraphCurves
 ///
-/// \brief of all functions that cut a mesh along curves.
+/// Parameters of all functions that cut a mesh along curves.
 ///
 /// <b>How the mesh is cut, and what is written:</b>
 ///
@@ -110,7 +110,7 @@
 /// \defgroup PkgReebGraphRefinementParameters Named Parameters of Refinements
 /// \ingroup PkgReebGraphCurves
 ///
-/// \brief of all functions that split edges and faces of a mesh.
+/// Parameters of all functions that split edges and faces of a mesh.
 ///
 /// <b>The field of the refined mesh:</b> if the scalar map can be written, each vertex that is added gets a value: on a
 /// curve that of the contour, elsewhere one next to that of the vertex that has been unfolded or of the border; both
