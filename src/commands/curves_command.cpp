@@ -177,7 +177,7 @@ Surface read(Input_options& input, Curves_report& report)
   if(is_default)
     report.notes.push_back("the field is " + input.field + ", as the mesh has "
                            + (has_borders ? "borders" : "no borders") + "; --field takes another one");
-  else if(input.field == "harmonic" && has_borders)
+  else if(input.field == "harmonic" && has_borders && !input.lowest_vertex)
     report.notes.push_back("harmonic is between two vertices, for curves too; harmonic-between-borders is the field "
                            "that curves called harmonic before");
   report.field_name = field_label(input, "").name;

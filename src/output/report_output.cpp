@@ -307,9 +307,7 @@ void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report
 
 void write_field_text(std::ostream& out, const Work_report& report)
 {
-  if(report.fixed_values)
-    write_fixed_values(out, *report.fixed_values);
-  if(!report.field)
+  if(!report.field) // one that does not depend on the geometry
     return;
   if(report.field->number_of_bad_faces > 0)
     out << "         " << count(report.field->number_of_bad_faces, "face") << " without area: ";
@@ -320,6 +318,8 @@ void write_field_text(std::ostream& out, const Work_report& report)
   if(report.field->number_of_marched_components > 0)
     out << "         the heat method fails on " << count(report.field->number_of_marched_components, "component")
         << ": distances of a marching front\n";
+  if(report.fixed_values)
+    write_fixed_values(out, *report.fixed_values);
 }
 
 void write_text(std::ostream& out, const Field_range& range, const Work_report& report)

@@ -30,7 +30,7 @@ expect_success(compute torus.off --field z --graph torus.graphml --vertex-arcs a
 file(READ ${FOLDER}/torus.graphml graph)
 string(REGEX MATCHALL "\"key3\">[0-9]+" vertex_of_node "${graph}")
 list(TRANSFORM vertex_of_node REPLACE ".*>" "")
-string(REGEX MATCHALL "source=\"n[0-9]+\" target=\"n[0-9]+\"" ends_of_arc "${graph}")
+string(REGEX MATCHALL "source=\"[0-9]+\" target=\"[0-9]+\"" ends_of_arc "${graph}")
 file(STRINGS ${FOLDER}/arcs.txt places)
 list(LENGTH places number_of_places)
 expect_equal("${number_of_places}" "7")
