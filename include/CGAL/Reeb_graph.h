@@ -53,10 +53,11 @@
 #include <CGAL/Reeb_graph/plane_layout.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/simplification/Simplification.h>
+#include <CGAL/Reeb_graph/simplification/Simplification_threshold.h>
 #include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
-#include <CGAL/Reeb_graph/simplification/piece_weights.h>
+#include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/Reeb_graph/simplification/simplify_field.h>
 #include <CGAL/Reeb_graph/soup_exceptions.h>

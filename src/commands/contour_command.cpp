@@ -8,7 +8,7 @@
 
 #include "base/complex.h"
 #include "commands/commands.h"
-#include "computation/contours.h"
+#include "computation/Mesh_graph.h"
 #include "computation/simplification.h"
 #include "input/field_input.h"
 #include "input/input_error.h"
@@ -47,8 +47,12 @@ void run_contour(const Contour_options& options)
   const bool has_tetrahedra = mesh.complex && !mesh.complex->tetrahedra.empty();
   check_contour_format(options.output_path, has_tetrahedra);
   const Scalar_map scalar_map = add_field(options.input, mesh, report);
-  const Contours contours = mesh.complex ? find_contours(mesh, scalar_map, options.choice)
-                                         : find_contours(mesh.surface, scalar_map, options.choice);
+  const Contour_choice& choice = options.choice;
+  Report graph_report;
+  const Contours contours =
+    compute_mesh_graph(mesh, scalar_map, choice.graph, choice.simplification,
+                       threshold_in_units(choice.simplification, mesh.surface, scalar_map), graph_report)
+      ->find_contours(choice);
   write_contours(options.output_path, contours, has_tetrahedra);
   report.contours = contours.number;
   std::ostream& stream = report_stream({options.output_path});

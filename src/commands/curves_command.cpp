@@ -8,6 +8,7 @@
 
 #include "base/stopwatch.h"
 #include "commands/commands.h"
+#include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
 #include "computation/augmentation.h"
 #include "computation/curves.h"
@@ -27,8 +28,11 @@
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <cmath>
 #include <iostream>
 #include <limits>
+#include <optional>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -106,26 +110,28 @@ void write_files(const Curves_options& options, const Surface& surface, const Cu
     write_patches(options.patches_path, surface, result.patch_map);
 }
 
-// The graph file in a format with points or measures.
-void write_measured_graph(const Curves_options& options,
-                          const Surface& surface,
-                          Scalar_map scalar_map,
-                          const Augmentation& augmentation,
-                          const Vertex_locations& locations)
+void write_graph_file(const Curves_options& options, Mesh_graph& graph)
 {
-  const Graph& graph = augmentation.graph();
-  const std::vector<Arc_row> arcs = measure_arcs(surface, scalar_map, graph, locations);
+  std::vector<Arc_row> arcs;
+  if(has_arc_attributes(options.graph_path))
+    arcs = graph.measure_arcs();
   if(is_format_in_space(options.graph_path))
-    write_graph_in_space(options.graph_path, graph,
-                         embed_graph(augmentation, CGAL::Reeb_graph::Embedding_manner::BY_COST, &arcs), surface);
-  else
-    write_graph(options.graph_path, graph, field_label(options.input, options.unit), {}, arc_attributes(graph, arcs));
+  {
+    const Graph_in_space graph_in_space =
+      graph.embed(CGAL::Reeb_graph::Embedding_manner::BY_COST, arcs.empty() ? nullptr : &arcs);
+    return write_graph_in_space(options.graph_path, graph.result(), graph_in_space,
+                                [&](std::ostream& stream) { graph.write_json(stream, graph_in_space); });
+  }
+  std::vector<CGAL::Reeb_graph::Attribute> attributes;
+  if(!arcs.empty())
+    attributes = attributes_of_arcs(graph.result(), arcs);
+  write_graph(options.graph_path, graph.result(), field_label(options.input, options.unit), {}, attributes);
 }
 
 // What shows the graph of the field on the cut mesh: the graph file, the mesh with results, and the page have the same
 // nodes and arcs.
 void write_files_of_graph(const Curves_options& options,
-                          const Surface& surface,
+                          const Mesh& mesh,
                           Scalar_map scalar_map,
                           const Cut_result& result,
                           Curves_report& report)
@@ -133,30 +139,28 @@ void write_files_of_graph(const Curves_options& options,
   if(options.graph_path.empty() && options.mesh_path.empty() && options.page_path.empty())
     return;
   const Stopwatch graph_stopwatch;
-  const Graph graph = compute_graph(surface, scalar_map, options.graph);
-  const Field_label label = field_label(options.input, options.unit);
-  const bool is_graph_measured =
-    !options.graph_path.empty() && (is_format_in_space(options.graph_path) || has_arc_attributes(options.graph_path));
-  if(!options.graph_path.empty() && !is_graph_measured)
-    write_graph(options.graph_path, graph, label);
+  Report unused;
+  const auto graph = compute_mesh_graph(mesh, scalar_map, options.graph, {}, 0, unused);
+  if(!options.graph_path.empty())
+    write_graph_file(options, *graph);
   report.add_seconds("graph", graph_stopwatch.seconds());
-  if(!options.mesh_path.empty() || is_graph_measured)
+  if(!options.mesh_path.empty())
   {
     const Stopwatch stopwatch;
-    const Augmentation augmentation(surface, scalar_map, graph, named_parameters(options.graph));
-    const Vertex_locations locations = locate_vertices(augmentation);
-    if(is_graph_measured)
-      write_measured_graph(options, surface, scalar_map, augmentation, locations);
-    if(!options.mesh_path.empty())
-      write_mesh(options.mesh_path, surface, {scalar_map, locations, num_vertices(graph), result.patch_map});
+    write_mesh(options.mesh_path, mesh.surface,
+               {scalar_map, graph->places(), num_vertices(graph->result()), result.patch_map});
     report.add_seconds("mesh", stopwatch.seconds());
   }
   if(!options.page_path.empty())
   {
     const Stopwatch stopwatch;
-    Page_request request = {
-      surface, scalar_map, graph, options.graph, std::filesystem::path(options.input.mesh_path).filename().string(),
-      label};
+    Page_request request = {mesh.surface,
+                            scalar_map,
+                            graph->result(),
+                            options.graph,
+                            std::filesystem::path(options.input.mesh_path).filename().string(),
+                            field_label(options.input, options.unit)};
+    request.up = options.up;
     request.patch_map = result.patch_map;
     request.curves = result.polylines;
     write_page(options.page_path, request);
@@ -191,7 +195,12 @@ void simplify(const Surface& surface,
               Curves_report& report)
 {
   const Stopwatch stopwatch;
-  const double threshold = threshold_in_units(options, surface, scalar_map);
+  double threshold = threshold_in_units(options, surface, scalar_map);
+  if(std::isnan(threshold))
+  {
+    const Graph given = compute_graph(surface, scalar_map, Graph_options());
+    threshold = Simplified_graph(given, options, threshold).threshold();
+  }
   report.are_ties_contracted =
     compute_simplified_field(surface, scalar_map, options, threshold, CGAL::Reeb_graph::Ties::PERTURB, scalar_map)
       .are_ties_contracted;
@@ -239,7 +248,8 @@ void run_curves(Curves_options options)
   const std::vector<std::filesystem::path> outputs = output_files(options);
   check_outputs(outputs, input_files(options.input));
   Curves_report report;
-  Surface surface = read(options.input, report);
+  Mesh mesh = {read(options.input, report), std::nullopt};
+  Surface& surface = mesh.surface;
   const Scalar_map scalar_map = add_field(options.input, surface, report);
   if(options.simplification.is_anything_removed())
     simplify(surface, scalar_map, options.simplification, report);
@@ -249,7 +259,7 @@ void run_curves(Curves_options options)
   const Stopwatch output_stopwatch;
   write_files(options, surface, result);
   report.add_seconds("output", output_stopwatch.seconds());
-  write_files_of_graph(options, surface, scalar_map, result, report);
+  write_files_of_graph(options, mesh, scalar_map, result, report);
   report.curves = result.polylines.size();
   report.patches = result.number_of_patches;
   report.border_changes = result.border_changes;

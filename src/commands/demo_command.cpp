@@ -58,7 +58,7 @@ void run_demo(const Demo_options& options)
   const Augmentation augmentation(surface, scalar_map, graph);
   const std::vector<Arc_row> arcs = measure_arcs(surface, scalar_map, graph, locate_vertices(augmentation));
   for(const char* name : {"graph.svg", "graph.graphml", "graph.dot"})
-    write_graph(folder / name, graph, field_label, {}, arc_attributes(graph, arcs));
+    write_graph(folder / name, graph, field_label, {}, attributes_of_arcs(graph, arcs));
 
   if(is_page_available())
   {
@@ -71,8 +71,8 @@ void run_demo(const Demo_options& options)
   std::cout << "The Reeb graph of the height on a generated figure, with one hand on the hip:\n\n";
   write_text(std::cout, report);
   std::cout
-    << "\nThe arm and the body make the loop of the graph. Its leaves are the feet, the head, the fingers of the\n"
-       "hand that waves, and its thumb. Files in "
+    << "\nThe arm and the body make the loop of the graph. Its leaves are the feet, the head, the hand that waves,\n"
+       "and the bird on that arm. Files in "
     << folder.string() << ":\n\n"
     << (is_page_available() ? "  page.html             the surface and the graph, to turn, to point at, and to send\n"
                             : "")

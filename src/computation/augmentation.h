@@ -15,16 +15,16 @@
 #include "computation/simplification.h"
 
 #include <cstddef>
-#include <iterator>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace reeb_graph_program {
 typedef Augmentation::Vertex_locations Vertex_locations;
 
-// Without a report of the stages.
+// Computes the Reeb graph, and adds what it took to the report.
+Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report);
+
+// Without a report.
 Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options);
 
 // The places are numbered as in the graph files.
@@ -35,6 +35,31 @@ std::vector<Arc_row> measure_arcs(const Surface& surface,
                                   Scalar_map scalar_map,
                                   const Graph& graph,
                                   const Vertex_locations& locations);
+
+template <class AnyGraph, class AnyVertexLocations>
+std::vector<Arc_row> rows_of_arcs(const AnyGraph& graph,
+                                  const AnyVertexLocations& locations,
+                                  const std::vector<double>& lengths,
+                                  const std::vector<double>& areas)
+{
+  std::vector<Arc_row> rows;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const std::size_t i = get(boost::edge_index, graph, arc), lower = source(arc, graph), upper = target(arc, graph);
+    rows.push_back({lower, upper, graph[lower].value, graph[upper].value, lengths[i], areas[i],
+                    locations.vertices_of_arc(i).size()});
+  }
+  return rows;
+}
+
+template <class VertexRange, class AnyVertexLocations>
+std::vector<std::size_t> places_of(const VertexRange& vertices, const AnyVertexLocations& locations)
+{
+  std::vector<std::size_t> places;
+  for(const auto v : vertices)
+    places.push_back(locations.index(v));
+  return places;
+}
 
 } // namespace reeb_graph_program
 

@@ -28,8 +28,8 @@
 #include <string>
 #include <utility>
 
-// The contours of a choice, for surfaces and for complexes. A drawer adds a contour of the augmentation to others, as
-// lines or as triangles.
+// The contours of a choice, for surfaces and for complexes. add(contour, contours) draws a contour of the augmentation
+// as lines or as triangles, and counts it.
 namespace reeb_graph_program {
 // Throws std::runtime_error if there is no such arc.
 template <class AnyGraph>
@@ -86,8 +86,8 @@ inline double squared_distance(const Point& point, const Contours& contours)
   return least;
 }
 
-template <class AnyAugmentation, class Drawer>
-Contours nearest_contour(const AnyAugmentation& augmentation, const Drawer& drawer, const Nearest_place& place)
+template <class AnyAugmentation, class Add>
+Contours nearest_contour(const AnyAugmentation& augmentation, const Add& add, const Nearest_place& place)
 {
   Contours nearest;
   if(!place.is_found())
@@ -101,7 +101,7 @@ Contours nearest_contour(const AnyAugmentation& augmentation, const Drawer& draw
     for(const auto& contour : augmentation.template contours_at_value<CGAL::Parallel_if_available_tag>(level))
     {
       Contours candidate;
-      drawer.add(contour, candidate);
+      add(contour, candidate);
       const double distance = squared_distance(place.place(), candidate);
       if(!(distance < least))
         continue;
@@ -111,17 +111,17 @@ Contours nearest_contour(const AnyAugmentation& augmentation, const Drawer& draw
   return nearest;
 }
 
-template <class AnyAugmentation, class Drawer>
-void add_level(const AnyAugmentation& augmentation, const Drawer& drawer, double level, Contours& contours)
+template <class AnyAugmentation, class Add>
+void add_level(const AnyAugmentation& augmentation, const Add& add, double level, Contours& contours)
 {
   for(const auto& contour : augmentation.template contours_at_value<CGAL::Parallel_if_available_tag>(level))
-    drawer.add(contour, contours);
+    add(contour, contours);
 }
 
 // `find_place` finds the place on the mesh that is nearest to a point.
-template <class AnyAugmentation, class Drawer, class FindPlace>
+template <class AnyAugmentation, class Add, class FindPlace>
 Contours choose_contours(const AnyAugmentation& augmentation,
-                         const Drawer& drawer,
+                         const Add& add,
                          Scalar_map scalar_map,
                          const Contour_choice& choice,
                          const FindPlace& find_place)
@@ -129,19 +129,19 @@ Contours choose_contours(const AnyAugmentation& augmentation,
   const auto& graph = augmentation.graph();
   Contours contours;
   if(choice.point)
-    contours = nearest_contour(augmentation, drawer, find_place(*choice.point));
+    contours = nearest_contour(augmentation, add, find_place(*choice.point));
   else if(choice.arc)
-    drawer.add(augmentation.contour(arc_of_number(graph, *choice.arc), *choice.t), contours);
+    add(augmentation.contour(arc_of_number(graph, *choice.arc), *choice.t), contours);
   else if(choice.t)
     for(const auto arc : CGAL::make_range(edges(graph)))
-      drawer.add(augmentation.contour(arc, *choice.t), contours);
+      add(augmentation.contour(arc, *choice.t), contours);
   else if(choice.number_of_levels)
     for(const double level : equal_steps(*choice.number_of_levels, scalar_map))
-      add_level(augmentation, drawer, level, contours);
+      add_level(augmentation, add, level, contours);
   for(const double level : choice.levels)
   {
     const std::size_t number = contours.number;
-    add_level(augmentation, drawer, level, contours);
+    add_level(augmentation, add, level, contours);
     if(contours.number == number)
     {
       std::ostringstream message;

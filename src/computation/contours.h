@@ -9,7 +9,6 @@
 #ifndef CGAL_REEB_GRAPH_SRC_CONTOURS_H
 #define CGAL_REEB_GRAPH_SRC_CONTOURS_H
 
-#include "base/complex.h"
 #include "base/options.h"
 #include "base/surface.h"
 
@@ -49,11 +48,6 @@ struct Contours
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 3>> triangles;
 };
-
-// Throws std::runtime_error if there is no such arc, or no contour, or none at one of the levels: no arc is alive
-// there.
-Contours find_contours(const Surface& surface, Scalar_map scalar_map, const Contour_choice& choice);
-Contours find_contours(const Mesh& mesh, Scalar_map scalar_map, const Contour_choice& choice);
 
 } // namespace reeb_graph_program
 

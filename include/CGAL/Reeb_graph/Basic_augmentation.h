@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Arc_contours.h>
-#include <CGAL/Reeb_graph/internal/augmentation/New_places.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Simplified_places.h>
 #include <CGAL/Reeb_graph/internal/augmentation/check_graph.h>
 #include <CGAL/Reeb_graph/internal/augmentation/locate_vertices.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
@@ -169,7 +169,7 @@ public:
   template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
   Vertex_locations locate_vertices(const NamedParameters& np = parameters::default_values()) const
   {
-    return internal::locate_vertices<ConcurrencyTag>(on_mesh_, ties_, are_degree_two_nodes_kept_, new_places_,
+    return internal::locate_vertices<ConcurrencyTag>(on_mesh_, ties_, are_degree_two_nodes_kept_, simplified_places_,
                                                      internal::Progress(np));
   }
 
@@ -183,7 +183,7 @@ protected:
         parameters::choose_parameter(parameters::get_parameter(np, internal::keep_degree_two_nodes), false)),
       on_mesh_(input..., internal::choose_traits<Traits>(np), np, progress),
       contours_(on_mesh_, ties_),
-      new_places_(parameters::get_parameter(np, internal::simplification))
+      simplified_places_(parameters::get_parameter(np, internal::simplification))
   {
     static_assert(std::is_same_v<internal::Chosen_traits<Traits, NamedParameters>, Traits>,
                   "The last template parameter must be the type of the named parameter geom_traits.");
@@ -202,7 +202,7 @@ private:
   const bool are_degree_two_nodes_kept_;
   const GraphOnMesh on_mesh_;
   const internal::Arc_contours<GraphOnMesh> contours_;
-  const internal::New_places new_places_;
+  const internal::Simplified_places simplified_places_;
 };
 
 } // namespace Reeb_graph

@@ -32,8 +32,9 @@ class Complex_augmentation; // whoever calls embed() with one has it
 /// of the tied vertices around it. In the other manners each node is at its vertex.
 ///
 /// - `CENTROIDS`: the polyline of an arc leads through the centroids, by length, of `number_of_contours` contours, at
-///   equal steps of the field. Arcs from the same node to the same node that have the same line, as a tube inside of a
-///   round tube, are moved halfway to the surface. It takes time proportional to the lengths of these contours and of
+///   equal steps of the field. Arcs from the same node to the same node whose lines are nowhere further apart than a
+///   hundredth and a half of the extent of all contours, which is about the width of a line in a picture, as a tube
+///   inside of a round tube, are moved halfway to the surface. It takes time proportional to the lengths of these contours and of
 ///   those just below the nodes, and to the square of the number of arcs that join the same two nodes.
 /// - `ON_SURFACE`: the polyline follows the chain of the arc. Where that passes by the upper node, or by a node that
 ///   has been removed, it goes on along the contour just below that, the shorter way. It stays on the surface, and its
@@ -63,6 +64,15 @@ class Complex_augmentation; // whoever calls embed() with one has it
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{12}
 ///     \cgalParamExtra{use the functions `parameters::number_of_contours()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_contours_at_nodes}
+///     \cgalParamDescription{for `CENTROIDS`: how many more contours it leads through between each node and the next one
+///                           of these contours, each a quarter as far from the node as the one before. From a saddle,
+///                           whose contours have another centroid than those just beyond it, a line then goes to the
+///                           middle of its own contours first, and does not leave the surface on a straight way.}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{0}
+///     \cgalParamExtra{use the functions `parameters::number_of_contours_at_nodes()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_smoothing_steps}
 ///     \cgalParamDescription{for `CENTROIDS`: how many times each inner point of a polyline is replaced by the mean of

@@ -78,7 +78,6 @@ public:
   }
 
   bool is_of_length_zero() const { return !(length_ > 0); }
-  double length() const { return length_; }
 
   Coordinates operator()() const
   {

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -34,7 +35,6 @@ struct Contours_of_arc
   std::vector<Coordinates> centroids;
   std::vector<Coordinates> contour_points;
   std::vector<double> values;
-  double size = 0; // of the largest contour
 };
 
 // The nodes and arcs of a graph at the centroids of contours.
@@ -89,7 +89,6 @@ public:
       result.centroids.push_back(centroid());
       result.contour_points.push_back(coordinates_of(inner_point(contour, points)));
       result.values.push_back(contour.value);
-      result.size = (std::max)(result.size, size_of(contour, points, centroid));
     }
     return result;
   }
@@ -115,10 +114,26 @@ private:
   const Leaf_borders<Augmentation, PointMap> leaf_borders_;
 };
 
-// Whether the two sides of a loop look like one line, as those of a round tube inside of another one.
-inline bool do_coincide(const Contours_of_arc& a, const Contours_of_arc& b)
+// How far apart two lines are that look like one: about the width of a line in a picture of all.
+inline double width_of_lines(const std::vector<Contours_of_arc>& contours)
 {
-  const double small = 1e-3 * (std::max)(a.size, b.size);
+  constexpr double part_of_picture = 0.015, infinity = std::numeric_limits<double>::infinity();
+  Coordinates low, high;
+  low.fill(infinity);
+  high.fill(-infinity);
+  for(const Contours_of_arc& arc : contours)
+    for(const Coordinates& point : arc.contour_points)
+      for(std::size_t i = 0; i != point.size(); ++i)
+      {
+        low[i] = (std::min)(low[i], point[i]);
+        high[i] = (std::max)(high[i], point[i]);
+      }
+  return low[0] <= high[0] ? part_of_picture * distance(low, high) : 0;
+}
+
+// Whether the two sides of a loop look like one line, as those of a round tube inside of another one.
+inline bool do_coincide(const Contours_of_arc& a, const Contours_of_arc& b, double small)
+{
   return std::equal(a.centroids.begin(), a.centroids.end(), b.centroids.begin(), b.centroids.end(),
                     [&](const Coordinates& p, const Coordinates& q) { return distance(p, q) <= small; });
 }
@@ -132,12 +147,13 @@ void separate_parallel_arcs(const Graph& graph, std::vector<Contours_of_arc>& co
     arcs.push_back({{source(arc, graph), target(arc, graph)}, arcs.size()});
   std::sort(arcs.begin(), arcs.end());
   std::vector<bool> is_moved(contours.size(), false);
+  const double width = width_of_lines(contours);
   for(auto first = arcs.begin(), last = first; first != arcs.end(); first = last)
   {
     last = std::find_if(first, arcs.end(), [&](const auto& arc) { return arc.first != first->first; });
     for(auto i = first; i != last; ++i)
       for(auto j = first; j != i; ++j)
-        if(do_coincide(contours[i->second], contours[j->second]))
+        if(do_coincide(contours[i->second], contours[j->second], width))
           is_moved[i->second] = is_moved[j->second] = true;
   }
   for(std::size_t i = 0; i != contours.size(); ++i)

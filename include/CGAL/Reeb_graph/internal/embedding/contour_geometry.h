@@ -104,21 +104,6 @@ void add_to_centroid(const Isosurface_patch<Arc>& contour, const std::vector<Poi
     centroid.add_curve(points, false);
 }
 
-// How large a contour is: its length on a mesh, else how far it reaches from its centroid.
-template <class Arc, class Halfedge, class Point>
-double size_of(const Contour<Arc, Halfedge>&, const std::vector<Point>&, const Centroid& centroid)
-{
-  return centroid.length();
-}
-template <class Arc, class Point>
-double size_of(const Crossed_edges<Arc>&, const std::vector<Point>& points, const Centroid& centroid)
-{
-  double result = 0;
-  for(const Point& point : points)
-    result = (std::max)(result, distance(centroid(), coordinates_of(point)));
-  return result;
-}
-
 // A point of the contour, off its ends.
 template <class Arc, class Halfedge, class Point>
 const Point& inner_point(const Contour<Arc, Halfedge>& contour, const std::vector<Point>& points)

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -94,6 +95,20 @@ void embed_on_surface(const Augmentation& augmentation,
   });
 }
 
+// Where the contours of a line are that leads through `inner` ones at equal steps, and through `outer` more at each end,
+// each a quarter as far from the end as the next one inwards. `t` counts them all as if they were at equal steps.
+inline double graded_place(double t, std::size_t inner, std::size_t outer)
+{
+  if(outer == 0)
+    return t;
+  const double step = 1 / static_cast<double>(inner + 1);
+  const long number = std::lround(t * static_cast<double>(inner + 2 * outer + 1)) - static_cast<long>(outer);
+  const long beyond = number - static_cast<long>(inner);
+  return number < 1 ? step * std::pow(0.25, static_cast<double>(1 - number))
+       : beyond > 0 ? 1 - step * std::pow(0.25, static_cast<double>(beyond))
+                    : static_cast<double>(number) * step;
+}
+
 // Returns false if the contours of arcs cross more than so many edges.
 template <class ConcurrencyTag, class Result, class Augmentation, class PointMap, class NamedParameters>
 bool embed_at_centroids(const Augmentation& augmentation,
@@ -109,6 +124,8 @@ bool embed_at_centroids(const Augmentation& augmentation,
   const auto& graph = augmentation.graph();
   const std::size_t number_of_contours =
     choose_parameter(get_parameter(np, internal::number_of_contours), std::size_t(12));
+  const std::size_t number_of_contours_at_nodes =
+    choose_parameter(get_parameter(np, internal::number_of_contours_at_nodes), std::size_t(0));
   const std::size_t number_of_smoothing_steps =
     choose_parameter(get_parameter(np, internal::number_of_smoothing_steps), std::size_t(0));
   const auto parametrization_map = get_parameter(np, internal::parametrization_map);
@@ -125,12 +142,13 @@ bool embed_at_centroids(const Augmentation& augmentation,
   std::atomic<std::size_t> crossings = 0;
   for_each_reported<ConcurrencyTag>(arcs.size(), Stage_progress(progress, 0, 0.9), [&](std::size_t i) {
     const auto counted_contour_at = [&](const auto arc, double t) {
-      auto contour = contour_at(arc, t);
+      auto contour = contour_at(arc, graded_place(t, number_of_contours, number_of_contours_at_nodes));
       crossings += crossed_edges(contour).size();
       return contour;
     };
     if(crossings <= most_crossings)
-      contours[i] = centroids.contours(arcs[i], number_of_contours, counted_contour_at);
+      contours[i] =
+        centroids.contours(arcs[i], number_of_contours + 2 * number_of_contours_at_nodes, counted_contour_at);
   });
   if(crossings > most_crossings)
     return false;

@@ -105,8 +105,7 @@ private:
 };
 
 // The weights w_ij = (tan(theta / 2) + tan(phi / 2)) / |v_j - v_i|, with the angles at v_i on both sides of the edge.
-template <class Surface>
-Weighted_graph mean_value_graph(const Surface& surface)
+inline Weighted_graph mean_value_graph(const Indexed_surface& surface)
 {
   return Weighted_graph(surface.number_of_vertices(), [&](const auto& visit) {
     for(std::size_t t = 0; t != surface.triangles().size(); ++t)
@@ -125,8 +124,7 @@ Weighted_graph mean_value_graph(const Surface& surface)
 }
 
 // The weights w_ij = (cot(alpha) + cot(beta)) / 2, with the angles that face the edge.
-template <class Surface>
-Weighted_graph cotangent_graph(const Surface& surface)
+inline Weighted_graph cotangent_graph(const Indexed_surface& surface)
 {
   return Weighted_graph(surface.number_of_vertices(), [&](const auto& visit) {
     for(std::size_t t = 0; t != surface.triangles().size(); ++t)
@@ -161,8 +159,7 @@ Weighted_graph edge_graph(const Complex& complex)
 }
 
 // The weights w_ij = 1.
-template <class Surface>
-Weighted_graph uniform_graph(const Surface& surface)
+inline Weighted_graph uniform_graph(const Indexed_surface& surface)
 {
   return Weighted_graph(surface.number_of_vertices(), [&](const auto& visit) {
     for(const Indexed_triangle& t : surface.triangles())
@@ -176,8 +173,7 @@ Weighted_graph uniform_graph(const Surface& surface)
   });
 }
 
-template <class Surface>
-Weighted_graph laplacian_graph(const Surface& surface, Laplacian_weights weights)
+inline Weighted_graph laplacian_graph(const Indexed_surface& surface, Laplacian_weights weights)
 {
   switch(weights)
   {

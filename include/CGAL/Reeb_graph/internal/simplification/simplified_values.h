@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/mesh/flatten.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
@@ -168,6 +169,11 @@ std::vector<Scalar> perturbed_values(const Complex& complex,
   const std::vector<Scalar> rooms = rooms_of_nodes(nodes, spread);
   return Moved_pieces<Complex, Scalar>(complex, graph, saddles, rooms, spread, threshold).move();
 }
+
+#define CGAL_REEB_GRAPH_PERTURBED_VALUES(PREFIX, TAG, COMPLEX, SCALAR)                                                 \
+  PREFIX template std::vector<SCALAR> perturbed_values(const COMPLEX&, const std::vector<Index>&, std::vector<Index>,  \
+                                                       const std::vector<SCALAR>&, double);
+CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES_ONCE(CGAL_REEB_GRAPH_PERTURBED_VALUES)
 
 // The values of the simplified field, by number of the vertex; see simplify_field(). They are those of `flat_field`
 // then, if the graph has been computed again to see that it is the simplified one.
