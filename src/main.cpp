@@ -9,6 +9,7 @@
 #include "base/threads.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
+#include "commands/completion.h"
 #include "output/output_file.h"
 
 #include <CGAL/version.h>
@@ -21,11 +22,14 @@
 #include <exception>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace {
 using reeb_graph_program::add_compute_command;
+using reeb_graph_program::add_example;
 using reeb_graph_program::add_field_option;
 using reeb_graph_program::add_file;
+using reeb_graph_program::add_graph_file;
 using reeb_graph_program::add_graph_options;
 using reeb_graph_program::add_input_options;
 using reeb_graph_program::add_json_option;
@@ -33,8 +37,12 @@ using reeb_graph_program::add_page_options;
 using reeb_graph_program::add_real_number;
 using reeb_graph_program::add_simplification_options;
 using reeb_graph_program::add_threads_option;
+using reeb_graph_program::add_ties_option;
 using reeb_graph_program::add_whole_number;
+using reeb_graph_program::begin_group;
 using reeb_graph_program::Compute_options;
+using reeb_graph_program::computed_fields;
+using reeb_graph_program::Contour_choice;
 using reeb_graph_program::Contour_options;
 using reeb_graph_program::Curves_options;
 using reeb_graph_program::Curves_type;
@@ -42,27 +50,53 @@ using reeb_graph_program::Demo_options;
 using reeb_graph_program::describe;
 using reeb_graph_program::Field_options;
 using reeb_graph_program::Handles_options;
+using reeb_graph_program::parse_real_number;
+using reeb_graph_program::Point;
 using reeb_graph_program::run_with_threads;
+using reeb_graph_program::write_completion;
 
 void add_contour_command(CLI::App& app, Contour_options& options)
 {
   CLI::App* command = app.add_subcommand("contour", "Write contours, the components of the level sets, as polylines");
+  Contour_choice& choice = options.choice;
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
-  add_graph_options(*command, options.choice.graph);
-  add_simplification_options(*command, options.choice.simplification);
-  CLI::Option_group* place = command->add_option_group("Place", "Which contours, one of");
-  CLI::Option* arc = add_whole_number(*place, "--arc", options.choice.arc,
-                                      "The one of this arc, numbered from 0 in the order of the graph file");
-  add_real_number(*place, "--level", options.choice.level, "All those just above this value");
-  place->require_option(1);
-  CLI::Option* t = add_real_number(*command, "--t", options.choice.t,
-                                   "The place on the arc, greater than 0 (low) and less than 1 (high)");
-  arc->needs(t);
-  t->needs(arc);
+  add_graph_options(*command, choice.graph);
+  add_simplification_options(*command, choice.simplification);
+  begin_group(*command, "Contours, one of --t, --level, --levels, and --closest");
+  add_real_number(*command, "--t", choice.t,
+                  "Those at this place on each arc, greater than 0 (low) and less than 1 (high)");
+  add_whole_number(*command, "--arc", choice.arc,
+                   "With --t: that of this arc alone, numbered from 0 in the order of the graph file");
+  const auto add_levels = [&choice](const std::vector<std::string>& texts) {
+    for(const std::string& text : texts)
+      choice.levels.push_back(parse_real_number("--level", text));
+  };
+  command
+    ->add_option_function<std::vector<std::string>>("--level", add_levels,
+                                                    "All those just above this value; can "
+                                                    "be given several times")
+    ->type_name("FLOAT")
+    ->allow_extra_args(false);
+  add_whole_number(*command, "--levels", choice.number_of_levels,
+                   "All those at this many values, which cut the range of the field into equal steps", {1});
+  const auto set_point = [&choice](const std::vector<std::string>& texts) {
+    choice.point = Point(parse_real_number("--closest", texts[0]), parse_real_number("--closest", texts[1]),
+                         parse_real_number("--closest", texts[2]));
+  };
+  command
+    ->add_option_function<std::vector<std::string>>(
+      "--closest", set_point, "The one through the place on the mesh that is nearest to the point X,Y,Z")
+    ->delimiter(',')
+    ->type_name("FLOAT")
+    ->expected(3);
+  begin_group(*command, "Output");
   add_file(*command, "--output", options.output_path,
-           "Write the contours to this file, .polylines.txt, or .off for those in tetrahedra")
+           "Write the contours to this file: .polylines.txt; .vtp, .obj, or .json, with the arc, value, and length of "
+           "each, and whether it is closed; or .off for those in tetrahedra")
     ->required();
+  add_json_option(*command, options.is_report_json);
+  add_example(*command, "reeb_graph contour scan.ply --field harmonic --simplify 5% --t 0.5 --output contours.vtp");
   command->callback(
     [&options] { run_with_threads(options.choice.graph.number_of_threads, [&options] { run_contour(options); }); });
 }
@@ -72,8 +106,16 @@ void add_curves_command(CLI::App& app, Curves_options& options)
   CLI::App* command =
     app.add_subcommand("curves", "Cut the mesh along a cutting system, into pairs of pants, or into branches");
   add_input_options(*command, options.input);
-  add_field_option(*command, options.input);
+  add_field_option(*command, options.input,
+                   "; by default harmonic-between-borders if the mesh has borders, else harmonic");
+  begin_group(*command, "Graph");
+  add_ties_option(*command, options.graph,
+                  "In the graph of the cut mesh, for --graph, --html, and --mesh-out: contract arcs of length zero "
+                  "(contract, the default), so that a border that is a level is one node, or order vertices of equal "
+                  "value by their numbers (perturb)");
+  add_threads_option(*command, options.graph.number_of_threads);
   add_simplification_options(*command, options.simplification);
+  begin_group(*command, "Curves");
   const auto set_type = [&options](const std::string& name) {
     options.cut.type = name == "cutting-system" ? Curves_type::CUTTING_SYSTEM
                      : name == "pants"          ? Curves_type::PANTS
@@ -97,35 +139,36 @@ void add_curves_command(CLI::App& app, Curves_options& options)
   command->add_flag("--large", options.is_large_accepted,
                     "Cut the mesh even if it will have more than 50 times its triangles, as noise on many handles has, "
                     "and tell their number before");
+  begin_group(*command, "Output");
   add_file(*command, "--curves", options.curves_path, "Write the curves to this file, .polylines.txt");
   add_file(*command, "--cut-mesh", options.cut_mesh_path,
            "Write the mesh that is cut along the curves to this file, .off or .ply; PLY has the patches as "
            "a property and as colours of the faces");
   add_file(*command, "--patches", options.patches_path,
            "Write to this file, for each face of the cut mesh on a line, the number of its patch");
+  add_graph_file(*command, options.graph_path);
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_file(*command, "--mesh-out", options.mesh_path,
            "Write the cut mesh to this file, .ply or .vtp, with the value, the arc, and the node of each "
            "vertex, the patch of each face, and colours");
-  add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
-  command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_curves(options); }); });
+  add_example(*command, "reeb_graph curves scan.ply --type pants --html page.html");
+  command->callback(
+    [&options] { run_with_threads(options.graph.number_of_threads, [&options] { run_curves(options); }); });
 }
 
 void add_field_command(CLI::App& app, Field_options& options)
 {
   CLI::App* command = app.add_subcommand("field", "Write a scalar field, one number per line");
   add_input_options(*command, options.input);
-  command
-    ->add_option("--type", options.input.field,
-                 "harmonic, between two vertices that are far apart if no others are given; poisson, by mean "
-                 "curvature; unit-gradient, of the file --scalars, else of harmonic; geodesic, the distance from "
-                 "vertices; or height")
-    ->check(CLI::IsMember({"harmonic", "poisson", "unit-gradient", "geodesic", "height"}))
+  command->add_option("--type", options.input.field, "The field: " + computed_fields + "; or height")
+    ->check(CLI::IsMember({"harmonic", "harmonic-between-borders", "poisson", "unit-gradient", "geodesic", "height"}))
     ->required();
-  add_file(*command, "--output", options.output_path, "Write the field to this file")->required();
   add_threads_option(*command, options.number_of_threads);
+  begin_group(*command, "Output");
+  add_file(*command, "--output", options.output_path, "Write the field to this file")->required();
   add_json_option(*command, options.is_report_json);
+  add_example(*command, "reeb_graph field scan.ply --type harmonic --output harmonic.txt");
   command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_field(options); }); });
 }
 
@@ -145,7 +188,9 @@ void add_handles_command(CLI::App& app, Handles_options& options)
 void add_demo_command(CLI::App& app, Demo_options& options)
 {
   CLI::App* command = app.add_subcommand("demo", "Show a Reeb graph of a generated surface; needs no input");
+  begin_group(*command, "Output");
   add_file(*command, "--out", options.folder, "Folder of the files that are written")->capture_default_str();
+  add_example(*command, "reeb_graph demo --out figure");
   command->callback([&options] { run_demo(options); });
 }
 
@@ -183,6 +228,16 @@ int main(int argc, char** argv)
   Field_options field_options;
   Handles_options handles_options;
   Demo_options demo_options;
+  app
+    .add_option_function<std::string>(
+      "--completion",
+      [&app](const std::string& shell) {
+        write_completion(std::cout, app, shell);
+        throw CLI::Success();
+      },
+      "Print what makes a shell complete commands and options, as in: source <(reeb_graph --completion bash)")
+    ->check(CLI::IsMember({"bash", "zsh", "fish"}))
+    ->trigger_on_parse();
   add_compute_command(app, compute_options)->callback([&options = compute_options] {
     run_with_threads(options.graph.number_of_threads, [&options] { run_compute(options); });
   });

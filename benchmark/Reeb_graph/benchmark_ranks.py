@@ -51,12 +51,12 @@ with tempfile.TemporaryDirectory() as folder:
     for field in ("smooth", "y", "noise"):
         run_on_ranks(numbers_of_ranks[-1], "generate", "mesh.ply", "--triangles", triangles, "--field", field)
         arguments = ["compute", "mesh.ply", "--field", field, "--no-table", "--json", "--graph"]
-        one, all_seconds, one_seconds = run_sequentially(*arguments, "one.graphml", "--threads", "1")
+        one, all_seconds, one_seconds = run_sequentially(*arguments, "one.dot", "--threads", "1")
         print(columns.format("height" if field == "y" else field, one["faces"], "-", "-", f"{all_seconds:.2f}",
                              "1.00", f"{one_seconds:.2f}", "1.00", f"{one['peak_memory_bytes'] / 1e6:.0f}", "1.00", "-", "-"))
         for ranks in numbers_of_ranks:
-            report = json.loads(run_on_ranks(ranks, *arguments, "ranks.graphml"))
-            if content("one.graphml") != content("ranks.graphml"):
+            report = json.loads(run_on_ranks(ranks, *arguments, "ranks.dot"))
+            if content("one.dot") != content("ranks.dot"):
                 sys.exit(f"the graph on {ranks} ranks is another one")
             cpu = report["cpu_seconds"]
             seconds = cpu["compute"] + cpu["output"]

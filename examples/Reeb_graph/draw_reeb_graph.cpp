@@ -42,8 +42,7 @@ int main(int argc, char* argv[])
     // A picture of the graph, with the indices of the vertices where the pointer rests on a node.
     CGAL::Reeb_graph::write_svg(
       "graph.svg", graph,
-      parameters::field_name(
-        "x", parameters::field_unit("mm", parameters::vertex_index_map(get(boost::vertex_index, mesh)))));
+      parameters::field_name("x").field_unit("mm").vertex_index_map(get(boost::vertex_index, mesh)));
 
     // The same for a drawing of one's own.
     const CGAL::Reeb_graph::Plane_layout layout = CGAL::Reeb_graph::lay_out_in_plane(graph);

@@ -41,8 +41,8 @@ int main(int argc, char* argv[])
     const CGAL::Reeb_graph::Augmentation augmentation(mesh, scalar_map, graph);
 
     // The skeleton of the surface: through the centroids of 20 contours of each arc, smoothed a little.
-    const auto skeleton = CGAL::Reeb_graph::embed(
-      augmentation, CGAL::parameters::number_of_contours(20, CGAL::parameters::number_of_smoothing_steps(2)));
+    const auto skeleton =
+      CGAL::Reeb_graph::embed(augmentation, CGAL::parameters::number_of_contours(20).number_of_smoothing_steps(2));
     for(Graph::vertex_descriptor node : CGAL::make_range(vertices(graph)))
       std::cout << graph[node].kind << " at " << skeleton.node_points[node] << std::endl;
 

@@ -42,10 +42,10 @@ int main(int argc, char* argv[])
   for(vertex_descriptor v : vertices(mesh))
     scalar_map[v] = static_cast<int>(10 * (mesh.point(v).x() + 10));
 
-  // Two named parameters of this package, and one of CGAL's: each of the former takes those behind it.
-  const auto parameters = CGAL::parameters::ties(
-    CGAL::Reeb_graph::Ties::CONTRACT,
-    CGAL::parameters::method(CGAL::Reeb_graph::Method::CRITICAL_SETS, CGAL::parameters::geom_traits(Traits())));
+  // Two named parameters of this package, and behind them one of CGAL's.
+  const auto parameters = CGAL::parameters::ties(CGAL::Reeb_graph::Ties::CONTRACT)
+                            .method(CGAL::Reeb_graph::Method::CRITICAL_SETS)
+                            .geom_traits(Traits());
   Traits::Graph graph;
   try
   {

@@ -32,7 +32,6 @@ struct Input_options
   std::vector<std::size_t> source_vertices;
   std::vector<double> direction; // empty or three coordinates
   bool are_faces_triangulated = false;
-  bool are_borders_fixed = false; // whether the harmonic field is that between the borders
 };
 
 // The files that are read. A path is empty if there is none.
@@ -89,10 +88,10 @@ struct Simplification_options
 
 inline auto named_parameters(const Graph_options& options)
 {
-  namespace parameters = CGAL::parameters;
-  const auto slabs = parameters::number_of_slabs(options.number_of_slabs);
-  const auto nodes = parameters::keep_degree_two_nodes(options.are_degree_two_nodes_kept, slabs);
-  return parameters::ties(options.ties, parameters::method(options.method, nodes));
+  return CGAL::parameters::ties(options.ties)
+    .method(options.method)
+    .keep_degree_two_nodes(options.are_degree_two_nodes_kept)
+    .number_of_slabs(options.number_of_slabs);
 }
 
 } // namespace reeb_graph_program

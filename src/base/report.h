@@ -73,6 +73,7 @@ struct Graph_counts
   std::size_t nodes = 0;
   std::size_t arcs = 0;
   std::size_t loops = 0;
+  std::size_t arcs_of_length_zero = 0;
   std::optional<long> hidden_handles; // of a connected surface without border: those that are no loop
 };
 
@@ -97,10 +98,23 @@ struct Arc_row
   std::optional<double> volume = std::nullopt; // in tetrahedra, in the place of the area
 };
 
+// Where a harmonic field has been given its values. A border is named by its first vertex.
+struct Fixed_values
+{
+  struct Place
+  {
+    std::size_t vertex = 0;
+    double value = 0;
+  };
+
+  std::vector<Place> borders, vertices;
+};
+
 // What the field took, and each step of the work.
 struct Work_report
 {
   std::optional<CGAL::Reeb_graph::Field_report> field; // of a field that depends on the geometry of faces
+  std::optional<Fixed_values> fixed_values;            // of a harmonic field, or of one that is made of it
   std::vector<std::pair<std::string, double>> seconds; // in the order in which they were spent
 
   // Adds to the seconds of a step, which is a new one if there is none of this name.
@@ -151,6 +165,8 @@ struct Report : Work_report
 // What the mesh was cut into.
 struct Curves_report : Work_report
 {
+  std::string field_name;
+  std::vector<std::string> notes; // on the field
   std::size_t curves = 0;
   std::size_t patches = 0;
   CGAL::Reeb_graph::Border_level_changes border_changes; // of the field

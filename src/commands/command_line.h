@@ -22,18 +22,27 @@
 
 // The options that commands and programs share.
 namespace reeb_graph_program {
+// Puts the options that are added next under this heading of the help.
+inline void begin_group(CLI::App& command, const std::string& name) { command.option_defaults()->group(name); }
+
+// Ends the help of a command with an example.
+inline void add_example(CLI::App& command, const std::string& example) { command.footer("Example:\n  " + example); }
+
 inline void add_input_options(CLI::App& command, Input_options& options)
 {
+  begin_group(command, "Input");
   add_file(command, "MESH", options.mesh_path, "Mesh: OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file")->required();
-  add_file(
-    command, "--scalars", options.scalars_path,
-    "The field: file of one number per line, in the vertex order of the mesh file, or CSV file, or NumPy's .npy");
+  command.add_flag("--triangulate", options.are_faces_triangulated, "Cut faces that are not triangles into triangles");
+  begin_group(command, "Field");
+  add_file(command, "--scalars", options.scalars_path,
+           "The field: file of one number per line, in the vertex order of the mesh file, or CSV file, or NumPy's .npy");
   command.add_option("--column", options.column,
                      "The column of the CSV file, by its name, or its number from 0, if there is more than one");
   add_whole_number(command, "--min", options.lowest_vertex,
                    "For harmonic: the vertex of value 0, from 0 as in the mesh file");
   add_whole_number(command, "--max", options.highest_vertex, "For harmonic: the vertex of value 1");
-  command.add_option("--weights", options.weights, "For harmonic: mean-value (the default), cotangent, or uniform")
+  command
+    .add_option("--weights", options.weights, "For harmonic fields: mean-value (the default), cotangent, or uniform")
     ->check(CLI::IsMember({"mean-value", "cotangent", "uniform"}));
   const auto parse_vertex = [](const std::string& name, const std::string& text) {
     return parse_whole_number(name, text, {});
@@ -46,17 +55,22 @@ inline void add_input_options(CLI::App& command, Input_options& options)
               parse_real_number)
     ->type_name("FLOAT")
     ->expected(3);
-  command.add_flag("--triangulate", options.are_faces_triangulated, "Cut faces that are not triangles into triangles");
 }
 
-inline void add_field_option(CLI::App& command, Input_options& options)
+// What --field and --type have in common.
+inline const std::string computed_fields =
+  "harmonic, 0 at the vertex --min and 1 at --max, or 0 and 1 at two vertices of each component that are far apart; "
+  "harmonic-between-borders, 0 on the border of the first vertex and 1 on the other borders of the component, or at a "
+  "vertex far from its only one; poisson, by mean curvature; geodesic, the distance from vertices; unit-gradient, of "
+  "the "
+  "file --scalars, else of harmonic";
+
+inline void add_field_option(CLI::App& command, Input_options& options, const std::string& default_field = "")
 {
   command
-    .add_option(
-      "--field", options.field,
-      "The field: a coordinate x, y, or z; height; harmonic, between two vertices that are far apart if no "
-      "others are given; poisson, by mean curvature; geodesic, the distance from vertices; unit-gradient, of "
-      "the file --scalars, else of harmonic; or the name of a property of the vertices of a PLY, VTK, or VTU file")
+    .add_option("--field", options.field,
+                "The field: a coordinate x, y, or z; height; " + computed_fields
+                  + "; or the name of a property of the vertices of a PLY, VTK, or VTU file" + default_field)
     ->check(is_not_empty());
 }
 
@@ -83,20 +97,25 @@ inline void add_json_option(CLI::App& command, bool& is_report_json)
   command.add_flag("--json", is_report_json, "Print the report as one JSON object");
 }
 
-inline void add_graph_options(CLI::App& command, Graph_options& options)
+inline void add_ties_option(CLI::App& command, Graph_options& options, const std::string& description)
 {
-  using CGAL::Reeb_graph::Method;
   using CGAL::Reeb_graph::Ties;
-  command.add_flag("--keep-degree-2", options.are_degree_two_nodes_kept,
-                   "Keep critical vertices with one arc below and one above as nodes");
   const auto set_ties = [&options](const std::string& name) {
     options.ties = name == "contract" ? Ties::CONTRACT : Ties::PERTURB;
   };
-  command
-    .add_option_function<std::string>("--ties", set_ties,
-                                      "Order vertices of equal value by their numbers (perturb, the default), or "
-                                      "contract arcs of length zero (contract)")
+  command.add_option_function<std::string>("--ties", set_ties, description)
     ->check(CLI::IsMember({"perturb", "contract"}));
+}
+
+inline void add_graph_options(CLI::App& command, Graph_options& options)
+{
+  using CGAL::Reeb_graph::Method;
+  begin_group(command, "Graph");
+  command.add_flag("--keep-degree-2", options.are_degree_two_nodes_kept,
+                   "Keep critical vertices with one arc below and one above as nodes");
+  add_ties_option(command, options,
+                  "Order vertices of equal value by their numbers (perturb, the default), or contract arcs of length "
+                  "zero (contract)");
   const auto set_method = [&options](const std::string& name) {
     options.method = name == "critical-sets" ? Method::CRITICAL_SETS
                    : name == "contour-trees" ? Method::CONTOUR_TREES
@@ -115,6 +134,7 @@ inline void add_graph_options(CLI::App& command, Graph_options& options)
 
 inline void add_simplification_options(CLI::App& command, Simplification_options& options)
 {
+  begin_group(command, "Simplification");
   command.add_option_function<std::string>(
     "--simplify", [&options](const std::string& text) { options.threshold = parse_threshold(text); },
     "Remove branches of the graph that are less persistent: X in units of the field, P% of its range, or auto, the "
@@ -122,6 +142,13 @@ inline void add_simplification_options(CLI::App& command, Simplification_options
   add_whole_number(command, "--leaves", options.number_of_leaves,
                    "Remove branches until the graph has this many leaves");
   command.add_flag("--cancel-loops", options.are_loops_cancelled, "With --simplify: remove loops as well");
+}
+
+inline void add_graph_file(CLI::App& command, std::string& path)
+{
+  add_file(command, "--graph", path,
+           "Write the graph to this file: .graphml, .dot, .svg, or in space .vtp, .obj, .polylines.txt, "
+           ".json, or .csv, which stands for two files, .nodes.csv and .arcs.csv");
 }
 
 // The command without what it does.
@@ -132,9 +159,9 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
   add_graph_options(*command, options.graph);
-  add_file(*command, "--graph", options.graph_path,
-           "Write the graph to this file: .graphml, .dot, .svg, or in space .vtp, .obj, .polylines.txt, "
-           ".json, or .csv, which stands for two files, .nodes.csv and .arcs.csv");
+  add_simplification_options(*command, options.simplification);
+  begin_group(*command, "Output");
+  add_graph_file(*command, options.graph_path);
   const auto set_embedding = [&options](const std::string& name) {
     options.embedding_manner = name == "on-surface" ? CGAL::Reeb_graph::Embedding_manner::ON_SURFACE
                              : name == "straight"   ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
@@ -158,7 +185,6 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
            "Write the pairs of extended persistence of the given graph to this file, .csv, or .pers for GUDHI");
   add_file(*command, "--diagram", options.diagram_path, "Draw the persistence diagram of the given graph, .svg");
   add_page_options(*command, options.page_path, options.unit, options.up);
-  add_simplification_options(*command, options.simplification);
   add_file(*command, "--simplified-scalars", options.simplified_scalars_path,
            "With --simplify or --leaves: write a field that has the simplified graph to this file; .npy for NumPy");
   CLI::Option* table = command->add_flag_callback(
@@ -170,6 +196,8 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
       "--no-table", [&options] { options.is_table_wanted = false; }, "Print no such table")
     ->excludes(table);
   add_json_option(*command, options.is_report_json);
+  add_example(*command,
+              "reeb_graph compute scan.ply --field harmonic --simplify 5% --graph graph.svg --html page.html");
   return command;
 }
 

@@ -45,23 +45,25 @@ struct Contour_options
   Input_options input;
   Contour_choice choice;
   std::string output_path;
+  bool is_report_json = false;
 };
 
 struct Curves_options
 {
   Input_options input;
+  Graph_options graph = {false, CGAL::Reeb_graph::Ties::CONTRACT}; // of what is written and shown of it
   Simplification_options simplification;
   Cut_options cut;
   std::string curves_path; // empty if they are not written
   std::string cut_mesh_path;
   std::string patches_path;
+  std::string graph_path;
   std::string mesh_path;
   std::string page_path;
   std::string up;                 // of the page: x, y, z, -x, -y, -z, or as it finds it
   std::string unit;               // of the field, for what is drawn
   bool is_large_accepted = false; // a cut mesh of more than 50 times the triangles
   bool is_report_json = false;
-  std::size_t number_of_threads = 0; // 0: one per core
 };
 
 struct Field_options
@@ -96,7 +98,7 @@ void write_pairs_and_diagram(const Compute_options& options,
 // They print to standard output, or to standard error if a file is written there, and throw an exception derived from std::exception for any error.
 void run_compute(const Compute_options& options);
 void run_contour(const Contour_options& options);
-void run_curves(const Curves_options& options);
+void run_curves(Curves_options options);
 void run_field(const Field_options& options);
 void run_handles(const Handles_options& options);
 void run_demo(const Demo_options& options);

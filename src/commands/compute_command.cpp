@@ -91,12 +91,12 @@ Graph_in_space embed_and_time(const Compute_options& options,
 }
 
 // The vertices are located, and arcs measured, if one of the files or the table needs it. On what is no surface, that can
-// take longer than the graph, so arcs are measured there with --table only.
-void write_files_of_mesh(const Compute_options& options,
-                         Mesh_graph& graph,
-                         const Mesh& mesh,
-                         Scalar_map scalar_map,
-                         Report& report)
+// take longer than the graph, so arcs are measured there with --table only. Returns the arcs that have been measured.
+std::vector<Arc_row> write_files_of_mesh(const Compute_options& options,
+                                         Mesh_graph& graph,
+                                         const Mesh& mesh,
+                                         Scalar_map scalar_map,
+                                         Report& report)
 {
   constexpr std::size_t few_arcs = 40;
   const std::size_t number_of_nodes = num_vertices(graph.result());
@@ -104,7 +104,7 @@ void write_files_of_mesh(const Compute_options& options,
   const bool has_table = options.is_table_wanted.value_or(is_surface && num_edges(graph.result()) <= few_arcs);
   const bool has_places = !options.vertex_arcs_path.empty() || !options.mesh_path.empty();
   const bool has_attributes =
-    is_graph_in_space(options) && has_arc_attributes(options.graph_path) && (is_surface || has_table);
+    !options.graph_path.empty() && has_arc_attributes(options.graph_path) && (is_surface || has_table);
   std::vector<Arc_row> arcs;
   if(has_table || has_attributes || has_places)
   {
@@ -120,7 +120,7 @@ void write_files_of_mesh(const Compute_options& options,
   if(is_graph_in_space(options))
     graph_in_space = embed_and_time(options, is_surface, graph, has_attributes ? &arcs : nullptr, report);
   if(!graph_in_space && !has_places)
-    return;
+    return arcs;
   const Stopwatch output_stopwatch;
   if(!options.vertex_arcs_path.empty())
     write_vertex_arcs(options.vertex_arcs_path, graph.places(), number_of_nodes);
@@ -130,14 +130,21 @@ void write_files_of_mesh(const Compute_options& options,
     write_graph_in_space(options.graph_path, graph.result(), *graph_in_space,
                          [&](std::ostream& stream) { graph.write_json(stream, *graph_in_space); });
   report.add_seconds("output", output_stopwatch.seconds());
+  return arcs;
 }
 
-void write_graph_file(const Compute_options& options, const Graph& graph, Report& report)
+void write_graph_file(const Compute_options& options,
+                      const Graph& graph,
+                      const std::vector<Arc_row>& arcs,
+                      Report& report)
 {
   if(options.graph_path.empty() || is_graph_in_space(options))
     return;
   const Stopwatch stopwatch;
-  write_graph(options.graph_path, graph, field_label(options.input, options.unit));
+  std::vector<CGAL::Reeb_graph::Attribute> attributes;
+  if(has_arc_attributes(options.graph_path) && arcs.size() == num_edges(graph))
+    attributes = attributes_of_arcs(graph, arcs);
+  write_graph(options.graph_path, graph, field_label(options.input, options.unit), {}, attributes);
   report.add_seconds("output", stopwatch.seconds());
 }
 
@@ -214,8 +221,8 @@ void compute(const Compute_options& options, Mesh& mesh, Report& report)
     count_simplified(graph->result(), threshold, report);
   write_simplified_field(options, surface, scalar_map, threshold, report);
   write_pairs_and_diagram(options, graph->given(), threshold, report);
-  write_files_of_mesh(options, *graph, mesh, scalar_map, report);
-  write_graph_file(options, graph->result(), report);
+  const std::vector<Arc_row> arcs = write_files_of_mesh(options, *graph, mesh, scalar_map, report);
+  write_graph_file(options, graph->result(), arcs, report);
   write_page_file(options, graph->given(), surface, scalar_map, threshold, report);
   write_report(options, report);
 }

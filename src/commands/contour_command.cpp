@@ -12,32 +12,34 @@
 #include "computation/simplification.h"
 #include "input/field_input.h"
 #include "input/input_error.h"
+#include "output/contour_output.h"
 #include "output/output_file.h"
-#include "output/polylines_output.h"
 #include "output/report_output.h"
 
 #include <ostream>
-#include <sstream>
 #include <stdexcept>
 
 namespace reeb_graph_program {
 namespace {
-void check_is_there(bool is_any_there, double level)
+void check_choice(const Contour_choice& choice)
 {
-  if(is_any_there)
-    return;
-  std::ostringstream message;
-  message << "there is no contour at the level " << level;
-  throw std::runtime_error(message.str());
+  if(choice.arc && !choice.t)
+    throw std::runtime_error("--arc goes with --t only");
+  if(int(choice.t.has_value()) + int(!choice.levels.empty()) + int(choice.number_of_levels.has_value())
+       + int(choice.point.has_value())
+     != 1)
+    throw std::runtime_error("which contours is told by one of --t, --level, --levels, and --closest");
 }
+
 } // namespace
 
 void run_contour(const Contour_options& options)
 {
+  check_choice(options.choice);
   check_contour_format(options.output_path);
   check_outputs({options.output_path}, input_files(options.input));
   check_simplification_options(options.choice.simplification);
-  Report report;
+  Contours_report report;
   Mesh mesh = read_mesh(options.input, report);
   if(mesh.complex && mesh.complex->has_triangles_and_tetrahedra())
     throw Input_error(options.input.mesh_path, "there are triangles that are faces of no tetrahedron: contours of such "
@@ -46,18 +48,18 @@ void run_contour(const Contour_options& options)
   check_contour_format(options.output_path, has_tetrahedra);
   const Scalar_map scalar_map = add_field(options.input, mesh, report);
   const Contour_choice& choice = options.choice;
+  Report graph_report;
   const Contours contours =
     compute_mesh_graph(mesh, scalar_map, choice.graph, choice.simplification,
-                       threshold_in_units(choice.simplification, mesh.surface, scalar_map), report)
+                       threshold_in_units(choice.simplification, mesh.surface, scalar_map), graph_report)
       ->find_contours(choice);
-  check_is_there(contours.number > 0, choice.level);
-  if(has_tetrahedra)
-    write_triangles(options.output_path, contours.points, contours.triangles);
-  else
-    write_polylines(options.output_path, contours.polylines);
+  write_contours(options.output_path, contours, has_tetrahedra);
+  report.contours = contours.number;
   std::ostream& stream = report_stream({options.output_path});
-  stream << contours.number << (contours.number == 1 ? " contour\n" : " contours\n");
-  write_field_text(stream, report);
+  if(options.is_report_json)
+    write_json(stream, report);
+  else
+    write_text(stream, report);
 }
 
 } // namespace reeb_graph_program

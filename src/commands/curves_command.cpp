@@ -8,14 +8,17 @@
 
 #include "base/stopwatch.h"
 #include "commands/commands.h"
+#include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
 #include "computation/augmentation.h"
 #include "computation/curves.h"
+#include "computation/embedding.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/field_input.h"
 #include "input/mesh_formats.h"
 #include "input/mesh_input.h"
+#include "output/graph_output.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
 #include "output/polylines_output.h"
@@ -23,10 +26,13 @@
 #include "page/page_output.h"
 
 #include <CGAL/Reeb_graph/curves/exceptions.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <optional>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -54,8 +60,20 @@ void check_formats(const Curves_options& options)
     check_polylines_format(options.curves_path);
   if(!options.cut_mesh_path.empty())
     check_cut_mesh_format(options.cut_mesh_path);
+  if(!options.graph_path.empty())
+    check_graph_format(options.graph_path);
   if(!options.mesh_path.empty())
     check_mesh_format(options.mesh_path);
+  if(!options.page_path.empty())
+    check_page(options.page_path);
+}
+
+std::vector<std::filesystem::path> output_files(const Curves_options& options)
+{
+  std::vector<std::filesystem::path> paths = graph_files(options.graph_path);
+  paths.insert(paths.end(), {options.curves_path, options.cut_mesh_path, options.patches_path, options.mesh_path,
+                             options.page_path});
+  return paths;
 }
 
 std::vector<Any_vertex_property> properties_to_keep(const Curves_options& options, Surface& surface)
@@ -92,45 +110,82 @@ void write_files(const Curves_options& options, const Surface& surface, const Cu
     write_patches(options.patches_path, surface, result.patch_map);
 }
 
-// The mesh with results has the graph of the field on the cut mesh.
-void write_mesh_file(const Curves_options& options,
-                     const Surface& surface,
-                     Scalar_map scalar_map,
-                     const Cut_result& result,
-                     Curves_report& report)
+void write_graph_file(const Curves_options& options, Mesh_graph& graph)
 {
-  if(options.mesh_path.empty())
-    return;
-  const Stopwatch stopwatch;
-  const Graph graph = compute_graph(surface, scalar_map, Graph_options());
-  const Augmentation augmentation(surface, scalar_map, graph);
-  const std::vector<std::size_t> places = places_of(surface.vertices(), locate_vertices(augmentation));
-  write_mesh(options.mesh_path, surface, {scalar_map, places, num_vertices(graph), result.patch_map});
-  report.add_seconds("mesh", stopwatch.seconds());
+  std::vector<Arc_row> arcs;
+  if(has_arc_attributes(options.graph_path))
+    arcs = graph.measure_arcs();
+  if(is_format_in_space(options.graph_path))
+  {
+    const Graph_in_space graph_in_space =
+      graph.embed(CGAL::Reeb_graph::Embedding_manner::BY_COST, arcs.empty() ? nullptr : &arcs);
+    return write_graph_in_space(options.graph_path, graph.result(), graph_in_space,
+                                [&](std::ostream& stream) { graph.write_json(stream, graph_in_space); });
+  }
+  std::vector<CGAL::Reeb_graph::Attribute> attributes;
+  if(!arcs.empty())
+    attributes = attributes_of_arcs(graph.result(), arcs);
+  write_graph(options.graph_path, graph.result(), field_label(options.input, options.unit), {}, attributes);
 }
 
-// The page shows the graph of the field on the cut mesh.
-void write_page_file(const Curves_options& options,
-                     const Surface& surface,
-                     Scalar_map scalar_map,
-                     const Cut_result& result,
-                     Curves_report& report)
+// What shows the graph of the field on the cut mesh: the graph file, the mesh with results, and the page have the same
+// nodes and arcs.
+void write_files_of_graph(const Curves_options& options,
+                          const Mesh& mesh,
+                          Scalar_map scalar_map,
+                          const Cut_result& result,
+                          Curves_report& report)
 {
-  if(options.page_path.empty())
+  if(options.graph_path.empty() && options.mesh_path.empty() && options.page_path.empty())
     return;
-  const Stopwatch stopwatch;
-  const Graph graph = compute_graph(surface, scalar_map, Graph_options());
-  Page_request request = {surface,
-                          scalar_map,
-                          graph,
-                          Graph_options(),
-                          std::filesystem::path(options.input.mesh_path).filename().string(),
-                          field_label(options.input, options.unit)};
-  request.up = options.up;
-  request.patch_map = result.patch_map;
-  request.curves = result.polylines;
-  write_page(options.page_path, request);
-  report.add_seconds("page", stopwatch.seconds());
+  const Stopwatch graph_stopwatch;
+  Report unused;
+  const auto graph = compute_mesh_graph(mesh, scalar_map, options.graph, {}, 0, unused);
+  if(!options.graph_path.empty())
+    write_graph_file(options, *graph);
+  report.add_seconds("graph", graph_stopwatch.seconds());
+  if(!options.mesh_path.empty())
+  {
+    const Stopwatch stopwatch;
+    write_mesh(options.mesh_path, mesh.surface,
+               {scalar_map, graph->places(), num_vertices(graph->result()), result.patch_map});
+    report.add_seconds("mesh", stopwatch.seconds());
+  }
+  if(!options.page_path.empty())
+  {
+    const Stopwatch stopwatch;
+    Page_request request = {mesh.surface,
+                            scalar_map,
+                            graph->result(),
+                            options.graph,
+                            std::filesystem::path(options.input.mesh_path).filename().string(),
+                            field_label(options.input, options.unit)};
+    request.up = options.up;
+    request.patch_map = result.patch_map;
+    request.curves = result.polylines;
+    write_page(options.page_path, request);
+    report.add_seconds("page", stopwatch.seconds());
+  }
+}
+
+// The mesh, and the field, which is harmonic if none is asked for: between the borders if there are any.
+Surface read(Input_options& input, Curves_report& report)
+{
+  const bool is_default = input.field.empty() && input.scalars_path.empty();
+  if(is_default)
+    input.field = "harmonic";
+  Surface surface = read_surface(input, report);
+  const bool has_borders = !CGAL::is_closed(surface);
+  if(is_default && has_borders && !input.lowest_vertex)
+    input.field = "harmonic-between-borders";
+  if(is_default)
+    report.notes.push_back("the field is " + input.field + ", as the mesh has "
+                           + (has_borders ? "borders" : "no borders") + "; --field takes another one");
+  else if(input.field == "harmonic" && has_borders && !input.lowest_vertex)
+    report.notes.push_back("harmonic is between two vertices, for curves too; harmonic-between-borders is the field "
+                           "that curves called harmonic before");
+  report.field_name = field_label(input, "").name;
+  return surface;
 }
 
 // Writes the simplified field over the given one.
@@ -184,22 +239,18 @@ Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& op
 
 } // namespace
 
-void run_curves(const Curves_options& options)
+void run_curves(Curves_options options)
 {
   check_thresholds(options.cut);
   check_formats(options);
   check_simplification_options(options.simplification);
   check_simplification_of_field(options.simplification);
-  if(!options.page_path.empty())
-    check_page(options.page_path);
-  const std::vector<std::filesystem::path> outputs = {options.curves_path, options.cut_mesh_path, options.patches_path,
-                                                      options.mesh_path, options.page_path};
+  const std::vector<std::filesystem::path> outputs = output_files(options);
   check_outputs(outputs, input_files(options.input));
   Curves_report report;
-  Surface surface = read_surface(options.input, report);
-  Input_options input = options.input;
-  input.are_borders_fixed = true;
-  const Scalar_map scalar_map = add_field(input, surface, report);
+  Mesh mesh = {read(options.input, report), std::nullopt};
+  Surface& surface = mesh.surface;
+  const Scalar_map scalar_map = add_field(options.input, surface, report);
   if(options.simplification.is_anything_removed())
     simplify(surface, scalar_map, options.simplification, report);
   const Stopwatch cut_stopwatch;
@@ -208,8 +259,7 @@ void run_curves(const Curves_options& options)
   const Stopwatch output_stopwatch;
   write_files(options, surface, result);
   report.add_seconds("output", output_stopwatch.seconds());
-  write_mesh_file(options, surface, scalar_map, result, report);
-  write_page_file(options, surface, scalar_map, result, report);
+  write_files_of_graph(options, mesh, scalar_map, result, report);
   report.curves = result.polylines.size();
   report.patches = result.number_of_patches;
   report.border_changes = result.border_changes;

@@ -10,6 +10,7 @@
 #include "commands/commands.h"
 #include "computation/analysis.h"
 #include "computation/augmentation.h"
+#include "computation/embedding.h"
 #include "generated_surfaces/build_mesh.h"
 #include "generated_surfaces/standing_figure.h"
 #include "output/graph_output.h"
@@ -19,6 +20,7 @@
 
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -53,8 +55,10 @@ void run_demo(const Demo_options& options)
   write_scalars(folder / "scalars.txt", surface, scalar_map);
   write_coloured_surface(folder / "surface_coloured.ply", surface, scalar_map);
   const Field_label field_label = {"height", "m"};
+  const Augmentation augmentation(surface, scalar_map, graph);
+  const std::vector<Arc_row> arcs = measure_arcs(surface, scalar_map, graph, locate_vertices(augmentation));
   for(const char* name : {"graph.svg", "graph.graphml", "graph.dot"})
-    write_graph(folder / name, graph, field_label);
+    write_graph(folder / name, graph, field_label, {}, attributes_of_arcs(graph, arcs));
 
   if(is_page_available())
   {

@@ -13,36 +13,15 @@
 #include "base/options.h"
 #include "base/report.h"
 #include "base/surface.h"
+#include "computation/contours.h"
 #include "computation/embedding.h"
 
-#include <array>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <ostream>
 #include <vector>
 
 namespace reeb_graph_program {
-// Which contours of which graph.
-struct Contour_choice
-{
-  Graph_options graph;
-  Simplification_options simplification;
-  std::optional<std::size_t>
-    arc; // its contour at the place `t` between 0 and 1; if not given, all contours at the level
-  double t = 0;
-  double level = 0;
-};
-
-// Contours: curves, or triangles in tetrahedra.
-struct Contours
-{
-  std::size_t number = 0;
-  std::vector<Polyline> polylines;
-  std::vector<Point> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
-};
-
 // The Reeb graph of what a mesh file has, simplified if that is asked for, and what is asked of the mesh by way of it:
 // one interface for surfaces, and for complexes of triangles or of tetrahedra.
 class Mesh_graph
@@ -74,7 +53,7 @@ public:
   // Writes the graph in space with its chains.
   virtual void write_json(std::ostream& stream, const Graph_in_space& graph_in_space) = 0;
 
-  // Throws std::runtime_error if there is no such arc. There is no contour at a level at which no arc is alive.
+  // Throws std::runtime_error if there is no such arc, no contour, or none at one of the levels: no arc is alive there.
   virtual Contours find_contours(const Contour_choice& choice) = 0;
 };
 

@@ -14,17 +14,14 @@
 #include "computation/Mesh_graph.h"
 #include "computation/Report_visitor.h"
 #include "computation/augmentation.h"
+#include "computation/choose_contours.h"
 #include "computation/simplification.h"
 
 #include <CGAL/Reeb_graph/IO/json.h>
 
 #include <functional>
-#include <iterator>
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <string>
-#include <utility>
 
 namespace reeb_graph_program {
 // Computes the Reeb graph by compute(np), and adds what it took to the report.
@@ -111,14 +108,13 @@ public:
 
   Contours find_contours(const Contour_choice& choice) override
   {
-    Contours contours;
-    if(choice.arc)
-      add(augmentation().contour(arc_of_number(*choice.arc), choice.t), contours);
-    else
-      for(const auto& contour :
-          augmentation().template contours_at_value<CGAL::Parallel_if_available_tag>(choice.level))
-        add(contour, contours);
-    return contours;
+    const Any_augmentation& a = augmentation();
+    const auto add = [&](const auto& contour, Contours& contours) {
+      kind_.add(a, contour, contours);
+      ++contours.number;
+    };
+    return choose_contours(a, add, kind_.scalar_map(), choice,
+                           [&](const Point& point) { return kind_.nearest_place(point); });
   }
 
 private:
@@ -127,27 +123,13 @@ private:
     if(augmentation_)
       return *augmentation_;
     Progress_bar progress_bar("surface");
-    const auto np = named_parameters(options_).callback(std::ref(progress_bar));
+    const auto np = named_parameters(options_);
     if(const auto& simplification = simplified_->simplification())
-      augmentation_ = kind_.augment(simplified_->result(), CGAL::parameters::simplification(*simplification, np));
+      augmentation_ =
+        kind_.augment(simplified_->result(), np.simplification(*simplification).callback(std::ref(progress_bar)));
     else
-      augmentation_ = kind_.augment(given_, np);
+      augmentation_ = kind_.augment(given_, np.callback(std::ref(progress_bar)));
     return *augmentation_;
-  }
-
-  typename Any_augmentation::arc_descriptor arc_of_number(std::size_t arc) const
-  {
-    const Any_graph& graph = simplified_->result();
-    if(arc >= num_edges(graph))
-      throw std::runtime_error("there is no arc " + std::to_string(arc) + ": the graph has "
-                               + std::to_string(num_edges(graph)) + ", numbered from 0");
-    return *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(arc));
-  }
-
-  void add(const typename Any_augmentation::Contour& contour, Contours& contours)
-  {
-    kind_.add(augmentation(), contour, contours);
-    ++contours.number;
   }
 
   const Kind kind_;

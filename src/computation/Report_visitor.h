@@ -74,6 +74,9 @@ Graph_counts count_graph(const AnyGraph& graph, std::size_t number_of_components
   counts.nodes = num_vertices(graph);
   counts.arcs = num_edges(graph);
   counts.loops = counts.arcs + number_of_components - counts.nodes;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+    if(graph[source(arc, graph)].value == graph[target(arc, graph)].value)
+      ++counts.arcs_of_length_zero;
   return counts;
 }
 

@@ -17,6 +17,8 @@
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/compute_reeb_graph.h>
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -63,7 +65,28 @@ public:
 
   void add(const Augmentation& augmentation, const Augmentation::Contour& contour, Contours& contours) const
   {
-    contours.polylines.push_back(CGAL::Reeb_graph::polyline_of_contour(surface_, augmentation, contour));
+    add_line(CGAL::Reeb_graph::polyline_of_contour(surface_, augmentation, contour),
+             get(boost::edge_index, augmentation.graph(), contour.arc), contour.value, contour.is_closed, contours);
+  }
+
+  Scalar_map scalar_map() const { return scalar_map_; }
+
+  Nearest_place nearest_place(const Point& point) const
+  {
+    Nearest_place place(point);
+    for(const Surface::Face_index f : surface_.faces())
+    {
+      std::array<Point, 3> points;
+      std::array<double, 3> values;
+      std::size_t i = 0;
+      for(const Surface::Vertex_index v : surface_.vertices_around_face(surface_.halfedge(f)))
+      {
+        points[i] = surface_.point(v);
+        values[i++] = scalar_map_[v];
+      }
+      place.add_triangle(points, values);
+    }
+    return place;
   }
 
 private:

@@ -68,6 +68,23 @@ public:
     return CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(augmentation, points(), np);
   }
 
+  Scalar_map scalar_map() const { return scalar_map_; }
+
+  Nearest_place nearest_place(const Point& point) const
+  {
+    Nearest_place place(point);
+    const auto vertex = [](std::uint32_t v) { return Surface::Vertex_index(v); };
+    const auto at = [&](auto v) { return mesh_.surface.point(vertex(v)); };
+    const auto value = [&](auto v) { return scalar_map_[vertex(v)]; };
+    for(const auto& [a, b] : complex().edges)
+      place.add_triangle({at(a), at(b), at(b)}, {value(a), value(b), value(b)});
+    for(const auto& [a, b, c] : complex().triangles)
+      place.add_triangle({at(a), at(b), at(c)}, {value(a), value(b), value(c)});
+    for(const auto& [a, b, c, d] : complex().tetrahedra)
+      place.add_tetrahedron({at(a), at(b), at(c), at(d)}, {value(a), value(b), value(c), value(d)});
+    return place;
+  }
+
 protected:
   const Complex& complex() const { return *mesh_.complex; }
   std::size_t number_of_vertices() const { return mesh_.surface.number_of_vertices(); }
@@ -134,16 +151,18 @@ public:
 
   void add(const Augmentation& augmentation, const Augmentation::Contour& contour, Contours& contours) const
   {
+    const std::size_t arc = get(boost::edge_index, augmentation.graph(), contour.arc);
     std::vector<Point> points_of_contour;
     augmentation.points_of_contour(contour, std::back_inserter(points_of_contour), points());
     for(const std::vector<std::size_t>& numbers : contour.polylines)
     {
-      contours.polylines.emplace_back();
+      Polyline line;
       for(const std::size_t i : numbers)
-        contours.polylines.back().push_back(points_of_contour[i]);
+        line.push_back(points_of_contour[i]);
+      add_line(line, arc, contour.value, numbers.size() > 1 && numbers.front() == numbers.back(), contours);
     }
     if(contour.polylines.empty()) // a point of an edge without triangles
-      contours.polylines.push_back(points_of_contour);
+      add_line(points_of_contour, arc, contour.value, false, contours);
   }
 };
 

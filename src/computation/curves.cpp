@@ -38,25 +38,26 @@ std::vector<Curve> find_curves(Surface& surface,
   for(const Any_vertex_property& property : properties)
     std::visit([&](const auto& map) { visitor.add_vertex_map(map); }, property);
   Progress_bar progress_bar("cut");
-  const auto maps = parameters::face_patch_map(patch_map).visitor(visitor).callback(std::ref(progress_bar));
   const auto tell = [&](std::size_t number_of_faces) {
     progress_bar.clear();
     return face_count_callback(number_of_faces);
   };
-  const auto cut = parameters::face_count_callback(tell, parameters::cut_open(options.is_cut_open, maps));
+  const auto own = parameters::face_count_callback(tell).cut_open(options.is_cut_open);
+  const auto with_maps = [&](const auto& np) {
+    return np.face_patch_map(patch_map).visitor(visitor).callback(std::ref(progress_bar));
+  };
   switch(options.type)
   {
   case Curves_type::CUTTING_SYSTEM:
-    CGAL::Reeb_graph::cutting_system(surface, scalar_map, std::back_inserter(curves), cut);
+    CGAL::Reeb_graph::cutting_system(surface, scalar_map, std::back_inserter(curves), with_maps(own));
     break;
   case Curves_type::PANTS:
-    CGAL::Reeb_graph::pants_decomposition(surface, scalar_map, std::back_inserter(curves), cut);
+    CGAL::Reeb_graph::pants_decomposition(surface, scalar_map, std::back_inserter(curves), with_maps(own));
     break;
   case Curves_type::BRANCH:
     CGAL::Reeb_graph::branch_curves(
       surface, scalar_map, std::back_inserter(curves),
-      parameters::persistence_threshold(options.persistence.value_or(0),
-                                        parameters::area_threshold(options.area.value_or(0), cut)));
+      with_maps(own.persistence_threshold(options.persistence.value_or(0)).area_threshold(options.area.value_or(0))));
     break;
   }
   return curves;

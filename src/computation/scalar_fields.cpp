@@ -16,12 +16,12 @@
 #include <CGAL/Reeb_graph/fields/height_field.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
 #include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
+#include <CGAL/Reeb_graph/internal/mesh/border_cycles.h>
 
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <iterator>
-#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -65,16 +65,60 @@ CGAL::Reeb_graph::Laplacian_weights weights(const Input_options& options)
                                         : Laplacian_weights::MEAN_VALUE;
 }
 
-Field_report compute_harmonic(const Input_options& options, const Surface& surface, Scalar_map scalar_map)
+// The two vertices that are given, else two in each component that are far apart.
+std::vector<std::pair<Vertex, double>> poles(const Input_options& options, const Surface& surface)
+{
+  if(options.lowest_vertex)
+    return {{vertex(surface, *options.lowest_vertex), 0}, {vertex(surface, *options.highest_vertex), 1}};
+  std::vector<std::pair<Vertex, Vertex>> pairs;
+  Progress_bar progress_bar("far vertices");
+  CGAL::Reeb_graph::find_far_apart_vertices(surface, std::back_inserter(pairs),
+                                            CGAL::parameters::callback(std::ref(progress_bar)));
+  std::vector<std::pair<Vertex, double>> result;
+  for(const auto& [lowest, highest] : pairs)
+  {
+    result.emplace_back(lowest, 0);
+    if(highest != lowest)
+      result.emplace_back(highest, 1);
+  }
+  return result;
+}
+
+// Which vertices have been given a value; isolated ones are left out.
+Fixed_values fixed_values(const Surface& surface, const std::vector<std::pair<Vertex, double>>& constraints)
+{
+  Fixed_values fixed;
+  for(const auto& [v, value] : constraints)
+    if(!surface.is_isolated(v))
+      fixed.vertices.push_back({v, value});
+  return fixed;
+}
+
+void compute_harmonic(const Input_options& options, const Surface& surface, Scalar_map scalar_map, Work_report& report)
+{
+  const std::vector<std::pair<Vertex, double>> constraints = poles(options, surface);
+  Progress_bar progress_bar("harmonic field");
+  const auto np = CGAL::parameters::laplacian_weights(weights(options)).callback(std::ref(progress_bar));
+  report.field = CGAL::Reeb_graph::compute_harmonic_field(surface, scalar_map, constraints, np);
+  report.fixed_values = fixed_values(surface, constraints);
+}
+
+void compute_between_borders(const Input_options& options,
+                             const Surface& surface,
+                             Scalar_map scalar_map,
+                             Work_report& report)
 {
   Progress_bar progress_bar("harmonic field");
   const auto np = CGAL::parameters::laplacian_weights(weights(options)).callback(std::ref(progress_bar));
-  if(options.lowest_vertex)
-    return CGAL::Reeb_graph::compute_harmonic_field_between(
-      surface, scalar_map, vertex(surface, *options.lowest_vertex), vertex(surface, *options.highest_vertex), np);
-  if(options.are_borders_fixed)
-    return CGAL::Reeb_graph::compute_harmonic_field_between_borders(surface, scalar_map, np);
-  return CGAL::Reeb_graph::compute_harmonic_field_between_far_apart_vertices(surface, scalar_map, np);
+  const CGAL::Reeb_graph::internal::scalar_fields::Harmonic_constraints<Surface> constraints(surface, np);
+  report.field = CGAL::Reeb_graph::compute_harmonic_field(surface, scalar_map, constraints.range(), np);
+  std::vector<std::pair<Vertex, double>> inner;
+  for(const auto& constraint : constraints.range())
+    if(!surface.is_border(constraint.first, false))
+      inner.push_back(constraint);
+  report.fixed_values = fixed_values(surface, inner);
+  for(const auto& border : CGAL::Reeb_graph::internal::find_border_cycles(surface))
+    report.fixed_values->borders.push_back({border.first_vertex, scalar_map[surface.target(border.halfedge)]});
 }
 
 Field_report compute_poisson(const Input_options& options, const Surface& surface, Scalar_map scalar_map)
@@ -122,7 +166,8 @@ void check(bool is_right, const std::string& message)
 
 bool is_computed(const std::string& field)
 {
-  constexpr std::array<std::string_view, 5> names = {"height", "harmonic", "poisson", "geodesic", "unit-gradient"};
+  constexpr std::array<std::string_view, 6> names = {"height",  "harmonic", "harmonic-between-borders",
+                                                     "poisson", "geodesic", "unit-gradient"};
   return std::find(names.begin(), names.end(), field) != names.end();
 }
 
@@ -136,30 +181,30 @@ void check_field_options(const Input_options& options)
   check(options.column.empty() || !options.scalars_path.empty(), "--column goes with --scalars only");
   check(options.lowest_vertex.has_value() == options.highest_vertex.has_value(), "--min and --max go together");
   check(!options.lowest_vertex || is_harmonic, "--min and --max go with the field harmonic only");
-  check(options.weights.empty() || is_harmonic, "--weights goes with the field harmonic only");
+  check(options.weights.empty() || is_harmonic || field == "harmonic-between-borders",
+        "--weights goes with the fields harmonic and harmonic-between-borders only");
   check(options.source_vertices.empty() || field == "poisson" || field == "geodesic",
         "--source goes with the fields poisson and geodesic only");
   check(options.direction.empty() || field == "height", "--direction goes with the field height only");
 }
 
-std::optional<Field_report> compute_scalar_field(const Input_options& options,
-                                                 const Surface& surface,
-                                                 Scalar_map scalar_map)
+void compute_scalar_field(const Input_options& options,
+                          const Surface& surface,
+                          Scalar_map scalar_map,
+                          Work_report& report)
 {
-  if(options.field == "harmonic")
-    return compute_harmonic(options, surface, scalar_map);
-  if(options.field == "poisson")
-    return compute_poisson(options, surface, scalar_map);
-  if(options.field == "geodesic")
-    return compute_geodesic(options, surface, scalar_map);
-  if(options.field == "unit-gradient")
-  {
-    if(options.scalars_path.empty())
-      compute_harmonic(options, surface, scalar_map);
-    return compute_unit_gradient(surface, scalar_map);
-  }
-  compute_height(options, surface, scalar_map);
-  return std::nullopt;
+  if(options.field == "harmonic" || (options.field == "unit-gradient" && options.scalars_path.empty()))
+    compute_harmonic(options, surface, scalar_map, report);
+  if(options.field == "harmonic-between-borders")
+    compute_between_borders(options, surface, scalar_map, report);
+  else if(options.field == "poisson")
+    report.field = compute_poisson(options, surface, scalar_map);
+  else if(options.field == "geodesic")
+    report.field = compute_geodesic(options, surface, scalar_map);
+  else if(options.field == "unit-gradient")
+    report.field = compute_unit_gradient(surface, scalar_map);
+  else if(options.field == "height")
+    compute_height(options, surface, scalar_map);
 }
 
 } // namespace reeb_graph_program

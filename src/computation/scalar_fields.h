@@ -10,11 +10,9 @@
 #define CGAL_REEB_GRAPH_SRC_SCALAR_FIELDS_H
 
 #include "base/options.h"
+#include "base/report.h"
 #include "base/surface.h"
 
-#include <CGAL/Reeb_graph/fields/Field_report.h>
-
-#include <optional>
 #include <string>
 
 namespace reeb_graph_program {
@@ -24,12 +22,14 @@ bool is_computed(const std::string& field);
 // Throws std::runtime_error if an option does not go with the field.
 void check_field_options(const Input_options& options);
 
-// Computes the field options.field: harmonic, poisson, unit-gradient, geodesic, or height. For unit-gradient,
-// `scalar_map` holds the field to start from if there is a file of it. Returns the report if the field depends on the
-// geometry of the faces. Throws std::runtime_error, and the exceptions of the library.
-std::optional<CGAL::Reeb_graph::Field_report> compute_scalar_field(const Input_options& options,
-                                                                   const Surface& surface,
-                                                                   Scalar_map scalar_map);
+// Computes the field options.field: harmonic, harmonic-between-borders, poisson, unit-gradient, geodesic, or height. For
+// unit-gradient, `scalar_map` holds the field to start from if there is a file of it. Reports how it went if the field
+// depends on the geometry of the faces, and which values it was given. Throws std::runtime_error, and the exceptions of
+// the library.
+void compute_scalar_field(const Input_options& options,
+                          const Surface& surface,
+                          Scalar_map scalar_map,
+                          Work_report& report);
 
 } // namespace reeb_graph_program
 

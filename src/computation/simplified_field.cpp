@@ -26,7 +26,7 @@ Simplified_field compute_simplified_field(const Surface& surface,
   const auto leaves = parameters::number_of_leaves(options.number_of_leaves.value_or(0));
   const auto simplify = [&](CGAL::Reeb_graph::Ties ties_of_field) {
     Progress_bar progress_bar("simplified field");
-    const auto np = parameters::ties(ties_of_field, leaves).callback(std::ref(progress_bar));
+    const auto np = leaves.ties(ties_of_field).callback(std::ref(progress_bar));
     const double change = CGAL::Reeb_graph::simplify_field(surface, scalar_map, threshold, simplified_map, np);
     return Simplified_field{change, ties_of_field != ties};
   };

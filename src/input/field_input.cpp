@@ -84,7 +84,7 @@ Scalar_map add_field(const Input_options& options, Surface& surface, Work_report
   if(is_computed(options.field))
   {
     const Stopwatch field_stopwatch;
-    report.field = compute_scalar_field(options, surface, scalar_map);
+    compute_scalar_field(options, surface, scalar_map, report);
     report.add_seconds("field", field_stopwatch.seconds());
   }
   return scalar_map;

@@ -153,7 +153,9 @@ Graph_of_ranks compute(const Communicator& communicator,
   const double cpu_seconds = cpu_seconds_of_process();
   const auto place = static_cast<std::ptrdiff_t>(rank.cpu_seconds.size());
   const auto vertices = boost::irange<std::uint64_t>(mesh.first_vertex, mesh.first_vertex + mesh.scalars.size());
-  const auto np = parameters::slab(std::ref(slab), parameters::gather_chains(false, named_parameters(options)))
+  const auto np = named_parameters(options)
+                    .slab(std::ref(slab))
+                    .gather_chains(false)
                     .visitor(std::ref(visitor))
                     .callback(std::ref(progress_bar));
   std::visit(

@@ -33,8 +33,8 @@ struct Graph_format
 const std::vector<Graph_format>& graph_formats()
 {
   static const std::vector<Graph_format> formats = {
-    {".graphml", false, false}, {".dot", false, false},          {".svg", false, false}, {".vtp", true, true},
-    {".obj", true, false},      {".polylines.txt", true, false}, {".json", true, true},  {".csv", true, true}};
+    {".graphml", false, true}, {".dot", false, false},          {".svg", false, false}, {".vtp", true, true},
+    {".obj", true, false},     {".polylines.txt", true, false}, {".json", true, true},  {".csv", true, true}};
   return formats;
 }
 
@@ -72,18 +72,17 @@ std::vector<fs::path> graph_files(const fs::path& path)
 void write_graph(const fs::path& path,
                  const Graph& graph,
                  const Field_label& field_label,
-                 const Vertex_numbers& vertex_numbers)
+                 const Vertex_numbers& vertex_numbers,
+                 const std::vector<CGAL::Reeb_graph::Attribute>& arc_attributes)
 {
   const std::string ending = format_of(path).ending;
   write_file(path, [&](std::ostream& stream) {
     if(ending == ".graphml")
-      CGAL::Reeb_graph::write_graphml(stream, graph, vertex_numbers);
+      CGAL::Reeb_graph::write_graphml(stream, graph, vertex_numbers, CGAL::parameters::arc_attributes(arc_attributes));
     else if(ending == ".svg")
       CGAL::Reeb_graph::write_svg(
         stream, graph,
-        CGAL::parameters::field_name(
-          field_label.name,
-          CGAL::parameters::field_unit(field_label.unit, CGAL::parameters::vertex_index_map(vertex_numbers))));
+        CGAL::parameters::field_name(field_label.name).field_unit(field_label.unit).vertex_index_map(vertex_numbers));
     else
       CGAL::Reeb_graph::write_graphviz(stream, graph, vertex_numbers);
   });

@@ -34,11 +34,13 @@ bool has_arc_attributes(const std::filesystem::path& path);
 // The files that are written for a graph file of this name.
 std::vector<std::filesystem::path> graph_files(const std::filesystem::path& path);
 
-// Writes a graph in a format that needs no points. The label is that of the axis of a drawing.
+// Writes a graph in a format that needs no points. The label is that of the axis of a drawing. Without attributes, arcs
+// are written without measures.
 void write_graph(const std::filesystem::path& path,
                  const Graph& graph,
                  const Field_label& field_label,
-                 const Vertex_numbers& vertex_numbers = {});
+                 const Vertex_numbers& vertex_numbers = {},
+                 const std::vector<CGAL::Reeb_graph::Attribute>& arc_attributes = {});
 
 // Writes a graph in a format in space. `write_json` writes it with its chains, and is called for that format only.
 void write_graph_in_space(const std::filesystem::path& path,

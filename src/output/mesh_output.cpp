@@ -221,15 +221,15 @@ void write_mesh(const std::filesystem::path& path, const Surface& surface, const
     return write_binary_ply(path, mesh);
   }
   const auto np = parameters::vertex_attributes(
-    {{"value", columns.values}, attribute("arc", columns.arcs), attribute("node", columns.nodes)},
-    parameters::vertex_color_map(vertex_colours));
+    {{"value", columns.values}, attribute("arc", columns.arcs), attribute("node", columns.nodes)});
   write_file(path, [&](std::ostream& stream) {
     if(results.patch_map)
-      CGAL::Reeb_graph::write_mesh_vtp(
-        stream, mesh,
-        parameters::face_attributes({attribute("patch", columns.patches)}, np.face_color_map(face_colours)));
+      CGAL::Reeb_graph::write_mesh_vtp(stream, mesh,
+                                       np.face_attributes({attribute("patch", columns.patches)})
+                                         .vertex_color_map(vertex_colours)
+                                         .face_color_map(face_colours));
     else
-      CGAL::Reeb_graph::write_mesh_vtp(stream, mesh, np);
+      CGAL::Reeb_graph::write_mesh_vtp(stream, mesh, np.vertex_color_map(vertex_colours));
   });
 }
 

@@ -11,25 +11,12 @@
 
 #include "base/surface.h"
 
-#include <array>
-#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace reeb_graph_program {
 // Throws std::runtime_error if the file name does not end in .polylines.txt.
 void check_polylines_format(const std::string& path);
-
-// Throws std::runtime_error if the file name ends neither in .polylines.txt nor, for contours in tetrahedra, in .off.
-void check_contour_format(const std::string& path);
-
-// Throws std::runtime_error if contours, which are surfaces in tetrahedra, and curves elsewhere, have another format.
-void check_contour_format(const std::string& path, bool are_contours_surfaces);
-
-// OFF.
-void write_triangles(const std::string& path,
-                     const std::vector<Point>& points,
-                     const std::vector<std::array<std::size_t, 3>>& triangles);
 
 // The polylines format of CGAL: for each on a line, the number of points, and their coordinates.
 void write_polylines(const std::string& path, const std::vector<Polyline>& polylines);

@@ -44,7 +44,8 @@ std::string count_saddles(const CGAL::Reeb_graph::Critical_vertex_counts& counts
 
 std::string count_parts(const Graph_counts& graph)
 {
-  return count(graph.nodes, "node") + ", " + count(graph.arcs, "arc") + ", " + count(graph.loops, "loop");
+  return count(graph.nodes, "node") + ", " + count(graph.arcs, "arc") + ", " + count(graph.loops, "loop")
+       + (graph.arcs_of_length_zero > 0 ? ", " + count(graph.arcs_of_length_zero, "arc") + " of length zero" : "");
 }
 
 void write_counts(std::ostream& out, const Surface_counts& surface)
@@ -158,6 +159,7 @@ nlohmann::ordered_json json_of(const Simplification_counts& simplification)
   json["nodes"] = simplification.graph.nodes;
   json["arcs"] = simplification.graph.arcs;
   json["loops"] = simplification.graph.loops;
+  json["arcs_of_length_zero"] = simplification.graph.arcs_of_length_zero;
   json["largest_change"] = json_number(simplification.largest_change);
   json["ties_contracted"] = simplification.are_ties_contracted;
   return json;
@@ -270,6 +272,43 @@ void write_ranks(std::ostream& out, const Ranks_report& report)
       << std::setprecision(1) << static_cast<double>(largest_peak_memory_bytes(report)) / 1e6 << " MB on a rank\n";
 }
 
+nlohmann::ordered_json json_of(const std::vector<Fixed_values::Place>& places)
+{
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for(const Fixed_values::Place& place : places)
+    json.push_back({{"vertex", place.vertex}, {"value", place.value}});
+  return json;
+}
+
+// The vertices with this value, of which the first few are named.
+std::string names_of(const std::vector<Fixed_values::Place>& places,
+                     double value,
+                     const std::string& singular,
+                     const std::string& plural)
+{
+  constexpr std::size_t most = 8;
+  std::string names;
+  std::size_t number = 0;
+  for(const Fixed_values::Place& place : places)
+    if(place.value == value && ++number <= most)
+      names += (names.empty() ? " " : ", ") + std::to_string(place.vertex);
+  if(number > most)
+    names += " and " + std::to_string(number - most) + " more";
+  return number == 0 ? names : (number == 1 ? singular : plural) + names;
+}
+
+void write_fixed_values(std::ostream& out, const Fixed_values& fixed)
+{
+  for(const double value : {0., 1.})
+  {
+    const std::string borders = names_of(fixed.borders, value, "on the border of vertex", "on the borders of vertices");
+    const std::string vertices = names_of(fixed.vertices, value, "at vertex", "at vertices");
+    if(!borders.empty() || !vertices.empty())
+      out << "         harmonic: " << value << ' ' << borders << (borders.empty() || vertices.empty() ? "" : ", ")
+          << vertices << '\n';
+  }
+}
+
 void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report)
 {
   json["bad_faces"] = json["added_length"] = json["marched_components"] = nullptr;
@@ -279,6 +318,10 @@ void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report
     json["added_length"] = report.field->added_length;
     json["marched_components"] = report.field->number_of_marched_components;
   }
+  json["fixed_values"] = nullptr;
+  if(report.fixed_values)
+    json["fixed_values"] = {{"vertices", json_of(report.fixed_values->vertices)},
+                            {"borders", json_of(report.fixed_values->borders)}};
   for(const auto& [step, seconds] : report.seconds)
     json["seconds"][step] = seconds;
   json["peak_memory_bytes"] = peak_memory_bytes();
@@ -288,7 +331,7 @@ void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report
 
 void write_field_text(std::ostream& out, const Work_report& report)
 {
-  if(!report.field)
+  if(!report.field) // one that does not depend on the geometry
     return;
   if(report.field->number_of_bad_faces > 0)
     out << "         " << count(report.field->number_of_bad_faces, "face") << " without area: ";
@@ -299,6 +342,8 @@ void write_field_text(std::ostream& out, const Work_report& report)
   if(report.field->number_of_marched_components > 0)
     out << "         the heat method fails on " << count(report.field->number_of_marched_components, "component")
         << ": distances of a marching front\n";
+  if(report.fixed_values)
+    write_fixed_values(out, *report.fixed_values);
 }
 
 void write_text(std::ostream& out, const Field_range& range, const Work_report& report)
@@ -338,6 +383,8 @@ void write_text(std::ostream& out, const Report& report)
   out << "graph    " << count_parts(report.graph);
   if(report.graph.hidden_handles.value_or(0) > 0)
     out << ", " << count(static_cast<std::size_t>(*report.graph.hidden_handles), "hidden handle");
+  if(report.graph.arcs_of_length_zero > 0)
+    out << "\n         --ties contract would remove the arcs of length zero";
   if(report.simplification)
     out << "\n         simplified: " << count_parts(report.simplification->graph);
   if(report.simplification && report.simplification->largest_change)
@@ -369,6 +416,7 @@ void write_json(std::ostream& out, const Report& report)
   json["nodes"] = report.graph.nodes;
   json["arcs"] = report.graph.arcs;
   json["loops"] = report.graph.loops;
+  json["arcs_of_length_zero"] = report.graph.arcs_of_length_zero;
   json["hidden_handles"] = nullptr;
   if(report.graph.hidden_handles)
     json["hidden_handles"] = *report.graph.hidden_handles;
@@ -398,10 +446,26 @@ void write_json(std::ostream& out, const Report& report)
   out << json.dump(2) << '\n';
 }
 
+void write_text(std::ostream& out, const Contours_report& report)
+{
+  out << count(report.contours, "contour") << '\n';
+  write_field_text(out, report);
+}
+
+void write_json(std::ostream& out, const Contours_report& report)
+{
+  nlohmann::ordered_json json;
+  json["contours"] = report.contours;
+  add_field_and_costs(json, report);
+  out << json.dump(2) << '\n';
+}
+
 void write_text(std::ostream& out, const Curves_report& report)
 {
   out << report.curves << (report.curves == 1 ? " curve, " : " curves, ") << report.patches
       << (report.patches == 1 ? " patch\n" : " patches\n");
+  for(const std::string& note : report.notes)
+    out << "         " << note << '\n';
   write_field_text(out, report);
 }
 
@@ -415,6 +479,8 @@ void write_json(std::ostream& out, const Curves_report& report)
   json["vertices_changed"] = report.border_changes.number_of_changed_vertices;
   json["largest_change"] = json_number(report.border_changes.largest_change);
   json["ties_contracted"] = report.are_ties_contracted;
+  json["field"] = report.field_name;
+  json["notes"] = report.notes;
   add_field_and_costs(json, report);
   out << json.dump(2) << '\n';
 }

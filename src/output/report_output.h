@@ -36,9 +36,18 @@ struct Field_range
   double lowest = std::numeric_limits<double>::quiet_NaN(), highest = std::numeric_limits<double>::quiet_NaN();
 };
 
+// The number of contours that have been written.
+struct Contours_report : Work_report
+{
+  std::size_t contours = 0;
+};
+
 // The report of a graph.
 void write_text(std::ostream& out, const Report& report);
 void write_json(std::ostream& out, const Report& report);
+
+void write_text(std::ostream& out, const Contours_report& report);
+void write_json(std::ostream& out, const Contours_report& report);
 
 void write_text(std::ostream& out, const Curves_report& report);
 void write_json(std::ostream& out, const Curves_report& report);
@@ -51,7 +60,8 @@ void write_json(std::ostream& out, const Handles_report& report);
 void write_text(std::ostream& out, const Field_range& range, const Work_report& report);
 void write_json(std::ostream& out, const Field_range& range, const Work_report& report);
 
-// A line of what was done about bad faces, and one for the heat method; nothing if there was nothing to do.
+// Lines of where a harmonic field has its values from, of what was done about bad faces, and of the heat method, as far
+// as they apply.
 void write_field_text(std::ostream& out, const Work_report& report);
 
 // Tells how the field has been changed, if it has.

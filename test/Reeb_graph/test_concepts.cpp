@@ -297,6 +297,56 @@ BOOST_AUTO_TEST_CASE(a_visitor_by_value_among_other_parameters)
   BOOST_TEST((graph_checks::plain(numbers, graph) == compute_plain(sample.mesh, sample.values, true)));
 }
 
+// Whether `ties` can be appended to a sequence of named parameters.
+template <class NamedParameters, class = void>
+struct Can_be_followed_by_ties : std::false_type
+{
+};
+
+template <class NamedParameters>
+struct Can_be_followed_by_ties<
+  NamedParameters,
+  std::void_t<decltype(std::declval<NamedParameters>().ties(CGAL::Reeb_graph::Ties::CONTRACT))>> : std::true_type
+{
+};
+
+BOOST_AUTO_TEST_CASE(named_parameters_in_a_row)
+{
+  namespace parameters = CGAL::parameters;
+  namespace tags = CGAL::Reeb_graph::internal;
+  using CGAL::Reeb_graph::Ties;
+  const auto check = [](const auto& np) {
+    BOOST_TEST(parameters::get_parameter(np, tags::number_of_slabs) == 3u);
+    BOOST_TEST(parameters::get_parameter(np, tags::keep_degree_two_nodes));
+    BOOST_TEST((parameters::get_parameter(np, tags::ties) == Ties::CONTRACT));
+    BOOST_TEST(parameters::get_parameter(np, tags::edges_of_soup) == 5.5);
+  };
+  const auto of_package =
+    parameters::edges(5.5).keep_degree_two_nodes(true).number_of_slabs(3).ties(Ties::CONTRACT); // in any order
+  check(of_package);
+  check(parameters::ties(Ties::CONTRACT).number_of_slabs(3).edges(5.5).keep_degree_two_nodes(true));
+  check(of_package.verbose(true).random_seed(7));
+  check(parameters::ties(Ties::CONTRACT, parameters::edges(5.5).keep_degree_two_nodes(true)).number_of_slabs(3));
+  check(parameters::number_of_slabs(3, of_package.verbose(true)));
+  BOOST_TEST(parameters::get_parameter(of_package.verbose(true).random_seed(7), CGAL::internal_np::random_seed) == 7);
+
+  // Behind those of CGAL there is no way to lose one.
+  static_assert(Can_be_followed_by_ties<decltype(of_package)>::value);
+  static_assert(!Can_be_followed_by_ties<decltype(of_package.verbose(true))>::value);
+  static_assert(!Can_be_followed_by_ties<decltype(parameters::verbose(true))>::value);
+
+  const Sample sample = make_sample(3, Field_class::PERMUTATION);
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(sample.mesh, sample.values);
+  std::size_t number_of_stages = 0;
+  const Counting_visitor visitor = {&number_of_stages};
+  graph_checks::Graph_of<Surface_mesh> graph;
+  CGAL::compute_reeb_graph(sample.mesh, scalar_map, graph,
+                           parameters::ties(Ties::PERTURB).keep_degree_two_nodes(true).visitor(visitor));
+  BOOST_TEST(number_of_stages == 4u);
+  const mesh_builders::Mesh_numbers<Surface_mesh> numbers(sample.mesh);
+  BOOST_TEST((graph_checks::plain(numbers, graph) == compute_plain(sample.mesh, sample.values, true)));
+}
+
 BOOST_AUTO_TEST_CASE(an_exception_of_a_visitor_leaves_the_graph_as_it_was)
 {
   const Sample sample = make_sample(4, Field_class::PERMUTATION);

@@ -28,7 +28,7 @@ file(READ ${FOLDER}/z.graphml content)
 foreach(name vertex value kind)
   expect_match("${content}" "for=\"node\" attr.name=\"${name}\"")
 endforeach()
-expect_match("${content}" "<edge id=\"e0\" source=\"n0\" target=\"n1\">")
+expect_match("${content}" "<edge id=\"0\" source=\"0\" target=\"1\">")
 
 # values are written with all digits; infinite ones are values as well
 file(WRITE ${FOLDER}/digits.txt "-inf\n0.1\n0.2\n0.30000000000000004\n")

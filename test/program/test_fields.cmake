@@ -29,6 +29,8 @@ expect_success(compute torus.off --scalars unit.txt --graph read.graphml)
 expect_same_file(read.graphml used.graphml)
 expect_success(contour torus.off --field harmonic --level 0.5 --output level.polylines.txt)
 
+expect_match("${output}" "harmonic: 0 at vertex [0-9]+\n *harmonic: 1 at vertex [0-9]+\n$")
+
 # values
 file(READ ${FOLDER}/harmonic_--min_2_--max_5.txt content)
 string(REGEX MATCHALL "[^\n]+" values "${content}")

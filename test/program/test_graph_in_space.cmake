@@ -58,7 +58,7 @@ string(JSON kind GET "${json}" nodes 1 kind)
 expect_equal("${kind}" "maximum")
 string(JSON type TYPE "${json}" nodes 1 value)
 expect_equal("${type}" "NULL")
-string(JSON chain GET "${json}" arcs 0 chain)
+string(JSON chain GET "${json}" edges 0 chain)
 string(REGEX REPLACE "[ \n]" "" chain "${chain}")
 expect_equal("${chain}" "[[0,3]]")
 

@@ -6,7 +6,7 @@
 
 """What the program writes, read by programs that know nothing of it.
 
-Usage: test_readers.py PROGRAM MESH FOLDER python|networkx|vtk
+Usage: test_readers.py PROGRAM MESH FOLDER python|contours|networkx|vtk
 """
 
 import csv
@@ -79,14 +79,14 @@ def check_by_python():
         with open(folder / "graph.arcs.csv", newline="") as file:
             arcs = list(csv.DictReader(file))
         check(len(nodes) == len(graph["nodes"]) == report["nodes"], "the numbers of nodes differ")
-        check(len(arcs) == len(graph["arcs"]), "the numbers of arcs differ")
+        check(len(arcs) == len(graph["edges"]), "the numbers of arcs differ")
         for row, node in zip(nodes, graph["nodes"]):
             check(int(row["vertex"]) == node["vertex"] and row["kind"] == node["kind"], "nodes differ")
             check([float(row[c]) for c in "xyz"] == node["point"], "points of nodes differ")
             check(float(row["value"]) == node["value"] == points[node["vertex"]][0], "values differ")
             if manner != "centroids":
                 check(tuple(node["point"]) == points[node["vertex"]], "a node is not at its vertex")
-        for row, arc in zip(arcs, graph["arcs"]):
+        for row, arc in zip(arcs, graph["edges"]):
             ends = [graph["nodes"][arc[end]] for end in ("source", "target")]
             check([int(row["source"]), int(row["target"])] == [end["id"] for end in ends], "ends differ")
             check(arc["polyline"][0] == ends[0]["point"] and arc["polyline"][-1] == ends[1]["point"],
@@ -102,8 +102,100 @@ def check_by_python():
             check(chain[0][0] == ends[0]["vertex"], "a chain does not begin at its node")
             check(all(points[u][0] <= points[v][0] for path in chain for u, v in zip(path, path[1:])),
                   "a chain falls")
-    check(abs(sum(arc["vertices"] for arc in graph["arcs"]) + len(graph["nodes"]) - len(points)) == 0,
+    check(abs(sum(arc["vertices"] for arc in graph["edges"]) + len(graph["nodes"]) - len(points)) == 0,
           "the vertices of arcs and nodes are not those of the mesh")
+
+
+def minus(u, v):
+    return [x - y for x, y in zip(u, v)]
+
+
+def dot(u, v):
+    return sum(x * y for x, y in zip(u, v))
+
+
+def nearest_on_segment(p, a, b):
+    along = minus(b, a)
+    k = min(max(dot(minus(p, a), along) / dot(along, along), 0), 1) if a != b else 0
+    return [(1 - k) * x + k * y for x, y in zip(a, b)]
+
+
+def nearest_in_triangle(p, a, b, c):
+    """The point that is nearest to p, inside the triangle or on its sides."""
+    u, v, w = minus(b, a), minus(c, a), minus(p, a)
+    uu, uv, vv, wu, wv = dot(u, u), dot(u, v), dot(v, v), dot(w, u), dot(w, v)
+    s, t = (vv * wu - uv * wv) / (uu * vv - uv * uv), (uu * wv - uv * wu) / (uu * vv - uv * uv)
+    places = [[(1 - s - t) * x + s * y + t * z for x, y, z in zip(a, b, c)]] if min(s, t, 1 - s - t) >= 0 else []
+    places += [nearest_on_segment(p, a, b), nearest_on_segment(p, b, c), nearest_on_segment(p, c, a)]
+    return min(places, key=lambda place: math.dist(p, place))
+
+
+def contours(*arguments):
+    report = run("contour", mesh, "--field", "x", *arguments, "--output", "contours.json")
+    lines = read_json("contours.json")["contours"]
+    check(report["contours"] == len(lines), "the numbers of contours differ")
+    for line in lines:
+        polyline = line["polyline"]
+        check(are_close([p[0] for p in polyline], [line["value"]] * len(polyline)), "a contour is not at its value")
+        check(line["closed"] and polyline[0] == polyline[-1], "a contour is not closed")
+        check(are_close([line["length"]], [sum(map(math.dist, polyline, polyline[1:]))]), "a length is another")
+    return lines
+
+
+def check_contours():
+    points = read_points()
+    with open(mesh) as file:
+        words = file.read().split()
+    begin = 4 + 3 * len(points)
+    triangles = [[points[int(v)] for v in words[i + 1:i + 4]] for i in range(begin, begin + 4 * int(words[2]), 4)]
+    compute("graph.json")
+    graph = read_json("graph.json")
+    all_arcs = contours("--t", "0.25")
+    check([line["arc"] for line in all_arcs] == list(range(len(graph["edges"]))), "there is not a contour for each arc")
+    for line, arc in zip(all_arcs, graph["edges"]):
+        low, high = (graph["nodes"][arc[end]]["value"] for end in ("source", "target"))
+        check(are_close([line["value"]], [low + (high - low) / 4]), "the value of a place is another")
+        check(contours("--t", "0.25", "--arc", str(line["arc"])) == [line], "the contour of an arc is another")
+    low, high = min(points)[0], max(points)[0]
+    steps = contours("--levels", "3")
+    values = [low + (high - low) * i / 4 for i in (1, 2, 3)]
+    check(are_close(sorted({line["value"] for line in steps}), values), "the steps are not equal")
+    levels = [option for value in sorted({line["value"] for line in steps}) for option in ("--level", repr(value))]
+    check(contours(*levels) == steps, "levels and steps differ")
+
+    random = 1
+    for number in range(40):
+        point = []
+        for axis in range(3):
+            random = random * 1103515245 % 2147483647
+            point.append((random / 2147483647 - 0.5) * 3 * max(abs(p[axis]) for p in points))
+        if number >= 30:  # at a vertex, the first of them lowest and highest
+            point = min(points) if number == 30 else max(points) if number == 31 else points[97 * number % len(points)]
+        places = [nearest_in_triangle(point, *triangle) for triangle in triangles]
+        place = min(places, key=lambda place: math.dist(point, place))
+        lines = contours("--closest=" + ",".join(map(repr, point)))
+        check(len(lines) == 1, "there is not one closest contour")
+        polyline = lines[0]["polyline"]
+        distance = min(math.dist(place, nearest_on_segment(place, a, b)) for a, b in zip(polyline, polyline[1:]))
+        check(distance < 1e-6, f"the closest contour passes by {point} at {distance}")
+
+    for arguments in (["--t", "0.25"], ["--levels", "5"]):
+        lines = contours(*arguments)
+        run("contour", mesh, "--field", "x", *arguments, "--output", "contours.polylines.txt")
+        with open(folder / "contours.polylines.txt") as file:
+            for line, text in zip(lines, file):
+                numbers = list(map(float, text.split()))
+                check(numbers[1:] == [x for p in line["polyline"] for x in p], "the formats differ")
+        run("contour", mesh, "--field", "x", *arguments, "--output", "contours.obj")
+        with open(folder / "contours.obj") as file:
+            words = [row.split() for row in file]
+        vertices = [list(map(float, row[1:])) for row in words if row[0] == "v"]
+        drawn = [[vertices[int(i) - 1] for i in row[1:]] for row in words if row[0] == "l"]
+        check(drawn == [line["polyline"] for line in lines], "the lines of the OBJ file are others")
+        told = [row[2::2] for row in words if row[0] == "#"]
+        check([(int(a), float(v), float(s), int(c)) for a, v, s, c in told]
+              == [(line["arc"], line["value"], line["length"], int(line["closed"])) for line in lines],
+              "the attributes of the OBJ file are others")
 
 
 def check_by_networkx():
@@ -112,15 +204,19 @@ def check_by_networkx():
     compute("graph.graphml")
     data = read_json("graph.json")
     try:
-        graph = networkx.node_link_graph(data, edges="arcs")
+        graph = networkx.node_link_graph(data, edges="edges")
     except TypeError:  # before version 3.4
-        graph = networkx.node_link_graph(data, link="arcs")
-    other = networkx.read_graphml(folder / "graph.graphml", node_type=lambda name: int(name[1:]), force_multigraph=True)
+        graph = networkx.node_link_graph(data, link="edges")
+    other = networkx.read_graphml(folder / "graph.graphml", node_type=int, force_multigraph=True)
     check(graph.is_directed() and graph.is_multigraph(), "it is no directed graph with parallel arcs")
     check(sorted(graph.edges()) == sorted(other.edges()), "the arcs are not those of the GraphML file")
     check(all(graph.nodes[n]["vertex"] == other.nodes[n]["vertex"] for n in graph), "the nodes are others")
     loops = graph.number_of_edges() - graph.number_of_nodes() + networkx.number_weakly_connected_components(graph)
     check(loops == report["loops"], "the numbers of loops differ")
+    measures = ("persistence", "length", "area", "vertices")
+    check(sorted((u, v, *(d[name] for name in measures)) for u, v, d in graph.edges(data=True))
+          == sorted((u, v, *(d[name] for name in measures)) for u, v, d in other.edges(data=True)),
+          "the measures of arcs are others")
     check(networkx.is_directed_acyclic_graph(graph), "arcs do not ascend")
 
 
@@ -165,7 +261,7 @@ def check_by_vtk():
         graph = read_json("graph.json")
         compute("graph.vtp", "--embedding", manner, "--mesh-out", "mesh.vtp")
         data = read_by_vtk(vtk_io, "graph.vtp")
-        nodes, arcs = graph["nodes"], graph["arcs"]
+        nodes, arcs = graph["nodes"], graph["edges"]
         check(data.GetNumberOfVerts() == len(nodes) and data.GetNumberOfLines() == len(arcs), "the cells are others")
         of_points, of_cells = data.GetPointData(), data.GetCellData()
         for i, node in enumerate(nodes):
@@ -189,6 +285,17 @@ def check_by_vtk():
     check([data.GetPointData().GetArray("value").GetValue(i) for i in range(len(points))] == [p[0] for p in points],
           "the field is another")
     check_colours(vtk_rendering, data)
+    run("contour", mesh, "--field", "x", "--levels", "5", "--output", "contours.json")
+    run("contour", mesh, "--field", "x", "--levels", "5", "--output", "contours.vtp")
+    lines = read_json("contours.json")["contours"]
+    data = read_by_vtk(vtk_io, "contours.vtp")
+    check(data.GetNumberOfLines() == data.GetNumberOfCells() == len(lines), "the lines of contours are others")
+    for i, line in enumerate(lines):
+        ids = data.GetCell(i).GetPointIds()
+        check([list(data.GetPoint(ids.GetId(j))) for j in range(ids.GetNumberOfIds())] == line["polyline"],
+              "a contour is another")
+        for name in ("arc", "value", "length", "closed"):
+            check(data.GetCellData().GetArray(name).GetValue(i) == line[name], f"{name} of a contour is another")
     run("curves", mesh, "--field", "x", "--type", "pants", "--mesh-out", "cut.vtp")
     data = read_by_vtk(vtk_io, "cut.vtp")
     patches = data.GetCellData().GetArray("patch")
@@ -202,7 +309,7 @@ def check_by_vtk():
     check(ply.GetOutput().GetPointData().GetArray("RGBA") is not None, "the PLY file has no colours")
 
 
-{"python": check_by_python, "networkx": check_by_networkx, "vtk": check_by_vtk}[reader]()
+{"python": check_by_python, "contours": check_contours, "networkx": check_by_networkx, "vtk": check_by_vtk}[reader]()
 for fault in sorted(set(faults)):
     print(f"wrong: {fault} ({faults.count(fault)} times)")
 sys.exit(1 if faults else 0)

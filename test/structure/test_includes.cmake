@@ -20,7 +20,7 @@ set(rooms_below_distributed ${stages} public)
 set(rooms ${stages} augmentation embedding scalar_fields simplification curves handles drawing distributed)
 
 # the public headers that the stages may include: small ones, which include none but each other
-set(small_headers Error.h exceptions.h graph_exceptions.h mesh_exceptions.h soup_exceptions.h options.h Node_kind.h
+set(small_headers Error.h exceptions.h graph_exceptions.h mesh_exceptions.h soup_exceptions.h options.h Attribute.h Node_kind.h
                   Critical_vertex_counts.h)
 # the public folders that belong to a room on top
 set(room_of_fields scalar_fields)
@@ -79,7 +79,7 @@ foreach(header IN LISTS headers)
   endif()
   foreach(included IN LISTS included_headers)
     check_include(${header} ${room} ${included})
-    if(header MATCHES "/(exceptions|soup_exceptions|options|Node_kind|Critical_vertex_counts).h$" AND room STREQUAL public)
+    if(header MATCHES "/(exceptions|soup_exceptions|options|Attribute|Node_kind|Critical_vertex_counts).h$" AND room STREQUAL public)
       string(REGEX REPLACE "^CGAL/Reeb_graph/" "" name ${included})
       if(NOT name IN_LIST small_headers)
         message(SEND_ERROR "${header}, which stages include, includes ${included}")

@@ -11,37 +11,86 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/Attribute.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/options.h>
 
+#include <CGAL/Named_function_parameters.h>
+
 #include <cstddef>
 #include <string>
+#include <vector>
 
-// The named parameters of graphs, fields and simplification; their documentation is in the list
-// `PkgReebGraphNamedParameters`.
-CGAL_REEB_GRAPH_NAMED_PARAMETER(keep_degree_two_nodes, bool)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(ties, Reeb_graph::Ties)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(method, Reeb_graph::Method)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_slabs, std::size_t)
-CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(vertex_place_map)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(laplacian_weights, Reeb_graph::Laplacian_weights)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(solver_tolerance, double)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(border_extremum, Reeb_graph::Border_extremum)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(collar_width, std::size_t)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_leaves, std::size_t)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(cancel_loops, bool)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(embedding_manner, Reeb_graph::Embedding_manner)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_contours, std::size_t)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_contours_at_nodes, std::size_t)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_smoothing_steps, std::size_t)
-CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(parametrization_map)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(field_name, std::string)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(field_unit, std::string)
-CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(branch_measure)
-CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(piece_weights)
-CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(simplification)
-CGAL_REEB_GRAPH_NAMED_PARAMETER_AND_TAG(edges, edges_of_soup)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(gather_chains, bool)
-CGAL_REEB_GRAPH_NAMED_PARAMETER_AND_TAG(slab, slab_of_rank)
+// The named parameters of the package's own; their documentation is in the list `PkgReebGraphNamedParameters`.
+
+namespace CGAL {
+namespace Reeb_graph {
+
+namespace internal {
+
+// the tags
+#define CGAL_REEB_GRAPH_NAMED_PARAMETER(name, Type) enum name##_t{name};
+#define CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(name, tag) enum tag##_t{tag};
+#include <CGAL/Reeb_graph/internal/base/named_parameters_list.h>
+#undef CGAL_REEB_GRAPH_NAMED_PARAMETER
+#undef CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE
+
+// A sequence of named parameters that ends with one of the package's own. All of these can follow, and those of CGAL.
+// Behind one of CGAL's come no others than CGAL's: its sequences are bases of this one, but not this one of theirs.
+template <class T, class Tag, class Base = internal_np::No_property>
+struct Own_named_parameters : Named_function_parameters<T, Tag, Base>
+{
+  typedef Named_function_parameters<T, Tag, Base> Sequence;
+  using Sequence::Sequence;
+
+#define CGAL_REEB_GRAPH_NAMED_PARAMETER(name, Type)                                                                    \
+  auto name(const Type& value) const { return Own_named_parameters<Type, name##_t, Sequence>(value, *this); }
+#define CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(name, tag)                                                         \
+  template <class Value>                                                                                               \
+  auto name(const Value& value) const                                                                                  \
+  {                                                                                                                    \
+    return Own_named_parameters<Value, tag##_t, Sequence>(value, *this);                                               \
+  }
+#include <CGAL/Reeb_graph/internal/base/named_parameters_list.h>
+#undef CGAL_REEB_GRAPH_NAMED_PARAMETER
+#undef CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+
+namespace parameters {
+
+// For each parameter, a function that starts a sequence, and one that appends to a sequence: that was the way to give
+// several before they could follow each other, and stays for one release.
+#define CGAL_REEB_GRAPH_NAMED_PARAMETER(name, Type)                                                                    \
+  inline auto name(const Type& value)                                                                                  \
+  {                                                                                                                    \
+    return Reeb_graph::internal::Own_named_parameters<Type, Reeb_graph::internal::name##_t>(value);                    \
+  }                                                                                                                    \
+  template <class T, class Tag, class Base>                                                                            \
+  auto name(const Type& value, const Named_function_parameters<T, Tag, Base>& np)                                      \
+  {                                                                                                                    \
+    return Reeb_graph::internal::Own_named_parameters<Type, Reeb_graph::internal::name##_t,                            \
+                                                      Named_function_parameters<T, Tag, Base>>(value, np);             \
+  }
+#define CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(name, tag)                                                         \
+  template <class Value>                                                                                               \
+  auto name(const Value& value)                                                                                        \
+  {                                                                                                                    \
+    return Reeb_graph::internal::Own_named_parameters<Value, Reeb_graph::internal::tag##_t>(value);                    \
+  }                                                                                                                    \
+  template <class Value, class T, class Tag, class Base>                                                               \
+  auto name(const Value& value, const Named_function_parameters<T, Tag, Base>& np)                                     \
+  {                                                                                                                    \
+    return Reeb_graph::internal::Own_named_parameters<Value, Reeb_graph::internal::tag##_t,                            \
+                                                      Named_function_parameters<T, Tag, Base>>(value, np);             \
+  }
+#include <CGAL/Reeb_graph/internal/base/named_parameters_list.h>
+#undef CGAL_REEB_GRAPH_NAMED_PARAMETER
+#undef CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE
+
+} // namespace parameters
+} // namespace CGAL
 
 #endif // CGAL_REEB_GRAPH_NAMED_PARAMETERS_H

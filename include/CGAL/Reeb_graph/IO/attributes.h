@@ -11,30 +11,16 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/Attribute.h>
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <cstddef>
-#include <cstdint>
-#include <string>
 #include <variant>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
-
-/// \ingroup PkgReebGraphIO
-///
-/// \brief numbers that are written to a file with a name: one for each arc, vertex, or face.
-struct Attribute
-{
-  /// the name, in files a column or an array; in files of XML and JSON, bytes that are no UTF-8 become U+FFFD
-  std::string name;
-
-  /// the numbers, in the order of `edges(graph)`, `vertices(mesh)`, or `faces(mesh)`
-  std::variant<std::vector<double>, std::vector<std::int64_t>> numbers;
-};
-
 namespace internal {
 
 inline std::size_t size_of(const Attribute& attribute)
@@ -48,18 +34,6 @@ inline void check_attributes(const std::vector<Attribute>& attributes, std::size
     if(size_of(attribute) != size)
       throw Attribute_count_error(attribute.name, size_of(attribute), size);
 }
-
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
-
-CGAL_REEB_GRAPH_NAMED_PARAMETER(arc_attributes, std::vector<Reeb_graph::Attribute>)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(vertex_attributes, std::vector<Reeb_graph::Attribute>)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(face_attributes, std::vector<Reeb_graph::Attribute>)
-
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
 
 // The attributes of a named parameter, which have to be as many as things.
 template <class Parameter>

@@ -11,27 +11,57 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/IO/attributes.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/output/Graphml_writer.h>
 #include <CGAL/Reeb_graph/internal/output/files.h>
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <boost/graph/graph_traits.hpp>
-
+#include <cstddef>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
+namespace internal {
+
+template <class Graph, class VertexIndexMap, class NamedParameters, class TextOfChain>
+void write_graphml_with(std::ostream& out,
+                        const Graph& graph,
+                        VertexIndexMap vertex_index_map,
+                        const NamedParameters& np,
+                        const TextOfChain& text_of_chain)
+{
+  if constexpr(Graph_to_write<Graph, VertexIndexMap, NamedParameters>::value)
+  {
+    const std::vector<Attribute> attributes =
+      checked_attributes(parameters::get_parameter(np, arc_attributes), num_edges(graph));
+    Graphml_writer(out, graph, vertex_index_map, choose_conversion_of_nodes<Graph>(np), text_of_chain, attributes)
+      .write();
+  }
+}
+
+// The attributes of named parameters, which stand behind index maps.
+template <class IndexMap>
+void check_arc_attributes(const IndexMap& map, std::size_t number_of_arcs)
+{
+  if constexpr(are_named_parameters<IndexMap>)
+    checked_attributes(parameters::get_parameter(map, arc_attributes), number_of_arcs);
+}
+
+} // namespace internal
+
 /// \ingroup PkgReebGraphIO
 ///
 /// \brief writes a Reeb graph in the <A HREF="http://graphml.graphdrawing.org/">GraphML</A> format.
 ///
 /// Each node has the data `vertex`, the index of its mesh vertex, `value`, the scalar value, and `kind`, see
 /// `to_string()`. Each edge runs from the lower to the upper node, and has the data `index`, the number of the arc, if
-/// the graph has the property `boost::edge_index`. Nodes and edges are written in the order that they have in the
-/// graph, so that equal graphs give equal files. A floating-point value is written with as many digits as
+/// the graph has the property `boost::edge_index`, and the `arc_attributes` by their names. Nodes and edges are written
+/// in the order that they have in the graph, by which they are numbered from 0 as their ids, so that equal graphs give
+/// equal files. A floating-point value is written with as many digits as
 /// it takes to read back the same value; an integer as a number, even if it is a character;
 /// any other value by its `operator<<`, or if it has none, as the number that the traits class makes of it.
 ///
@@ -53,7 +83,15 @@ namespace Reeb_graph {
 ///     \cgalParamType{a model of `ReebGraphTraits`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{arc_attributes}
+///     \cgalParamDescription{numbers of the arcs that are written as data of the edges}
+///     \cgalParamType{`std::vector<Reeb_graph::Attribute>`}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{use the functions `parameters::arc_attributes()`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+///
+/// \exception Attribute_count_error if an attribute has not one number for each arc
 ///
 /// \note Boost has a function of this name; qualify the call.
 #ifdef DOXYGEN_RUNNING
@@ -63,21 +101,10 @@ void write_graphml(std::ostream& out,
                    VertexIndexMap vertex_index_map,
                    const NamedParameters& np = parameters::default_values());
 #else
-template <class Graph, class VertexIndexMap, class T, class Tag, class Base>
-void write_graphml(std::ostream& out,
-                   const Graph& graph,
-                   VertexIndexMap vertex_index_map,
-                   const Named_function_parameters<T, Tag, Base>& np)
-{
-  if constexpr(internal::Graph_to_write<Graph, VertexIndexMap, Named_function_parameters<T, Tag, Base>>::value)
-    internal::Graphml_writer(out, graph, vertex_index_map, internal::choose_conversion_of_nodes<Graph>(np), nullptr)
-      .write();
-}
-
 template <class Graph, class VertexIndexMap>
 void write_graphml(std::ostream& out, const Graph& graph, VertexIndexMap vertex_index_map)
 {
-  Reeb_graph::write_graphml(out, graph, vertex_index_map, parameters::default_values());
+  internal::write_graphml_with(out, graph, vertex_index_map, parameters::default_values(), nullptr);
 }
 #endif
 
@@ -107,19 +134,15 @@ void write_graphml(std::ostream& out,
                    HalfedgeIndexMap halfedge_index_map,
                    const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Graph_to_write<Graph, VertexIndexMap, NamedParameters>::value)
-  {
-    typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
-    const auto chain_of_arc = [&](arc_descriptor arc) {
+  if constexpr(internal::are_named_parameters<HalfedgeIndexMap>) // no map
+    internal::write_graphml_with(out, graph, vertex_index_map, halfedge_index_map, nullptr);
+  else
+    internal::write_graphml_with(out, graph, vertex_index_map, np, [&](const auto& arc) {
       std::string text;
       for(const auto h : graph[arc].chain)
         text += (text.empty() ? "" : " ") + std::to_string(get(halfedge_index_map, h));
       return text;
-    };
-    internal::Graphml_writer(out, graph, vertex_index_map, internal::choose_conversion_of_nodes<Graph>(np),
-                             chain_of_arc)
-      .write();
-  }
+    });
 }
 
 /// \ingroup PkgReebGraphIO
@@ -131,9 +154,11 @@ void write_graphml(std::ostream& out,
 /// \param index_maps the index maps that are passed on, and named parameters behind them
 ///
 /// \exception Reeb_graph::File_error if the file cannot be written
+/// \exception Attribute_count_error if an attribute has not one number for each arc
 template <class Graph, class... IndexMaps>
 void write_graphml(const std::string& filename, const Graph& graph, IndexMaps... index_maps)
 {
+  (internal::check_arc_attributes(index_maps, num_edges(graph)), ...); // before the file is opened, which empties it
   internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_graphml(out, graph, index_maps...); });
 }
 

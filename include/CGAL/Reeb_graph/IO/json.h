@@ -52,7 +52,7 @@ void write_json_of_graph(std::ostream& out,
         << ", \"value\": " << json_of(embedding.node_values[node])
         << ", \"kind\": " << json_of(to_string(graph[node].kind))
         << ", \"point\": " << json_of_point(embedding.node_points[node]) << '}';
-  out << "\n],\n\"arcs\": [";
+  out << "\n],\n\"edges\": [";
   std::size_t i = 0;
   for(const auto arc : CGAL::make_range(edges(graph)))
   {
@@ -75,9 +75,9 @@ void write_json_of_graph(std::ostream& out,
 ///
 /// \brief writes a Reeb graph in space with its chains as one JSON object.
 ///
-/// The object has the members `directed` and `multigraph`, which are `true`, `nodes` and `arcs`, in their order, so
-/// that NetworkX makes a graph of it by `node_link_graph(json.load(file), link="arcs")`; from its version 3.4 on, the
-/// argument is `edges`.
+/// The object has the members `directed` and `multigraph`, which are `true`, `nodes`, and `edges`, the arcs, in their
+/// order, so that NetworkX makes a graph of it by `node_link_graph(json.load(file))` from its version 3.6 on. In the
+/// versions 3.4 and 3.5, `edges="edges"` has to be told, in older ones `link="edges"`.
 ///
 /// - Nodes have `id`, their number, `vertex`, the index of their mesh vertex, `value`, `kind`, and `point`.
 /// - Arcs have `index`, their number, `source` and `target`, the numbers of the lower and the upper node, `polyline`,

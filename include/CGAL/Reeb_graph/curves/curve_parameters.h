@@ -11,10 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
-
-#include <cstddef>
 
 // The named parameters of curves and of cutting along them, and what the functions that share them say of them. All are
 // in the list `PkgReebGraphNamedParameters`.
@@ -22,7 +20,7 @@
 /// \defgroup PkgReebGraphPlaceParameters Named Parameters for the Places of Curves
 /// \ingroup PkgReebGraphCurves
 ///
-/// \brief of the functions that choose contours of a Reeb graph.
+/// Parameters of the functions that choose contours of a Reeb graph.
 ///
 /// <b>Where the curves are:</b>
 ///
@@ -46,7 +44,7 @@
 /// \defgroup PkgReebGraphBorderParameters Named Parameters for Borders
 /// \ingroup PkgReebGraphCurves
 ///
-/// \brief of the functions that find curves by the Reeb graph, and need borders that are extremal levels.
+/// Parameters of the functions that find curves by the Reeb graph, and need borders that are extremal levels.
 ///
 /// <b>What is done with borders:</b>
 ///
@@ -66,7 +64,7 @@
 /// \defgroup PkgReebGraphCuttingParameters Named Parameters of Cutting
 /// \ingroup PkgReebGraphCurves
 ///
-/// \brief of all functions that cut a mesh along curves.
+/// Parameters of all functions that cut a mesh along curves.
 ///
 /// <b>How the mesh is cut, and what is written:</b>
 ///
@@ -112,7 +110,7 @@
 /// \defgroup PkgReebGraphRefinementParameters Named Parameters of Refinements
 /// \ingroup PkgReebGraphCurves
 ///
-/// \brief of all functions that split edges and faces of a mesh.
+/// Parameters of all functions that split edges and faces of a mesh.
 ///
 /// <b>The field of the refined mesh:</b> if the scalar map can be written, each vertex that is added gets a value: on a
 /// curve that of the contour, elsewhere one next to that of the vertex that has been unfolded or of the border; both
@@ -162,17 +160,5 @@
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-
-CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(curve_cost)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_candidates, std::size_t)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(borders, Reeb_graph::Borders)
-CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(arc_weight)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(persistence_threshold, double)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(area_threshold, double)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(vertex_count_threshold, std::size_t)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(measure_threshold, double)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(cut_open, bool)
-CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(edge_curve_map)
-CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(face_count_callback)
 
 #endif // CGAL_REEB_GRAPH_CURVES_CURVE_PARAMETERS_H

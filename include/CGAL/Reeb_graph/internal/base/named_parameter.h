@@ -25,6 +25,14 @@ namespace internal {
 template <class Parameter>
 inline constexpr bool is_given = !std::is_same_v<std::decay_t<Parameter>, internal_np::Param_not_found>;
 
+// Whether an argument is a sequence of named parameters.
+template <class T, class Tag, class Base>
+std::true_type test_named_parameters(const Named_function_parameters<T, Tag, Base>*);
+std::false_type test_named_parameters(const void*);
+
+template <class T>
+inline constexpr bool are_named_parameters = decltype(test_named_parameters(std::declval<const T*>()))::value;
+
 // The traits class: the named parameter geom_traits, or else the default.
 template <class Default, class NamedParameters>
 auto choose_traits(const NamedParameters& np)
@@ -51,54 +59,5 @@ T& unwrap_reference(std::reference_wrapper<T>& parameter)
 } // namespace internal
 } // namespace Reeb_graph
 } // namespace CGAL
-
-// A named parameter of the package's own, as in CGAL's parameters_interface.h: its tag, a function that starts a pack
-// of parameters with a value of type `Type`, and one that appends the value to a pack. Everything else about it is
-// CGAL's. To be used outside of any namespace.
-#define CGAL_REEB_GRAPH_NAMED_PARAMETER(name, Type)                                                                    \
-  CGAL_REEB_GRAPH_NAMED_PARAMETER_TAG(name)                                                                            \
-  namespace CGAL {                                                                                                     \
-  namespace parameters {                                                                                               \
-  inline auto name(const Type& value)                                                                                  \
-  {                                                                                                                    \
-    return Named_function_parameters<Type, Reeb_graph::internal::name##_t>(value);                                     \
-  }                                                                                                                    \
-  template <class T, class Tag, class Base>                                                                            \
-  auto name(const Type& value, const Named_function_parameters<T, Tag, Base>& np)                                      \
-  {                                                                                                                    \
-    return Named_function_parameters<Type, Reeb_graph::internal::name##_t, std::decay_t<decltype(np)>>(value, np);     \
-  }                                                                                                                    \
-  }                                                                                                                    \
-  }
-
-// A named parameter whose values have any type, otherwise as above.
-#define CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(name) CGAL_REEB_GRAPH_NAMED_PARAMETER_AND_TAG(name, name)
-
-// The same with another name for the tag, if there are functions called `name`.
-#define CGAL_REEB_GRAPH_NAMED_PARAMETER_AND_TAG(name, tag)                                                             \
-  CGAL_REEB_GRAPH_NAMED_PARAMETER_TAG(tag)                                                                             \
-  namespace CGAL {                                                                                                     \
-  namespace parameters {                                                                                               \
-  template <class Value>                                                                                               \
-  auto name(const Value& value)                                                                                        \
-  {                                                                                                                    \
-    return Named_function_parameters<Value, Reeb_graph::internal::tag##_t>(value);                                     \
-  }                                                                                                                    \
-  template <class Value, class T, class Tag, class Base>                                                               \
-  auto name(const Value& value, const Named_function_parameters<T, Tag, Base>& np)                                     \
-  {                                                                                                                    \
-    return Named_function_parameters<Value, Reeb_graph::internal::tag##_t, std::decay_t<decltype(np)>>(value, np);     \
-  }                                                                                                                    \
-  }                                                                                                                    \
-  }
-
-#define CGAL_REEB_GRAPH_NAMED_PARAMETER_TAG(name)                                                                      \
-  namespace CGAL {                                                                                                     \
-  namespace Reeb_graph {                                                                                               \
-  namespace internal {                                                                                                 \
-  enum name##_t{name};                                                                                                 \
-  }                                                                                                                    \
-  }                                                                                                                    \
-  }
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_BASE_NAMED_PARAMETER_H

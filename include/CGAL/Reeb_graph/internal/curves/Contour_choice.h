@@ -81,7 +81,7 @@ public:
       augmentation_(ranked.mesh(),
                     ranked.rank_map(),
                     graph,
-                    parameters::ties(Ties::CONTRACT, parameters::callback(progress.callback())))
+                    parameters::ties(Ties::CONTRACT).callback(progress.callback()))
   {}
 
   // The contour of least cost among those just above some vertices of the chains along the path.

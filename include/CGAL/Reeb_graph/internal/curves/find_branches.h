@@ -116,7 +116,7 @@ std::vector<Branch_weight> branch_weights(const RankedMesh& ranked,
     return weights;
   const Augmentation<typename RankedMesh::Mesh, typename RankedMesh::Rank_map> augmentation(
     ranked.mesh(), ranked.rank_map(), simple.graph,
-    parameters::ties(Ties::CONTRACT, parameters::callback(progress.part(0, 0.2).callback())));
+    parameters::ties(Ties::CONTRACT).callback(progress.part(0, 0.2).callback()));
   const auto locations = augmentation.locate_vertices(parameters::callback(progress.part(0.2, 0.9).callback()));
   for(const auto v : simple.given_vertices)
     ++weights[locations.index(v)].vertex_count;

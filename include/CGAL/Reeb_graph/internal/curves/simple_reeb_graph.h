@@ -122,7 +122,7 @@ Simple_reeb_graph<RankedMesh> compute_simple_reeb_graph(const RankedMesh& ranked
   unfold_all_vertices(ranked);
 
   compute_reeb_graph(mesh, ranked.rank_map(), result.graph,
-                     parameters::ties(Ties::CONTRACT, parameters::callback(progress.part(0.55, 1).callback())));
+                     parameters::ties(Ties::CONTRACT).callback(progress.part(0.55, 1).callback()));
   for(const auto node : CGAL::make_range(vertices(result.graph)))
     result.is_border.push_back(borders.is_on_border(result.graph[node].vertex));
   return result;

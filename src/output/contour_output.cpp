@@ -1,0 +1,146 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "output/contour_output.h"
+
+#include "output/output_file.h"
+
+#include <CGAL/IO/OFF.h>
+#include <CGAL/Reeb_graph/IO/polylines.h>
+#include <CGAL/Reeb_graph/internal/output/Vtp_document.h>
+#include <CGAL/Reeb_graph/internal/output/json_text.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <ostream>
+#include <vector>
+
+namespace reeb_graph_program {
+namespace {
+constexpr int all_digits = std::numeric_limits<double>::max_digits10;
+
+// The number of points of a line if the first one is not repeated.
+std::size_t number_of_points(const Contour_line& line) { return line.points.size() - (line.is_closed ? 1 : 0); }
+
+// Calls visit(number of a point, counted from 0 in the file) along the line.
+template <class Visit>
+void visit_points(const Contour_line& line, std::size_t first, const Visit& visit)
+{
+  for(std::size_t i = 0; i < line.points.size(); ++i)
+    visit(first + i % number_of_points(line));
+}
+
+void write_obj(std::ostream& stream, const std::vector<Contour_line>& lines)
+{
+  stream.precision(all_digits);
+  std::size_t first = 1;
+  for(const Contour_line& line : lines)
+  {
+    for(std::size_t i = 0; i < number_of_points(line); ++i)
+      stream << "v " << line.points[i] << '\n';
+    stream << "# arc " << line.arc << " value " << line.value << " length " << line.length << " closed "
+           << line.is_closed << "\ng arc_" << line.arc << '\n'
+           << (line.points.size() > 1 ? 'l' : 'p');
+    visit_points(line, first, [&](std::size_t point) { stream << ' ' << point; });
+    stream << '\n';
+    first += number_of_points(line);
+  }
+}
+
+void write_json(std::ostream& stream, const std::vector<Contour_line>& lines)
+{
+  using CGAL::Reeb_graph::internal::json_list;
+  using CGAL::Reeb_graph::internal::json_of;
+  stream << "{\n\"contours\": [";
+  for(std::size_t i = 0; i < lines.size(); ++i)
+  {
+    const Contour_line& line = lines[i];
+    stream << (i == 0 ? "\n" : ",\n") << "{\"arc\": " << line.arc << ", \"value\": " << json_of(line.value)
+           << ", \"length\": " << json_of(line.length) << ", \"closed\": " << (line.is_closed ? "true" : "false")
+           << ", \"polyline\": "
+           << json_list(line.points, [](const Point& p) { return CGAL::Reeb_graph::internal::json_of_point(p); })
+           << '}';
+  }
+  stream << "\n]\n}\n";
+}
+
+// A line of one point, of an edge without triangles, is a vertex for VTK, whose cells come before all lines.
+void write_vtp(std::ostream& stream, const std::vector<Contour_line>& lines)
+{
+  CGAL::Reeb_graph::internal::Vtp_document::Cells vertex_cells, line_cells;
+  std::vector<double> coordinates, values, lengths;
+  std::vector<std::int64_t> arcs, closed;
+  for(const bool has_lines : {false, true})
+    for(const Contour_line& line : lines)
+    {
+      if((line.points.size() > 1) != has_lines)
+        continue;
+      auto& cells = has_lines ? line_cells : vertex_cells;
+      visit_points(line, coordinates.size() / 3, [&](std::size_t point) { cells.add_point(point); });
+      cells.end_cell();
+      for(std::size_t i = 0; i < number_of_points(line); ++i)
+        CGAL::Reeb_graph::internal::add_coordinates(line.points[i], coordinates);
+      arcs.push_back(static_cast<std::int64_t>(line.arc));
+      values.push_back(line.value);
+      lengths.push_back(line.length);
+      closed.push_back(line.is_closed ? 1 : 0);
+    }
+  CGAL::Reeb_graph::internal::Vtp_document document(stream, coordinates.size() / 3, vertex_cells, line_cells, {});
+  document.write_section("Points", "", [&] { document.write_array("Points", coordinates, 3); });
+  document.write_section("CellData", "value", [&] {
+    document.write_array("arc", arcs);
+    document.write_array("value", values);
+    document.write_array("length", lengths);
+    document.write_array("closed", closed);
+  });
+  document.finish();
+}
+
+std::vector<Polyline> polylines_of(const std::vector<Contour_line>& lines)
+{
+  std::vector<Polyline> polylines;
+  for(const Contour_line& line : lines)
+    polylines.push_back(line.points);
+  return polylines;
+}
+
+} // namespace
+
+void check_contour_format(const std::string& path)
+{
+  ending_of(path, "contours", {".polylines.txt", ".vtp", ".obj", ".json", ".off"});
+}
+
+void check_contour_format(const std::string& path, bool are_contours_surfaces)
+{
+  if(are_contours_surfaces)
+    ending_of(path, "contours in tetrahedra, which are surfaces,", {".off"});
+  else
+    ending_of(path, "contours", {".polylines.txt", ".vtp", ".obj", ".json"});
+}
+
+void write_contours(const std::string& path, const Contours& contours, bool are_contours_surfaces)
+{
+  write_file(path, [&](std::ostream& stream) {
+    if(are_contours_surfaces)
+      return static_cast<void>(CGAL::IO::write_OFF(stream, contours.points, contours.triangles,
+                                                   CGAL::parameters::stream_precision(all_digits)));
+    const std::string ending = ending_of(path, "contours", {".polylines.txt", ".vtp", ".obj", ".json"});
+    if(ending == ".vtp")
+      write_vtp(stream, contours.lines);
+    else if(ending == ".obj")
+      write_obj(stream, contours.lines);
+    else if(ending == ".json")
+      write_json(stream, contours.lines);
+    else
+      CGAL::Reeb_graph::write_polylines(stream, polylines_of(contours.lines));
+  });
+}
+
+} // namespace reeb_graph_program

@@ -1,0 +1,30 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_CONTOUR_OUTPUT_H
+#define CGAL_REEB_GRAPH_SRC_CONTOUR_OUTPUT_H
+
+#include "computation/contours.h"
+
+#include <string>
+
+namespace reeb_graph_program {
+// Throws std::runtime_error if the file name has none of the endings .polylines.txt, .vtp, .obj, .json and, for
+// contours in tetrahedra, .off.
+void check_contour_format(const std::string& path);
+
+// Throws std::runtime_error if contours, which are surfaces in tetrahedra, and curves elsewhere, have another format.
+void check_contour_format(const std::string& path, bool are_contours_surfaces);
+
+// Lines with their arcs, values and lengths, and whether they are closed, for which .polylines.txt has no room; or
+// triangles, .off.
+void write_contours(const std::string& path, const Contours& contours, bool are_contours_surfaces);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_CONTOUR_OUTPUT_H
