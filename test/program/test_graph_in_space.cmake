@@ -81,7 +81,7 @@ expect_match("${header}" "property uchar red")
 # simplified: the arcs of the vertices are those of the simplified graph
 expect_success(compute torus.off --field z --simplify 10 --cancel-loops --graph simple.json --mesh-out simple.vtp)
 file(READ ${FOLDER}/simple.json json)
-string(JSON number_of_arcs LENGTH "${json}" arcs)
+string(JSON number_of_arcs LENGTH "${json}" edges)
 expect_equal("${number_of_arcs}" "1")
 expect_success(curves torus.off --field z --type cutting-system --mesh-out cut.ply)
 file(STRINGS ${FOLDER}/cut.ply header LIMIT_COUNT 30)
