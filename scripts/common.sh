@@ -57,4 +57,6 @@ packages_of_readers=(chromium chromium-driver python3-selenium python3-vtk9 pyth
 # With these, scripts/test builds and tests the program for ranks of MPI as well.
 packages_of_mpi=(libboost-mpi-dev libopenmpi-dev openmpi-bin)
 has_mpi() { if are_installed "${packages_of_mpi[@]}"; then echo ON; else echo OFF; fi; }
-packages_of_tests=("${packages_of_program[@]}" doxygen libgudhi-dev python3)
+# With these, scripts/test builds and tests the Python package as well, and scripts/demo --python shows it.
+packages_of_python=(pybind11-dev python3-pybind11 python3-numpy python3-pytest python3-dev)
+packages_of_tests=("${packages_of_program[@]}" doxygen libgudhi-dev python3 "${packages_of_python[@]}")

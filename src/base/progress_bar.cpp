@@ -14,9 +14,20 @@
 #include <iostream>
 
 namespace reeb_graph_program {
+namespace {
+const std::function<bool(double)>*& listener_of_thread()
+{
+  thread_local const std::function<bool(double)>* listener = nullptr;
+  return listener;
+}
+
+} // namespace
+
 Progress_bar::Progress_bar(const std::string& name_of_work)
   : Progress_bar(name_of_work, isatty(STDERR_FILENO) == 1 ? &std::cerr : nullptr, 0.5)
-{}
+{
+  listener_ = listener_of_thread();
+}
 
 Progress_bar::Progress_bar(const std::string& name_of_work, std::ostream* terminal, double seconds_until_shown)
   : name_of_work_(name_of_work),
@@ -28,6 +39,8 @@ Progress_bar::~Progress_bar() { clear(); }
 
 bool Progress_bar::operator()(double fraction)
 {
+  if(listener_ != nullptr)
+    return (*listener_)(fraction);
   if(terminal_ == nullptr || stopwatch_.seconds() < seconds_until_shown_)
     return true;
   constexpr std::size_t width = 40;
@@ -47,5 +60,12 @@ void Progress_bar::clear()
     *terminal_ << '\r' << std::string(shown_width_, ' ') << '\r' << std::flush;
   shown_width_ = 0;
 }
+
+Progress_listener::Progress_listener(const std::function<bool(double)>& listener) : outer_(listener_of_thread())
+{
+  listener_of_thread() = &listener;
+}
+
+Progress_listener::~Progress_listener() { listener_of_thread() = outer_; }
 
 } // namespace reeb_graph_program

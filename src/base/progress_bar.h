@@ -12,6 +12,7 @@
 #include "base/stopwatch.h"
 
 #include <cstddef>
+#include <functional>
 #include <ostream>
 #include <string>
 
@@ -20,14 +21,15 @@ namespace reeb_graph_program {
 class Progress_bar
 {
 public:
-  // On standard error if that is a terminal, else nowhere.
+  // To the Progress_listener of this thread if there is one, else on standard error if that is a terminal.
   explicit Progress_bar(const std::string& name_of_work);
   Progress_bar(const std::string& name_of_work, std::ostream* terminal, double seconds_until_shown);
   Progress_bar(const Progress_bar&) = delete;
   Progress_bar& operator=(const Progress_bar&) = delete;
   ~Progress_bar();
 
-  // The form that the named parameter `callback` has: `fraction` is between 0 and 1, and the work shall go on.
+  // The form that the named parameter `callback` has: `fraction` is between 0 and 1, and the work shall go on unless
+  // the listener says no.
   bool operator()(double fraction);
 
   // Makes room for other messages.
@@ -39,6 +41,21 @@ private:
   double seconds_until_shown_;
   Stopwatch stopwatch_;
   std::size_t shown_width_ = 0;
+  const std::function<bool(double)>* listener_ = nullptr;
+};
+
+// As long as it lives, the bars that its thread makes show nothing, and ask this function instead whether to go on. It
+// is called by any thread that does the work.
+class Progress_listener
+{
+public:
+  explicit Progress_listener(const std::function<bool(double)>& listener);
+  Progress_listener(const Progress_listener&) = delete;
+  Progress_listener& operator=(const Progress_listener&) = delete;
+  ~Progress_listener();
+
+private:
+  const std::function<bool(double)>* outer_;
 };
 
 } // namespace reeb_graph_program

@@ -25,8 +25,9 @@ namespace reeb_graph_program {
 inline void add_input_options(CLI::App& command, Input_options& options)
 {
   add_file(command, "MESH", options.mesh_path, "Mesh: OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file")->required();
-  add_file(command, "--scalars", options.scalars_path,
-           "The field: file of one number per line, in the vertex order of the mesh file, or CSV file");
+  add_file(
+    command, "--scalars", options.scalars_path,
+    "The field: file of one number per line, in the vertex order of the mesh file, or CSV file, or NumPy's .npy");
   command.add_option("--column", options.column,
                      "The column of the CSV file, by its name, or its number from 0, if there is more than one");
   add_whole_number(command, "--min", options.lowest_vertex,
@@ -151,14 +152,15 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
            "Write the mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex, "
            "and colours");
   add_file(*command, "--vertex-arcs", options.vertex_arcs_path,
-           "Write to this file, for each vertex on a line, the arc or node of the graph that it belongs to");
+           "Write to this file, for each vertex on a line, the arc or node of the graph that it belongs to; as .npy, "
+           "the number of the node, or that of the arc plus the number of nodes");
   add_file(*command, "--pairs", options.pairs_path,
            "Write the pairs of extended persistence of the given graph to this file, .csv, or .pers for GUDHI");
   add_file(*command, "--diagram", options.diagram_path, "Draw the persistence diagram of the given graph, .svg");
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_simplification_options(*command, options.simplification);
   add_file(*command, "--simplified-scalars", options.simplified_scalars_path,
-           "With --simplify or --leaves: write a field that has the simplified graph to this file");
+           "With --simplify or --leaves: write a field that has the simplified graph to this file; .npy for NumPy");
   CLI::Option* table = command->add_flag_callback(
     "--table", [&options] { options.is_table_wanted = true; },
     "Print a table of the arcs with their ends, lengths, areas and numbers of vertices; by default for graphs of up to "

@@ -231,6 +231,19 @@ void make_vertices(const std::vector<Point>& points, Surface& surface)
 
 } // namespace
 
+Mesh make_mesh(const Polygon_soup& soup, const std::string& path)
+{
+  Mesh mesh;
+  if(!make_surface(soup, mesh.surface))
+  {
+    const Duplicates duplicates = find_duplicates(soup.polygons, false);
+    mesh.complex = Complex{soup.edges, triangles_of(path, soup), soup.tetrahedra, duplicates.number, duplicates.first};
+    remove_faces_of_cells(*mesh.complex);
+    make_vertices(soup.points, mesh.surface);
+  }
+  return mesh;
+}
+
 bool is_ply_file(const std::string& path) { return lower_case_extension(path) == ".ply"; }
 
 Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property)
@@ -240,14 +253,7 @@ Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::
   check_polygons(path, soup, are_faces_triangulated);
   check_simplices(path, "edge", soup.edges, soup.points.size());
   check_simplices(path, "tetrahedron", soup.tetrahedra, soup.points.size());
-  Mesh mesh;
-  if(!make_surface(soup, mesh.surface))
-  {
-    const Duplicates duplicates = find_duplicates(soup.polygons, false);
-    mesh.complex = Complex{soup.edges, triangles_of(path, soup), soup.tetrahedra, duplicates.number, duplicates.first};
-    remove_faces_of_cells(*mesh.complex);
-    make_vertices(soup.points, mesh.surface);
-  }
+  Mesh mesh = make_mesh(soup, path);
   if(!vertex_property.empty())
   {
     const Scalar_map scalar_map = mesh.surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;

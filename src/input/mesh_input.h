@@ -22,6 +22,9 @@ namespace reeb_graph_program {
 // Input_error.
 Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property);
 
+// The same of a soup that has been checked: a surface, or what is none. Messages begin with the path.
+Mesh make_mesh(const Polygon_soup& soup, const std::string& path);
+
 bool is_ply_file(const std::string& path);
 
 } // namespace reeb_graph_program

@@ -10,6 +10,7 @@
 
 #include "input/File_contents.h"
 #include "input/input_error.h"
+#include "input/npy_input.h"
 #include "input/text_blocks.h"
 #include "input/text_input.h"
 
@@ -217,6 +218,12 @@ std::vector<double> read_parts(const std::string& path, Part_of_line part, std::
 
 std::vector<double> read_scalars(const std::string& path, const std::string& column, std::size_t number_of_vertices)
 {
+  if(lower_case_extension(path) == ".npy")
+  {
+    if(!column.empty())
+      throw Input_error(path, "--column goes with CSV files only");
+    return read_npy(path, number_of_vertices);
+  }
   if(!column.empty() || lower_case_extension(path) == ".csv")
     return read_parts(path, Csv_column(column), number_of_vertices);
   return read_parts(path, Whole_line(), number_of_vertices);

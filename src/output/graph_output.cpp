@@ -8,6 +8,7 @@
 
 #include "output/graph_output.h"
 
+#include "output/npy_output.h"
 #include "output/output_file.h"
 
 #include <CGAL/Reeb_graph/IO.h>
@@ -15,6 +16,7 @@
 #include <CGAL/Reeb_graph/internal/output/Text_output.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 namespace reeb_graph_program {
@@ -119,6 +121,8 @@ void write_vertex_arcs(const std::filesystem::path& path,
                        std::size_t number_of_nodes)
 {
   write_file(path, [&](std::ostream& stream) {
+    if(is_npy(path))
+      return write_npy(stream, std::vector<std::int64_t>(places.begin(), places.end()));
     CGAL::Reeb_graph::internal::Text_output text(stream);
     for(const std::size_t place : places)
       if(place < number_of_nodes)

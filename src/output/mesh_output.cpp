@@ -8,6 +8,7 @@
 
 #include "output/mesh_output.h"
 
+#include "output/npy_output.h"
 #include "output/output_file.h"
 
 #include <CGAL/IO/Color.h>
@@ -190,6 +191,8 @@ void write_surface(const std::filesystem::path& path, const Surface& surface)
 void write_scalars(const std::filesystem::path& path, const Surface& surface, Scalar_map scalar_map)
 {
   write_file(path, [&](std::ostream& stream) {
+    if(is_npy(path))
+      return write_npy(stream, std::vector<double>(scalar_map.begin(), scalar_map.end()));
     CGAL::Reeb_graph::internal::Text_output text(stream);
     for(const Surface::Vertex_index v : surface.vertices())
       text << scalar_map[v] << '\n';

@@ -21,7 +21,7 @@ namespace reeb_graph_program {
 // The mesh in the OFF format, with all digits of the coordinates.
 void write_surface(const std::filesystem::path& path, const Surface& surface);
 
-// One number per line in the order of the vertices, with all digits.
+// One number per line in the order of the vertices, with all digits; .npy as NumPy has it.
 void write_scalars(const std::filesystem::path& path, const Surface& surface, Scalar_map scalar_map);
 
 // Throws std::runtime_error unless the file name ends in .ply or .vtp.

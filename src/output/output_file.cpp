@@ -76,10 +76,10 @@ private:
 
 typedef struct stat File_status;
 
-std::runtime_error output_error(const fs::path& path, int reason)
+Output_error output_error(const fs::path& path, int reason)
 {
-  return std::runtime_error(path.string() + ": the file cannot be written"
-                            + (reason == 0 ? "" : ": " + std::generic_category().message(reason)));
+  return Output_error(path.string() + ": the file cannot be written"
+                      + (reason == 0 ? "" : ": " + std::generic_category().message(reason)));
 }
 
 bool look_up(const fs::path& path, File_status& status)

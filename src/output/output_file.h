@@ -12,12 +12,19 @@
 #include <filesystem>
 #include <functional>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 // Paths of outputs: `-` is standard output. Pipes, devices, and standard output are written at once, all else is written
 // beside its place and put there when it is complete.
 namespace reeb_graph_program {
+// A file cannot be written.
+struct Output_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
 // Which of the endings, of which the first one stands for a pipe, a device, or standard output without any of them, the
 // file name has. Throws std::runtime_error, which names them and what they are the endings of.
 std::string ending_of(const std::filesystem::path& path,

@@ -1,0 +1,20 @@
+"""Isosurfaces in tetrahedra: a field in a cube, and the surface in the middle of each arc of its Reeb graph."""
+
+import numpy as np
+import reeb_graph
+
+n = 12
+numbers = np.arange((n + 1) ** 3).reshape(n + 1, n + 1, n + 1)
+corner = lambda x, y, z: numbers[x : n + x, y : n + y, z : n + z].ravel()
+cube = [corner(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+paths = [(0, 1, 3, 7), (0, 1, 5, 7), (0, 2, 3, 7), (0, 2, 6, 7), (0, 4, 5, 7), (0, 4, 6, 7)]
+tetrahedra = np.concatenate([np.stack([cube[i] for i in path], axis=-1) for path in paths])
+points = np.stack(np.unravel_index(np.arange((n + 1) ** 3), (n + 1,) * 3), axis=-1) / n
+centers = np.array([[0.3, 0.3, 0.5], [0.7, 0.7, 0.5]])
+field = -np.min(np.linalg.norm(points[:, None] - centers, axis=-1), axis=1)
+
+graph = reeb_graph.compute(None, field, tetrahedra=tetrahedra, points=points).simplify("10%")
+print(graph)
+for contour in graph.contours_of_arcs(0.5):
+    print(f"arc {contour.arc}: at {contour.value:.3f} a surface of {len(contour.triangles)} triangles")
+graph.write("tetrahedra.svg", name="nearness")

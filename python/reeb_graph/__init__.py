@@ -1,0 +1,56 @@
+"""Exact Reeb graphs of scalar fields on triangle meshes, from NumPy arrays.
+
+`compute` makes a `ReebGraph` of triangles and scalars. `harmonic`, `poisson`, `unit_gradient`, `geodesic` and `height`
+compute scalars; `cutting_system`, `pants` and `branches` cut a surface along curves.
+"""
+
+try:
+    from . import _core
+except ImportError as error:
+    raise ImportError(
+        "the extension of reeb_graph is missing: build it by\n"
+        "    cmake -S . -B build -D CGAL_REEB_GRAPH_BUILD_PYTHON=ON && cmake --build build --target reeb_graph_python\n"
+        "and set PYTHONPATH=build/python, or install it by `pip install .`; both in the top folder of the project"
+        f" ({error})"
+    ) from error
+
+from ._arrays import Mesh, mesh_arrays
+from ._errors import MeshError, NumberError, StoppedError
+from ._functions import (
+    Cut,
+    branches,
+    cutting_system,
+    geodesic,
+    harmonic,
+    height,
+    make_borders_level,
+    pants,
+    poisson,
+    unit_gradient,
+)
+from ._graph import ReebGraph, compute
+from ._results import Contour, CriticalSet, Embedding
+
+__version__ = _core.__version__
+__all__ = [
+    "Contour",
+    "CriticalSet",
+    "Cut",
+    "Embedding",
+    "Mesh",
+    "MeshError",
+    "NumberError",
+    "ReebGraph",
+    "StoppedError",
+    "branches",
+    "compute",
+    "cutting_system",
+    "geodesic",
+    "harmonic",
+    "height",
+    "make_borders_level",
+    "mesh_arrays",
+    "pants",
+    "poisson",
+    "unit_gradient",
+]

@@ -1,0 +1,243 @@
+"""What is handed in: arrays are looked at here, and copied and checked by the extension."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from . import _core
+from ._errors import MeshError
+
+LARGEST_NUMBER = 2**32 - 2  # of vertices
+LARGEST_NUMBER_OF_CELLS = 2**32 // 12
+
+
+class Mesh(NamedTuple):
+    """The arrays of a mesh.
+
+    Attributes
+    ----------
+    triangles : (m, 3) array of integers, or None
+    points : (n, 3) array of floats, or None
+    edges : (k, 2) array of integers, or None
+    tetrahedra : (l, 4) array of integers, or None
+    point_data : mapping from names to arrays
+        What the mesh has for its vertices.
+    """
+
+    triangles: np.ndarray | None
+    points: np.ndarray | None
+    edges: np.ndarray | None = None
+    tetrahedra: np.ndarray | None = None
+    point_data: Any = {}
+
+
+def indices(array: Any, columns: int, name: str) -> np.ndarray | None:
+    """Return `array` as one of integers that the extension takes, with so many columns, or None if there are no rows."""
+    if array is None:
+        return None
+    array = np.asarray(array)
+    if array.size == 0 and array.ndim <= 2:
+        if array.ndim == 2 and array.shape[0] > 0:
+            raise ValueError(f"{name} has the shape {array.shape}, it has to be (number, {columns})")
+        return None
+    if name == "triangles" and array.dtype.kind == "f":
+        raise TypeError(
+            f"triangles are integers, the numbers of their vertices; an array of {array.dtype} of the shape "
+            f"{array.shape} looks like points: these are handed over as points=, behind the triangles"
+        )
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"{name} has the dtype {array.dtype}; it has to be one of integers, the numbers of vertices")
+    if array.ndim != 2 or array.shape[1] != columns:
+        raise ValueError(f"{name} has the shape {array.shape}; it has to be (number, {columns})")
+    if array.shape[0] > LARGEST_NUMBER_OF_CELLS:
+        raise ValueError(f"{name} has {array.shape[0]} rows, at most {LARGEST_NUMBER_OF_CELLS} are possible")
+    wanted = array.dtype.newbyteorder("=")
+    if wanted.itemsize < 4:
+        wanted = np.dtype(np.int32)
+    if wanted != array.dtype or not array.flags.aligned:
+        array = array.astype(wanted)
+    return array
+
+
+def points_array(points: Any, number: int | None = None) -> np.ndarray | None:
+    """Return `points` as C-contiguous doubles, three a row; two coordinates get 0 as third one."""
+    if points is None:
+        return None
+    points = np.asarray(points)
+    if points.dtype.kind not in "iufb" and points.size > 0:
+        raise TypeError(f"points has the dtype {points.dtype}; it has to be one of real numbers")
+    if points.size == 0 and points.ndim < 2:
+        points = np.zeros((0, 3))
+    if points.ndim != 2 or points.shape[1] not in (2, 3):
+        raise ValueError(f"points has the shape {points.shape}; it has to be (number of vertices, 3)")
+    if number is not None and points.shape[0] != number:
+        raise ValueError(f"there are {points.shape[0]} points and {number} scalars; there has to be one of each per vertex")
+    if points.shape[0] > LARGEST_NUMBER:
+        raise ValueError(f"there are {points.shape[0]} points, at most {LARGEST_NUMBER} are possible")
+    if points.shape[1] == 2:
+        points = np.column_stack([points, np.zeros(len(points))])
+    return np.ascontiguousarray(points, dtype=np.float64)
+
+
+def values_array(scalars: Any, name: str = "scalars") -> np.ndarray:
+    """Return `scalars` as an array of one dimension of real numbers, in the byte order of the machine."""
+    masked = isinstance(scalars, np.ma.MaskedArray)
+    if masked and np.ma.getmaskarray(scalars).any():
+        vertex = int(np.flatnonzero(np.ma.getmaskarray(scalars).ravel())[0])
+        raise MeshError(f"vertex {vertex} has no value: it is masked", "vertex", vertex)
+    scalars = np.asarray(scalars)
+    if scalars.dtype.kind not in "iufb" and scalars.size > 0:
+        raise TypeError(f"{name} has the dtype {scalars.dtype}; it has to be one of real numbers")
+    if scalars.ndim != 1:
+        raise ValueError(f"{name} has the shape {scalars.shape}; it has to be (number of vertices,)")
+    if scalars.shape[0] > LARGEST_NUMBER:
+        raise ValueError(f"{name} has {scalars.shape[0]} values, at most {LARGEST_NUMBER} are possible")
+    if scalars.dtype.kind == "b" or scalars.size == 0:
+        return scalars.astype(np.uint8 if scalars.dtype.kind == "b" else np.float64)
+    return scalars.astype(scalars.dtype.newbyteorder("="), copy=False)
+
+
+def are_doubles(values: np.ndarray) -> bool:
+    """Tell whether the values survive the way to `double` and back."""
+    if values.dtype.itemsize < 8 or values.dtype == np.float64 or values.size == 0:
+        return True
+    if values.dtype.kind == "f":
+        with np.errstate(over="ignore"):
+            doubles = values.astype(np.float64)
+        return bool(np.all((doubles == values) | np.isnan(values)))
+    if int(values.max()) <= 2**53 and int(values.min()) >= -(2**53):
+        return True
+    doubles = values.astype(np.float64)
+    if float(doubles.max()) >= float(np.iinfo(values.dtype).max):
+        return False
+    return bool(np.all(doubles.astype(values.dtype) == values))
+
+
+def doubles(scalars: Any, name: str = "scalars") -> np.ndarray:
+    """Return values as doubles; those that would change are refused."""
+    values = values_array(scalars, name)
+    if not are_doubles(values):
+        raise ValueError(f"{name} has the dtype {values.dtype}, and values that no double has: this function computes with doubles")
+    return np.ascontiguousarray(values, dtype=np.float64)
+
+
+def ranks(values: np.ndarray) -> np.ndarray:
+    """Return the rank of each value among the different ones, as a double."""
+    if values.dtype.kind == "f":
+        wrong = np.flatnonzero(np.isnan(values))
+        if len(wrong) > 0:
+            vertex = int(wrong[0])
+            raise MeshError(f"the scalar value of vertex {vertex} is not a number (NaN)", "vertex", vertex)
+    return np.unique(values, return_inverse=True)[1].reshape(-1).astype(np.float64)
+
+
+def _padded_faces(faces: np.ndarray) -> np.ndarray:
+    """Return the triangles of faces that are listed one behind the other, each after its number of vertices."""
+    faces = np.asarray(faces)
+    if faces.ndim == 2:
+        return faces
+    if len(faces) % 4 != 0 or np.any(faces[::4] != 3):
+        raise ValueError("not all faces of the mesh are triangles: triangulate it before, as triangulate() does")
+    return faces.reshape(-1, 4)[:, 1:]
+
+
+def _of_cells(cells: Any) -> dict[str, np.ndarray]:
+    """Return the cells that meshio lists in blocks, and PyVista in a dict, by their types."""
+    if isinstance(cells, dict):
+        blocks = [({5: "triangle", 10: "tetra", 3: "line", 1: "vertex"}.get(int(k), str(k)), v) for k, v in cells.items()]
+    else:
+        blocks = [(block.type, block.data) for block in cells]
+    found: dict[str, list[np.ndarray]] = {}
+    for name, rows in blocks:
+        if name not in ("triangle", "tetra", "line", "vertex"):
+            raise ValueError(f"the mesh has cells of the type {name}; only triangles, tetrahedra and lines are possible")
+        found.setdefault(name, []).append(np.asarray(rows))
+    return {name: np.concatenate(rows) for name, rows in found.items()}
+
+
+def mesh_arrays(mesh: Any) -> Mesh:
+    """Take the arrays of a mesh of another package, by its attributes; none of them is imported.
+
+    Parameters
+    ----------
+    mesh : trimesh.Trimesh, pyvista.PolyData, pyvista.UnstructuredGrid, meshio.Mesh, or alike
+        `vertices` and `faces`; or `points` and `faces`, with the number of vertices before those of each face; or
+        `points` and `cells` or `cells_dict`, with triangles, tetrahedra and lines.
+
+    Returns
+    -------
+    Mesh
+        A named tuple of `triangles`, `points`, `edges`, `tetrahedra`, and `point_data`.
+
+    Raises
+    ------
+    TypeError
+        if the object has none of these attributes
+    ValueError
+        if there are other cells
+    """
+    data = getattr(mesh, "point_data", None)
+    if data is None:
+        data = getattr(mesh, "vertex_attributes", {})
+    if isinstance(mesh, Mesh):
+        return mesh
+    if hasattr(mesh, "points") and hasattr(mesh, "cells"):
+        cells = _of_cells(mesh.cells if isinstance(mesh.cells, (list, tuple)) else mesh.cells_dict)
+        return Mesh(cells.get("triangle"), np.asarray(mesh.points), cells.get("line"), cells.get("tetra"), data)
+    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
+        return Mesh(np.asarray(mesh.faces), np.asarray(mesh.vertices), None, None, data)
+    if hasattr(mesh, "points") and hasattr(mesh, "faces"):
+        lines = np.asarray(getattr(mesh, "lines", ()))
+        if len(lines) % 3 != 0 or np.any(lines[::3] != 2):
+            raise ValueError("the mesh has lines of more than two points")
+        edges = lines.reshape(-1, 3)[:, 1:]
+        return Mesh(_padded_faces(mesh.faces), np.asarray(mesh.points), edges, None, data)
+    raise TypeError(
+        f"a {type(mesh).__name__} is no array of triangles, and no mesh: it has neither vertices and faces, nor points and "
+        "faces or cells"
+    )
+
+
+def is_mesh(triangles: Any) -> bool:
+    return any(hasattr(triangles, name) for name in ("faces", "cells", "tetrahedra"))
+
+
+def take(triangles: Any, points: Any = None, edges: Any = None, tetrahedra: Any = None) -> Mesh:
+    """Return the arrays of a mesh, which stands in the place of the triangles, or those that are given."""
+    if not is_mesh(triangles):
+        return Mesh(triangles, points, edges, tetrahedra)
+    mesh = mesh_arrays(triangles)
+    given = {"points": points, "edges": edges, "tetrahedra": tetrahedra}
+    return mesh._replace(**{name: array for name, array in given.items() if array is not None})
+
+
+def scalars_of(mesh: Mesh, scalars: Any) -> Any:
+    """Return the scalars, or what the mesh has by this name."""
+    if not isinstance(scalars, str):
+        return scalars
+    if scalars not in mesh.point_data:
+        raise ValueError(f"the mesh has no data {scalars!r} of its vertices")
+    return mesh.point_data[scalars]
+
+
+def to_core(mesh: Mesh, number: int | None = None) -> Any:
+    """Return the arrays of a mesh as the extension takes them."""
+    return _core.MeshArrays(
+        indices(mesh.triangles, 3, "triangles"),
+        points_array(mesh.points, number),
+        indices(mesh.edges, 2, "edges"),
+        indices(mesh.tetrahedra, 4, "tetrahedra"),
+    )
+
+
+def threads_number(threads: int | None) -> int:
+    """Return the number of threads, 0 for one per core."""
+    if threads is None:
+        return 0
+    if isinstance(threads, (bool, np.bool_)) or not isinstance(threads, (int, np.integer)):
+        raise TypeError(f"threads has to be an integer, not {threads!r}")
+    if not 1 <= threads <= 1024:
+        raise ValueError(f"threads has to be from 1 to 1024, not {threads}")
+    return int(threads)

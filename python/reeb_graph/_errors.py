@@ -1,0 +1,40 @@
+"""The exceptions of the package that Python has not already."""
+
+from __future__ import annotations
+
+
+class MeshError(ValueError):
+    """An item of a mesh, or its value, is wrong.
+
+    Attributes
+    ----------
+    vertex, triangle, edge, tetrahedron : int or None
+        The number of what is wrong, from 0, as in the arrays that were handed in; None for the others.
+    face : int or None
+        The same as `triangle`.
+    """
+
+    vertex: int | None = None
+    triangle: int | None = None
+    edge: int | None = None
+    tetrahedron: int | None = None
+
+    def __init__(self, message: str, item: str | None = None, number: int | None = None) -> None:
+        super().__init__(message, item, number)
+        if item is not None:
+            setattr(self, item, number)
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+    @property
+    def face(self) -> int | None:
+        return self.triangle
+
+
+class NumberError(IndexError, ValueError):
+    """There is no node or arc of this number."""
+
+
+class StoppedError(RuntimeError):
+    """The function that was given as `progress` has returned False."""

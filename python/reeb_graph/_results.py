@@ -1,0 +1,99 @@
+"""What a graph returns."""
+
+from __future__ import annotations
+
+import html
+from dataclasses import dataclass
+
+import numpy as np
+
+
+class Contour(np.ndarray):
+    """A contour: the array of its points, in the order in which they follow each other.
+
+    On a surface, a closed contour repeats its first point. In a complex, `polylines` lead through the points, which are
+    there once each; in tetrahedra, `triangles` do.
+
+    Attributes
+    ----------
+    arc : int
+        The arc that the contour belongs to.
+    value : float
+        The value of its level.
+    closed : bool
+        Whether it is one closed curve.
+    edges : (k, 2) array of int
+        The lower and the higher vertex of each edge of the mesh that is crossed: point i is on edge i.
+    polylines : list of arrays of int
+        The lines as numbers of points.
+    triangles : (l, 3) array of int
+        The triangles, of a contour in tetrahedra.
+    """
+
+    arc: int
+    value: float
+    closed: bool
+    edges: np.ndarray
+    polylines: list[np.ndarray]
+    triangles: np.ndarray
+
+    @property
+    def points(self) -> np.ndarray:
+        """The points as a plain array."""
+        return np.asarray(self)
+
+
+@dataclass(frozen=True)
+class CriticalSet:
+    """What a node stands for.
+
+    Attributes
+    ----------
+    lower_contours, upper_contours : list of Contour
+        For each arc below and above, its contour beside the node.
+    star : array of int
+        The triangles, or tetrahedra, at the vertex of the node.
+    border_loop : array of int
+        The vertices of the border loop that the node collapses; most often empty.
+    """
+
+    lower_contours: list[Contour]
+    upper_contours: list[Contour]
+    star: np.ndarray
+    border_loop: np.ndarray
+
+
+@dataclass(frozen=True)
+class Embedding:
+    """A Reeb graph in space.
+
+    Attributes
+    ----------
+    manner : str
+        `centroids`, `on-surface`, or `straight`.
+    node_points : (n, 3) array
+    arc_polylines : list of (k, 3) arrays
+        From the lower to the upper node of each arc.
+    arc_values : list of (k,) arrays
+        The value of the field at each point of them.
+    """
+
+    manner: str
+    node_points: np.ndarray
+    arc_polylines: list[np.ndarray]
+    arc_values: list[np.ndarray]
+
+
+class Page:
+    """A page in a frame, which notebooks show."""
+
+    def __init__(self, text: str, width: str | int, height: int) -> None:
+        self._frame = (
+            f'<iframe srcdoc="{html.escape(text)}" width="{width}" height="{height}" style="border: 0"></iframe>'
+        )
+
+    def _repr_html_(self) -> str:
+        return self._frame
+
+    def __str__(self) -> str:
+        return self._frame

@@ -1,0 +1,96 @@
+"""Fields and curves against the program."""
+
+import meshes
+import numpy as np
+import pytest
+import reeb_graph
+
+TRIANGLES, POINTS = meshes.grid(16, 12, True, True)
+
+
+@pytest.fixture
+def mesh_file(tmp_path):
+    meshes.write_off(tmp_path / "mesh.off", TRIANGLES, POINTS)
+    return tmp_path / "mesh.off"
+
+
+@pytest.mark.parametrize("name, options, of_program", [
+    ("harmonic", {}, []),
+    ("harmonic", {"minimum": 3, "maximum": 90, "weights": "cotangent"}, ["--min", 3, "--max", 90, "--weights", "cotangent"]),
+    ("poisson", {}, []),
+    ("poisson", {"sources": 5}, ["--source", 5]),
+    ("geodesic", {"sources": [5, 70]}, ["--source", "5,70"]),
+    ("unit_gradient", {}, []),
+    ("height", {"direction": (1, 2, 3)}, ["--direction", "1,2,3"]),
+])
+def test_fields_as_the_program(tmp_path, mesh_file, name, options, of_program):
+    field = getattr(reeb_graph, name)(TRIANGLES, POINTS, **options)
+    assert field.dtype == np.float64 and field.shape == (len(POINTS),)
+    output = tmp_path / "field.npy"
+    meshes.run("field", mesh_file, "--type", name.replace("_", "-"), "--output", output, *of_program)
+    assert np.array_equal(field, np.load(output))
+
+
+def test_unit_gradient_of_a_field():
+    field = reeb_graph.unit_gradient(TRIANGLES, POINTS, POINTS[:, 0])
+    assert abs(np.corrcoef(field, POINTS[:, 0])[0, 1]) > 0.8
+
+
+def test_distances_in_complexes():
+    tetrahedra, points = meshes.tetrahedra_of_cubes(2)
+    distances = reeb_graph.geodesic(None, points, tetrahedra=tetrahedra, sources=0)
+    assert distances[0] == 0 and np.isclose(distances.max(), 2 * np.sqrt(3))
+
+
+def test_errors():
+    with pytest.raises(ValueError, match="there is no vertex"):
+        reeb_graph.geodesic(TRIANGLES, POINTS, sources=10**6)
+    with pytest.raises(ValueError):
+        reeb_graph.geodesic(TRIANGLES, POINTS, sources=-1)
+    with pytest.raises(ValueError, match="together"):
+        reeb_graph.harmonic(TRIANGLES, POINTS, minimum=1)
+    with pytest.raises(ValueError, match="needs points"):
+        reeb_graph.harmonic(TRIANGLES)
+    with pytest.raises(ValueError):
+        reeb_graph.height(TRIANGLES, POINTS, (0, 0, 0))
+    with pytest.raises(ValueError, match="surface"):
+        reeb_graph.harmonic([[0, 1, 2], [0, 1, 3], [0, 1, 4]], POINTS[:5])
+    with pytest.raises(TypeError):
+        reeb_graph.poisson(TRIANGLES, POINTS, sources=0.5)
+
+
+def cut_mesh(tmp_path, mesh_file, kind, scalars):
+    np.save(tmp_path / "scalars.npy", scalars)
+    meshes.run("curves", mesh_file, "--scalars", tmp_path / "scalars.npy", "--type", kind, "--patches",
+               tmp_path / "patches.txt", "--curves", tmp_path / "curves.polylines.txt")
+    return np.loadtxt(tmp_path / "patches.txt", dtype=int), (tmp_path / "curves.polylines.txt").read_text().splitlines()
+
+
+@pytest.mark.parametrize("name, kind", [("cutting_system", "cutting-system"), ("branches", "branch")])
+def test_curves_as_the_program(tmp_path, mesh_file, name, kind):
+    scalars = POINTS[:, 0] + 0.3 * np.sin(5 * POINTS[:, 1])
+    cut = getattr(reeb_graph, name)(TRIANGLES, scalars, POINTS, vertex_arrays={
+        "point": POINTS, "label": np.arange(len(POINTS), dtype=np.int32), "height": POINTS[:, 2].astype(np.float32)})
+    patches, curves = cut_mesh(tmp_path, mesh_file, kind, scalars)
+    assert np.array_equal(cut.patches, patches) and len(cut.curves) == len(curves)
+    assert cut.n_patches == patches.max() + 1 and np.array_equal(cut.points[: len(POINTS)], POINTS)
+    assert np.allclose(cut.vertex_arrays["point"], cut.points) and np.array_equal(cut.scalars[: len(POINTS)], scalars)
+    assert cut.vertex_arrays["label"].dtype == np.int32 and cut.vertex_arrays["height"].dtype == np.float32
+    assert cut.triangles.max() == len(cut.points) - 1 and len(cut.patches) == len(cut.triangles)
+    for curve in cut.curves:
+        assert np.array_equal(curve[0], curve[-1])
+
+
+def test_pants():
+    with pytest.raises(ValueError, match="torus"):
+        reeb_graph.pants(TRIANGLES, POINTS[:, 0], POINTS)
+    holes = np.isin(np.arange(len(TRIANGLES)), [0, 40, 90], invert=True)
+    cut = reeb_graph.pants(TRIANGLES[holes], POINTS[:, 0], POINTS)
+    assert (cut.n_patches, len(cut.curves)) == (3, 3)
+    level = reeb_graph.make_borders_level(TRIANGLES[holes], POINTS[:, 0])
+    assert level[TRIANGLES[0]].min() == level[TRIANGLES[0]].max()
+    with pytest.raises(ValueError, match="border"):
+        reeb_graph.pants(TRIANGLES[holes], POINTS[:, 0], POINTS, borders="level")
+    with pytest.raises(ValueError, match="more than are wanted"):
+        reeb_graph.pants(TRIANGLES[holes], POINTS[:, 0], POINTS, max_triangles=1)
+    assert len(reeb_graph.pants(TRIANGLES[holes], POINTS[:, 0], POINTS, cut_open=True).points) > len(cut.points)
