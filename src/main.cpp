@@ -102,7 +102,7 @@ void add_curves_command(CLI::App& app, Curves_options& options)
            "a property and as colours of the faces");
   add_file(*command, "--patches", options.patches_path,
            "Write to this file, for each face of the cut mesh on a line, the number of its patch");
-  add_page_options(*command, options.page_path, options.unit);
+  add_page_options(*command, options.page_path, options.unit, options.up);
   add_file(*command, "--mesh-out", options.mesh_path,
            "Write the cut mesh to this file, .ply or .vtp, with the value, the arc, and the node of each "
            "vertex, the patch of each face, and colours");

@@ -14,11 +14,13 @@
 // All that is about graphs. The headers of the folders fields/ and curves/, which are about meshes, are included one by
 // one.
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/Basic_augmentation.h>
 #include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/Critical_vertex_counts.h>
 #include <CGAL/Reeb_graph/Embedding.h>
 #include <CGAL/Reeb_graph/Error.h>
+#include <CGAL/Reeb_graph/Flat_field.h>
 #include <CGAL/Reeb_graph/Halfedge_chain.h>
 #include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/Reeb_graph/IO/attributes.h>
@@ -39,7 +41,6 @@
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/embed.h>
-#include <CGAL/Reeb_graph/embed_complex.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/graph_exceptions.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
@@ -51,10 +52,11 @@
 #include <CGAL/Reeb_graph/plane_layout.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/simplification/Simplification.h>
+#include <CGAL/Reeb_graph/simplification/Simplification_threshold.h>
 #include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
-#include <CGAL/Reeb_graph/simplification/piece_weights.h>
+#include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/Reeb_graph/simplification/simplify_field.h>
 #include <CGAL/Reeb_graph/soup_exceptions.h>

@@ -35,6 +35,14 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+// A Flat_field, as flatten_unchecked() gives another one.
+template <class FaceListGraph, class Scalar>
+struct Checked_surface
+{
+  Checked_complex<Complex_of_t<FaceListGraph>> complex;
+  const Field_by_numbers<FaceListGraph, Scalar>& field;
+};
+
 // The mesh and its field, as the pipeline takes them.
 template <class FaceListGraph, class ScalarMap, class NamedParameters>
 struct Mesh_with_field
@@ -46,7 +54,24 @@ struct Mesh_with_field
   template <class ConcurrencyTag, class Traits>
   auto flatten(const Traits& traits) const
   {
-    return flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
+    typedef typename Traits::Scalar Scalar;
+    if constexpr(Is_flat_field<ScalarMap, Scalar>::value)
+    {
+      const Flat_surface<FaceListGraph, Scalar>& surface = *scalar_map.flat_surface(mesh); // which the map holds
+      return Checked_surface<FaceListGraph, Scalar>{{surface.complex}, surface.field};
+    }
+    else
+    {
+      auto surface = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
+      surface.field.numbers = nullptr; // They take memory, and nobody asks for them.
+      return surface;
+    }
+  }
+
+  template <class ConcurrencyTag, class Complex, class Order>
+  auto classify_vertices(Complex complex, const Order& order) const
+  {
+    return internal::check_and_classify_vertices<ConcurrencyTag>(std::move(complex), order);
   }
 
   // What leads from the numbers of a complex back to the descriptors.
@@ -244,21 +269,27 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
   progress.report(0.2);
 
   visitor.begin_stage(Stage::CLASSIFY);
-  // not qualified, so that what is declared later for other complexes is found
-  auto [complex, critical_vertices] = check_and_classify_vertices<ConcurrencyTag>(std::move(unchecked_complex), order);
+  auto [complex, critical_vertices] =
+    input.template classify_vertices<ConcurrencyTag>(std::move(unchecked_complex), order);
   visitor.critical_vertices(stages::count_critical_vertices(critical_vertices));
   visitor.end_stage(Stage::CLASSIFY);
   progress.report(0.3);
 
   visitor.begin_stage(Stage::ARCS);
-  auto critical_arcs = places.template find_arcs<ConcurrencyTag>(
-    complex, order, critical_vertices, method, number_of_slabs, stages::Stage_progress(progress, 0.3, 0.7));
+  const stages::Stage_progress arcs_progress(progress, 0.3, 0.7);
+  stages::Slab_arcs critical_arcs;
+  if constexpr(places.are_wanted)
+    critical_arcs = places.template find_arcs<ConcurrencyTag>(complex, order, critical_vertices, method,
+                                                              number_of_slabs, arcs_progress);
+  else
+    critical_arcs =
+      stages::find_arcs<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs, arcs_progress);
   progress.report(0.7);
   const stages::Flat_graph flat_graph = stages::reduce_arcs<ConcurrencyTag>(
     complex, order, critical_vertices, critical_arcs, ties, are_degree_two_nodes_kept, places.are_wanted);
   places.template find<ConcurrencyTag>(complex, order, critical_vertices, critical_arcs, flat_graph, ties);
   critical_vertices = stages::Swept_vertices(); // The graph takes much memory.
-  critical_arcs = decltype(critical_arcs)();
+  critical_arcs = stages::Slab_arcs();
   visitor.end_stage(Stage::ARCS);
   progress.report(0.8);
 
@@ -275,8 +306,8 @@ namespace internal {
 
 #define CGAL_REEB_GRAPH_WRITE_GRAPH(PREFIX, TAG, POINT, SCALAR)                                                        \
   PREFIX template void write_graph<TAG>(const Surface_mesh<POINT>&, const Surface_mesh_complex<POINT>&,                \
-                                        const Flat_field<Surface_mesh<POINT>, SCALAR>&, const Natural_order<SCALAR>&,  \
-                                        const Flat_graph&, Surface_graph<SCALAR>&);
+                                        const Field_by_numbers<Surface_mesh<POINT>, SCALAR>&,                          \
+                                        const Natural_order<SCALAR>&, const Flat_graph&, Surface_graph<SCALAR>&);
 CGAL_REEB_GRAPH_FOR_POINTS(CGAL_REEB_GRAPH_WRITE_GRAPH)
 
 } // namespace internal

@@ -165,6 +165,12 @@ struct Soup_with_field
     return flatten_soup<ConcurrencyTag>(number_of_vertices, scalars, traits, read_complex);
   }
 
+  template <class ConcurrencyTag, class Order>
+  auto classify_vertices(Simplicial_complex complex, const Order& order) const
+  {
+    return internal::check_and_classify_vertices<ConcurrencyTag>(std::move(complex), order);
+  }
+
   // Descriptors are made from the numbers of the complex.
   const Simplicial_complex& mesh_of(const Simplicial_complex& complex) const { return complex; }
 };

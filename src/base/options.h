@@ -68,11 +68,13 @@ struct Cut_options
   CGAL::Reeb_graph::Borders borders = CGAL::Reeb_graph::Borders::MAKE_LEVEL;
 };
 
-// A threshold of the persistence of branches and loops, in units of the field or in percent of its range.
+// A threshold of the persistence of branches and loops, in units of the field or in percent of its range, or the one
+// that the graph suggests.
 struct Threshold
 {
   double number = 0;
   bool is_percentage = false;
+  bool is_suggested = false;
 };
 
 // What is removed from the graph. Nothing is if neither a threshold nor a number of leaves is given.

@@ -12,6 +12,7 @@
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/options.h>
+#include <CGAL/Reeb_graph/simplification/Simplification_threshold.h>
 #include <CGAL/Reeb_graph/visitor.h>
 
 #include <cstddef>
@@ -92,7 +93,8 @@ struct Arc_row
   double upper_value = 0;
   double length = 0;
   double area = 0;
-  std::size_t vertices = 0; // that belong to the arc
+  std::size_t vertices = 0;                    // that belong to the arc
+  std::optional<double> volume = std::nullopt; // in tetrahedra, in the place of the area
 };
 
 // What the field took, and each step of the work.
@@ -141,7 +143,7 @@ struct Report : Work_report
   CGAL::Reeb_graph::Critical_vertex_counts critical_vertices;
   Graph_counts graph;
   std::optional<Simplification_counts> simplification;
-  std::optional<double> suggested_threshold;
+  std::vector<CGAL::Reeb_graph::Simplification_threshold> thresholds; // that matter for the given graph
   std::optional<CGAL::Reeb_graph::Embedding_manner> embedding_manner; // of a graph in space
   std::optional<std::vector<Arc_row>> arc_table;                      // of the simplified graph if there is one
 };

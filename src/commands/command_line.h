@@ -60,9 +60,15 @@ inline void add_field_option(CLI::App& command, Input_options& options)
     ->check(is_not_empty());
 }
 
-inline void add_page_options(CLI::App& command, std::string& page_path, std::string& unit)
+inline void add_page_options(CLI::App& command, std::string& page_path, std::string& unit, std::string& up)
 {
   add_file(command, "--html", page_path, "Write a page to this file, .html, that shows the graph on the surface");
+  command
+    .add_option(
+      "--up", up,
+      "With --html: which way is up, x, y, z, -x, -y, or -z; by default that of a height, else away from the "
+      "largest flat side that the mesh stands on, else y for a mesh that is as tall in y as it is wide, else z")
+    ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
   command.add_option("--unit", unit, "The unit of the field, for the page and for the drawing of the graph");
 }
 
@@ -111,7 +117,8 @@ inline void add_simplification_options(CLI::App& command, Simplification_options
 {
   command.add_option_function<std::string>(
     "--simplify", [&options](const std::string& text) { options.threshold = parse_threshold(text); },
-    "Remove branches of the graph that are less persistent: X in units of the field, or P% of its range");
+    "Remove branches of the graph that are less persistent: X in units of the field, P% of its range, or auto, the "
+    "threshold that tells noise from features best");
   add_whole_number(command, "--leaves", options.number_of_leaves,
                    "Remove branches until the graph has this many leaves");
   command.add_flag("--cancel-loops", options.are_loops_cancelled, "With --simplify: remove loops as well");
@@ -138,8 +145,8 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
       "--embedding", set_embedding,
       "Where the arcs of a graph in space are: centroids of contours (centroids, the "
       "default), chains (on-surface), or straight lines (straight, the default for "
-      ".csv, and where contours are very long), which leave nodes at their vertices; what is no oriented manifold "
-      "surface has straight ones only")
+      ".csv, where contours are very long, and for what is no oriented manifold surface), which leave nodes at their "
+      "vertices")
     ->check(CLI::IsMember({"centroids", "on-surface", "straight"}));
   add_file(*command, "--mesh-out", options.mesh_path,
            "Write the mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex, "
@@ -150,7 +157,7 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
   add_file(*command, "--pairs", options.pairs_path,
            "Write the pairs of extended persistence of the given graph to this file, .csv, or .pers for GUDHI");
   add_file(*command, "--diagram", options.diagram_path, "Draw the persistence diagram of the given graph, .svg");
-  add_page_options(*command, options.page_path, options.unit);
+  add_page_options(*command, options.page_path, options.unit, options.up);
   add_simplification_options(*command, options.simplification);
   add_file(*command, "--simplified-scalars", options.simplified_scalars_path,
            "With --simplify or --leaves: write a field that has the simplified graph to this file; .npy for NumPy");

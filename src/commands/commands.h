@@ -12,7 +12,7 @@
 #include "base/Vertex_numbers.h"
 #include "base/options.h"
 #include "base/report.h"
-#include "computation/augmentation.h"
+#include "computation/Mesh_graph.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -34,6 +34,7 @@ struct Compute_options
   std::string diagram_path;
   std::string simplified_scalars_path;
   std::string page_path;
+  std::string up;   // of the page: x, y, z, -x, -y, -z, or as it finds it
   std::string unit; // of the field, for what is drawn
   bool is_report_json = false;
   std::optional<bool> is_table_wanted; // by default that of a graph of few arcs
@@ -56,6 +57,7 @@ struct Curves_options
   std::string patches_path;
   std::string mesh_path;
   std::string page_path;
+  std::string up;                 // of the page: x, y, z, -x, -y, -z, or as it finds it
   std::string unit;               // of the field, for what is drawn
   bool is_large_accepted = false; // a cut mesh of more than 50 times the triangles
   bool is_report_json = false;

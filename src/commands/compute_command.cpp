@@ -10,10 +10,9 @@
 #include "base/report.h"
 #include "base/stopwatch.h"
 #include "commands/commands.h"
+#include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
-#include "computation/augmentation.h"
 #include "computation/complex_counts.h"
-#include "computation/complex_graph.h"
 #include "computation/embedding.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
@@ -74,26 +73,18 @@ void check(const Compute_options& options)
   check_simplification_of_field(options.simplification);
 }
 
-std::vector<std::size_t> places_of(const Surface& surface, const Vertex_locations& locations)
-{
-  std::vector<std::size_t> places;
-  places.reserve(surface.number_of_vertices());
-  for(const Surface::Vertex_index v : surface.vertices())
-    places.push_back(locations.index(v));
-  return places;
-}
-
 Graph_in_space embed_and_time(const Compute_options& options,
-                              const Augmentation& augmentation,
+                              bool is_surface,
+                              Mesh_graph& graph,
                               const std::vector<Arc_row>& arcs,
                               Report& report)
 {
   const Stopwatch stopwatch;
   // tables hold no lines, only the points of nodes
-  const auto default_manner = std::filesystem::path(options.graph_path).extension() == ".csv"
+  const auto default_manner = !is_surface || std::filesystem::path(options.graph_path).extension() == ".csv"
                               ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
                               : CGAL::Reeb_graph::Embedding_manner::BY_COST;
-  Graph_in_space result = embed_graph(augmentation, options.embedding_manner.value_or(default_manner),
+  Graph_in_space result = graph.embed(options.embedding_manner.value_or(default_manner),
                                       has_arc_attributes(options.graph_path) ? &arcs : nullptr);
   report.embedding_manner = result.embedding.manner;
   report.seconds.emplace_back("embed", stopwatch.seconds());
@@ -101,23 +92,23 @@ Graph_in_space embed_and_time(const Compute_options& options,
 }
 
 // The vertices are located if one of the files or the table needs it.
-void write_files_of_surface(const Compute_options& options,
-                            const Simplified_graph& graph,
-                            const Surface& surface,
-                            Scalar_map scalar_map,
-                            Report& report)
+void write_files_of_mesh(const Compute_options& options,
+                         Mesh_graph& graph,
+                         const Mesh& mesh,
+                         Scalar_map scalar_map,
+                         Report& report)
 {
   constexpr std::size_t few_arcs = 40;
+  const std::size_t number_of_nodes = num_vertices(graph.result());
   const bool has_table = options.is_table_wanted.value_or(num_edges(graph.result()) <= few_arcs);
   const bool has_file = !options.vertex_arcs_path.empty() || !options.mesh_path.empty() || is_graph_in_space(options);
   if(!has_table && !has_file)
     return;
   const Stopwatch stopwatch;
-  const Augmentation augmentation = graph.augmentation(surface, scalar_map, options.graph);
-  const Vertex_locations locations = locate_vertices(augmentation);
+  const std::vector<std::size_t>& places = graph.places();
   std::vector<Arc_row> arcs;
   if(has_table || (is_graph_in_space(options) && has_arc_attributes(options.graph_path)))
-    arcs = measure_arcs(surface, scalar_map, graph.result(), locations);
+    arcs = graph.measure_arcs();
   if(has_table)
     report.arc_table = arcs;
   report.seconds.emplace_back("locate", stopwatch.seconds());
@@ -125,14 +116,15 @@ void write_files_of_surface(const Compute_options& options,
     return;
   std::optional<Graph_in_space> graph_in_space;
   if(is_graph_in_space(options))
-    graph_in_space = embed_and_time(options, augmentation, arcs, report);
+    graph_in_space = embed_and_time(options, !mesh.complex, graph, arcs, report);
   const Stopwatch output_stopwatch;
   if(!options.vertex_arcs_path.empty())
-    write_vertex_arcs(options.vertex_arcs_path, places_of(surface, locations), num_vertices(graph.result()));
+    write_vertex_arcs(options.vertex_arcs_path, places, number_of_nodes);
   if(!options.mesh_path.empty())
-    write_mesh(options.mesh_path, surface, {scalar_map, locations, num_vertices(graph.result()), std::nullopt});
+    write_mesh(options.mesh_path, mesh, {scalar_map, places, number_of_nodes, std::nullopt});
   if(graph_in_space)
-    write_graph_in_space(options.graph_path, graph.result(), *graph_in_space, surface);
+    write_graph_in_space(options.graph_path, graph.result(), *graph_in_space,
+                         [&](std::ostream& stream) { graph.write_json(stream, *graph_in_space); });
   report.add_seconds("output", output_stopwatch.seconds());
 }
 
@@ -155,9 +147,10 @@ void write_page_file(const Compute_options& options,
   if(options.page_path.empty())
     return;
   const Stopwatch stopwatch;
-  write_page(options.page_path, {surface, scalar_map, given, options.graph,
-                                 std::filesystem::path(options.input.mesh_path).filename().string(),
-                                 field_label(options.input, options.unit), options.simplification, threshold});
+  write_page(options.page_path,
+             {surface, scalar_map, given, options.graph,
+              std::filesystem::path(options.input.mesh_path).filename().string(),
+              field_label(options.input, options.unit), options.simplification, threshold, options.up});
   report.seconds.emplace_back("page", stopwatch.seconds());
 }
 
@@ -188,29 +181,7 @@ void write_report(const Compute_options& options, const Report& report)
     write_text(stream, report);
 }
 
-void compute_on_surface(const Compute_options& options, Surface& surface, Report& report)
-{
-  const Scalar_map scalar_map = add_field(options.input, surface, report);
-  const double threshold = threshold_in_units(options.simplification, surface, scalar_map);
-  const Graph given = compute_and_time(surface, scalar_map, options.graph, report);
-  const Stopwatch simplify_stopwatch;
-  const Simplified_graph graph(given, options.simplification, threshold);
-  const double simplify_seconds = simplify_stopwatch.seconds();
-  count_all(surface, given, report);
-  if(options.simplification.is_anything_removed())
-  {
-    report.seconds.emplace_back("simplify", simplify_seconds);
-    count_simplified(graph.result(), threshold, report);
-  }
-  write_simplified_field(options, surface, scalar_map, threshold, report);
-  write_pairs_and_diagram(options, given, threshold, report);
-  write_files_of_surface(options, graph, surface, scalar_map, report);
-  write_graph_file(options, graph.result(), report);
-  write_page_file(options, given, surface, scalar_map, threshold, report);
-  write_report(options, report);
-}
-
-// What needs contours that are curves, or faces with two sides.
+// What is for surfaces only. PLY and VTP files of meshes hold no tetrahedra.
 void check_for_complex(const Compute_options& options, const Complex& complex)
 {
   const auto check_left_out = [&](bool is_left_out, const std::string& option) {
@@ -219,49 +190,29 @@ void check_for_complex(const Compute_options& options, const Complex& complex)
                         option + " needs an oriented manifold surface; " + describe_obstacle(complex));
   };
   check_left_out(options.page_path.empty(), "--html");
-  check_left_out(options.mesh_path.empty(), "--mesh-out");
   check_left_out(options.simplified_scalars_path.empty(), "--simplified-scalars");
-  check_left_out(!options.is_table_wanted.value_or(false), "--table");
-  check_left_out(options.embedding_manner.value_or(CGAL::Reeb_graph::Embedding_manner::STRAIGHT)
-                   == CGAL::Reeb_graph::Embedding_manner::STRAIGHT,
-                 "--embedding but straight");
+  if(!options.mesh_path.empty() && !complex.tetrahedra.empty())
+    throw Input_error(options.input.mesh_path, "--mesh-out writes triangles, and the mesh has tetrahedra: "
+                                               "--vertex-arcs writes where each vertex belongs");
 }
 
-void compute_on_complex(const Compute_options& options, Mesh& mesh, Report& report)
+void compute(const Compute_options& options, Mesh& mesh, Report& report)
 {
-  check_for_complex(options, *mesh.complex);
+  if(mesh.complex)
+    check_for_complex(options, *mesh.complex);
+  Surface& surface = mesh.surface;
   const Scalar_map scalar_map = add_field(options.input, mesh, report);
-  const double threshold = threshold_in_units(options.simplification, mesh.surface, scalar_map);
-  const Complex_graph given = compute_and_time(mesh, scalar_map, options.graph, report);
-  const Stopwatch simplify_stopwatch;
-  const Simplified_complex_graph graph(given, options.simplification, threshold);
-  const double simplify_seconds = simplify_stopwatch.seconds();
-  count_all(mesh, given, report);
+  const auto graph = compute_mesh_graph(mesh, scalar_map, options.graph, options.simplification,
+                                        threshold_in_units(options.simplification, surface, scalar_map), report);
+  const double threshold = graph->threshold();
+  count_all(mesh, graph->given(), report);
   if(options.simplification.is_anything_removed())
-    report.seconds.emplace_back("simplify", simplify_seconds);
-  const Stopwatch locate_stopwatch;
-  if(!options.vertex_arcs_path.empty())
-  {
-    write_vertex_arcs(options.vertex_arcs_path, locate_vertices(mesh, scalar_map, graph, options.graph),
-                      num_vertices(graph.result()));
-    report.seconds.emplace_back("locate", locate_stopwatch.seconds());
-  }
-  const bool are_chains_written = std::filesystem::path(options.graph_path).extension() == ".json";
-  const Graph result = graph_on_vertices(graph.result(), mesh.surface, are_chains_written);
-  if(options.simplification.is_anything_removed())
-    count_simplified(result, threshold, report);
-  write_pairs_and_diagram(options, graph_on_vertices(given, mesh.surface, false), threshold, report);
-  if(is_graph_in_space(options))
-  {
-    const Stopwatch embed_stopwatch;
-    const Graph_in_space graph_in_space = embed_straight(result, mesh.surface);
-    report.embedding_manner = graph_in_space.embedding.manner;
-    report.seconds.emplace_back("embed", embed_stopwatch.seconds());
-    const Stopwatch stopwatch;
-    write_graph_in_space(options.graph_path, result, graph_in_space, mesh.surface);
-    report.add_seconds("output", stopwatch.seconds());
-  }
-  write_graph_file(options, result, report);
+    count_simplified(graph->result(), threshold, report);
+  write_simplified_field(options, surface, scalar_map, threshold, report);
+  write_pairs_and_diagram(options, graph->given(), threshold, report);
+  write_files_of_mesh(options, *graph, mesh, scalar_map, report);
+  write_graph_file(options, graph->result(), report);
+  write_page_file(options, graph->given(), surface, scalar_map, threshold, report);
   write_report(options, report);
 }
 
@@ -273,11 +224,13 @@ void write_pairs_and_diagram(const Compute_options& options,
                              Report& report,
                              const Vertex_numbers& vertex_numbers)
 {
-  if(options.pairs_path.empty() && options.diagram_path.empty() && !options.is_report_json)
+  const Stopwatch thresholds_stopwatch;
+  report.thresholds = find_thresholds(graph, options.simplification.are_loops_cancelled);
+  report.seconds.emplace_back("thresholds", thresholds_stopwatch.seconds());
+  if(options.pairs_path.empty() && options.diagram_path.empty())
     return;
   const Stopwatch stopwatch;
   const std::vector<Persistence_pair> pairs = find_persistence_pairs(graph);
-  report.suggested_threshold = suggest_threshold(graph, pairs);
   report.seconds.emplace_back("pairs", stopwatch.seconds());
   if(!options.pairs_path.empty())
     write_pairs(options.pairs_path, graph, pairs, vertex_numbers);
@@ -291,10 +244,7 @@ void run_compute(const Compute_options& options)
   check(options);
   Report report;
   Mesh mesh = read_mesh(options.input, report);
-  if(mesh.complex)
-    compute_on_complex(options, mesh, report);
-  else
-    compute_on_surface(options, mesh.surface, report);
+  compute(options, mesh, report);
 }
 
 } // namespace reeb_graph_program

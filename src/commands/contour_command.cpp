@@ -8,19 +8,17 @@
 
 #include "base/complex.h"
 #include "commands/commands.h"
-#include "computation/augmentation.h"
-#include "computation/complex_graph.h"
+#include "computation/Mesh_graph.h"
+#include "computation/simplification.h"
 #include "input/field_input.h"
 #include "input/input_error.h"
 #include "output/output_file.h"
 #include "output/polylines_output.h"
 #include "output/report_output.h"
 
-#include <cstddef>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
-#include <vector>
 
 namespace reeb_graph_program {
 namespace {
@@ -32,27 +30,6 @@ void check_is_there(bool is_any_there, double level)
   message << "there is no contour at the level " << level;
   throw std::runtime_error(message.str());
 }
-
-std::size_t write_contours_on_surface(const Contour_options& options, Surface& surface, Work_report& report)
-{
-  const Scalar_map scalar_map = add_field(options.input, surface, report);
-  const std::vector<Polyline> polylines = find_contours(surface, scalar_map, options.choice);
-  check_is_there(!polylines.empty(), options.choice.level);
-  write_polylines(options.output_path, polylines);
-  return polylines.size();
-}
-
-std::size_t write_contours_in_complex(const Contour_options& options, Mesh& mesh, Work_report& report)
-{
-  const Scalar_map scalar_map = add_field(options.input, mesh, report);
-  const Complex_contours contours = find_contours(mesh, scalar_map, options.choice);
-  check_is_there(contours.number > 0, options.choice.level);
-  if(mesh.complex->tetrahedra.empty())
-    write_polylines(options.output_path, contours.polylines);
-  else
-    write_triangles(options.output_path, contours.points, contours.triangles);
-  return contours.number;
-}
 } // namespace
 
 void run_contour(const Contour_options& options)
@@ -60,17 +37,26 @@ void run_contour(const Contour_options& options)
   check_contour_format(options.output_path);
   check_outputs({options.output_path}, input_files(options.input));
   check_simplification_options(options.choice.simplification);
-  Work_report report;
+  Report report;
   Mesh mesh = read_mesh(options.input, report);
   if(mesh.complex && mesh.complex->has_triangles_and_tetrahedra())
     throw Input_error(options.input.mesh_path, "there are triangles that are faces of no tetrahedron: contours of such "
                                                "a mesh are neither polylines nor triangles");
   const bool has_tetrahedra = mesh.complex && !mesh.complex->tetrahedra.empty();
   check_contour_format(options.output_path, has_tetrahedra);
-  const std::size_t number = mesh.complex ? write_contours_in_complex(options, mesh, report)
-                                          : write_contours_on_surface(options, mesh.surface, report);
+  const Scalar_map scalar_map = add_field(options.input, mesh, report);
+  const Contour_choice& choice = options.choice;
+  const Contours contours =
+    compute_mesh_graph(mesh, scalar_map, choice.graph, choice.simplification,
+                       threshold_in_units(choice.simplification, mesh.surface, scalar_map), report)
+      ->find_contours(choice);
+  check_is_there(contours.number > 0, choice.level);
+  if(has_tetrahedra)
+    write_triangles(options.output_path, contours.points, contours.triangles);
+  else
+    write_polylines(options.output_path, contours.polylines);
   std::ostream& stream = report_stream({options.output_path});
-  stream << number << (number == 1 ? " contour\n" : " contours\n");
+  stream << contours.number << (contours.number == 1 ? " contour\n" : " contours\n");
   write_field_text(stream, report);
 }
 

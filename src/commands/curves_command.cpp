@@ -24,6 +24,7 @@
 
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 
+#include <cmath>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
@@ -103,8 +104,8 @@ void write_mesh_file(const Curves_options& options,
   const Stopwatch stopwatch;
   const Graph graph = compute_graph(surface, scalar_map, Graph_options());
   const Augmentation augmentation(surface, scalar_map, graph);
-  const Vertex_locations locations = locate_vertices(augmentation);
-  write_mesh(options.mesh_path, surface, {scalar_map, locations, num_vertices(graph), result.patch_map});
+  const std::vector<std::size_t> places = places_of(surface.vertices(), locate_vertices(augmentation));
+  write_mesh(options.mesh_path, surface, {scalar_map, places, num_vertices(graph), result.patch_map});
   report.add_seconds("mesh", stopwatch.seconds());
 }
 
@@ -125,6 +126,7 @@ void write_page_file(const Curves_options& options,
                           Graph_options(),
                           std::filesystem::path(options.input.mesh_path).filename().string(),
                           field_label(options.input, options.unit)};
+  request.up = options.up;
   request.patch_map = result.patch_map;
   request.curves = result.polylines;
   write_page(options.page_path, request);
@@ -138,7 +140,12 @@ void simplify(const Surface& surface,
               Curves_report& report)
 {
   const Stopwatch stopwatch;
-  const double threshold = threshold_in_units(options, surface, scalar_map);
+  double threshold = threshold_in_units(options, surface, scalar_map);
+  if(std::isnan(threshold))
+  {
+    const Graph given = compute_graph(surface, scalar_map, Graph_options());
+    threshold = Simplified_graph(given, options, threshold).threshold();
+  }
   report.are_ties_contracted =
     compute_simplified_field(surface, scalar_map, options, threshold, CGAL::Reeb_graph::Ties::PERTURB, scalar_map)
       .are_ties_contracted;

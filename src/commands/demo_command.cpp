@@ -9,6 +9,7 @@
 #include "base/stopwatch.h"
 #include "commands/commands.h"
 #include "computation/analysis.h"
+#include "computation/augmentation.h"
 #include "generated_surfaces/build_mesh.h"
 #include "generated_surfaces/standing_figure.h"
 #include "output/graph_output.h"
@@ -66,8 +67,8 @@ void run_demo(const Demo_options& options)
   std::cout << "The Reeb graph of the height on a generated figure, with one hand on the hip:\n\n";
   write_text(std::cout, report);
   std::cout
-    << "\nThe arm and the body make the loop of the graph. Its leaves are the feet, the head, the fingers of the\n"
-       "hand that waves, and its thumb. Files in "
+    << "\nThe arm and the body make the loop of the graph. Its leaves are the feet, the head, the hand that waves,\n"
+       "and the bird on that arm. Files in "
     << folder.string() << ":\n\n"
     << (is_page_available() ? "  page.html             the surface and the graph, to turn, to point at, and to send\n"
                             : "")

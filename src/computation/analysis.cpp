@@ -8,15 +8,13 @@
 
 #include "computation/analysis.h"
 
-#include "base/progress_bar.h"
 #include "computation/Report_visitor.h"
+#include "computation/complex_counts.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
-#include <CGAL/compute_reeb_graph.h>
 
 #include <cstddef>
-#include <functional>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
@@ -36,17 +34,6 @@ Surface_counts count_surface(const Surface& surface, const Graph& graph, std::si
 
 } // namespace
 
-Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report)
-{
-  Graph graph;
-  Report_visitor visitor(report);
-  Progress_bar progress_bar("graph");
-  const Timed_computation timed(report);
-  CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(
-    surface, scalar_map, graph, named_parameters(options).visitor(std::ref(visitor)).callback(std::ref(progress_bar)));
-  return graph;
-}
-
 void count_handles(Surface_counts& counts, std::size_t number_of_isolated_vertices)
 {
   counts.euler_characteristic = static_cast<long>(counts.vertices + counts.faces) - static_cast<long>(counts.edges);
@@ -65,6 +52,16 @@ void count_all(const Surface& surface, const Graph& graph, Report& report)
 {
   report.surface = count_surface(surface, graph, report.critical_vertices.isolated);
   count_graph_of_surface(graph, report);
+}
+
+void count_all(const Mesh& mesh, const Graph& graph, Report& report)
+{
+  if(!mesh.complex)
+    return count_all(mesh.surface, graph, report);
+  report.complex = count_complex(*mesh.complex);
+  report.complex->vertices = mesh.surface.number_of_vertices();
+  report.complex->components = CGAL::Reeb_graph::number_of_components(graph); // as many as the complex has
+  report.graph = count_graph(graph, report.complex->components);
 }
 
 void count_simplified(const Graph& simplified, double threshold, Report& report)

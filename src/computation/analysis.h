@@ -9,23 +9,21 @@
 #ifndef CGAL_REEB_GRAPH_SRC_ANALYSIS_H
 #define CGAL_REEB_GRAPH_SRC_ANALYSIS_H
 
-#include "base/options.h"
+#include "base/complex.h"
 #include "base/report.h"
 #include "base/surface.h"
 
 #include <cstddef>
 
 namespace reeb_graph_program {
-// Computes the Reeb graph, and adds what it took to the report.
-Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report);
-
 // Adds the Euler characteristic and the genus to the other counts.
 void count_handles(Surface_counts& counts, std::size_t number_of_isolated_vertices);
 
 // Adds the counts of the graph behind those of the surface.
 void count_graph_of_surface(const Graph& graph, Report& report);
 
-// Counts what the report tells of the surface and of the graph.
+// Counts what the report tells of the mesh and of the graph.
+void count_all(const Mesh& mesh, const Graph& graph, Report& report);
 void count_all(const Surface& surface, const Graph& graph, Report& report);
 
 // Adds what the report tells of the simplified graph, behind count_all().

@@ -9,42 +9,83 @@
 #include "computation/augmentation.h"
 
 #include "base/progress_bar.h"
+#include "computation/Mesh_graph_of.h"
+#include "computation/analysis.h"
 
 #include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/arc_measures.h>
+#include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <functional>
+#include <memory>
+#include <optional>
 
 namespace reeb_graph_program {
 namespace {
-std::vector<Polyline> contour_of_arc(const Surface& surface,
-                                     const Graph& graph,
-                                     const Augmentation& augmentation,
-                                     std::size_t arc,
-                                     double t)
+// The graph of a surface.
+class Surface_kind
 {
-  return {
-    CGAL::Reeb_graph::polyline_of_contour(surface, augmentation, augmentation.contour(arc_of_number(graph, arc), t))};
-}
+public:
+  typedef reeb_graph_program::Graph Graph;
+  typedef reeb_graph_program::Augmentation Augmentation;
 
-std::vector<Polyline> contours_at_level(const Surface& surface, const Augmentation& augmentation, double level)
-{
-  std::vector<Polyline> polylines;
-  for(const auto& contour : augmentation.contours_at_value<CGAL::Parallel_if_available_tag>(level))
-    polylines.push_back(CGAL::Reeb_graph::polyline_of_contour(surface, augmentation, contour));
-  return polylines;
-}
+  Surface_kind(const Mesh& mesh, Scalar_map scalar_map) : surface_(mesh.surface), scalar_map_(scalar_map) {}
+
+  template <class NamedParameters>
+  Graph compute(const NamedParameters& np) const
+  {
+    Graph graph;
+    CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(surface_, scalar_map_, graph, np);
+    return graph;
+  }
+
+  template <class NamedParameters>
+  std::unique_ptr<const Augmentation> augment(const Graph& graph, const NamedParameters& np) const
+  {
+    return std::make_unique<const Augmentation>(surface_, scalar_map_, graph, np);
+  }
+
+  const Graph& on_surface(const Graph& graph, std::optional<Graph>&) const { return graph; }
+  auto vertices() const { return surface_.vertices(); }
+  auto vertex_numbers() const { return get(boost::vertex_index, surface_); }
+
+  template <class NamedParameters>
+  auto embed(const Augmentation& augmentation, const NamedParameters& np) const
+  {
+    return CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(augmentation, np);
+  }
+
+  std::vector<Arc_row> measure_arcs(const Augmentation& augmentation, const Vertex_locations& locations) const
+  {
+    return reeb_graph_program::measure_arcs(surface_, scalar_map_, augmentation.graph(), locations);
+  }
+
+  void add(const Augmentation& augmentation, const Augmentation::Contour& contour, Contours& contours) const
+  {
+    contours.polylines.push_back(CGAL::Reeb_graph::polyline_of_contour(surface_, augmentation, contour));
+  }
+
+private:
+  const Surface& surface_;
+  const Scalar_map scalar_map_;
+};
 
 } // namespace
 
+Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report)
+{
+  return compute_and_time(options, report, [&](const auto& np) {
+    Graph graph;
+    CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(surface, scalar_map, graph, np);
+    return graph;
+  });
+}
+
 Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options)
 {
-  Graph graph;
-  Progress_bar progress_bar("graph");
-  CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(surface, scalar_map, graph,
-                                                            named_parameters(options).callback(std::ref(progress_bar)));
-  return graph;
+  Report unused;
+  return compute_and_time(surface, scalar_map, options, unused);
 }
 
 Vertex_locations locate_vertices(const Augmentation& augmentation)
@@ -59,26 +100,20 @@ std::vector<Arc_row> measure_arcs(const Surface& surface,
                                   const Graph& graph,
                                   const Vertex_locations& locations)
 {
-  const std::vector<double> lengths = CGAL::Reeb_graph::arc_lengths(surface, scalar_map, graph);
-  const std::vector<double> areas = CGAL::Reeb_graph::arc_areas(surface, graph, locations);
-  std::vector<Arc_row> rows;
-  for(const auto arc : CGAL::make_range(edges(graph)))
-  {
-    const std::size_t i = get(boost::edge_index, graph, arc), lower = source(arc, graph), upper = target(arc, graph);
-    rows.push_back({lower, upper, graph[lower].value, graph[upper].value, lengths[i], areas[i],
-                    locations.vertices_of_arc(i).size()});
-  }
-  return rows;
+  return rows_of_arcs(graph, locations, CGAL::Reeb_graph::arc_lengths(surface, scalar_map, graph),
+                      CGAL::Reeb_graph::arc_areas(surface, graph, locations));
 }
 
-std::vector<Polyline> find_contours(const Surface& surface, Scalar_map scalar_map, const Contour_choice& choice)
+std::unique_ptr<Mesh_graph> compute_mesh_graph(const Mesh& mesh,
+                                               Scalar_map scalar_map,
+                                               const Graph_options& options,
+                                               const Simplification_options& simplification,
+                                               double threshold,
+                                               Report& report)
 {
-  const Graph given = compute_graph(surface, scalar_map, choice.graph);
-  const Simplified_graph graph(given, choice.simplification,
-                               threshold_in_units(choice.simplification, surface, scalar_map));
-  const Augmentation augmentation = graph.augmentation(surface, scalar_map, choice.graph);
-  return choice.arc ? contour_of_arc(surface, graph.result(), augmentation, *choice.arc, choice.t)
-                    : contours_at_level(surface, augmentation, choice.level);
+  if(mesh.complex)
+    return compute_complex_graph(mesh, scalar_map, options, simplification, threshold, report);
+  return std::make_unique<Mesh_graph_of<Surface_kind>>(mesh, scalar_map, options, simplification, threshold, report);
 }
 
 } // namespace reeb_graph_program

@@ -15,16 +15,16 @@
 #include "computation/simplification.h"
 
 #include <cstddef>
-#include <iterator>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace reeb_graph_program {
 typedef Augmentation::Vertex_locations Vertex_locations;
 
-// Without a report of the stages.
+// Computes the Reeb graph, and adds what it took to the report.
+Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report);
+
+// Without a report.
 Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options);
 
 // The places are numbered as in the graph files.
@@ -36,29 +36,30 @@ std::vector<Arc_row> measure_arcs(const Surface& surface,
                                   const Graph& graph,
                                   const Vertex_locations& locations);
 
-// Throws std::runtime_error if there is no such arc.
-template <class AnyGraph>
-typename boost::graph_traits<AnyGraph>::edge_descriptor arc_of_number(const AnyGraph& graph, std::size_t arc)
+template <class AnyGraph, class AnyVertexLocations>
+std::vector<Arc_row> rows_of_arcs(const AnyGraph& graph,
+                                  const AnyVertexLocations& locations,
+                                  const std::vector<double>& lengths,
+                                  const std::vector<double>& areas)
 {
-  if(arc >= num_edges(graph))
-    throw std::runtime_error("there is no arc " + std::to_string(arc) + ": the graph has "
-                             + std::to_string(num_edges(graph)) + ", numbered from 0");
-  return *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(arc));
+  std::vector<Arc_row> rows;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const std::size_t i = get(boost::edge_index, graph, arc), lower = source(arc, graph), upper = target(arc, graph);
+    rows.push_back({lower, upper, graph[lower].value, graph[upper].value, lengths[i], areas[i],
+                    locations.vertices_of_arc(i).size()});
+  }
+  return rows;
 }
 
-// Which contours of which graph.
-struct Contour_choice
+template <class VertexRange, class AnyVertexLocations>
+std::vector<std::size_t> places_of(const VertexRange& vertices, const AnyVertexLocations& locations)
 {
-  Graph_options graph;
-  Simplification_options simplification;
-  std::optional<std::size_t>
-    arc; // its contour at the place `t` between 0 and 1; if not given, all contours at the level
-  double t = 0;
-  double level = 0;
-};
-
-// Throws std::runtime_error if there is no such arc. There is no contour at a level at which no arc is alive.
-std::vector<Polyline> find_contours(const Surface& surface, Scalar_map scalar_map, const Contour_choice& choice);
+  std::vector<std::size_t> places;
+  for(const auto v : vertices)
+    places.push_back(locations.index(v));
+  return places;
+}
 
 } // namespace reeb_graph_program
 

@@ -6,198 +6,203 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "computation/complex_graph.h"
-
-#include "base/progress_bar.h"
-#include "computation/Report_visitor.h"
-#include "computation/complex_counts.h"
+#include "computation/Mesh_graph_of.h"
 
 #include <CGAL/Reeb_graph/Soup_augmentation.h>
 #include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
-#include <CGAL/Reeb_graph/graph_topology.h>
+#include <CGAL/Reeb_graph/arc_measures.h>
+#include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
+#include <boost/property_map/property_map.hpp>
+#include <boost/range/irange.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iterator>
 #include <memory>
-#include <stdexcept>
-#include <string>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
 typedef CGAL::Reeb_graph::Soup_augmentation<double> Soup_augmentation;
 typedef CGAL::Reeb_graph::Tetrahedra_augmentation<double> Tetrahedra_augmentation;
 
-// Where tetrahedra and other triangles are together, the faces of all tetrahedra are triangles too: the graph is the
-// same.
-std::vector<std::array<std::uint32_t, 3>> triangles_and_faces(const Complex& complex)
+// What graphs of triangles and those of tetrahedra have in common.
+class Complex_kind
 {
-  std::vector<std::array<std::uint32_t, 3>> triangles = complex.triangles;
-  for(const auto& t : complex.tetrahedra)
-    triangles.insert(triangles.end(), {{t[0], t[1], t[2]}, {t[0], t[1], t[3]}, {t[0], t[2], t[3]}, {t[1], t[2], t[3]}});
-  return triangles;
-}
+public:
+  typedef Complex_graph Graph;
 
-template <class NamedParameters>
-Complex_graph compute(const Mesh& mesh, Scalar_map scalar_map, const NamedParameters& np)
-{
-  typedef CGAL::Parallel_if_available_tag Tag;
-  const Complex& complex = *mesh.complex;
-  const auto scalars = CGAL::make_range(scalar_map.begin(), scalar_map.end());
-  const std::size_t number_of_vertices = mesh.surface.number_of_vertices();
-  Complex_graph graph;
-  if(complex.triangles.empty() && !complex.tetrahedra.empty())
-    CGAL::compute_reeb_graph_of_tetrahedra<Tag>(number_of_vertices, complex.tetrahedra, scalars, graph, np);
-  else if(complex.tetrahedra.empty())
-    CGAL::compute_reeb_graph_of_soup<Tag>(number_of_vertices, complex.triangles, scalars, graph, np);
-  else
-    CGAL::compute_reeb_graph_of_soup<Tag>(number_of_vertices, triangles_and_faces(complex), scalars, graph, np);
-  return graph;
-}
+  Complex_kind(const Mesh& mesh, Scalar_map scalar_map) : mesh_(mesh), scalar_map_(scalar_map) {}
 
-// Named parameters of the complex itself, in front of other ones.
-template <class NamedParameters>
-auto with_edges(const Mesh& mesh, const NamedParameters& np)
-{
-  return CGAL::parameters::edges(std::cref(mesh.complex->edges), np);
-}
-
-// Calls function(augmentation) for the graph on triangles or on tetrahedra.
-template <class Function>
-void with_augmentation(const Mesh& mesh,
-                       Scalar_map scalar_map,
-                       const Simplified_complex_graph& graph,
-                       const Graph_options& options,
-                       const Function& function)
-{
-  const Complex& complex = *mesh.complex;
-  const auto scalars = CGAL::make_range(scalar_map.begin(), scalar_map.end());
-  const std::size_t number_of_vertices = mesh.surface.number_of_vertices();
-  const auto call = [&](const auto& np) {
-    if(complex.tetrahedra.empty())
-      function(Soup_augmentation(number_of_vertices, complex.triangles, scalars, graph.result(), np));
-    else if(complex.triangles.empty())
-      function(Tetrahedra_augmentation(number_of_vertices, complex.tetrahedra, scalars, graph.result(), np));
-    else
-      function(Soup_augmentation(number_of_vertices, triangles_and_faces(complex), scalars, graph.result(), np));
-  };
-  const auto np = with_edges(mesh, named_parameters(options));
-  if(graph.simplification())
-    call(CGAL::parameters::simplification(*graph.simplification(), np));
-  else
-    call(np);
-}
-
-std::vector<Point> points_of(const Surface& surface) { return {surface.points().begin(), surface.points().end()}; }
-
-void append(const std::vector<Point>& points,
-            const CGAL::Reeb_graph::Soup_contour<Soup_augmentation::arc_descriptor>& contour,
-            Complex_contours& contours)
-{
-  std::vector<Point> points_of_contour;
-  Soup_augmentation::points_of_contour(contour, std::back_inserter(points_of_contour), points);
-  for(const std::vector<std::size_t>& numbers : contour.polylines)
+  // The same graph with descriptors of the surface that has the vertices, without chains.
+  const reeb_graph_program::Graph& on_surface(const Complex_graph& graph,
+                                              std::optional<reeb_graph_program::Graph>& result) const
   {
-    contours.polylines.emplace_back();
-    for(const std::size_t i : numbers)
-      contours.polylines.back().push_back(points_of_contour[i]);
+    typedef CGAL::Reeb_graph_traits<Surface, Scalar_map> Traits;
+    if(result)
+      return *result;
+    result.emplace();
+    for(const auto node : CGAL::make_range(boost::vertices(graph)))
+    {
+      const Surface::Vertex_index v(static_cast<Surface::size_type>(graph[node].vertex));
+      add_vertex(Traits::Node{graph[node].value, v, graph[node].kind}, *result);
+    }
+    for(const auto arc : CGAL::make_range(edges(graph)))
+      put(boost::edge_index, *result, add_edge(source(arc, graph), target(arc, graph), *result).first,
+          get(boost::edge_index, graph, arc));
+    return *result;
   }
-  if(contour.polylines.empty()) // a point of an edge without triangles
-    contours.polylines.push_back(points_of_contour);
-  ++contours.number;
-}
 
-void append(const std::vector<Point>& points,
-            const CGAL::Reeb_graph::Isosurface_patch<Tetrahedra_augmentation::arc_descriptor>& patch,
-            Complex_contours& contours)
+  auto vertices() const { return boost::irange(std::size_t(0), number_of_vertices()); }
+  boost::typed_identity_property_map<std::size_t> vertex_numbers() const { return {}; }
+
+  template <class Any_augmentation, class NamedParameters>
+  auto embed(const Any_augmentation& augmentation, const NamedParameters& np) const
+  {
+    return CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(augmentation, points(), np);
+  }
+
+protected:
+  const Complex& complex() const { return *mesh_.complex; }
+  std::size_t number_of_vertices() const { return mesh_.surface.number_of_vertices(); }
+  auto points() const { return CGAL::make_range(mesh_.surface.points().begin(), mesh_.surface.points().end()); }
+  auto scalars() const { return CGAL::make_range(scalar_map_.begin(), scalar_map_.end()); }
+
+  template <class NamedParameters>
+  auto with_edges(const NamedParameters& np) const
+  {
+    return CGAL::parameters::edges(std::cref(complex().edges), np);
+  }
+
+  // Calls function(triangles). Where tetrahedra and other triangles are together, the faces of all tetrahedra are
+  // triangles too: the graph is the same.
+  template <class Function>
+  auto with_triangles(const Function& function) const
+  {
+    if(complex().tetrahedra.empty())
+      return function(complex().triangles);
+    std::vector<std::array<std::uint32_t, 3>> triangles = complex().triangles;
+    for(const auto& t : complex().tetrahedra)
+      triangles.insert(triangles.end(),
+                       {{t[0], t[1], t[2]}, {t[0], t[1], t[3]}, {t[0], t[2], t[3]}, {t[1], t[2], t[3]}});
+    return function(triangles);
+  }
+
+private:
+  const Mesh& mesh_;
+  const Scalar_map scalar_map_;
+};
+
+// Contours are polylines.
+class Triangles_kind : public Complex_kind
 {
-  const std::size_t first = contours.points.size();
-  Tetrahedra_augmentation::points_of_contour(patch, std::back_inserter(contours.points), points);
-  for(const std::array<std::size_t, 3>& t : patch.triangles)
-    contours.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-  ++contours.number;
-}
+public:
+  typedef Soup_augmentation Augmentation;
+  using Complex_kind::Complex_kind;
+
+  template <class NamedParameters>
+  Complex_graph compute(const NamedParameters& np) const
+  {
+    Complex_graph graph;
+    with_triangles([&](const auto& triangles) {
+      CGAL::compute_reeb_graph_of_soup<CGAL::Parallel_if_available_tag>(number_of_vertices(), triangles, scalars(),
+                                                                        graph, with_edges(np));
+    });
+    return graph;
+  }
+
+  template <class NamedParameters>
+  std::unique_ptr<const Augmentation> augment(const Complex_graph& graph, const NamedParameters& np) const
+  {
+    return with_triangles([&](const auto& triangles) {
+      return std::make_unique<const Augmentation>(number_of_vertices(), triangles, scalars(), graph, with_edges(np));
+    });
+  }
+
+  std::vector<Arc_row> measure_arcs(const Augmentation& augmentation,
+                                    const Augmentation::Vertex_locations& locations) const
+  {
+    return rows_of_arcs(augmentation.graph(), locations, CGAL::Reeb_graph::arc_lengths(augmentation, points()),
+                        CGAL::Reeb_graph::arc_areas(augmentation, points(), locations));
+  }
+
+  void add(const Augmentation& augmentation, const Augmentation::Contour& contour, Contours& contours) const
+  {
+    std::vector<Point> points_of_contour;
+    augmentation.points_of_contour(contour, std::back_inserter(points_of_contour), points());
+    for(const std::vector<std::size_t>& numbers : contour.polylines)
+    {
+      contours.polylines.emplace_back();
+      for(const std::size_t i : numbers)
+        contours.polylines.back().push_back(points_of_contour[i]);
+    }
+    if(contour.polylines.empty()) // a point of an edge without triangles
+      contours.polylines.push_back(points_of_contour);
+  }
+};
+
+// Contours are triangles, and arcs have volumes.
+class Tetrahedra_kind : public Complex_kind
+{
+public:
+  typedef Tetrahedra_augmentation Augmentation;
+  using Complex_kind::Complex_kind;
+
+  template <class NamedParameters>
+  Complex_graph compute(const NamedParameters& np) const
+  {
+    Complex_graph graph;
+    CGAL::compute_reeb_graph_of_tetrahedra<CGAL::Parallel_if_available_tag>(number_of_vertices(), complex().tetrahedra,
+                                                                            scalars(), graph, with_edges(np));
+    return graph;
+  }
+
+  template <class NamedParameters>
+  std::unique_ptr<const Augmentation> augment(const Complex_graph& graph, const NamedParameters& np) const
+  {
+    return std::make_unique<const Augmentation>(number_of_vertices(), complex().tetrahedra, scalars(), graph,
+                                                with_edges(np));
+  }
+
+  std::vector<Arc_row> measure_arcs(const Augmentation& augmentation,
+                                    const Augmentation::Vertex_locations& locations) const
+  {
+    const std::vector<double> volumes = CGAL::Reeb_graph::arc_volumes(augmentation, points(), locations);
+    std::vector<Arc_row> rows =
+      rows_of_arcs(augmentation.graph(), locations, CGAL::Reeb_graph::arc_lengths(augmentation, points()), volumes);
+    for(std::size_t i = 0; i < rows.size(); ++i)
+      rows[i].volume = volumes[i];
+    return rows;
+  }
+
+  void add(const Augmentation& augmentation, const Augmentation::Contour& patch, Contours& contours) const
+  {
+    const std::size_t first = contours.points.size();
+    augmentation.points_of_contour(patch, std::back_inserter(contours.points), points());
+    for(const std::array<std::size_t, 3>& t : patch.triangles)
+      contours.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+};
 
 } // namespace
 
-Complex_graph compute_and_time(const Mesh& mesh, Scalar_map scalar_map, const Graph_options& options, Report& report)
+std::unique_ptr<Mesh_graph> compute_complex_graph(const Mesh& mesh,
+                                                  Scalar_map scalar_map,
+                                                  const Graph_options& options,
+                                                  const Simplification_options& simplification,
+                                                  double threshold,
+                                                  Report& report)
 {
-  Report_visitor visitor(report);
-  Progress_bar progress_bar("graph");
-  const Timed_computation timed(report);
-  return compute(
-    mesh, scalar_map,
-    with_edges(mesh, named_parameters(options).visitor(std::ref(visitor)).callback(std::ref(progress_bar))));
-}
-
-void count_all(const Mesh& mesh, const Complex_graph& graph, Report& report)
-{
-  report.complex = count_complex(*mesh.complex);
-  report.complex->vertices = mesh.surface.number_of_vertices();
-  report.complex->components = CGAL::Reeb_graph::number_of_components(graph); // as many as the complex has
-  report.graph = count_graph(graph, report.complex->components);
-}
-
-Graph graph_on_vertices(const Complex_graph& graph, Surface& vertices, bool are_chains_wanted)
-{
-  typedef Surface::Vertex_index Vertex;
-  typedef CGAL::Reeb_graph_traits<Surface, Scalar_map> Traits;
-  const auto vertex = [](std::size_t v) { return Vertex(static_cast<Surface::size_type>(v)); };
-  auto halfedges = std::make_shared<std::vector<Surface::Halfedge_index>>();
-  if(are_chains_wanted)
-    for(const auto arc : CGAL::make_range(edges(graph)))
-      for(const auto& [source, target] : graph[arc].chain)
-        halfedges->push_back(vertices.add_edge(vertex(source), vertex(target)));
-  Graph result;
-  for(const auto node : CGAL::make_range(boost::vertices(graph)))
-    add_vertex(Traits::Node{graph[node].value, vertex(graph[node].vertex), graph[node].kind}, result);
-  std::size_t first = 0;
-  for(const auto arc : CGAL::make_range(edges(graph)))
-  {
-    const auto added = add_edge(source(arc, graph), target(arc, graph), result).first;
-    put(boost::edge_index, result, added, get(boost::edge_index, graph, arc));
-    if(!are_chains_wanted)
-      continue;
-    result[added].chain = {halfedges, first, graph[arc].chain.size()};
-    first += graph[arc].chain.size();
-  }
-  return result;
-}
-
-std::vector<std::size_t> locate_vertices(const Mesh& mesh,
-                                         Scalar_map scalar_map,
-                                         const Simplified_complex_graph& graph,
-                                         const Graph_options& options)
-{
-  std::vector<std::size_t> places;
-  with_augmentation(mesh, scalar_map, graph, options, [&](const auto& augmentation) {
-    Progress_bar progress_bar("places");
-    const auto locations = augmentation.template locate_vertices<CGAL::Parallel_if_available_tag>(
-      CGAL::parameters::callback(std::ref(progress_bar)));
-    for(std::size_t v = 0; v < mesh.surface.number_of_vertices(); ++v)
-      places.push_back(locations.index(v));
-  });
-  return places;
-}
-
-Complex_contours find_contours(const Mesh& mesh, Scalar_map scalar_map, const Contour_choice& choice)
-{
-  Progress_bar progress_bar("graph");
-  const Complex_graph given =
-    compute(mesh, scalar_map, with_edges(mesh, named_parameters(choice.graph).callback(std::ref(progress_bar))));
-  const Simplified_complex_graph graph(given, choice.simplification,
-                                       threshold_in_units(choice.simplification, mesh.surface, scalar_map));
-  Complex_contours contours;
-  const std::vector<Point> points = points_of(mesh.surface);
-  with_augmentation(mesh, scalar_map, graph, choice.graph, [&](const auto& augmentation) {
-    if(choice.arc)
-      append(points, augmentation.contour(arc_of_number(graph.result(), *choice.arc), choice.t), contours);
-    else
-      for(const auto& contour : augmentation.template contours_at_value<CGAL::Parallel_if_available_tag>(choice.level))
-        append(points, contour, contours);
-  });
-  return contours;
+  if(mesh.complex->triangles.empty() && !mesh.complex->tetrahedra.empty())
+    return std::make_unique<Mesh_graph_of<Tetrahedra_kind>>(mesh, scalar_map, options, simplification, threshold,
+                                                            report);
+  return std::make_unique<Mesh_graph_of<Triangles_kind>>(mesh, scalar_map, options, simplification, threshold, report);
 }
 
 } // namespace reeb_graph_program

@@ -11,11 +11,9 @@
 
 #include "base/report.h"
 #include "base/surface.h"
-#include "computation/simplification.h"
 
 #include <CGAL/Reeb_graph/Embedding.h>
 #include <CGAL/Reeb_graph/IO/attributes.h>
-#include <CGAL/Reeb_graph/options.h>
 
 #include <vector>
 
@@ -27,13 +25,8 @@ struct Graph_in_space
   std::vector<CGAL::Reeb_graph::Attribute> arc_attributes;
 };
 
-// Without rows of arcs, there are no measures.
-Graph_in_space embed_graph(const Augmentation& augmentation,
-                           CGAL::Reeb_graph::Embedding_manner manner,
-                           const std::vector<Arc_row>* arcs);
-
-// Each arc is a straight line between the vertices of its nodes.
-Graph_in_space embed_straight(const Graph& graph, const Surface& surface);
+// The numbers of arcs for files: the persistence, and what has been measured.
+std::vector<CGAL::Reeb_graph::Attribute> attributes_of_arcs(const Graph& graph, const std::vector<Arc_row>& arcs);
 
 } // namespace reeb_graph_program
 

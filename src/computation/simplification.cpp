@@ -39,6 +39,8 @@ double threshold_in_units(const Simplification_options& options,
 {
   if(!options.threshold)
     return std::numeric_limits<double>::infinity();
+  if(options.threshold->is_suggested)
+    return std::numeric_limits<double>::quiet_NaN();
   if(!options.threshold->is_percentage)
     return options.threshold->number;
   const std::optional<Value_range> range = find_range();
@@ -65,13 +67,16 @@ template <class AnyGraph>
 Simplified_graph_of<AnyGraph>::Simplified_graph_of(const AnyGraph& given,
                                                    const Simplification_options& options,
                                                    double threshold)
-  : given_(given)
+  : given_(given),
+    threshold_(threshold)
 {
   if(!options.is_anything_removed())
     return;
+  if(std::isnan(threshold_))
+    threshold_ = suggested_threshold(find_thresholds(given, options.are_loops_cancelled)).value_or(0);
   namespace parameters = CGAL::parameters;
   const auto leaves = parameters::number_of_leaves(options.number_of_leaves.value_or(0));
-  simplification_ = CGAL::Reeb_graph::simplify(given, threshold, simplified_,
+  simplification_ = CGAL::Reeb_graph::simplify(given, threshold_, simplified_,
                                                parameters::cancel_loops(options.are_loops_cancelled, leaves));
 }
 
@@ -96,25 +101,23 @@ std::vector<Persistence_pair> find_persistence_pairs(const Graph& graph)
   return pairs;
 }
 
-std::optional<double> suggest_threshold(const Graph& graph, const std::vector<Persistence_pair>& pairs)
+template <class AnyGraph>
+std::vector<Simplification_threshold> find_thresholds(const AnyGraph& graph, bool are_loops_cancelled)
 {
-  std::vector<double> persistences = {0};
-  for(const Persistence_pair& pair : pairs)
-  {
-    const double persistence = CGAL::Reeb_graph::persistence(graph, pair);
-    if(pair.kind != CGAL::Reeb_graph::Persistence_pair_kind::MINIMUM_MAXIMUM && std::isfinite(persistence))
-      persistences.push_back(persistence);
-  }
-  std::sort(persistences.begin(), persistences.end());
-  std::optional<double> suggestion;
-  double widest = 0;
-  for(std::size_t i = 1; i < persistences.size(); ++i)
-    if(persistences[i] - persistences[i - 1] > widest)
-    {
-      widest = persistences[i] - persistences[i - 1];
-      suggestion = persistences[i - 1] + widest / 2;
-    }
-  return suggestion;
+  std::vector<Simplification_threshold> thresholds;
+  CGAL::Reeb_graph::simplification_thresholds(graph, std::back_inserter(thresholds),
+                                              CGAL::parameters::cancel_loops(are_loops_cancelled));
+  return thresholds;
+}
+
+template std::vector<Simplification_threshold> find_thresholds(const Graph&, bool);
+
+std::optional<double> suggested_threshold(const std::vector<Simplification_threshold>& thresholds)
+{
+  for(const Simplification_threshold& threshold : thresholds)
+    if(threshold.is_suggested)
+      return threshold.threshold;
+  return std::nullopt;
 }
 
 } // namespace reeb_graph_program

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/simplification/Simplification.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
+#include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -26,6 +27,7 @@
 namespace reeb_graph_program {
 typedef CGAL::Reeb_graph::Augmentation<Surface, Scalar_map> Augmentation;
 typedef CGAL::Reeb_graph::Persistence_pair<boost::graph_traits<Graph>::vertex_descriptor> Persistence_pair;
+typedef CGAL::Reeb_graph::Simplification_threshold Simplification_threshold;
 
 // Throws std::runtime_error if options do not go together.
 void check_simplification_options(const Simplification_options& options);
@@ -36,7 +38,8 @@ void check_simplification_of_field(const Simplification_options& options);
 // The least and the greatest value of a field.
 typedef std::pair<double, double> Value_range;
 
-// The threshold in units of the field, infinite if only the number of leaves counts. The range is asked for where it
+// The threshold in units of the field, infinite if only the number of leaves counts, and NaN if the graph is to suggest
+// it. The range is asked for where it
 // matters only, and is none if there are no vertices. Throws std::runtime_error if it is not finite.
 double threshold_in_units(const Simplification_options& options,
                           const std::function<std::optional<Value_range>()>& find_range);
@@ -47,7 +50,8 @@ template <class AnyGraph>
 class Simplified_graph_of
 {
 public:
-  // The threshold is that of threshold_in_units(). `given` has to outlive this object.
+  // The threshold is that of threshold_in_units(); if it is NaN, the graph suggests one. `given` has to outlive this
+  // object.
   Simplified_graph_of(const AnyGraph& given, const Simplification_options& options, double threshold);
   Simplified_graph_of(const AnyGraph&&, const Simplification_options&, double) = delete;
   Simplified_graph_of(const Simplified_graph_of&) = delete;
@@ -59,11 +63,14 @@ public:
   // The simplified graph, whose nodes may be given other values of the same order.
   AnyGraph& simplified() { return simplified_; }
 
+  double threshold() const { return threshold_; } // which is no NaN
+
   // Where the nodes and arcs of the given graph are in the simplified one.
   const std::optional<CGAL::Reeb_graph::Simplification<AnyGraph>>& simplification() const { return simplification_; }
 
 private:
   const AnyGraph& given_;
+  double threshold_;
   AnyGraph simplified_;
   std::optional<CGAL::Reeb_graph::Simplification<AnyGraph>> simplification_;
 };
@@ -79,10 +86,12 @@ public:
 
 std::vector<Persistence_pair> find_persistence_pairs(const Graph& graph);
 
-// The middle of the widest gap of the sorted persistences, the first of them 0, of all pairs but those of a minimum and
-// a maximum, which always stay: if the field has noise, it is what is below. There is none if no persistence is finite
-// and not 0.
-std::optional<double> suggest_threshold(const Graph& graph, const std::vector<Persistence_pair>& pairs);
+// Those that matter for --simplify, with or without --cancel-loops.
+template <class AnyGraph>
+std::vector<Simplification_threshold> find_thresholds(const AnyGraph& graph, bool are_loops_cancelled);
+
+// The one of find_thresholds() that --simplify auto takes, if there is any.
+std::optional<double> suggested_threshold(const std::vector<Simplification_threshold>& thresholds);
 
 } // namespace reeb_graph_program
 

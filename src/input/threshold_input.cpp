@@ -19,11 +19,15 @@ namespace reeb_graph_program {
 Threshold parse_threshold(const std::string& text)
 {
   Threshold threshold;
+  threshold.is_suggested = text == "auto";
+  if(threshold.is_suggested)
+    return threshold;
   std::string_view digits = text;
   threshold.is_percentage = !digits.empty() && digits.back() == '%';
   digits.remove_suffix(threshold.is_percentage ? 1 : 0);
   if(parse_number(digits, threshold.number) != std::errc() || !std::isfinite(threshold.number))
-    throw std::runtime_error("the threshold '" + text + "' is neither a number nor a percentage, as 0.5 or 5%");
+    throw std::runtime_error("the threshold '" + text
+                             + "' is neither a number, nor a percentage, nor auto: as 0.5 or 5%");
   if(threshold.number < 0)
     throw std::runtime_error("the threshold '" + text + "' is negative");
   if(threshold.is_percentage && threshold.number > 100)

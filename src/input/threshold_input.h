@@ -14,7 +14,7 @@
 #include <string>
 
 namespace reeb_graph_program {
-// Reads a threshold: a number that is not negative, or a percentage, P%. Throws std::runtime_error.
+// Reads a threshold: a number that is not negative, a percentage, P%, or auto. Throws std::runtime_error.
 Threshold parse_threshold(const std::string& text);
 
 } // namespace reeb_graph_program

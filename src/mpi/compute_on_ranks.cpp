@@ -211,11 +211,30 @@ Field_label label(const Compute_options& options)
   return result;
 }
 
+// Each arc is a straight line between the vertices of its nodes.
+Graph_in_space embed_straight(const Graph& graph, const Surface& surface)
+{
+  Graph_in_space result;
+  for(const auto node : CGAL::make_range(vertices(graph)))
+  {
+    result.embedding.node_points.push_back(surface.point(graph[node].vertex));
+    result.embedding.node_values.push_back(graph[node].value);
+  }
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const std::size_t lower = source(arc, graph), upper = target(arc, graph);
+    result.embedding.arc_polylines.push_back(
+      {result.embedding.node_points[lower], result.embedding.node_points[upper]});
+    result.embedding.arc_values.push_back({graph[lower].value, graph[upper].value});
+  }
+  return result;
+}
+
 // What rank 0 does with the graph.
 void write_results(const Compute_options& options,
                    const Graph_of_ranks& graph,
                    const Local_mesh& mesh,
-                   double threshold,
+                   double asked_threshold,
                    const Slab& slab,
                    Report& report)
 {
@@ -223,7 +242,8 @@ void write_results(const Compute_options& options,
   put_on_nodes(graph, mesh, is_graph_in_space(options), given);
   count_surface(mesh, slab, given.graph, report);
   const Stopwatch simplify_stopwatch;
-  const Simplified_graph simplified(given.graph, options.simplification, threshold);
+  const Simplified_graph simplified(given.graph, options.simplification, asked_threshold);
+  const double threshold = simplified.threshold();
   if(options.simplification.is_anything_removed())
   {
     report.seconds.emplace_back("simplify", simplify_stopwatch.seconds());
@@ -238,7 +258,7 @@ void write_results(const Compute_options& options,
   {
     const Graph_in_space graph_in_space = embed_straight(simplified.result(), given.surface);
     report.embedding_manner = graph_in_space.embedding.manner;
-    write_graph_in_space(options.graph_path, simplified.result(), graph_in_space, given.surface);
+    write_graph_in_space(options.graph_path, simplified.result(), graph_in_space, {}); // which is no JSON
   }
   else
     write_graph(options.graph_path, simplified.result(), label(options), numbers);

@@ -140,6 +140,58 @@ void write_points(std::ostream& stream,
   stream << "</g>\n";
 }
 
+// The numbers of the two nodes beside each pair that stays, the most persistent ones first, where there is room.
+void write_labels(std::ostream& stream,
+                  const Graph& graph,
+                  const std::vector<Persistence_pair>& pairs,
+                  const Scale& scale,
+                  double threshold)
+{
+  constexpr double text_size = 12, digit_width = 0.62 * text_size;
+  constexpr std::size_t most_labels = 40;
+  std::vector<std::pair<double, std::size_t>> order;
+  for(std::size_t i = 0; i != pairs.size(); ++i)
+  {
+    const double persistence = CGAL::Reeb_graph::persistence(graph, pairs[i]);
+    if(std::isfinite(persistence) && persistence > 0
+       && (persistence >= threshold || pairs[i].kind == Kind::MINIMUM_MAXIMUM))
+      order.emplace_back(-persistence, i);
+  }
+  std::sort(order.begin(), order.end());
+  order.resize((std::min)(order.size(), most_labels));
+  typedef std::array<double, 4> Text_box; // left, top, right, bottom
+  std::vector<Text_box> occupied;
+  for(const auto& [negative, i] : order) // the points themselves
+  {
+    const double x = scale.x(graph[pairs[i].lower_node].value), y = scale.y(graph[pairs[i].upper_node].value);
+    occupied.push_back({x - 4, y - 4, x + 4, y + 4});
+  }
+  const auto is_free = [&](const Text_box& box) {
+    return box[0] > left && box[2] < left + size && box[1] > top && box[3] < top + size
+        && std::none_of(occupied.begin(), occupied.end(), [&](const Text_box& other) {
+             return box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3];
+           });
+  };
+  stream << "<g id=\"labels\">\n";
+  for(const auto& [negative, i] : order)
+  {
+    const std::string text = "n" + std::to_string(pairs[i].lower_node) + ", n" + std::to_string(pairs[i].upper_node);
+    const double x = scale.x(graph[pairs[i].lower_node].value), y = scale.y(graph[pairs[i].upper_node].value);
+    const double length = digit_width * static_cast<double>(text.size());
+    for(const double dy : {0., -12., 12., -24., 24.})
+    {
+      const bool is_right = is_free({x + 8, y + dy - 6, x + 8 + length, y + dy + 6});
+      if(!is_right && !is_free({x - 8 - length, y + dy - 6, x - 8, y + dy + 6}))
+        continue;
+      const double begin = is_right ? x + 8 : x - 8 - length;
+      occupied.push_back({begin, y + dy - 6, begin + length, y + dy + 6});
+      write_text(stream, is_right ? x + 8 : x - 8, y + dy + 4, is_right ? "start" : "end", text);
+      break;
+    }
+  }
+  stream << "</g>\n";
+}
+
 // The legend, below the diagonal, where there are no points: each kind that there is, with the number of its pairs.
 void write_legend(std::ostream& stream, const std::vector<Persistence_pair>& pairs)
 {
@@ -174,7 +226,7 @@ void write_diagram(const std::filesystem::path& path,
   const Scale scale(graph, pairs);
   const double width = left + size + right, height = top + size + bottom;
   write_file(path, [&](std::ostream& stream) {
-    stream << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" height=\"" << height
+    stream << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' ' << height
            << "\" font-family=\"sans-serif\" font-size=\"12\">\n<title>Persistence diagram</title>\n"
            << "<rect fill=\"white\" width=\"" << width << "\" height=\"" << height << "\"/>\n";
     if(threshold)
@@ -182,6 +234,7 @@ void write_diagram(const std::filesystem::path& path,
     write_axes(stream, scale);
     for(const Style& style : styles)
       write_points(stream, graph, pairs, scale, style);
+    write_labels(stream, graph, pairs, scale, threshold.value_or(0));
     write_legend(stream, pairs);
     stream << "</svg>\n";
   });

@@ -92,25 +92,25 @@ void write_graph(const fs::path& path,
 void write_graph_in_space(const fs::path& path,
                           const Graph& graph,
                           const Graph_in_space& graph_in_space,
-                          const Surface& surface)
+                          const std::function<void(std::ostream&)>& write_json)
 {
-  const auto vertex_index_map = get(boost::vertex_index, surface);
+  const Vertex_numbers vertex_numbers;
   const auto& embedding = graph_in_space.embedding;
   const auto attributes = CGAL::parameters::arc_attributes(graph_in_space.arc_attributes);
   const std::string ending = format_of(path).ending;
   if(ending == ".csv")
     return write_files(
       {{table_path(path, "nodes"),
-        [&](std::ostream& stream) { CGAL::Reeb_graph::write_nodes_csv(stream, graph, embedding, vertex_index_map); }},
+        [&](std::ostream& stream) { CGAL::Reeb_graph::write_nodes_csv(stream, graph, embedding, vertex_numbers); }},
        {table_path(path, "arcs"),
         [&](std::ostream& stream) { CGAL::Reeb_graph::write_arcs_csv(stream, graph, embedding, attributes); }}});
   write_file(path, [&](std::ostream& stream) {
     if(ending == ".vtp")
-      CGAL::Reeb_graph::write_vtp(stream, graph, embedding, vertex_index_map, attributes);
+      CGAL::Reeb_graph::write_vtp(stream, graph, embedding, vertex_numbers, attributes);
     else if(ending == ".obj")
       CGAL::Reeb_graph::write_obj(stream, graph, embedding);
     else if(ending == ".json")
-      CGAL::Reeb_graph::write_json(stream, surface, graph, embedding, vertex_index_map, attributes);
+      write_json(stream);
     else
       CGAL::Reeb_graph::write_polylines(stream, embedding.arc_polylines);
   });

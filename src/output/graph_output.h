@@ -17,6 +17,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -38,14 +40,14 @@ void write_graph(const std::filesystem::path& path,
                  const Field_label& field_label,
                  const Vertex_numbers& vertex_numbers = {});
 
-// Writes a graph in a format in space.
+// Writes a graph in a format in space. `write_json` writes it with its chains, and is called for that format only.
 void write_graph_in_space(const std::filesystem::path& path,
                           const Graph& graph,
                           const Graph_in_space& graph_in_space,
-                          const Surface& surface);
+                          const std::function<void(std::ostream&)>& write_json);
 
 // Writes for each vertex, on a line of its own, the node or the arc that it belongs to, by their numbers in the graph
-// files. `places` are those of locate_vertices().
+// files. `places` are those of a Mesh_graph.
 void write_vertex_arcs(const std::filesystem::path& path,
                        const std::vector<std::size_t>& places,
                        std::size_t number_of_nodes);

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -124,7 +125,7 @@ struct Mesh_columns
   {
     for(const Surface::Vertex_index v : surface.vertices())
     {
-      const std::size_t place = results.locations.index(v);
+      const std::size_t place = results.places[values.size()];
       const bool is_node = place < results.number_of_nodes;
       values.push_back(results.scalar_map[v]);
       arcs.push_back(is_node ? -1 : static_cast<int>(place - results.number_of_nodes));
@@ -150,6 +151,26 @@ Surface::Property_map<Key, Number> add_column(Surface& surface,
   for(const Key key : range)
     map[key] = numbers[i++];
   return map;
+}
+
+// A surface for writers only, whose faces have the vertices of the triangles, and no neighbors.
+Surface unconnected_surface(const Mesh& mesh)
+{
+  Surface surface = mesh.surface;
+  for(const auto& triangle : mesh.complex->triangles)
+  {
+    const Surface::Face_index f = surface.add_face();
+    std::array<Surface::Halfedge_index, 3> halfedges;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      halfedges[i] = surface.add_edge(Surface::Vertex_index(triangle[(i + 2) % 3]), Surface::Vertex_index(triangle[i]));
+      surface.set_face(halfedges[i], f);
+    }
+    for(std::size_t i = 0; i < 3; ++i)
+      surface.set_next(halfedges[i], halfedges[(i + 1) % 3]);
+    surface.set_halfedge(f, halfedges[2]);
+  }
+  return surface;
 }
 
 CGAL::Reeb_graph::Attribute attribute(const std::string& name, const std::vector<int>& numbers)
@@ -210,6 +231,14 @@ void write_mesh(const std::filesystem::path& path, const Surface& surface, const
     else
       CGAL::Reeb_graph::write_mesh_vtp(stream, mesh, np);
   });
+}
+
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Mesh_results& results)
+{
+  if(mesh.complex)
+    write_mesh(path, unconnected_surface(mesh), results);
+  else
+    write_mesh(path, mesh.surface, results);
 }
 
 void write_coloured_surface(const std::filesystem::path& path, Surface surface, Scalar_map scalar_map)

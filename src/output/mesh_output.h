@@ -9,12 +9,13 @@
 #ifndef CGAL_REEB_GRAPH_SRC_MESH_OUTPUT_H
 #define CGAL_REEB_GRAPH_SRC_MESH_OUTPUT_H
 
+#include "base/complex.h"
 #include "base/surface.h"
-#include "computation/augmentation.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace reeb_graph_program {
 // The mesh in the OFF format, with all digits of the coordinates.
@@ -30,14 +31,17 @@ void check_mesh_format(const std::filesystem::path& path);
 struct Mesh_results
 {
   Scalar_map scalar_map;
-  const Vertex_locations& locations;
-  std::size_t number_of_nodes = 0;    // of the graph
-  std::optional<Patch_map> patch_map; // of a mesh that has been cut
+  const std::vector<std::size_t>& places; // of the vertices, as those of a Mesh_graph
+  std::size_t number_of_nodes = 0;        // of the graph
+  std::optional<Patch_map> patch_map;     // of a mesh that has been cut
 };
 
 // The mesh with the value, the arc, and the node of each vertex, where one of arc and node is -1; and the patch of each
 // face. Patches are coloured, or else vertices by their values: .ply or .vtp, with all digits.
 void write_mesh(const std::filesystem::path& path, const Surface& surface, const Mesh_results& results);
+
+// A complex is written as its triangles.
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Mesh_results& results);
 
 // The mesh in the PLY format, with vertices coloured from dark blue, the lowest, to yellow, the highest.
 void write_coloured_surface(const std::filesystem::path& path, Surface surface, Scalar_map scalar_map);

@@ -162,6 +162,18 @@ nlohmann::ordered_json json_of(const Simplification_counts& simplification)
   return json;
 }
 
+nlohmann::ordered_json json_of(const CGAL::Reeb_graph::Simplification_threshold& threshold)
+{
+  nlohmann::ordered_json json;
+  json["threshold"] = json_number(threshold.threshold);
+  json["gap"] = json_number(threshold.gap);
+  json["nodes"] = threshold.nodes;
+  json["leaves"] = threshold.leaves;
+  json["loops"] = threshold.loops;
+  json["suggested"] = threshold.is_suggested;
+  return json;
+}
+
 nlohmann::ordered_json json_of(const Arc_row& row, std::size_t arc)
 {
   nlohmann::ordered_json json;
@@ -171,21 +183,32 @@ nlohmann::ordered_json json_of(const Arc_row& row, std::size_t arc)
   json["lower_value"] = json_number(row.lower_value);
   json["upper_value"] = json_number(row.upper_value);
   json["length"] = json_number(row.length);
-  json["area"] = json_number(row.area);
+  json[row.volume ? "volume" : "area"] = json_number(row.volume.value_or(row.area));
   json["vertices"] = row.vertices;
   return json;
 }
 
+// What a person can choose for --simplify, or leave to `auto`.
+void write_thresholds(std::ostream& out, const std::vector<CGAL::Reeb_graph::Simplification_threshold>& thresholds)
+{
+  out << std::defaultfloat << std::setprecision(3);
+  for(const auto& threshold : thresholds)
+    out << "\n         --simplify " << threshold.threshold << " gives " << count(threshold.nodes, "node") << ", "
+        << count(threshold.leaves, "leaf", "leaves") << ", " << count(threshold.loops, "loop")
+        << (threshold.is_suggested ? ", and so does auto" : "");
+}
+
 void write_table(std::ostream& out, const std::vector<Arc_row>& rows)
 {
-  out << "\n  arc   from     to        from value          to value          length            area  vertices\n"
+  out << "\n  arc   from     to        from value          to value          length          "
+      << (!rows.empty() && rows[0].volume ? "volume" : "  area") << "  vertices\n"
       << std::defaultfloat << std::setprecision(6);
   for(std::size_t arc = 0; arc < rows.size(); ++arc)
   {
     const Arc_row& row = rows[arc];
     out << std::setw(5) << arc << std::setw(7) << row.lower_node << std::setw(7) << row.upper_node << std::setw(18)
         << row.lower_value << std::setw(18) << row.upper_value << std::setw(16) << row.length << std::setw(16)
-        << row.area << std::setw(10) << row.vertices << '\n';
+        << row.volume.value_or(row.area) << std::setw(10) << row.vertices << '\n';
   }
 }
 
@@ -319,6 +342,7 @@ void write_text(std::ostream& out, const Report& report)
   if(report.simplification && report.simplification->largest_change)
     out << ", largest change of the field " << *report.simplification->largest_change
         << (report.simplification->are_ties_contracted ? ", which needs --ties contract" : "");
+  write_thresholds(out, report.thresholds);
   if(report.embedding_manner)
     out << "\n         in space: " << name_of(*report.embedding_manner);
   out << "\nseconds  " << std::fixed << std::setprecision(3);
@@ -347,7 +371,14 @@ void write_json(std::ostream& out, const Report& report)
   json["hidden_handles"] = nullptr;
   if(report.graph.hidden_handles)
     json["hidden_handles"] = *report.graph.hidden_handles;
-  json["suggested_threshold"] = json_number(report.suggested_threshold);
+  json["thresholds"] = nlohmann::ordered_json::array();
+  json["suggested_threshold"] = nullptr;
+  for(const auto& threshold : report.thresholds)
+  {
+    json["thresholds"].push_back(json_of(threshold));
+    if(threshold.is_suggested)
+      json["suggested_threshold"] = json_number(threshold.threshold);
+  }
   json["simplified"] = nullptr;
   if(report.simplification)
     json["simplified"] = json_of(*report.simplification);

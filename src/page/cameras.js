@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-/* global THREE, distanceToSeeAll */
+/* global THREE, distanceToSeeAll, normalized */
 /* exported ViewCamera */
 
 // From where the surface is seen, and how that is changed by mouse, touch and keys.
@@ -25,6 +25,21 @@ class ViewCamera {
       onChange();
     });
     this.reset();
+  }
+
+  dispose() {
+    this.controls.dispose();
+  }
+
+  // Shows a part of the surface, from the side to which its normal points, where all of it is not too small to see.
+  showPart(center, size, normal) {
+    const distance = 4 * Math.max(size, 0.05 * this.pose.size) / Math.tan(this.camera.fov * Math.PI / 360) / 2;
+    const fromCamera = normalized(this.camera.position.clone().sub(this.controls.target).toArray());
+    // Not from straight above or below, where which way is up does not show.
+    const direction = normal.map((x, i) => x + 0.4 * fromCamera[i]);
+    this.controls.target.set(...center);
+    this.camera.position.set(...normalized(direction).map((x, i) => center[i] + distance * x));
+    this.controls.update();
   }
 
   // Shows all, from the front.

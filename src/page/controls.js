@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-/* global element */
+/* global addElement, element, formatNumber, measurePatches, plural, toHex */
 /* exported setUpControls */
 
 // What the controls, mouse, touch and keys call of the page.
@@ -17,11 +17,51 @@ function setUpControls(page) {
     return;
   setUpLayers(page.scene);
   setUpPointing(page);
-  const {eye} = page.scene;
-  element("canvas").addEventListener("keydown", event => pressKey(event, keysOfView(eye, event.shiftKey)));
-  element("zoom_in").addEventListener("click", () => eye.zoom(1.25));
-  element("zoom_out").addEventListener("click", () => eye.zoom(0.8));
-  element("reset_view").addEventListener("click", () => eye.reset());
+  const {scene} = page;
+  element("canvas").addEventListener("keydown", event => pressKey(event, keysOfView(scene.eye, event.shiftKey)));
+  element("zoom_in").addEventListener("click", () => scene.eye.zoom(1.25));
+  element("zoom_out").addEventListener("click", () => scene.eye.zoom(0.8));
+  element("reset_view").addEventListener("click", () => scene.eye.reset());
+  element("up").value = page.data.up;
+  element("up").addEventListener("change", event => scene.setUp(event.target.value));
+  if (page.data.surface.facePatches)
+    setUpPatches(page);
+}
+
+// The list of patches, the smallest first, which are hard to see: the one whose entry is pointed at or chosen lights
+// up, and a click shows it from near.
+function setUpPatches(page) {
+  const {scene, data} = page, list = element("patches_list");
+  const patches = measurePatches(data.surface).sort((p, q) => p.area - q.area);
+  element("patches").hidden = false;
+  element("patches_heading").textContent = plural(patches.length, "patch", "patches");
+  patches.forEach(patch => {
+    const row = addElement(list, "tr", ""), name = addElement(row, "th", ""), button = addElement(name, "button", "");
+    name.scope = "row";
+    button.type = "button";
+    addElement(button, "i", "").style.background = toHex(page.patchColors[patch.number]);
+    button.append(" " + patch.number);
+    [patch.area, patch.borderLength].forEach(x => addElement(row, "td", formatNumber(x)));
+    const light = number => () => scene.setLitPatch(number);
+    button.addEventListener("click", () => {
+      page.setColoring("patches");
+      scene.setLitPatch(patch.number);
+      scene.eye.showPart(patch.center.map((x, i) => x - scene.pose.center[i]), patch.size, patch.normal);
+    });
+    row.addEventListener("pointerenter", light(patch.number));
+    row.addEventListener("pointerleave", light(null));
+    button.addEventListener("focus", light(patch.number));
+    button.addEventListener("blur", light(null));
+  });
+}
+
+// The thresholds that matter, as ticks of the slider.
+function addTicks(ticks) {
+  ticks.forEach(({level, is_suggested: isSuggested}) => {
+    const option = addElement(element("level_ticks"), "option", "");
+    option.value = level;
+    option.label = isSuggested ? "suggested" : "";
+  });
 }
 
 function setUpForm(page) {
@@ -31,6 +71,7 @@ function setUpForm(page) {
   element("curves_label").hidden = data.curves.length === 0;
   element("level_label").hidden = data.levels.length < 2;
   element("level").max = data.levels.length - 1;
+  addTicks(data.ticks);
   document.querySelectorAll("input[name=coloring]").forEach(input =>
     input.addEventListener("change", () => page.setColoring(input.value)));
   element("opacity").addEventListener("input", event => page.setOpacity(Number(event.target.value)));

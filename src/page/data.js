@@ -93,6 +93,8 @@ function readPageData(text) {
     arcsOfInput: data.graph.is_simplified ? data.graph.arcs_of_input : null,
     threshold: data.graph.threshold,
     levels: data.levels.map(level => decodeLevel(level, range)),
-    curves: data.curves.map(decodePolyline)
+    curves: data.curves.map(decodePolyline),
+    up: data.up, // the name of the direction, or ""
+    ticks: data.ticks // of the slider that simplifies
   };
 }

@@ -52,8 +52,10 @@ class Page {
     const {triangles, facePatches} = this.data.surface;
     try {
       const scene = new Scene(element("canvas"), this.data);
-      if (facePatches)
-        scene.setPatchColors(distinctColors(findPatchNeighbors(triangles, facePatches)));
+      if (facePatches) {
+        this.patchColors = distinctColors(findPatchNeighbors(triangles, facePatches));
+        scene.setPatchColors(this.patchColors);
+      }
       return scene;
     } catch (error) {
       showFailure("This browser shows no WebGL, so that the surface cannot be drawn: " + error.message);
@@ -163,7 +165,8 @@ class Page {
     this.drawing.revealTrunk();
     const text = level === 0 ? "all " + plural(view.arcs.length, "arc")
       : view.arcs.length + " of " + plural(data.graph.arcs.length, "arc") + ", ≥ "
-        + formatValue(view.threshold, this.data.field.unit);
+        + formatValue(view.threshold, this.data.field.unit)
+        + (data.ticks.some(tick => tick.level === level && tick.is_suggested) ? ", suggested" : "");
     element("level").value = level;
     element("level_output").textContent = text;
     element("level").setAttribute("aria-valuetext", text);
@@ -196,7 +199,8 @@ class Page {
     return JSON.parse(JSON.stringify(Object.assign({}, state, {
       contour: state.contour && Object.assign({}, state.contour, {points: Array.from(state.contour.points)}),
       threshold: view.threshold, nodes: view.nodes.length, arcs: view.arcs.length,
-      drawings: scene ? scene.drawings : 0, eye: scene ? scene.eye.camera.position.toArray() : null
+      drawings: scene ? scene.drawings : 0, up: scene ? scene.pose.up : null,
+      eye: scene ? scene.eye.camera.position.toArray() : null
     })));
   }
 

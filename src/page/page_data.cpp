@@ -41,8 +41,9 @@ Embedded_graph embed(const Page_subject& subject, const Vertex_locations& locati
   namespace parameters = CGAL::parameters;
   Progress_bar progress_bar("embedding");
   const auto smoothing = parameters::number_of_smoothing_steps(1).callback(std::ref(progress_bar));
+  const auto at_nodes = parameters::number_of_contours_at_nodes(2, smoothing);
   auto embedding = CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(
-    subject.augmentation, parameters::number_of_contours(16, smoothing));
+    subject.augmentation, parameters::number_of_contours(16, at_nodes));
   std::vector<std::size_t> node_sizes;
   for(const auto node : CGAL::make_range(vertices(subject.graph())))
     node_sizes.push_back(locations.vertices_of_node(node).size());
@@ -156,6 +157,7 @@ nlohmann::ordered_json page_data(const Page_subject& subject)
   data["version"] = 1;
   data["title"] = subject.title;
   data["generator"] = "reeb_graph " REEB_GRAPH_VERSION;
+  data["up"] = subject.up;
   data["field"] = {{"name", subject.field_label.name},
                    {"unit", subject.field_label.unit},
                    {"lowest", value_scale.lowest()},
@@ -167,6 +169,7 @@ nlohmann::ordered_json page_data(const Page_subject& subject)
   else
     add_chains(subject, surface, data["graph"]["arcs"]);
   data["levels"] = page_levels(embedded, frame, value_scale);
+  data["ticks"] = page_ticks(embedded.graph, data["levels"]);
   data["curves"] = page_curves(subject.curves, frame);
   return data;
 }

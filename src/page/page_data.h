@@ -27,6 +27,7 @@ struct Page_subject
   Scalar_map scalar_map;
   std::string title;
   Field_label field_label;
+  std::string up = {}; // x, y, z, -x, -y, -z, or empty
   std::optional<Patch_map> patch_map = std::nullopt;
   std::vector<Polyline> curves = {};
 

@@ -8,6 +8,8 @@
 
 #include "page/page_levels.h"
 
+#include "computation/simplification.h"
+
 #include <CGAL/Reeb_graph/simplification/Simplification.h>
 #include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
@@ -180,6 +182,21 @@ nlohmann::ordered_json page_levels(const Embedded_graph& given, const Page_frame
     levels.push_back(page_level(given, threshold, simplified, simplification, frame, value_scale));
   }
   return levels;
+}
+
+nlohmann::ordered_json page_ticks(const Graph& graph, const nlohmann::ordered_json& levels)
+{
+  auto ticks = nlohmann::ordered_json::array();
+  for(const Simplification_threshold& threshold : find_thresholds(graph, true))
+  {
+    std::size_t level = 0;
+    while(level + 1 != levels.size() && levels[level + 1]["threshold"].get<double>() <= threshold.threshold)
+      ++level;
+    if(!ticks.empty() && ticks.back()["level"] == level)
+      ticks.erase(ticks.size() - 1);
+    ticks.push_back({{"level", level}, {"threshold", threshold.threshold}, {"is_suggested", threshold.is_suggested}});
+  }
+  return ticks;
 }
 
 } // namespace reeb_graph_program

@@ -20,6 +20,9 @@ nlohmann::ordered_json page_levels(const Embedded_graph& given,
                                    const Page_frame& frame,
                                    const Value_scale& value_scale);
 
+// The thresholds that matter, each with the last of these levels that it reaches, and whether it is the suggested one.
+nlohmann::ordered_json page_ticks(const Graph& graph, const nlohmann::ordered_json& levels);
+
 } // namespace reeb_graph_program
 
 #endif // CGAL_REEB_GRAPH_SRC_PAGE_LEVELS_H

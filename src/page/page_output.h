@@ -36,6 +36,7 @@ struct Page_request
   Field_label field_label;
   Simplification_options simplification = {};
   double threshold = 0; // that of threshold_in_units()
+  std::string up = {};  // which way is up: x, y, z, -x, -y, -z, or as the page finds it
   std::optional<Patch_map> patch_map = std::nullopt;
   std::vector<Polyline> curves = {};
 };

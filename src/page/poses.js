@@ -9,8 +9,8 @@
 
 // How a surface is looked at: where it is, which way is up, and its normals.
 
-// The direction in which the field rises, if it is nearly a height; otherwise the axis that goes with it.
-function findUp(positions, values) {
+// The direction in which the field rises, if it is nearly a height, or null.
+function findDirectionOfHeight(positions, values) {
   const count = values.length, means = [0, 0, 0, 0];
   for (let v = 0; v < count; ++v) {
     for (let i = 0; i < 3; ++i)
@@ -36,12 +36,44 @@ function findUp(positions, values) {
   const determinant = dot(c[0], cross(c[1], c[2]));
   const gradient = [0, 1, 2].map(i => dot(b, cross(c[(i + 1) % 3], c[(i + 2) % 3])) / determinant);
   const isLinear = gradient.every(isFinite) && dot(gradient, b) > 0.9 * variance && variance > 0;
-  if (isLinear)
-    return normalized(gradient);
-  const correlations = [0, 1, 2].map(i => b[i] / Math.sqrt(c[i][i] * variance) || 0);
-  const best = correlations.reduce((k, x, i) => Math.abs(x) > Math.abs(correlations[k]) ? i : k, 0);
-  const axis = Math.abs(correlations[best]) > 0.3 ? best : 2;
-  return [0, 1, 2].map(i => i === axis ? 1 : 0);
+  return isLinear ? normalized(gradient) : null;
+}
+
+// Away from the largest flat side that the surface stands on, of those that an axis is orthogonal to, or null: a side
+// that has a fiftieth of the area, in the lowest hundredth of the surface.
+function findStandingDirection(positions, triangles, ranges) {
+  const areas = [0, 0, 0, 0, 0, 0];
+  let wholeArea = 0;
+  for (let k = 0; k < triangles.length; k += 3) {
+    const [p, q, r] = [0, 1, 2].map(j => [0, 1, 2].map(i => positions[3 * triangles[k + j] + i]));
+    const normal = cross([0, 1, 2].map(i => q[i] - p[i]), [0, 1, 2].map(i => r[i] - p[i]));
+    const area = Math.sqrt(dot(normal, normal));
+    wholeArea += area;
+    for (let i = 0; i < 3; ++i) {
+      if (Math.abs(normal[i]) < 0.95 * area)
+        continue;
+      const {low, high} = ranges[i], margin = 0.01 * (high - low);
+      const isLow = Math.max(p[i], q[i], r[i]) < low + margin, isHigh = Math.min(p[i], q[i], r[i]) > high - margin;
+      areas[i] += isLow ? area : 0;
+      areas[i + 3] += isHigh ? area : 0;
+    }
+  }
+  const largest = areas.indexOf(Math.max(...areas));
+  // A box stands on each of its sides: none of them tells.
+  const isOpposed = areas[(largest + 3) % 6] > 0.8 * areas[largest];
+  if (!(areas[largest] > 0.02 * wholeArea) || isOpposed)
+    return null;
+  return [0, 1, 2].map(i => i === largest % 3 ? (largest < 3 ? 1 : -1) : 0);
+}
+
+// Which way is up: as named, that of a height, that in which the surface stands, or y if it is as tall in y as it is
+// wide, as the models of most scanners are, else z.
+function findUp({positions, values, triangles}, name) {
+  if (name)
+    return ["x", "y", "z"].map(axis => name.endsWith(axis) ? (name.startsWith("-") ? -1 : 1) : 0);
+  const ranges = [0, 1, 2].map(i => rangeOf(positions, i, 3)), extents = ranges.map(({low, high}) => high - low);
+  return findDirectionOfHeight(positions, values) || findStandingDirection(positions, triangles, ranges)
+    || (extents[1] > 0.95 * Math.max(...extents) ? [0, 1, 0] : [0, 0, 1]);
 }
 
 // The horizontal direction in which the surface is thinnest: from there most of it is seen.
@@ -72,10 +104,12 @@ function faceForward(direction, up) {
   return ahead < 0 ? direction.map(x => -x) : direction;
 }
 
-// The center and size (of the diagonal) of the surface, which way is up, and from where it is looked at.
-function findPose(positions, values) {
+// The center and size (of the diagonal) of the surface, which way is up, which can be named, and from where it is
+// looked at.
+function findPose(surface, nameOfUp = "") {
+  const {positions} = surface;
   const ranges = [0, 1, 2].map(i => rangeOf(positions, i, 3));
-  const up = findUp(positions, values);
+  const up = findUp(surface, nameOfUp);
   const thin = faceForward(findThinDirection(positions, up), up), side = cross(up, thin);
   const turn = 0.42, lift = 0.24;
   const towardsEye = normalized([0, 1, 2].map(i =>

@@ -24,14 +24,27 @@ class Scene {
     this.areNumbersOld = true;
     this.isDrawingRequested = false;
     this.drawings = 0;
-    this.pose = findPose(data.surface.positions, data.surface.values);
+    this.pose = findPose(data.surface, data.up);
     this.fieldColors = makeFieldColors();
     this.dimColor = new THREE.Color(0.7, 0.7, 0.7);
     this.outline = new THREE.Color(0.1, 0.1, 0.1);
     this.layers = {graph: true, curves: true};
     this.makeSurface();
     this.makeCurves();
-    this.eye = new ViewCamera(canvas, data.surface.positions, this.pose, () => this.requestDrawing());
+    this.eye = this.makeEye();
+  }
+
+  makeEye() {
+    return new ViewCamera(this.canvas, this.data.surface.positions, this.pose, () => this.requestDrawing());
+  }
+
+  // Looks at the surface with this way upwards: x, y, z, -x, -y, -z, or "" for the one that is found.
+  setUp(name) {
+    this.pose = findPose(this.data.surface, name);
+    this.eye.dispose();
+    this.eye = this.makeEye();
+    this.eye.setAspect(this.width / this.height);
+    this.requestDrawing();
   }
 
   makeSurface() {
@@ -246,6 +259,12 @@ class Scene {
     this.litArc = this.makeShiningTubes(lines, 1.3 * this.tubeRadius, this.litTable, 14);
     this.showLayers();
     this.nodeTable.setLight(node => ends.includes(node) || (target && target.node === node) ? lit : unlit);
+    this.requestDrawing(true);
+  }
+
+  // Lights a patch and dims the other ones, or none.
+  setLitPatch(number) {
+    this.patchTable.setLight(patch => number === null ? unlit : patch === number ? lit : dimmed);
     this.requestDrawing(true);
   }
 

@@ -8,6 +8,7 @@ set(reeb_graph_page_scripts
     graphs.js
     scales.js
     poses.js
+    patches.js
     shaders.js
     tables.js
     surfaces.js

@@ -501,7 +501,7 @@ BOOST_AUTO_TEST_CASE(the_figure_of_the_demo_has_limbs_and_a_handle)
     maxima += out_degree(node, graph) == 0 ? 1 : 0;
   }
   BOOST_TEST(minima == 2u); // the feet
-  BOOST_TEST(maxima == 3u); // the head, the fingers, and the thumb
+  BOOST_TEST(maxima == 3u); // the head, the hand, and the bird
   test_layout(graph);
   BOOST_TEST(number_of_crossings(CGAL::Reeb_graph::lay_out_in_plane(graph)) == 0u);
   test_drawing(graph);

@@ -23,6 +23,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
@@ -263,6 +264,39 @@ BOOST_AUTO_TEST_CASE(a_tube_inside_of_another_one_has_a_line_of_its_own)
   BOOST_REQUIRE(embedding.arc_polylines.size() == 2u);
   const std::size_t middle = embedding.arc_polylines[0].size() / 2;
   BOOST_TEST(distance_of(embedding.arc_polylines[0][middle], embedding.arc_polylines[1][middle]) > 0.5);
+}
+
+// Twin tubes whose axes are nearly the same: their lines are told apart where they would be one in a picture.
+BOOST_AUTO_TEST_CASE(lines_that_are_nearer_than_their_width_are_told_apart)
+{
+  Sample sample = upright_torus();
+  for(auto& point : sample.soup.points)
+    if(std::hypot(point[0], point[1]) > 3)
+      point[0] += 0.02;
+  const Embedded_sample<Surface_mesh> s(sample, 1);
+  const auto embedding = s.embedded(Embedding_manner::CENTROIDS);
+  BOOST_REQUIRE(embedding.arc_polylines.size() == 2u);
+  const std::size_t middle = embedding.arc_polylines[0].size() / 2;
+  BOOST_TEST(distance_of(embedding.arc_polylines[0][middle], embedding.arc_polylines[1][middle]) > 0.5);
+}
+
+// At equal steps, and beyond the outermost of these at quarters of a step.
+BOOST_AUTO_TEST_CASE(contours_at_nodes_are_ever_nearer_to_them)
+{
+  const Embedded_sample<Surface_mesh> s(with_heights_as_values(curve_samples::smooth_sample(2, 600, 0)));
+  const auto embedding = CGAL::Reeb_graph::embed(
+    s.augmentation, CGAL::parameters::number_of_contours_at_nodes(2, CGAL::parameters::number_of_contours(3)));
+  for(std::size_t arc = 0; arc != embedding.arc_values.size(); ++arc)
+  {
+    const std::vector<double>& values = embedding.arc_values[arc];
+    BOOST_REQUIRE(values.size() == 9u);
+    const std::size_t lower = source(*std::next(edges(s.graph).first, arc), s.graph);
+    const std::size_t upper = target(*std::next(edges(s.graph).first, arc), s.graph);
+    const double low = s.graph[lower].value, range = s.graph[upper].value - low;
+    const std::array<double, 7> places = {1. / 64, 1. / 16, 0.25, 0.5, 0.75, 15. / 16, 63. / 64};
+    for(std::size_t i = 0; i != places.size(); ++i)
+      BOOST_TEST(std::abs(values[i + 1] - (low + places[i] * range)) < 1e-9);
+  }
 }
 
 // The centroid of a contour is as high as the contour.

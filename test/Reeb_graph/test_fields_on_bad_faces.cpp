@@ -38,7 +38,7 @@ using mesh_builders::make_mesh;
 namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-typedef CGAL::Reeb_graph::internal::scalar_fields::Indexed_surface<Surface_mesh> Indexed_surface;
+typedef CGAL::Reeb_graph::internal::scalar_fields::Indexed_mesh<Surface_mesh> Indexed_mesh;
 
 // Ways to place the points so that triangles have no area, or next to none.
 enum class Bad_points
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(edges_are_no_longer_than_it_takes)
   using fields::operator+;
   for_each_bad_mesh([](const Triangle_soup& soup, Random&) {
     const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
-    Indexed_surface surface(mesh, CGAL::parameters::default_values());
+    Indexed_mesh surface(mesh, CGAL::parameters::default_values());
     const Field_report report = fields::make_triangles_proper(surface);
     if(report.number_of_bad_faces == 0)
     {
@@ -226,7 +226,7 @@ BOOST_AUTO_TEST_CASE(gradient_and_divergence_are_adjoint_on_bad_faces)
   namespace fields = CGAL::Reeb_graph::internal::scalar_fields;
   for_each_bad_mesh([](const Triangle_soup& soup, Random& random) {
     const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
-    Indexed_surface surface(mesh, CGAL::parameters::default_values());
+    Indexed_mesh surface(mesh, CGAL::parameters::default_values());
     if(fields::make_triangles_proper(surface).number_of_bad_faces == 0)
       return;
     const auto field = vertex_map(mesh), divergence = vertex_map(mesh);

@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(extrema_are_removed_from_any_field, Scalar, Scalar
         const auto h = mesh.halfedge(f);
         flipped.triangles.push_back({mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))});
       }
-      const fields::Indexed_surface<Surface_mesh> surface(mesh, CGAL::parameters::default_values());
+      const fields::Indexed_mesh<Surface_mesh> surface(mesh, CGAL::parameters::default_values());
       const fields::Weighted_graph graph = fields::uniform_graph(surface);
       const Fixed_values fixed = random_constraints(soup, random);
       const std::size_t number_of_values = 1 + random.below(20);
@@ -243,7 +243,7 @@ BOOST_AUTO_TEST_CASE(values_are_moved_no_more_than_it_takes)
   // a disk around a vertex, whose value has to come down from 5 to those of its neighbors, between 0 and 4
   Surface_mesh mesh;
   mesh_builders::build(mesh, mesh_builders::make_soup(random_meshes::disk(5)));
-  const fields::Indexed_surface<Surface_mesh> surface(mesh, CGAL::parameters::default_values());
+  const fields::Indexed_mesh<Surface_mesh> surface(mesh, CGAL::parameters::default_values());
   const fields::Weighted_graph graph = fields::uniform_graph(surface);
   std::vector<double> values = {5, 0, 1, 2, 3, 4};
   fields::remove_extrema(graph, {false, true, true, true, true, true}, values);

@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/fields/height_field.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
 #include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Default_solver.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -291,10 +292,10 @@ BOOST_AUTO_TEST_CASE(marched_distances_are_close_in_the_plane)
 {
   namespace fields = CGAL::Reeb_graph::internal::scalar_fields;
   const Surface_mesh mesh = make_mesh<Surface_mesh>(square(20, 0.7));
-  const fields::Indexed_surface<Surface_mesh> surface(mesh, CGAL::parameters::default_values());
+  const fields::Indexed_mesh<Surface_mesh> surface(mesh, CGAL::parameters::default_values());
   std::vector<bool> is_source(mesh.number_of_vertices(), false);
   is_source[215] = true;
-  const fields::Marching<fields::Indexed_surface<Surface_mesh>> marching(surface, is_source);
+  const fields::Marching marching(surface, is_source);
   for(const auto v : mesh.vertices())
   {
     const double expected = length(mesh.point(v) - mesh.point(Surface_mesh::Vertex_index(215)));

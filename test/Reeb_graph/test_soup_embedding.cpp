@@ -19,8 +19,8 @@
 #include <CGAL/Reeb_graph/IO/svg.h>
 #include <CGAL/Reeb_graph/Soup_augmentation.h>
 #include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
+#include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/embed.h>
-#include <CGAL/Reeb_graph/embed_complex.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
@@ -30,6 +30,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <sstream>
 #include <type_traits>
 #include <vector>
@@ -120,6 +121,59 @@ BOOST_AUTO_TEST_CASE(graphs_of_soups_and_tetrahedra_in_space)
                    {points.size(), foam.triangles});
   check_embeddings(Tetrahedra_augmentation(points_of_solid, solid.tetrahedra, heights(points_of_solid), graph_of_solid),
                    points_of_solid, {points_of_solid.size(), {}, {}, solid.tetrahedra});
+}
+
+// What is measured of the arcs of a surface is the same of the soup of its triangles, and the volumes of arcs are those of
+// the tetrahedra, each of which counts once.
+BOOST_AUTO_TEST_CASE(arcs_of_soups_and_tetrahedra_are_measured)
+{
+  typedef mesh_builders::Surface_mesh Mesh;
+  namespace Reeb_graph = CGAL::Reeb_graph;
+  const auto tolerance = boost::test_tools::tolerance(1e-12);
+  Random random(8);
+  for(int round = 0; round < 20; ++round)
+  {
+    auto soup = mesh_builders::make_soup(random_meshes::random_closed_surface(round % 3, 9, random));
+    const auto points = make_points(soup.points);
+    const auto values = random_meshes::random_permutation(points.size(), random);
+    const Mesh mesh = mesh_builders::make_mesh<Mesh>(soup);
+    const auto scalar_map = Reeb_graph::make_scalar_map(mesh, values);
+    CGAL::Reeb_graph_traits<Mesh, std::decay_t<decltype(scalar_map)>>::Graph graph;
+    CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+    soup.triangles.push_back(soup.triangles.front());
+    Graph soup_graph;
+    CGAL::compute_reeb_graph_of_soup(points, soup.triangles, values, soup_graph);
+    const Reeb_graph::Augmentation augmentation(mesh, scalar_map, graph);
+    const Soup_augmentation soup_augmentation(points, soup.triangles, values, soup_graph);
+    const auto lengths = Reeb_graph::arc_lengths(mesh, scalar_map, graph);
+    const auto areas = Reeb_graph::arc_areas(mesh, graph, augmentation.locate_vertices());
+    const auto soup_lengths = Reeb_graph::arc_lengths(soup_augmentation, points);
+    const auto soup_areas = Reeb_graph::arc_areas(soup_augmentation, points, soup_augmentation.locate_vertices());
+    BOOST_REQUIRE(soup_lengths.size() == lengths.size());
+    BOOST_REQUIRE(soup_areas.size() == areas.size());
+    for(std::size_t arc = 0; arc < lengths.size(); ++arc)
+    {
+      BOOST_TEST(soup_lengths[arc] == lengths[arc], tolerance);
+      BOOST_TEST(soup_areas[arc] == areas[arc], tolerance);
+    }
+    BOOST_CHECK_THROW(Reeb_graph::arc_lengths(soup_augmentation, std::vector<Point>(points.size() - 1)),
+                      Reeb_graph::Attribute_count_error);
+  }
+
+  auto solid = generated_surfaces::solid(3, 2);
+  const auto points = make_points(solid.points);
+  double volume = 0;
+  for(const auto& t : solid.tetrahedra)
+    volume += std::abs(CGAL::volume(points[t[0]], points[t[1]], points[t[2]], points[t[3]]));
+  solid.tetrahedra.push_back(solid.tetrahedra.front());
+  const auto values = random_meshes::random_permutation(points.size(), random);
+  Graph graph;
+  CGAL::compute_reeb_graph_of_tetrahedra(points, solid.tetrahedra, values, graph);
+  const Tetrahedra_augmentation augmentation(points, solid.tetrahedra, values, graph);
+  const auto volumes = Reeb_graph::arc_volumes(augmentation, points, augmentation.locate_vertices());
+  BOOST_TEST(volumes.size() == num_edges(graph));
+  BOOST_TEST(std::accumulate(volumes.begin(), volumes.end(), 0.) == volume, tolerance);
+  BOOST_TEST(Reeb_graph::arc_lengths(augmentation, points).size() == num_edges(graph));
 }
 
 // All writers write of a soup's graph what they write of the graph of the surface.

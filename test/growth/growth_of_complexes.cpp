@@ -10,7 +10,7 @@
 
 #include <CGAL/Reeb_graph/Soup_augmentation.h>
 #include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
-#include <CGAL/Reeb_graph/embed_complex.h>
+#include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 

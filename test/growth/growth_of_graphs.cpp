@@ -183,6 +183,12 @@ Functions functions_of_graphs()
        simplify(s.graph, 0.2 * s.range, simplified);
        return std::size_t(0);
      }},
+    {"simplification_thresholds",
+     [](const Subject& s) {
+       std::vector<Simplification_threshold> thresholds;
+       simplification_thresholds(s.graph, std::back_inserter(thresholds));
+       return 0 * thresholds.size();
+     }},
     {"simplify, cancel_loops",
      [](const Subject& s) {
        Graph simplified;

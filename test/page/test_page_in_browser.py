@@ -67,6 +67,35 @@ def write_torus(name, rows, columns):
     (folder / name).write_text("\n".join(lines) + "\n")
 
 
+def write_sphere_with_holes(name, rows, columns, holes):
+    """A sphere from which disks around some directions have been cut."""
+    points = [(0, 0, 1)]
+    for i in range(1, rows):
+        for j in range(columns):
+            a, b = math.pi * i / rows, 2 * math.pi * j / columns
+            points.append((math.sin(a) * math.cos(b), math.sin(a) * math.sin(b), math.cos(a)))
+    points.append((0, 0, -1))
+
+    def at(i, j):
+        return 0 if i == 0 else len(points) - 1 if i == rows else 1 + (i - 1) * columns + j % columns
+
+    triangles = []
+    for i in range(rows):
+        for j in range(columns):
+            triangles += [(at(i, j), at(i + 1, j), at(i + 1, j + 1))] if i + 1 < rows else []
+            triangles += [(at(i, j), at(i + 1, j + 1), at(i, j + 1))] if i > 0 else []
+
+    def is_cut(triangle):
+        center = [sum(points[v][k] for v in triangle) / 3 for k in range(3)]
+        return any(sum(x * y for x, y in zip(center, hole)) > 0.93 * math.hypot(*hole) for hole in holes)
+
+    triangles = [triangle for triangle in triangles if not is_cut(triangle)]
+    numbers = {v: i for i, v in enumerate(sorted({v for triangle in triangles for v in triangle}))}
+    (folder / name).write_text(f"OFF\n{len(numbers)} {len(triangles)} 0\n"
+                               + "".join("%r %r %r\n" % points[v] for v in numbers)
+                               + "".join(f"3 {numbers[a]} {numbers[b]} {numbers[c]}\n" for a, b, c in triangles))
+
+
 def run(*arguments):
     subprocess.run([program, *map(str, arguments)], cwd=folder, check=True, stdout=subprocess.DEVNULL)
 
@@ -340,6 +369,8 @@ def test_slider_simplifies(data):
     focus("level")
     press(Keys.HOME)
     assert state()["arcs"] == len(data["graph"]["arcs"])
+    ticks = browser.find_elements(By.CSS_SELECTOR, "#level_ticks option")
+    assert [int(tick.get_attribute("value")) for tick in ticks] == [tick["level"] for tick in data["ticks"]] != []
 
 
 def test_touch(data):
@@ -398,6 +429,47 @@ def test_patches_and_curves():
     assert "mm" in browser.find_element(By.ID, "color_bar").text
 
 
+def test_cut_scan():
+    """What curves shows of a surface with holes: pieces, of which the list leads to each, curves, arcs, and up."""
+    holes = [(0, 0, 1), (1, 0, 0.2), (-1, 0.3, 0), (0, 1, -0.3), (0.2, -1, -0.5)]
+    write_sphere_with_holes("holes.off", 40, 60, holes)
+    run("curves", "holes.off", "--field", "y", "--type", "pants", "--html", "holes.html", "--up", "-x")
+    load("holes.html")
+    assert state()["coloring"] == "patches" and state()["up"] == [-1, 0, 0]
+    data = data_of_page()
+    assert len(set(picture())) > 200 and len(data["curves"]) == len(holes) - 3
+    rows = browser.find_elements(By.CSS_SELECTOR, "#patches_list tr")
+    assert len(rows) == len(holes) - 2
+    areas = [float(row.find_elements(By.TAG_NAME, "td")[0].text) for row in rows]
+    assert areas == sorted(areas) and 8 < sum(areas) < 4 * math.pi
+    assert all(float(row.find_elements(By.TAG_NAME, "td")[1].text) > 1 for row in rows)
+    before, eye = picture(), state()["eye"]
+    rows[0].find_element(By.TAG_NAME, "button").click()
+    assert difference(before, picture()) > 1000 and state()["eye"] != eye
+    browser.find_element(By.ID, "reset_view").click()
+    browser.find_element(By.CSS_SELECTOR, "#up option[value='']").click()
+    assert state()["up"] == [0, 1, 0] # the field is a height
+    assert difference(before, picture()) > 1000
+    browser.find_element(By.CSS_SELECTOR, "input[value=arcs]").click()
+    click(*in_drawing(longest_arc(data), 0.5))
+    assert len(state()["contour"]["points"]) > 9
+    assert state()["arcs"] == len(data["graph"]["arcs"]) < 40
+
+
+def test_nothing_lies_on_the_scale(data):
+    for width in [1400, 900, 400]:
+        load("torus.html", width, 900)
+        scale, others = browser.execute_script("""
+            const box = element => { const {left, top, right, bottom} = element.getBoundingClientRect();
+                                     return [left, top, right, bottom]; };
+            return [box(document.getElementById('color_bar')),
+                    ['canvas', 'view_buttons', 'plane'].map(id => box(document.getElementById(id)))]""")
+        assert scale[2] > scale[0]
+        for other in others:
+            assert scale[2] <= other[0] or other[2] <= scale[0] or scale[3] <= other[1] or other[3] <= scale[1], width
+    load("torus.html")
+
+
 def test_least_surfaces():
     for name, off in [("vertex", "OFF\n1 0 0\n1 2 3\n"),
                       ("level", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n")]:
@@ -448,11 +520,11 @@ def test_all():
     for test in [test_canvas_is_drawn, test_pointing_in_the_plane_lights_the_piece, test_pointing_in_space,
                  test_slider_moves_the_contour, test_dragging_moves_the_contour, test_turning_is_not_choosing,
                  test_keys_reach_everything, test_switches_change_colors, test_slider_simplifies, test_touch,
-                 test_narrow_dark_and_still]:
+                 test_nothing_lies_on_the_scale, test_narrow_dark_and_still]:
         test(data)
         assert_no_complaint(test.__name__)
         print(f"ok: {test.__name__}")
-    for test in [test_patches_and_curves, test_least_surfaces, test_large_surface]:
+    for test in [test_patches_and_curves, test_cut_scan, test_least_surfaces, test_large_surface]:
         test()
         assert_no_complaint(test.__name__)
         print(f"ok: {test.__name__}")

@@ -216,13 +216,71 @@ const tests = {
 
   "the view is upright and shows all"() {
     const {positions, values} = subjects[1].data.surface;
-    const pose = page.findPose(positions, values);
+    const pose = page.findPose({positions, values, triangles: []});
     assert.ok(pose.up[2] > 0.9999);
     const tilted = Float64Array.from(values, (_, v) => positions[3 * v] + positions[3 * v + 1]);
-    assert.ok(Math.abs(page.findPose(positions, tilted).up[0] - Math.SQRT1_2) < 1e-4);
+    assert.ok(Math.abs(page.findPose({positions, values: tilted, triangles: []}).up[0] - Math.SQRT1_2) < 1e-4);
     const near = page.distanceToSeeAll(positions, pose, 32, 1), far = page.distanceToSeeAll(positions, pose, 32, 0.5);
     assert.ok(near > 0.5 * pose.size && far > near);
-    assert.ok(page.findPose(new Float32Array(0), new Float64Array(0)).size > 0);
+    assert.ok(page.findPose({positions: [], values: [], triangles: []}).size > 0);
+  },
+
+  "up is what is named, a height, where the surface stands, or y"() {
+    const upOf = (mesh, values, name) => page.findPose({
+      positions: Float32Array.from([].concat(...mesh.points)), triangles: [].concat(...mesh.triangles), values
+    }, name).up.map(x => Math.round(x) + 0);
+    const noise = mesh => mesh.points.map((_, v) => Math.sin(37 * v));
+    const torus = meshes.torus(48, 24, 0.1), x = torus.points.map(point => point[0]);
+    assert.deepStrictEqual(upOf(torus, x), [1, 0, 0]);
+    assert.deepStrictEqual(upOf(torus, x, "-y"), [0, -1, 0]);
+    assert.deepStrictEqual(upOf(torus, x, "z"), [0, 0, 1]);
+    assert.deepStrictEqual(upOf(torus, noise(torus)), [0, 0, 1]);
+    const turned = order => ({
+      points: torus.points.map(point => order.map(i => point[i])), triangles: torus.triangles
+    });
+    assert.deepStrictEqual(upOf(turned([0, 2, 1]), noise(torus)), [0, 1, 0]); // as tall in y as it is wide
+    for (const [axis, sign] of [[0, 1], [1, 1], [2, 1], [0, -1], [1, -1], [2, -1]]) {
+      const standing = meshes.torus(48, 24, 0.1), coordinates = standing.points.map(point => sign * point[axis]);
+      const low = Math.min(...coordinates), high = Math.max(...coordinates);
+      standing.points.forEach(point => { // cut flat at a fifth of its height
+        point[axis] = sign * Math.max(sign * point[axis], low + 0.2 * (high - low));
+      });
+      const up = [0, 0, 0];
+      up[axis] = sign;
+      assert.deepStrictEqual(upOf(standing, noise(standing)), up);
+    }
+  },
+
+  "patches are measured"() {
+    // a square of two patches, and a triangle alone
+    const positions = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 5, 0, 0, 8, 0, 0, 5, 4, 0];
+    const patches = page.measurePatches({
+      positions, triangles: [0, 1, 2, 0, 2, 3, 4, 5, 6], facePatches: [0, 2, 3]
+    });
+    assert.deepStrictEqual(patches.map(patch => patch.number), [0, 2, 3]);
+    [[0.5, 2 + Math.SQRT2], [0.5, 2 + Math.SQRT2], [6, 12]].forEach(([area, borderLength], i) => {
+      assert.ok(Math.abs(patches[i].area - area) < 1e-12);
+      assert.ok(Math.abs(patches[i].borderLength - borderLength) < 1e-12);
+      assert.deepStrictEqual(patches[i].normal, [0, 0, 1]);
+    });
+    const whole = page.measurePatches({positions, triangles: [0, 1, 2, 0, 2, 3], facePatches: [1, 1]});
+    assert.ok(whole.length === 1 && Math.abs(whole[0].borderLength - 4) < 1e-12);
+  },
+
+  "ticks are levels whose graphs are those of the thresholds"() {
+    for (const {name, data} of subjects) {
+      const {ticks, levels} = data;
+      assert.ok(ticks.length <= 6 && ticks.filter(tick => tick.is_suggested).length <= 1);
+      ticks.forEach(({level, threshold}) => {
+        assert.ok(levels[level].threshold <= threshold, name);
+        assert.ok(level + 1 === levels.length || levels[level + 1].threshold > threshold, name);
+        const report = JSON.parse(run("compute", name + ".off", "--field", "z", "--json", "--simplify",
+                                      String(threshold), "--cancel-loops"));
+        const graph = level === 0 ? data.graph : levels[level].graph;
+        assert.strictEqual(graph.nodes.length, report.simplified.nodes, name);
+      });
+    }
+    assert.ok(subjects[0].data.ticks.length > 0);
   },
 
   "normals are smooth, except across sharp edges"() {

@@ -97,6 +97,38 @@ foreach(method critical-sets contour-trees)
 endforeach()
 expect_same_file(critical-sets.graphml contour-trees.graphml)
 
+# arcs in space, in each manner, and their measures
+foreach(manner centroids on-surface straight)
+  expect_success(compute book.off --field z --graph ${manner}.json --embedding ${manner} --json)
+  string(JSON value GET "${output}" embedding)
+  expect_equal("${value}" ${manner})
+  file(READ ${FOLDER}/${manner}.json content)
+  string(JSON number LENGTH "${content}" arcs 2 polyline)
+  string(JSON values LENGTH "${content}" arcs 2 values)
+  expect_equal("${number}" "${values}")
+  set(length_of_${manner} ${number})
+endforeach()
+expect_equal(${length_of_centroids} 14)
+expect_equal(${length_of_straight} 2)
+expect_success(compute book.off --field z --graph book.obj)
+expect_success(compute book.off --field z --graph straight.obj --embedding straight)
+expect_same_file(book.obj straight.obj)
+file(STRINGS ${FOLDER}/graph.arcs.csv header LIMIT_COUNT 1)
+expect_match("${header}" "persistence,length,area,vertices")
+expect_success(compute book.off --field z)
+expect_match("${output}" "\n  arc   from     to  .* length            area  vertices\n    0 ")
+expect_success(compute book.off --field z --no-table --json)
+string(JSON type TYPE "${output}" arc_table)
+expect_equal("${type}" NULL)
+
+# the triangles with the results: the same mesh again
+expect_success(compute book.off --field z --mesh-out book.ply --graph book.graphml)
+expect_success(compute book.ply --field scalar --graph again.graphml --json)
+expect_same_file(book.graphml again.graphml)
+string(JSON value GET "${output}" faces)
+expect_equal("${value}" 3)
+expect_success(compute book.off --field z --mesh-out book.vtp)
+
 # contours with branch points
 expect_success(contour book.off --field z --level 0.25 --output contour.polylines.txt)
 expect_equal("${output}" "1 contour\n")
@@ -135,6 +167,17 @@ expect_match("${output}" "^complex  5 vertices, 10 edges, 9 triangles, 3 tetrahe
 expect_success(contour ball.mesh --field z --level 0.75 --output isosurface.off)
 expect_success(compute isosurface.off --field x)
 expect_match("${output}" "^surface  4 vertices, 6 edges, 3 faces\n         1 component, 1 border loop")
+
+# arcs in tetrahedra have volumes: that of the ball is 4/3
+expect_success(compute ball.mesh --field z --graph ball.vtp --embedding centroids --json)
+string(JSON value GET "${output}" arc_table 0 volume)
+expect_match("${value}" "^1[.]333333")
+string(JSON type ERROR_VARIABLE error TYPE "${output}" arc_table 0 area)
+expect_match("${error}" "area")
+expect_success(compute ball.mesh --field z)
+expect_match("${output}" "volume  vertices\n    0 ")
+file(READ ${FOLDER}/ball.vtp content)
+expect_match("${content}" "Name=\"volume\"")
 
 # a file may end without End
 file(WRITE ${FOLDER}/open.mesh "${begin}Tetrahedra\n3\n1 2 3 4 0\n1 2 4 5 0\n1 2 5 3 0")

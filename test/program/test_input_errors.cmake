@@ -165,8 +165,7 @@ expect_error_of_curves(
   "2 edges are on no face, the first one, of the vertices 1 and 3; without such edges" --field z)
 
 # what else needs one
-foreach(option "--html page.html" "--mesh-out mesh.ply" "--table" "--embedding centroids;--graph graph.obj"
-               "--embedding on-surface;--graph graph.json" "--simplified-scalars scalars.txt;--leaves 2")
+foreach(option "--html page.html" "--simplified-scalars scalars.txt;--leaves 2")
   string(REPLACE " " ";" option "${option}")
   list(GET option 0 name)
   expect_error("${name}.* needs an oriented manifold surface; the edge between" compute three_faces_at_an_edge.off
@@ -204,6 +203,7 @@ expect_error_of_file(field.vtk "${vtk_points}CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\
 expect_error_of_file(binary.vtk "# vtk DataFile Version 3.0\nwrong\nBINARY\n" "binary VTK files are not read" --field z)
 expect_error_of_file(compressed.vtu "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkZLibDataCompressor\"></VTKFile>"
                      "compressed data are not read" --field z)
+expect_error("--mesh-out writes triangles, and the mesh has tetrahedra" compute field.vtk --field z --mesh-out mesh.ply)
 expect_error("contours in tetrahedra, which are surfaces, ends in .off" contour field.vtk --field z
              --level 0.5 --output contour.polylines.txt)
 expect_error("polylines ends in .polylines.txt" contour three_faces_at_an_edge.off --field z --level 0.5

@@ -74,9 +74,26 @@ expect_json("" simplified threshold ARGUMENTS ${strip} --leaves 2)
 expect_json(1 simplified loops ARGUMENTS torus.off --field z --simplify 100%)
 expect_json(0 simplified loops ARGUMENTS torus.off --field z --simplify 100% --cancel-loops)
 
-# the suggestion: the middle of the widest gap of 0, 0.75, 2.75
-expect_json(1.75 suggested_threshold ARGUMENTS ${strip})
+# the thresholds that matter, in the gaps of 0.75, 2.75, and 7: there is no noise, so that all stays
+foreach(row "0=5=4" "1=4=3" "2=2=2")
+  string(REPLACE "=" ";" row "${row}")
+  list(GET row 0 number)
+  list(GET row 1 nodes)
+  list(GET row 2 leaves)
+  expect_json(${nodes} thresholds ${number} nodes ARGUMENTS ${strip})
+  expect_json(${leaves} thresholds ${number} leaves ARGUMENTS ${strip})
+endforeach()
+expect_json(5 simplified nodes ARGUMENTS ${strip} --simplify auto)
 expect_json("" suggested_threshold ARGUMENTS tetrahedron.off --field z)
+expect_json("0.0" simplified threshold ARGUMENTS tetrahedron.off --field z --simplify auto)
+expect_success(compute ${strip})
+expect_match("${output}" "\n +--simplify 0[.]0725 gives 5 nodes, 4 leaves, 0 loops, and so does auto\n")
+expect_success(contour ${strip} --simplify auto --level 2 --output auto.polylines.txt)
+expect_equal("${output}" "2 contours\n")
+# the handles stay
+expect_json(3 simplified loops ARGUMENTS ${genus_3} --field y --simplify auto)
+expect_success(curves ${genus_3} --field y --type pants --simplify auto)
+expect_equal("${output}" "6 curves, 4 patches\n")
 
 # files of the simplified graph: each vertex in it, and the numbers of arcs are those of contours
 expect_success(compute ${strip} --simplify 1 --graph graph.graphml --vertex-arcs arcs.txt)

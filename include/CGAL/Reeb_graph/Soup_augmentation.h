@@ -37,9 +37,9 @@ namespace Reeb_graph {
 template <class Scalar,
           class ReebGraph = typename Reeb_graph_soup_traits<Scalar>::Graph,
           class Traits = Reeb_graph_soup_traits<Scalar>>
-class Soup_augmentation : public Complex_augmentation<Soup_contour, ReebGraph, Traits>
+class Soup_augmentation : public Complex_augmentation<internal::Graph_on_triangles<ReebGraph, Traits>>
 {
-  typedef Complex_augmentation<Soup_contour, ReebGraph, Traits> Base;
+  typedef Complex_augmentation<internal::Graph_on_triangles<ReebGraph, Traits>> Base;
 
 public:
   using Base::Base;

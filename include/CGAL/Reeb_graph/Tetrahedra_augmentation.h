@@ -40,9 +40,9 @@ namespace Reeb_graph {
 template <class Scalar,
           class ReebGraph = typename Reeb_graph_soup_traits<Scalar>::Graph,
           class Traits = Reeb_graph_soup_traits<Scalar>>
-class Tetrahedra_augmentation : public Complex_augmentation<Isosurface_patch, ReebGraph, Traits>
+class Tetrahedra_augmentation : public Complex_augmentation<internal::Graph_on_tetrahedra<ReebGraph, Traits>>
 {
-  typedef Complex_augmentation<Isosurface_patch, ReebGraph, Traits> Base;
+  typedef Complex_augmentation<internal::Graph_on_tetrahedra<ReebGraph, Traits>> Base;
 
 public:
   using Base::Base;

@@ -98,7 +98,7 @@ public:
   Vertex_locations(std::function<internal::Vertex_index(VertexDescriptor)> position,
                    std::size_t number_of_nodes,
                    std::vector<arc_descriptor> arcs,
-                   std::shared_ptr<const internal::Place_of_vertex> places,
+                   std::shared_ptr<const internal::Vertex_places> places,
                    std::shared_ptr<const internal::Vertex_lists<VertexDescriptor>> lists)
     : position_(std::move(position)),
       number_of_nodes_(number_of_nodes),
@@ -112,7 +112,7 @@ private:
   std::function<internal::Vertex_index(VertexDescriptor)> position_;
   std::size_t number_of_nodes_;
   std::vector<arc_descriptor> arcs_;
-  std::shared_ptr<const internal::Place_of_vertex> places_; // nodes come first, then arcs
+  std::shared_ptr<const internal::Vertex_places> places_; // nodes come first, then arcs
   std::shared_ptr<const internal::Vertex_lists<VertexDescriptor>> lists_;
 };
 

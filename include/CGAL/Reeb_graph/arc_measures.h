@@ -25,12 +25,65 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
+
+// Whoever measures arcs of one of these has it.
+template <class GraphOnCells>
+class Complex_augmentation;
+template <class Scalar, class ReebGraph, class Traits>
+class Soup_augmentation;
+template <class Scalar, class ReebGraph, class Traits>
+class Tetrahedra_augmentation;
+
+namespace internal {
+
+// What belongs to each arc after what belongs to a node has been shared out equally among the arcs there.
+template <class ReebGraph>
+std::vector<double> measures_of_arcs(const ReebGraph& graph, const std::vector<double>& pieces)
+{
+  std::vector<double> result(pieces.begin() + static_cast<std::ptrdiff_t>(num_vertices(graph)), pieces.end());
+  std::size_t arc_number = 0;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    for(const auto node : {source(arc, graph), target(arc, graph)})
+      result[arc_number] += pieces[node] / static_cast<double>(degree(node, graph));
+    ++arc_number;
+  }
+  return result;
+}
+
+// `value` is called with a vertex. The mesh may be one of soups.
+template <class Mesh, class ReebGraph, class PointMap, class Value>
+std::vector<double> lengths_of_arcs(const Mesh& mesh,
+                                    const ReebGraph& graph,
+                                    const PointMap& point_map,
+                                    const Value& value)
+{
+  const auto used_length = [&](const auto& h, const auto end) {
+    const auto u = source(h, mesh), w = target(h, mesh);
+    const double length = std::sqrt(CGAL::to_double((get(point_map, w) - get(point_map, u)).squared_length()));
+    return end == w ? length : length * crossing_fraction(value(u), value(w), value(end));
+  };
+  std::vector<double> lengths;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const auto& chain = graph[arc].chain;
+    double length = 0;
+    for(std::size_t i = 0; i != chain.size(); ++i)
+      length +=
+        used_length(chain[i], i + 1 == chain.size() ? graph[target(arc, graph)].vertex : source(chain[i + 1], mesh));
+    lengths.push_back(length);
+  }
+  return lengths;
+}
+
+} // namespace internal
 
 /// \ingroup PkgReebGraphAugmentation
 ///
@@ -57,16 +110,71 @@ std::vector<double> arc_areas(const FaceListGraph& mesh,
                               const VertexLocations& locations,
                               const NamedParameters& np = parameters::default_values())
 {
-  const std::vector<double> areas = areas_of_pieces(mesh, graph, locations, np);
-  std::vector<double> result(areas.begin() + static_cast<std::ptrdiff_t>(num_vertices(graph)), areas.end());
-  std::size_t arc_number = 0;
-  for(const auto arc : CGAL::make_range(edges(graph)))
+  return internal::measures_of_arcs(graph, areas_of_pieces(mesh, graph, locations, np));
+}
+
+/// \ingroup PkgReebGraphAugmentation
+///
+/// \brief adds up the area of the triangles of a soup that belongs to each arc of its Reeb graph, as that of a mesh. A
+/// triangle that is listed several times counts once.
+///
+/// \param augmentation the way from the graph to the soup
+/// \param points the points of the vertices, a random access range
+/// \param locations what `augmentation.locate_vertices()` has returned
+///
+/// \returns the areas of the arcs, in the order of `edges(graph)`.
+///
+/// \exception Attribute_count_error if there is not one point for each vertex
+/// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of this soup
+template <class Scalar, class ReebGraph, class Traits, class PointRange, class VertexLocations>
+std::vector<double> arc_areas(const Soup_augmentation<Scalar, ReebGraph, Traits>& augmentation,
+                              const PointRange& points,
+                              const VertexLocations& locations)
+{
+  const auto& graph = augmentation.graph();
+  const auto& complex = augmentation.mesh();
+  const auto point_map = internal::checked_point_map(points, augmentation.number_of_vertices());
+  std::vector<double> areas(num_vertices(graph) + num_edges(graph), 0);
+  for(const auto triangle : complex.triangles())
   {
-    for(const auto node : {source(arc, graph), target(arc, graph)})
-      result[arc_number] += areas[node] / static_cast<double>(degree(node, graph));
-    ++arc_number;
+    const auto& t = complex.vertices_of(triangle);
+    const std::array<std::size_t, 3> v = {t[0].number(), t[1].number(), t[2].number()};
+    internal::add_to_pieces(
+      std::sqrt(CGAL::to_double(squared_area(get(point_map, v[0]), get(point_map, v[1]), get(point_map, v[2])))), v,
+      locations, areas);
   }
-  return result;
+  return internal::measures_of_arcs(graph, areas);
+}
+
+/// \ingroup PkgReebGraphAugmentation
+///
+/// \brief adds up the volume of the tetrahedra that belongs to each arc of their Reeb graph, as the area of a mesh: a
+/// quarter of each tetrahedron to each of its vertices. One that is listed several times counts once.
+///
+/// \param augmentation the way from the graph to the tetrahedra
+/// \param points the points of the vertices, a random access range
+/// \param locations what `augmentation.locate_vertices()` has returned
+///
+/// \returns the volumes of the arcs, in the order of `edges(graph)`.
+///
+/// \exception Attribute_count_error if there is not one point for each vertex
+/// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of these tetrahedra
+template <class Scalar, class ReebGraph, class Traits, class PointRange, class VertexLocations>
+std::vector<double> arc_volumes(const Tetrahedra_augmentation<Scalar, ReebGraph, Traits>& augmentation,
+                                const PointRange& points,
+                                const VertexLocations& locations)
+{
+  const auto& graph = augmentation.graph();
+  const auto point_map = internal::checked_point_map(points, augmentation.number_of_vertices());
+  std::vector<double> volumes(num_vertices(graph) + num_edges(graph), 0);
+  for(const auto& t : augmentation.cells())
+  {
+    const std::array<std::size_t, 4> v = {t[0].number(), t[1].number(), t[2].number(), t[3].number()};
+    internal::add_to_pieces(std::abs(CGAL::to_double(volume(get(point_map, v[0]), get(point_map, v[1]),
+                                                            get(point_map, v[2]), get(point_map, v[3])))),
+                            v, locations, volumes);
+  }
+  return internal::measures_of_arcs(graph, volumes);
 }
 
 /// \ingroup PkgReebGraphAugmentation
@@ -96,27 +204,29 @@ std::vector<double> arc_lengths(const FaceListGraph& mesh,
   if constexpr(internal::Mesh_with_numbers<FaceListGraph, ScalarMap, Traits>::value)
   {
     const internal::Scalar_conversion<Traits> conversion(internal::choose_traits<Traits>(np));
-    const auto point_map = internal::choose_point_map(mesh, np);
     const auto value = [&](const auto v) { return conversion.to_double(get(scalar_map, v)); };
-    const auto used_length = [&](const auto h, const auto end) {
-      const auto u = source(h, mesh), w = target(h, mesh);
-      const double length = std::sqrt(CGAL::to_double((get(point_map, w) - get(point_map, u)).squared_length()));
-      return end == w ? length : length * internal::crossing_fraction(value(u), value(w), value(end));
-    };
-    std::vector<double> lengths;
-    for(const auto arc : CGAL::make_range(edges(graph)))
-    {
-      const auto& chain = graph[arc].chain;
-      double length = 0;
-      for(std::size_t i = 0; i != chain.size(); ++i)
-        length +=
-          used_length(chain[i], i + 1 == chain.size() ? graph[target(arc, graph)].vertex : source(chain[i + 1], mesh));
-      lengths.push_back(length);
-    }
-    return lengths;
+    return internal::lengths_of_arcs(mesh, graph, internal::choose_point_map(mesh, np), value);
   }
   else
     return {};
+}
+
+/// \ingroup PkgReebGraphAugmentation
+///
+/// \brief measures the length of each arc of the Reeb graph of a soup or of tetrahedra, as on a mesh.
+///
+/// \param augmentation a `Soup_augmentation` or `Tetrahedra_augmentation` of the graph
+/// \param points the points of the vertices, a random access range
+///
+/// \returns the lengths, in the order of `edges(graph)`.
+///
+/// \exception Attribute_count_error if there is not one point for each vertex
+template <class GraphOnCells, class PointRange>
+std::vector<double> arc_lengths(const Complex_augmentation<GraphOnCells>& augmentation, const PointRange& points)
+{
+  return internal::lengths_of_arcs(augmentation.mesh(), augmentation.graph(),
+                                   internal::checked_point_map(points, augmentation.number_of_vertices()),
+                                   [&](std::size_t v) { return augmentation.value(v); });
 }
 
 } // namespace Reeb_graph

@@ -14,13 +14,14 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/Embedding.h>
 #include <CGAL/Reeb_graph/internal/base/point_map.h>
-#include <CGAL/Reeb_graph/internal/embedding/Centroid_polylines.h>
-#include <CGAL/Reeb_graph/internal/embedding/Surface_polylines.h>
 #include <CGAL/Reeb_graph/internal/embedding/embed_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 namespace CGAL {
 namespace Reeb_graph {
+
+template <class GraphOnCells>
+class Complex_augmentation; // whoever calls embed() with one has it
 
 /// \ingroup PkgReebGraphEmbedding
 ///
@@ -31,8 +32,9 @@ namespace Reeb_graph {
 /// of the tied vertices around it. In the other manners each node is at its vertex.
 ///
 /// - `CENTROIDS`: the polyline of an arc leads through the centroids, by length, of `number_of_contours` contours, at
-///   equal steps of the field. Arcs from the same node to the same node that have the same line, as a tube inside of a
-///   round tube, are moved halfway to the surface. It takes time proportional to the lengths of these contours and of
+///   equal steps of the field. Arcs from the same node to the same node whose lines are nowhere further apart than a
+///   hundredth and a half of the extent of all contours, which is about the width of a line in a picture, as a tube
+///   inside of a round tube, are moved halfway to the surface. It takes time proportional to the lengths of these contours and of
 ///   those just below the nodes, and to the square of the number of arcs that join the same two nodes.
 /// - `ON_SURFACE`: the polyline follows the chain of the arc. Where that passes by the upper node, or by a node that
 ///   has been removed, it goes on along the contour just below that, the shorter way. It stays on the surface, and its
@@ -62,6 +64,15 @@ namespace Reeb_graph {
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{12}
 ///     \cgalParamExtra{use the functions `parameters::number_of_contours()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_contours_at_nodes}
+///     \cgalParamDescription{for `CENTROIDS`: how many more contours it leads through between each node and the next one
+///                           of these contours, each a quarter as far from the node as the one before. From a saddle,
+///                           whose contours have another centroid than those just beyond it, a line then goes to the
+///                           middle of its own contours first, and does not leave the surface on a straight way.}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{0}
+///     \cgalParamExtra{use the functions `parameters::number_of_contours_at_nodes()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_smoothing_steps}
 ///     \cgalParamDescription{for `CENTROIDS`: how many times each inner point of a polyline is replaced by the mean of
@@ -105,12 +116,42 @@ template <class ConcurrencyTag = Sequential_tag,
 auto embed(const Augmentation<FaceListGraph, ScalarMap, ReebGraph, Traits>& augmentation,
            const NamedParameters& np = parameters::default_values())
 {
-  typedef internal::Point_of_mesh<FaceListGraph, NamedParameters> Point;
-  const auto point_map = internal::choose_point_map(augmentation.mesh(), np);
-  return internal::embed_in_manner<ConcurrencyTag, Point>(
-    augmentation, num_vertices(augmentation.mesh()), point_map, np,
-    [&] { return internal::Centroid_polylines(augmentation, point_map, np); },
-    [&] { return internal::Surface_polylines(augmentation, point_map, np); });
+  return internal::embed_in_manner<ConcurrencyTag>(augmentation, internal::choose_point_map(augmentation.mesh(), np),
+                                                   np);
+}
+
+/// \ingroup PkgReebGraphEmbedding
+///
+/// \brief puts the Reeb graph of a triangle soup or of tetrahedra into space, as that of a mesh.
+///
+/// - `CENTROIDS`: the centroid of a contour is that of its polylines, by length, or of its triangles, by area. A leaf is
+///   at its vertex.
+/// - `ON_SURFACE`: the way along a contour goes through few triangles. Where a plateau is passed, as ties are
+///   contracted, the polyline goes straight, and can leave the complex.
+///
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether arcs are embedded
+///         in parallel; `parametrization_map` is then read by several threads
+/// \tparam PointRange a random access range of points of a three-dimensional kernel
+///
+/// \param augmentation a `Soup_augmentation` or `Tetrahedra_augmentation` of the graph
+/// \param points the points of the vertices
+/// \param np the named parameters of `embed()` for a mesh, but `vertex_point_map`
+///
+/// \returns an `Embedding` with the type of the points.
+///
+/// \exception Attribute_count_error if there is not one point for each vertex
+///
+/// and the exceptions of `embed()` for a mesh.
+template <class ConcurrencyTag = Sequential_tag,
+          class GraphOnCells,
+          class PointRange,
+          class NamedParameters = parameters::Default_named_parameters>
+auto embed(const Complex_augmentation<GraphOnCells>& augmentation,
+           const PointRange& points,
+           const NamedParameters& np = parameters::default_values())
+{
+  return internal::embed_in_manner<ConcurrencyTag>(
+    augmentation, internal::checked_point_map(points, augmentation.number_of_vertices()), np);
 }
 
 } // namespace Reeb_graph

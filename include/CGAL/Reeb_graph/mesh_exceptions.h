@@ -142,6 +142,15 @@ public:
   {}
 };
 
+/// \brief thrown if a `Flat_field` is used with another mesh than its own, or if that has another number of vertices, edges
+/// or faces than when the `Flat_field` was made.
+class Changed_mesh_error : public Error
+{
+public:
+  /// constructs the exception.
+  Changed_mesh_error() : Error("the mesh is another one than that of the flat field, or has been changed since") {}
+};
+
 /// \brief thrown for a mesh of more than 2<sup>32</sup> - 2 vertices, halfedges or corners of faces.
 class Mesh_size_error : public Error
 {

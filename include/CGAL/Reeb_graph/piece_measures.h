@@ -21,12 +21,28 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
+namespace internal {
+
+// Adds equal parts of the measure of a face, or of a cell, to the pieces of its vertices.
+template <class VertexLocations, class VertexRange>
+void add_to_pieces(double measure,
+                   const VertexRange& vertices,
+                   const VertexLocations& locations,
+                   std::vector<double>& pieces)
+{
+  for(const auto v : vertices)
+    pieces.at(locations.index(v)) += measure / static_cast<double>(std::size(vertices));
+}
+
+} // namespace internal
 
 /// \ingroup PkgReebGraphAugmentation
 ///
@@ -99,8 +115,7 @@ std::vector<double> areas_of_pieces(const FaceListGraph& mesh,
       const auto a = source(h, mesh), b = target(h, mesh), c = target(next(h, mesh), mesh);
       const double area =
         std::sqrt(CGAL::to_double(squared_area(get(point_map, a), get(point_map, b), get(point_map, c))));
-      for(const auto v : {a, b, c})
-        areas.at(locations.index(v)) += area / 3;
+      internal::add_to_pieces(area, std::array{a, b, c}, locations, areas);
     }
     return areas;
   }

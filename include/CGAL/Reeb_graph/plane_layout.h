@@ -57,7 +57,7 @@ struct Plane_layout
 /// a column of its own, and is led in a curve to the branch at which it is attached. Branches share a column where they
 /// are at different heights. Their sides and their order are chosen so that few arcs cross: none in a graph whose
 /// branches all go up, as in a merge tree, or all go down. Components lie side by side, the tallest first. Nodes of one
-/// branch with equal values lie beside each other.
+/// branch with equal values, or whose values differ by no more than 3 percent of the range, lie beside each other.
 ///
 /// With \f$ n \f$ nodes and arcs it takes \f$ O(n \log^2 n) \f$ time. Equal graphs have equal layouts.
 ///

@@ -54,7 +54,7 @@ OutputIterator find_far_apart_vertices(const FaceListGraph& mesh,
   {
     const internal::Progress progress(np);
     progress.report(0);
-    const fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+    const fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
     progress.report(0.3);
     const auto pairs = fields::far_apart_vertices(surface, fields::uniform_graph(surface));
     progress.report(0.9);

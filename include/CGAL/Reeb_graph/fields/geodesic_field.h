@@ -84,15 +84,15 @@ Field_report compute_geodesic_field(const FaceListGraph& mesh,
   {
     const internal::Progress progress(np);
     progress.report(0);
-    fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+    fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
     fields::Constraints<double> fixed(surface.number_of_vertices());
     for(const auto v : sources)
       fixed.fix(surface.position(v), 0);
     const fields::Weighted_graph graph = fields::uniform_graph(surface);
     fields::check_components(graph, fixed.is_fixed);
     Field_report report = fields::make_triangles_proper(surface);
-    fields::Geodesic_distances geodesic_distances(
-      fixed.is_fixed, fields::Marching<fields::Indexed_surface<FaceListGraph>>(surface, fixed.is_fixed).distances());
+    fields::Geodesic_distances geodesic_distances(fixed.is_fixed,
+                                                  fields::Marching(surface, fixed.is_fixed).distances());
     progress.report(0.1);
 
     geodesic_distances.run(mesh, surface, fields::label_components(graph), progress);

@@ -80,7 +80,7 @@ Field_report compute_gradient(const FaceListGraph& mesh,
   if constexpr(internal::Mesh_with_face_map<FaceListGraph, FaceVectorMap>::value)
   {
     typedef typename boost::property_traits<FaceVectorMap>::value_type Vector_3;
-    fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+    fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
     report = fields::make_triangles_proper(surface);
     progress.report(0.5);
     auto gradients = fields::scaled_gradients(surface, fields::read_field(surface, scalar_map));
@@ -147,7 +147,7 @@ Field_report compute_divergence(const FaceListGraph& mesh,
   Field_report report;
   if constexpr(internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
   {
-    fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+    fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
     report = fields::make_triangles_proper(surface);
     progress.report(0.5);
     std::vector<fields::Vector> vectors;

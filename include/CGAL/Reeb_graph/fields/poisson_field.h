@@ -63,7 +63,7 @@ Field_report compute_mean_curvature(const FaceListGraph& mesh,
   {
     const internal::Progress progress(np);
     progress.report(0);
-    fields::Indexed_surface<FaceListGraph> surface(mesh, np);
+    fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
     Field_report report = fields::make_triangles_proper(surface);
     const auto curvatures_of = [&](const fields::Weighted_graph& graph, double) {
       auto values = fields::scaled_integrated_mean_curvatures(surface, graph);

@@ -11,16 +11,14 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/simplification/Arc_removal.h>
 #include <CGAL/Reeb_graph/internal/simplification/Node_neighbors.h>
+#include <CGAL/Reeb_graph/internal/simplification/component_ranges.h>
 #include <CGAL/Reeb_graph/internal/simplification/persistence.h>
 #include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <utility>
@@ -59,28 +57,14 @@ std::vector<double> arc_persistences(const ReebGraph& graph, const NamedParamete
   std::vector<double> persistences;
   if constexpr(internal::Plain_graph_of_numbers<ReebGraph, NamedParameters>::value)
   {
-    const std::size_t number_of_nodes = num_vertices(graph);
     const std::vector<internal::Leaf_pruning::Arc> arcs = internal::read_arcs(graph);
     const std::vector<double> values = internal::numbers_of_nodes(graph, np);
     persistences = internal::Arc_removal(arcs, internal::read_arc_ends(graph), values)();
 
-    std::vector<std::size_t> components(number_of_nodes), lowest(number_of_nodes, number_of_nodes),
-      highest(number_of_nodes);
-    number_components(
-      graph, boost::make_iterator_property_map(components.begin(), boost::typed_identity_property_map<std::size_t>()));
-    for(std::size_t node = 0; node != number_of_nodes; ++node)
-    {
-      const std::size_t component = components[node];
-      highest[component] = node;
-      if(lowest[component] == number_of_nodes)
-        lowest[component] = node;
-    }
+    const std::vector<double> ranges = internal::component_ranges(graph, values);
     for(std::size_t i = 0; i != arcs.size(); ++i)
-    {
-      const std::size_t component = components[arcs[i].lower];
       if(persistences[i] < 0)
-        persistences[i] = internal::persistence(values[lowest[component]], values[highest[component]]);
-    }
+        persistences[i] = ranges[arcs[i].lower];
   }
   return persistences;
 }

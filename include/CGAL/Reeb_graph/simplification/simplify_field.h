@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/simplification/simplified_values.h>
@@ -20,13 +19,8 @@
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
-
-#include <algorithm>
-#include <cstddef>
 
 namespace CGAL {
 namespace Reeb_graph {
@@ -56,10 +50,9 @@ namespace Reeb_graph {
 ///
 /// On the subject, see U. Bauer, C. Lange, M. Wardetzky, *Optimal Topological Simplification of Discrete Functions on
 /// Surfaces*, 2012, and J. Tierny, V. Pascucci, *Generalized Topological Simplification of Scalar Fields on Surfaces*,
-/// 2012. It takes the time of `compute_reeb_graph()` twice, that of `Augmentation::locate_vertices()`, and near-linear
-/// time.
+/// 2012. It takes the time of `compute_reeb_graph()` twice, once with the places of the vertices, and near-linear time.
 ///
-/// \tparam FaceListGraph a model of `FaceListGraph` with dynamic property maps
+/// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
 ///         type that `CGAL::to_double()` takes; with `Ties::PERTURB`, a built-in floating point type. The order is that
 ///         of `operator<`.
@@ -101,20 +94,7 @@ double simplify_field(const FaceListGraph& mesh,
   if constexpr(internal::Field_of_numbers_and_map<FaceListGraph, ScalarMap, Traits, SimplifiedScalarMap>::value)
   {
     typedef Branch<typename boost::graph_traits<typename Traits::Graph>::vertex_descriptor> Branch;
-    const internal::Progress progress(np);
-    const auto values = internal::simplified_values<Branch, Traits>(mesh, scalar_map, threshold, np,
-                                                                    internal::Stage_progress(progress, 0, 0.98));
-    double largest_difference = 0;
-    std::size_t position = 0;
-    for(const auto v : CGAL::make_range(vertices(mesh)))
-    {
-      const auto& value = values[position++];
-      largest_difference = (std::max)(
-        largest_difference, internal::persistence(CGAL::to_double(get(scalar_map, v)), CGAL::to_double(value)));
-      put(simplified_scalar_map, v, value);
-    }
-    progress.report_end();
-    return largest_difference;
+    return internal::write_simplified_field<Branch, Traits>(mesh, scalar_map, threshold, simplified_scalar_map, np);
   }
   else
     return 0;

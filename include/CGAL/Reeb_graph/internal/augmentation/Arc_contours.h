@@ -42,9 +42,8 @@ auto find_crossing(const GraphOnComplex& on_complex,
   return h;
 }
 
-// The contours of arcs at levels that cross their chains, and whether they do: what an Augmentation is asked for. A
-// `Tracer` knows what a contour is: it has find_start(halfedge) and trace(arc, start, level).
-template <class GraphOnComplex, class Tracer>
+// The contours of arcs at levels that cross their chains, and whether they do: what an augmentation is asked for.
+template <class GraphOnComplex>
 class Arc_contours
 {
   typedef typename GraphOnComplex::Scalar Scalar;
@@ -55,14 +54,9 @@ class Arc_contours
   typedef typename Levels::Level Level;
 
 public:
-  typedef typename Tracer::Contour Contour;
+  typedef typename GraphOnComplex::Contour Contour;
 
-  template <class... TracerArguments>
-  Arc_contours(const GraphOnComplex& on_complex, Ties ties, const TracerArguments&... arguments)
-    : on_complex_(on_complex),
-      levels_(on_complex, ties),
-      tracer_(on_complex, arguments...)
-  {}
+  Arc_contours(const GraphOnComplex& on_complex, Ties ties) : on_complex_(on_complex), levels_(on_complex, ties) {}
 
   // The contour at a fraction of the values, or of the differences of another field, along the arc.
   template <class... ParametrizationMap>
@@ -109,7 +103,7 @@ public:
     }
     std::vector<Contour> contours(arcs.size());
     for_each_index<ConcurrencyTag>(arcs.size(),
-                                   [&](std::size_t i) { contours[i] = tracer_.trace(arcs[i], starts[i], level); });
+                                   [&](std::size_t i) { contours[i] = on_complex_.trace(arcs[i], starts[i], level); });
     return contours;
   }
 
@@ -127,12 +121,12 @@ public:
 private:
   auto find_start(arc_descriptor arc, const Level& level) const
   {
-    return tracer_.find_start(find_crossing(on_complex_, arc, level.is_below));
+    return on_complex_.find_start(find_crossing(on_complex_, arc, level.is_below));
   }
 
   Contour trace(arc_descriptor arc, const Level& level) const
   {
-    return tracer_.trace(arc, find_start(arc, level), level);
+    return on_complex_.trace(arc, find_start(arc, level), level);
   }
 
   Contour at_level(arc_descriptor arc, const Level& level) const
@@ -154,7 +148,6 @@ private:
 
   const GraphOnComplex& on_complex_;
   const Levels levels_;
-  const Tracer tracer_;
 };
 
 } // namespace internal

@@ -27,6 +27,8 @@ namespace internal {
 class Cell_list
 {
 public:
+  static constexpr int vertices_per_cell = 3;
+
   // The cells have been checked. Their points do not matter.
   template <class Points, class CellRange>
   Cell_list(std::size_t number_of_vertices, const Points&, const CellRange& cells)

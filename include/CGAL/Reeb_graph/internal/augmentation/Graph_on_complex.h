@@ -33,12 +33,14 @@ namespace internal {
 // A graph and the complex that its nodes are on: the way from the descriptors of nodes, arcs and vertices to numbers
 // and back. The graph may be any whose nodes are vertices of the complex. It refers to the graph.
 //
-// `ComplexWithField` is a Complex_with_field.
-template <class ReebGraph, class Traits, class VertexDescriptor, class ComplexWithField>
+// `ComplexWithField` is a Complex_with_field. A derived class knows what a contour is: it has a type Contour,
+// find_start(halfedge), and trace(arc, start, level).
+template <class ReebGraph, class Traits_, class VertexDescriptor, class ComplexWithField>
 class Graph_on_complex
 {
 public:
   typedef ReebGraph Graph;
+  typedef Traits_ Traits;
   typedef typename Traits::Scalar Scalar;
   typedef Vertex_order<Scalar, typename Traits::Less_scalar> Order;
   typedef decltype(ComplexWithField::complex) Complex;
@@ -68,7 +70,7 @@ public:
   }
 
   // What Vertex_lists needs. It can outlive this object and the mesh.
-  auto list_vertices(const std::shared_ptr<const Place_of_vertex>& places, std::size_t number_of_places) const
+  auto list_vertices(const std::shared_ptr<const Vertex_places>& places, std::size_t number_of_places) const
   {
     return [complex = complex_, order = order_, places, number_of_places](auto& vertices, auto& begins) {
       sort_vertices_by_place(complex->field.vertices, order, *places, number_of_places, vertices, begins);

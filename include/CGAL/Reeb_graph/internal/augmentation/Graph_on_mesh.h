@@ -11,17 +11,21 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Graph_on_complex.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/mesh/flatten.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph/internal/walks/contour_tracing.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,7 +33,8 @@ namespace Reeb_graph {
 namespace internal {
 
 // A graph and the flat surface that its nodes and chains are on: the way from descriptors to numbers and back. The
-// graph may be any whose nodes are vertices and whose chains are halfedges of the mesh. It refers to both.
+// graph may be any whose nodes are vertices and whose chains are halfedges of the mesh. It refers to both. Contours are
+// sequences of halfedges.
 template <class FaceListGraph, class ReebGraph, class Traits>
 class Graph_on_mesh : public Graph_on_complex<ReebGraph,
                                               Traits,
@@ -41,9 +46,13 @@ class Graph_on_mesh : public Graph_on_complex<ReebGraph,
     Base;
 
 public:
+  typedef FaceListGraph Mesh;
   typedef typename Base::node_descriptor node_descriptor;
+  typedef typename Base::arc_descriptor arc_descriptor;
   typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
   typedef typename boost::graph_traits<FaceListGraph>::face_descriptor face_descriptor;
+  typedef Reeb_graph::Contour<arc_descriptor, halfedge_descriptor> Contour;
+  typedef Reeb_graph::Critical_set<Contour, halfedge_descriptor, face_descriptor> Critical_set;
   using Base::complex;
   using Base::end_of_vertices;
   using Base::node_vertex;
@@ -72,8 +81,9 @@ public:
 
   halfedge_descriptor halfedge(Halfedge_index number) const { return this->field().halfedges(mesh_, number); }
 
-  // The number of the opposite of h, or that of h if only h has a triangle.
-  Halfedge_index number_of_edge(halfedge_descriptor h) const
+  // Where to trace the contour from that crosses h: the number of the opposite of h, or that of h if only h has a
+  // triangle.
+  Halfedge_index find_start(halfedge_descriptor h) const
   {
     Halfedge_index found = this->field().halfedges.find(mesh_, h);
     // Around the ends by turns, ever farther: the one of lower degree ends the search.
@@ -89,6 +99,25 @@ public:
     return complex().has_triangle(across) ? across : opposite_of(across);
   }
 
+  template <class Level>
+  Contour trace(arc_descriptor arc, Halfedge_index start, const Level& level) const
+  {
+    Contour contour;
+    contour.arc = arc;
+    contour.value = level.value;
+    Plain_vector<Halfedge_index> crossed;
+    contour.is_closed = trace_oriented_contour(complex(), start, level.is_below, crossed);
+    contour.halfedges.reserve(crossed.size());
+    for(const Halfedge_index h : crossed)
+      contour.halfedges.push_back(halfedge(level.is_below(complex().target(h)) ? opposite_of(h) : h));
+    return contour;
+  }
+
+  Critical_set critical_set(node_descriptor node, std::vector<Contour> lower, std::vector<Contour> upper) const
+  {
+    return {std::move(lower), std::move(upper), star(node), border_loop(node)};
+  }
+
   // The ends of a halfedge that may be one of another mesh.
   Vertex_index checked_source(halfedge_descriptor h) const
   {
@@ -101,6 +130,7 @@ public:
   }
   Vertex_index checked_target(halfedge_descriptor h) const { return checked_source(opposite(h, mesh_)); }
 
+private:
   // The faces at a node, counterclockwise.
   std::vector<face_descriptor> star(node_descriptor node) const
   {
@@ -130,7 +160,6 @@ public:
     return loop;
   }
 
-private:
   // Looks for a halfedge or its opposite around a vertex. Returns whether it has been found, or is not there.
   bool find_around(Vertex_index v, halfedge_descriptor h, std::size_t most_steps, Halfedge_index& found) const
   {

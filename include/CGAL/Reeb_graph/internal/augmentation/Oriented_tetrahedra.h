@@ -50,6 +50,7 @@ struct Have_orientation<Points,
 class Oriented_tetrahedra : public Cell_list
 {
 public:
+  static constexpr int vertices_per_cell = 4;
   typedef std::array<Vertex_index, 4> Tetrahedron;
 
   // `points` is a range of points, or the number of vertices. The tetrahedra have been checked.
@@ -71,6 +72,8 @@ public:
   }
 
   const Tetrahedron& operator[](std::size_t number) const { return tetrahedra_[number]; }
+  auto begin() const { return tetrahedra_.begin(); }
+  auto end() const { return tetrahedra_.end(); }
 
 private:
   template <class Points>

@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-typedef Indexed_vector<Vertex_index, Index> Place_of_vertex; // no_index where there is no vertex
+typedef Indexed_vector<Vertex_index, Index> Vertex_places; // no_index where there is no vertex
 
 // The vertices of each place in ascending order. They are sorted when they are asked for, which takes longer than to
 // find the places.
@@ -65,7 +65,7 @@ private:
 template <class VertexList, class Order, class VertexDescriptor>
 void sort_vertices_by_place(const VertexList& vertex_list,
                             const Order& order,
-                            const Place_of_vertex& places,
+                            const Vertex_places& places,
                             std::size_t number_of_places,
                             std::vector<VertexDescriptor>& vertices,
                             std::vector<std::size_t>& begins)

@@ -58,16 +58,16 @@ Slab_arcs find_arcs_with_vertices(const Complex& complex,
 // The place of each vertex in the exact graph, from the arcs between critical vertices and what they have been reduced
 // to.
 template <class Complex, class Order>
-class Vertex_places
+class Vertex_place_finder
 {
 public:
-  Vertex_places(const Complex& complex,
-                const Order& order,
-                const Swept_vertices& critical_vertices,
-                const Slab_arcs& critical_arcs,
-                const Arc_of_vertex& arc_of_vertex,
-                const Flat_graph& graph,
-                Ties ties)
+  Vertex_place_finder(const Complex& complex,
+                      const Order& order,
+                      const Swept_vertices& critical_vertices,
+                      const Slab_arcs& critical_arcs,
+                      const Arc_of_vertex& arc_of_vertex,
+                      const Flat_graph& graph,
+                      Ties ties)
     : complex_(complex),
       order_(order),
       critical_vertices_(critical_vertices),
@@ -79,10 +79,10 @@ public:
 
   // The number of a node, or the number of nodes plus that of an arc.
   template <class ConcurrencyTag>
-  Place_of_vertex find() const
+  Vertex_places find() const
   {
     checked_index(graph_.nodes.size() + graph_.arcs.size());
-    Place_of_vertex places(complex_.number_of_vertices(), no_index);
+    Vertex_places places(complex_.number_of_vertices(), no_index);
     for(const Swept_index critical : critical_vertices_.indices())
       places[critical_vertices_.vertex(critical)] = place_of_critical(critical);
     for_each_block<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {

@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
-#include <CGAL/Reeb_graph/internal/arcs/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Vertex_lists.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Vertex_places.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
@@ -34,15 +33,9 @@ namespace Reeb_graph {
 namespace internal {
 
 // What the pipeline finds besides the graph if no places of vertices are wanted: nothing.
-struct No_places
+struct No_vertex_places
 {
   static constexpr bool are_wanted = false;
-
-  template <class ConcurrencyTag, class... Arguments>
-  Slab_arcs find_arcs(const Arguments&... arguments) const
-  {
-    return internal::find_arcs<ConcurrencyTag>(arguments...);
-  }
 
   template <class ConcurrencyTag, class... Arguments>
   void find(const Arguments&...) const
@@ -55,12 +48,12 @@ struct No_places
 
 // The places of all vertices, for a property map: their arcs are found with those of the graph.
 template <class PlaceMap>
-class Places_for_map
+class Vertex_places_for_map
 {
 public:
   static constexpr bool are_wanted = true;
 
-  explicit Places_for_map(const PlaceMap& map) : map_(map) {}
+  explicit Vertex_places_for_map(const PlaceMap& map) : map_(map) {}
 
   template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class ChosenNumberOfSlabs>
   Slab_arcs find_arcs(const Complex& complex,
@@ -82,7 +75,7 @@ public:
             const Flat_graph& graph,
             Ties ties)
   {
-    places_ = Vertex_places(complex, order, critical_vertices, critical_arcs, arc_of_vertex_, graph, ties)
+    places_ = Vertex_place_finder(complex, order, critical_vertices, critical_arcs, arc_of_vertex_, graph, ties)
                 .template find<ConcurrencyTag>();
     arc_of_vertex_ = Arc_of_vertex();
   }
@@ -102,7 +95,7 @@ public:
 private:
   const PlaceMap map_;
   Arc_of_vertex arc_of_vertex_;
-  Place_of_vertex places_;
+  Vertex_places places_;
 };
 
 template <class NamedParameters>
@@ -110,9 +103,9 @@ auto choose_places(const NamedParameters& np)
 {
   const auto map = parameters::get_parameter(np, vertex_place_map);
   if constexpr(is_given<decltype(map)>)
-    return Places_for_map(map);
+    return Vertex_places_for_map(map);
   else
-    return No_places();
+    return No_vertex_places();
 }
 
 } // namespace internal

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
-#include <CGAL/Reeb_graph/internal/augmentation/New_places.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Simplified_places.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/options.h>
@@ -86,15 +86,17 @@ bool is_same_graph(const GraphOnMesh& on_mesh, const Flat_graph& flat_graph)
 // Whether the exact graph, which `flat_graph` is, has been simplified to this one: whether each node here is one of
 // those that have come to its place.
 template <class GraphOnMesh>
-bool is_simplified_graph(const GraphOnMesh& on_mesh, const Flat_graph& flat_graph, const New_places& new_places)
+bool is_simplified_graph(const GraphOnMesh& on_mesh,
+                         const Flat_graph& flat_graph,
+                         const Simplified_places& simplified_places)
 {
-  if(new_places.size() != flat_graph.nodes.size() + flat_graph.arcs.size())
+  if(simplified_places.size() != flat_graph.nodes.size() + flat_graph.arcs.size())
     return false;
   const std::size_t number_of_nodes = num_vertices(on_mesh.graph());
   std::size_t number_of_found = 0;
-  for(Index old_place = 0; old_place != new_places.size(); ++old_place)
+  for(Index old_place = 0; old_place != simplified_places.size(); ++old_place)
   {
-    const Index place = new_places(old_place);
+    const Index place = simplified_places(old_place);
     if(place >= number_of_nodes + num_edges(on_mesh.graph()))
       return false;
     const bool is_node = old_place < flat_graph.nodes.size() && place < number_of_nodes;
@@ -106,10 +108,12 @@ bool is_simplified_graph(const GraphOnMesh& on_mesh, const Flat_graph& flat_grap
 
 // Checks that the graph is the exact one, or what that has been simplified to.
 template <class GraphOnMesh>
-void check_same_graph(const GraphOnMesh& on_mesh, const Flat_graph& flat_graph, const New_places& new_places)
+void check_same_graph(const GraphOnMesh& on_mesh,
+                      const Flat_graph& flat_graph,
+                      const Simplified_places& simplified_places)
 {
-  const bool is_right = new_places.is_simplified() ? is_simplified_graph(on_mesh, flat_graph, new_places)
-                                                   : is_same_graph(on_mesh, flat_graph);
+  const bool is_right = simplified_places.is_simplified() ? is_simplified_graph(on_mesh, flat_graph, simplified_places)
+                                                          : is_same_graph(on_mesh, flat_graph);
   if(!is_right)
     throw Graph_mismatch_error();
 }

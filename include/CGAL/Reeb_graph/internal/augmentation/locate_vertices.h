@@ -15,7 +15,7 @@
 #include <CGAL/Reeb_graph/internal/arcs/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/arcs/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/arcs/reduce_arcs.h>
-#include <CGAL/Reeb_graph/internal/augmentation/New_places.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Simplified_places.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Vertex_lists.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Vertex_places.h>
 #include <CGAL/Reeb_graph/internal/augmentation/check_graph.h>
@@ -40,12 +40,12 @@ namespace internal {
 // The places of all vertices in the exact graph, which is computed once more. Nothing but the surface and the order of
 // its vertices is asked. check_graph(graph) may throw.
 template <class ConcurrencyTag, class Complex, class Order>
-Place_of_vertex find_places(const Complex& complex,
-                            const Order& order,
-                            Ties ties,
-                            bool are_degree_two_nodes_kept,
-                            const std::function<void(const Flat_graph&)>& check_graph,
-                            const Progress& progress)
+Vertex_places find_places(const Complex& complex,
+                          const Order& order,
+                          Ties ties,
+                          bool are_degree_two_nodes_kept,
+                          const std::function<void(const Flat_graph&)>& check_graph,
+                          const Progress& progress)
 {
   progress.report(0);
   const Swept_vertices critical_vertices = classify_vertices<ConcurrencyTag>(complex, order);
@@ -58,7 +58,7 @@ Place_of_vertex find_places(const Complex& complex,
     reduce_arcs<ConcurrencyTag>(complex, order, critical_vertices, arcs, ties, are_degree_two_nodes_kept, true);
   progress.report(0.95);
   check_graph(graph);
-  return Vertex_places(complex, order, critical_vertices, arcs, arc_of_vertex, graph, ties)
+  return Vertex_place_finder(complex, order, critical_vertices, arcs, arc_of_vertex, graph, ties)
     .template find<ConcurrencyTag>();
 }
 
@@ -67,17 +67,17 @@ template <class ConcurrencyTag, class GraphOnMesh>
 auto locate_vertices(const GraphOnMesh& on_mesh,
                      Ties ties,
                      bool are_degree_two_nodes_kept,
-                     const New_places& new_places,
+                     const Simplified_places& simplified_places,
                      const Progress& progress)
 {
   typedef typename GraphOnMesh::vertex_descriptor vertex_descriptor;
-  const auto check_graph = [&](const Flat_graph& graph) { check_same_graph(on_mesh, graph, new_places); };
-  const auto place_of_vertex = std::make_shared<Place_of_vertex>(find_places<ConcurrencyTag>(
+  const auto check_graph = [&](const Flat_graph& graph) { check_same_graph(on_mesh, graph, simplified_places); };
+  const auto place_of_vertex = std::make_shared<Vertex_places>(find_places<ConcurrencyTag>(
     on_mesh.complex(), on_mesh.order(), ties, are_degree_two_nodes_kept, check_graph, progress));
-  if(new_places.is_simplified())
+  if(simplified_places.is_simplified())
   {
     for(Index& place : *place_of_vertex)
-      place = place == no_index ? place : new_places(place);
+      place = place == no_index ? place : simplified_places(place);
   }
   const auto& graph = on_mesh.graph();
   const auto arcs = edges(graph);
@@ -89,8 +89,8 @@ auto locate_vertices(const GraphOnMesh& on_mesh,
 }
 
 #define CGAL_REEB_GRAPH_FIND_PLACES(PREFIX, TAG, COMPLEX, SCALAR)                                                      \
-  PREFIX template Place_of_vertex find_places<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, Ties, bool,           \
-                                                   const std::function<void(const Flat_graph&)>&, const Progress&);
+  PREFIX template Vertex_places find_places<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, Ties, bool,             \
+                                                 const std::function<void(const Flat_graph&)>&, const Progress&);
 CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_PLACES)
 
 } // namespace internal

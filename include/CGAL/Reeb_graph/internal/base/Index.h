@@ -63,6 +63,14 @@ private:
   Number number_;
 };
 
+// An index of any kind as a number.
+constexpr Number number_of(Index index) { return index; }
+template <class Tag>
+constexpr Number number_of(Index_of<Tag> index)
+{
+  return index.number();
+}
+
 // The indices from `begin` up to the one before `end`.
 template <class Key>
 class Index_range
@@ -86,7 +94,7 @@ public:
   };
 
   Index_range(Key begin, Key end) : begin_(begin), end_(end) {}
-  explicit Index_range(std::size_t size) : begin_(0), end_(size) {}
+  explicit Index_range(std::size_t size) : begin_(0), end_(static_cast<Number>(size)) {}
 
   iterator begin() const { return iterator(begin_); }
   iterator end() const { return iterator(end_); }

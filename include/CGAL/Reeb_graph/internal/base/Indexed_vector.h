@@ -51,14 +51,14 @@ public:
   using Base::resize;
   using Base::size;
 
-  reference operator[](Key key) { return Base::operator[](key.number()); }
-  const_reference operator[](Key key) const { return Base::operator[](key.number()); }
+  reference operator[](Key key) { return Base::operator[](number_of(key)); }
+  const_reference operator[](Key key) const { return Base::operator[](number_of(key)); }
 
   // Replaces the content, which takes less time to compile than to resize, which keeps it.
   void renew(std::size_t size) { *this = Indexed_vector(size); }
   void renew(std::size_t size, const T& value) { *this = Indexed_vector(size, value); }
 
-  bool contains(Key key) const { return key.number() < size(); }
+  bool contains(Key key) const { return number_of(key) < size(); }
 
   // The key of the element that push_back() adds next, and of the last one.
   Key end_key() const { return Key(size()); }

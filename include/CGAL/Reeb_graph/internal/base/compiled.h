@@ -71,6 +71,10 @@ typedef std::size_t Rank; // the scalars of those who cut along curves
 #define CGAL_REEB_GRAPH_PARALLEL extern
 #endif
 
+#ifndef CGAL_REEB_GRAPH_SOLVERS
+#define CGAL_REEB_GRAPH_SOLVERS extern
+#endif
+
 // Without TBB on both sides, Parallel_tag is nothing for the seam.
 #if defined(CGAL_REEB_GRAPH_COMPILED_PARALLEL) && defined(CGAL_LINKED_WITH_TBB)
 #define CGAL_REEB_GRAPH_IF_PARALLEL(...) __VA_ARGS__
@@ -101,11 +105,24 @@ typedef std::size_t Rank; // the scalars of those who cut along curves
   CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, double)                                 \
   CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Rank)                                   \
   CGAL_REEB_GRAPH_IF_PARALLEL(CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, double))
+// The same as for doubles, for functions that know no threads.
+#define CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES_ONCE(M)                                                                \
+  CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, double)
 #else
 #define CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES(M)
+#define CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES_ONCE(M)
 #define CGAL_REEB_GRAPH_FOR_SURFACES_OF_RANKS(M)
 #define CGAL_REEB_GRAPH_FOR_SOUPS(M)
 #define CGAL_REEB_GRAPH_FOR_POINTS(M)
+#endif
+// Functions that need Eigen, on both sides. They have no parameters but M(PREFIX); only the library sees their definition.
+#if defined(CGAL_REEB_GRAPH_COMPILED) && defined(CGAL_REEB_GRAPH_COMPILED_SOLVERS) && defined(CGAL_EIGEN3_ENABLED)
+#define CGAL_REEB_GRAPH_FOR_SOLVERS(M) M(CGAL_REEB_GRAPH_SOLVERS)
+#ifndef CGAL_REEB_GRAPH_DEFINE_SOLVERS
+#define CGAL_REEB_GRAPH_ARE_SOLVERS_COMPILED
+#endif
+#else
+#define CGAL_REEB_GRAPH_FOR_SOLVERS(M)
 #endif
 #define CGAL_REEB_GRAPH_FOR_SURFACES(M)                                                                                \
   CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES(M) CGAL_REEB_GRAPH_FOR_SURFACES_OF_RANKS(M)

@@ -234,7 +234,7 @@ struct Graph_and_vertex_map : Then<Then<Augmented_reeb_graph<Graph>::value, Map_
 {
 };
 
-// The same for functions that write the values.
+// A graph and a map of the vertices of its mesh, for functions that write its values.
 template <class Graph, class Map, class NamedParameters>
 struct Graph_to_write
   : Then<Graph_and_vertex_map<Graph, Map>::value, Scalars_can_be_written<Traits_of_nodes<Graph, NamedParameters>>>

@@ -39,6 +39,10 @@ struct Then<true, Next> : Next
 {
 };
 
+// A type, for a base class, that is named after the requirement has told what does not fit.
+template <class Requirement, class Type, bool = Requirement::value>
+using After = Type;
+
 // ---- Expressions that must compile. Boost's traits of what is no graph are an error, so they come last.
 
 template <class Graph>

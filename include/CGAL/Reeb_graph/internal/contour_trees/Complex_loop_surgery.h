@@ -36,7 +36,7 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The same for any complex. Where several lower sectors are in one sublevel component, it is found for all vertices at
+// The cuts that make the domain of a complex one whose Reeb graph is a tree. Where several lower sectors are in one sublevel component, it is found for all vertices at
 // once which of them are in one contour. Each contour that is cut closes a loop of the graph, so there are at most as
 // many cuts as the first Betti number of the complex.
 template <class Order>

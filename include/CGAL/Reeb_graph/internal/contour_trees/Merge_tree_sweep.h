@@ -101,7 +101,7 @@ public:
     for_each_part<ConcurrencyTag>(number_of_parts<ConcurrencyTag>(size, smallest_part), size, find_ends);
   }
 
-  // The same for all vertices.
+  // Finds the ends of the paths from all vertices.
   template <class ConcurrencyTag>
   void find_path_ends_of_vertices()
   {
@@ -212,7 +212,7 @@ public:
     components_.prefetch(sector_components_[second]);
   }
 
-  // The same for class_of(), the second one if the ends of paths are known.
+  // Fetch memory ahead of class_of(), the second one if the ends of paths are known.
   void prefetch_path_end(Vertex_index vertex) const { path_ends_.prefetch(vertex); }
   void prefetch_component(Vertex_index vertex) const { components_.prefetch(path_ends_.end(vertex)); }
 

@@ -178,9 +178,23 @@ Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Comple
   return {std::move(complex), std::move(critical_vertices)};
 }
 
+// A complex that has been checked before.
+template <class Complex>
+struct Checked_complex
+{
+  const Complex& complex;
+};
+
+template <class ConcurrencyTag, class Complex, class Order>
+Classified_complex<const Complex&> check_and_classify_vertices(Checked_complex<Complex> checked, const Order& order)
+{
+  return {checked.complex, classify_vertices<ConcurrencyTag>(checked.complex, order)};
+}
+
 #define CGAL_REEB_GRAPH_CLASSIFY_VERTICES(PREFIX, TAG, COMPLEX, SCALAR)                                                \
   PREFIX template Classified_complex<COMPLEX> check_and_classify_vertices<TAG>(Unchecked_complex<COMPLEX>,             \
-                                                                               const Natural_order<SCALAR>&);
+                                                                               const Natural_order<SCALAR>&);          \
+  PREFIX template Swept_vertices classify_vertices<TAG>(const COMPLEX&, const Natural_order<SCALAR>&);
 CGAL_REEB_GRAPH_FOR_SURFACES(CGAL_REEB_GRAPH_CLASSIFY_VERTICES)
 
 } // namespace internal

@@ -22,8 +22,8 @@
 #include <CGAL/Reeb_graph/internal/simplification/persistence.h>
 #include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/piece_measures.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
-#include <CGAL/Reeb_graph/simplification/piece_weights.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -17,7 +17,7 @@
 #include <CGAL/Reeb_graph/internal/base/Side.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/critical_vertices/link_sectors.h>
-#include <CGAL/Reeb_graph/internal/distributed/Place.h>
+#include <CGAL/Reeb_graph/internal/distributed/Order_key.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_block.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_surface.h>
 #include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
@@ -53,7 +53,7 @@ public:
   bool operator()(Vertex_index u, Vertex_index v) const { return place(u) < place(v); }
 
 private:
-  Place<Scalar> place(Vertex_index v) const { return {(*values_)[v], (*global_vertices_)[v]}; }
+  Order_key<Scalar> place(Vertex_index v) const { return {(*values_)[v], (*global_vertices_)[v]}; }
 
   const Indexed_vector<Vertex_index, Scalar>* values_;
   const Indexed_vector<Vertex_index, Global_vertex>* global_vertices_;
@@ -67,13 +67,13 @@ class Gathered_surface
 {
 public:
   // The critical vertices have to be in ascending order.
-  Gathered_surface(const std::vector<Place<Scalar>>& critical_vertices,
+  Gathered_surface(const std::vector<Order_key<Scalar>>& critical_vertices,
                    const std::vector<Critical_arc<Scalar>>& arcs,
                    Ties ties)
   {
     values_.reserve(critical_vertices.size() + arcs.size());
     global_vertices_.reserve(values_.capacity());
-    for(const Place<Scalar>& place : critical_vertices)
+    for(const Order_key<Scalar>& place : critical_vertices)
       add_vertex(place);
     add_first_targets(arcs, ties);
     critical_vertices_.resize(critical_vertices.size(), {0, 0});
@@ -107,7 +107,7 @@ private:
 
   const Slab_arc& arc(Halfedge_index first_step) const { return arcs_[Slab_arc_index(first_step.number())]; }
 
-  void add_vertex(const Place<Scalar>& place)
+  void add_vertex(const Order_key<Scalar>& place)
   {
     checked_index(values_.size());
     values_.push_back(place.value);

@@ -65,7 +65,7 @@ Gathered_graph<Scalar> glue_and_gather(Exchange& exchange,
   const std::size_t size = critical_vertices.size();
   const std::size_t end = boost::mpi::scan(exchange.communicator(), size, std::plus<std::size_t>());
   Slab_block<Scalar> block;
-  std::vector<Place<Scalar>> places;
+  std::vector<Order_key<Scalar>> places;
   exchange.in_agreement([&] {
     Indexed_vector<Swept_index, Number> names(size);
     Number name = checked_index(end) - static_cast<Number>(size);

@@ -12,7 +12,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/distributed/Local_part.h>
-#include <CGAL/Reeb_graph/internal/distributed/Place.h>
+#include <CGAL/Reeb_graph/internal/distributed/Order_key.h>
 #include <CGAL/Reeb_graph/internal/distributed/Slab_surface.h>
 #include <CGAL/Reeb_graph/internal/distributed/Vertex_numbering.h>
 #include <CGAL/Reeb_graph/internal/distributed/ask_owners.h>
@@ -120,7 +120,7 @@ void fill_vertices(Exchange& exchange,
     surface.slabs_of_vertices.reserve(numbering.size());
     numbering.for_each_word(0, [&](const Vertex_word& word) {
       word.for_each([&](Global_vertex v) {
-        const Place<Scalar> place = {surface.values[surface.global_vertices.end_key()], v};
+        const Order_key<Scalar> place = {surface.values[surface.global_vertices.end_key()], v};
         const bool is_below = surface.slab != 0 && !(splitters[surface.slab - 1] < place);
         const bool is_above = surface.slab < splitters.size() && splitters[surface.slab] < place;
         surface.global_vertices.push_back(v);
@@ -145,7 +145,7 @@ Slab_surface<Scalar> exchange_surface(Exchange& exchange,
   exchange.in_agreement([&] {
     slabs_of_range.reserve(part.size());
     for(Global_vertex v = part.begin(); v != part.begin() + part.size(); ++v)
-      slabs_of_range.push_back(static_cast<Short_slab>(slab_of(splitters, Place<Scalar>{part.value(v), v})));
+      slabs_of_range.push_back(static_cast<Short_slab>(slab_of(splitters, Order_key<Scalar>{part.value(v), v})));
   });
   std::vector<Slab_range> slabs = find_slabs_of_triangles(exchange, part, vertices, slabs_of_range);
   exchange.in_agreement([&] { vertices = Vertex_numbering(part.number_of_vertices()); });

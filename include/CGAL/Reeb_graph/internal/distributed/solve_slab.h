@@ -82,7 +82,7 @@ Classified_complex<Slab_complex> link_and_classify(Slab_surface<Scalar>& surface
     Unchecked_complex(Slab_complex(std::move(arrays), surface.global_vertices, surface.slabs_of_vertices)), order);
 }
 
-// The same for any triangles.
+// Lists the triangles of the rank as a complex, and finds the critical vertices in the same way.
 template <class Scalar, class Order>
 Classified_complex<Simplicial_complex> list_and_classify(Slab_surface<Scalar>& surface, const Order& order)
 {

@@ -11,7 +11,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
-#include <CGAL/Reeb_graph/internal/distributed/Place.h>
+#include <CGAL/Reeb_graph/internal/distributed/Order_key.h>
 #include <CGAL/Reeb_graph/internal/distributed/Vertex_numbering.h>
 #include <CGAL/Reeb_graph/internal/distributed/Vertex_ranges.h>
 #include <CGAL/Reeb_graph/internal/distributed/ask_owners.h>
@@ -68,7 +68,7 @@ public:
                   std::uint64_t number_of_vertices,
                   std::size_t number_of_slabs)
   {
-    Parcels<Place<Scalar>> parcels(exchange.number_of_ranks());
+    Parcels<Order_key<Scalar>> parcels(exchange.number_of_ranks());
     exchange.in_agreement([&] {
       const std::uint64_t size = static_cast<std::uint64_t>(std::end(scalars) - std::begin(scalars));
       const std::uint64_t sample_size = share_of_sample(size_of_sample(number_of_slabs), size, number_of_vertices);
@@ -104,7 +104,7 @@ private:
     return number_of_slabs * (std::max)(least_per_slab, (std::min)(most_per_slab, most / number_of_slabs));
   }
 
-  std::vector<Place<Scalar>> sample_; // at rank 0, ascending
+  std::vector<Order_key<Scalar>> sample_; // at rank 0, ascending
 };
 
 // Some triangles, by the places of their vertices, to foresee how many slabs triangles meet.
@@ -137,7 +137,7 @@ public:
     Indexed_vector<Vertex_index, Scalar> values;
     ask_owners(exchange, ranges, vertices, value_of, values);
     exchange.in_agreement([&] {
-      const auto place = [&](Global_vertex v) { return Place<Scalar>{values[vertices[v]], v}; };
+      const auto place = [&](Global_vertex v) { return Order_key<Scalar>{values[vertices[v]], v}; };
       for(const std::array<Global_vertex, 3>& t : sample)
         triangles_.push_back({place(t[0]), place(t[1]), place(t[2])});
     });
@@ -147,7 +147,7 @@ public:
   double slabs_per_triangle(const Exchange& exchange, const Splitters<Scalar>& splitters) const
   {
     std::array<std::uint64_t, 2> counts = {0, triangles_.size()}, sums = {};
-    for(const std::array<Place<Scalar>, 3>& triangle : triangles_)
+    for(const std::array<Order_key<Scalar>, 3>& triangle : triangles_)
     {
       const auto ends = std::minmax_element(triangle.begin(), triangle.end());
       counts[0] += slab_of(splitters, *ends.second) - slab_of(splitters, *ends.first) + 1;
@@ -159,7 +159,7 @@ public:
 private:
   static constexpr std::uint64_t sample_size = std::uint64_t(1) << 15;
 
-  std::vector<std::array<Place<Scalar>, 3>> triangles_;
+  std::vector<std::array<Order_key<Scalar>, 3>> triangles_;
 };
 
 } // namespace internal

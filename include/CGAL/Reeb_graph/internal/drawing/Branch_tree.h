@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/simplification/Leaf_pruning.h>
 #include <CGAL/Reeb_graph/internal/simplification/persistence.h>
-#include <CGAL/Reeb_graph/internal/simplification/tree_pairs.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -103,7 +103,7 @@ private:
     std::stable_sort(order.begin(), order.end(),
                      [&](Index a, Index b) { return graph_arcs[a].upper < graph_arcs[b].upper; });
     std::vector<bool> is_closing(graph_arcs.size());
-    Elder_components components(static_cast<Index>(heights.size()));
+    Disjoint_sets<Index> components(static_cast<Index>(heights.size()));
     for(auto begin = order.begin(); begin != order.end();)
     {
       const Index node = graph_arcs[*begin].upper;

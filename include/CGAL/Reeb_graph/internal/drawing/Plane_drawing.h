@@ -85,8 +85,9 @@ public:
 
 private:
   static constexpr double corner_height = 0.05;
+  static constexpr double node_height = 0.03; // nodes that are nearer hide each other
 
-  // Nodes of a branch that are of one height, and that it has for itself, lie beside each other.
+  // Nodes of a branch that are of one height, or nearly so, and that it has for itself, lie beside each other.
   void spread_ties(const Drawn_branch& branch, const std::vector<Leaf_pruning::Arc>& arcs)
   {
     std::vector<Index> run;
@@ -98,7 +99,7 @@ private:
     };
     const Index number = static_cast<Index>(&branch - tree_.branches.data());
     const auto add = [&](Index node) {
-      if(!run.empty() && heights_[run.back()] != heights_[node])
+      if(!run.empty() && heights_[node] - heights_[run.front()] > node_height)
         end_run();
       if(tree_.branch_of_node[node] == number)
         run.push_back(node);

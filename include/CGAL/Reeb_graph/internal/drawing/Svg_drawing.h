@@ -83,12 +83,11 @@ public:
   void write(std::ostream& out, const std::string& title, const std::string& description) const
   {
     const double width = left + width_ + right, height = top + height_ + bottom;
-    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""
-        << pixels(width) << "\" height=\"" << pixels(height) << "\" viewBox=\"0 0 " << pixels(width) << ' '
-        << pixels(height) << "\" role=\"img\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\""
-        << pixels(Svg_text::size) << "\">\n<title>" << escape_xml(title) << "</title>\n<desc>"
-        << escape_xml(description) << "</desc>\n<rect fill=\"white\" width=\"" << pixels(width) << "\" height=\""
-        << pixels(height) << "\"/>\n";
+    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 "
+        << pixels(width) << ' ' << pixels(height)
+        << "\" role=\"img\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"" << pixels(Svg_text::size)
+        << "\">\n<title>" << escape_xml(title) << "</title>\n<desc>" << escape_xml(description)
+        << "</desc>\n<rect fill=\"white\" width=\"" << pixels(width) << "\" height=\"" << pixels(height) << "\"/>\n";
     write_axis(out);
     out << "<g id=\"arcs\" fill=\"none\" stroke=\"#455a64\" stroke-width=\"" << (radius_ < 5 ? "1.3" : "1.8")
         << "\" stroke-linejoin=\"round\">\n";
@@ -233,7 +232,7 @@ private:
             {text, x0, y0 + line, Svg_text::MIDDLE}};
   }
 
-  // Beside the middle of the longest straight part.
+  // Beside the middle of the longest straight part, or elsewhere along the arc.
   static std::vector<Svg_text> places_of_label(const Drawn_arc& arc)
   {
     std::size_t longest = 0;
@@ -247,11 +246,17 @@ private:
     }
     std::vector<Svg_text> places;
     const auto &from = arc.points[longest], &to = arc.points[longest + 1];
-    for(const double t : {0.5, 0.35, 0.65, 0.2, 0.8})
-    {
-      const double x0 = from[0] + t * (to[0] - from[0]), y0 = from[1] + t * (to[1] - from[1]);
+    const auto add_beside = [&](double x0, double y0) {
       places.push_back({arc.label, x0 + 4, y0, Svg_text::START});
       places.push_back({arc.label, x0 - 4, y0, Svg_text::END});
+    };
+    for(const double t : {0.5, 0.35, 0.65, 0.2, 0.8})
+      add_beside(from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]));
+    for(const std::array<double, 2>& point : arc.points) // a bend of an arc whose straight part is short
+    {
+      places.push_back({arc.label, point[0], point[1] - 8, Svg_text::MIDDLE});
+      places.push_back({arc.label, point[0], point[1] + 8, Svg_text::MIDDLE});
+      add_beside(point[0], point[1]);
     }
     return places;
   }

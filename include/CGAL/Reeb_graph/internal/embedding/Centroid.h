@@ -77,14 +77,7 @@ public:
     add_piece(a, {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3}, area(a, b, c));
   }
 
-  void add(const Centroid& other)
-  {
-    if(other.has_first_)
-      add_piece(other.first_, other(), other.length_);
-  }
-
   bool is_of_length_zero() const { return !(length_ > 0); }
-  double length() const { return length_; }
 
   Coordinates operator()() const
   {

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -28,17 +29,16 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The places along an arc, without its ends, and for each one the value there and a point of the contour itself.
-struct Places
+// Contours along an arc, and for each one its centroid, a point of it, and its value.
+struct Contours_of_arc
 {
   std::vector<Coordinates> centroids;
   std::vector<Coordinates> contour_points;
   std::vector<double> values;
-  double size = 0; // the length of the longest contour
 };
 
 // The nodes and arcs of a graph at the centroids of contours.
-template <class Augmentation, class PointMap, class NamedParameters>
+template <class Augmentation, class PointMap>
 class Centroid_polylines
 {
   typedef typename Augmentation::Contour Contour;
@@ -46,24 +46,24 @@ class Centroid_polylines
   typedef typename Augmentation::node_descriptor node_descriptor;
   typedef typename Augmentation::vertex_descriptor vertex_descriptor;
   typedef typename boost::property_traits<PointMap>::value_type Point;
+  static constexpr bool is_mesh = Is_contour_on_mesh<Contour>::value;
 
 public:
-  Centroid_polylines(const Augmentation& augmentation, const PointMap& point_map, const NamedParameters& np)
+  Centroid_polylines(const Augmentation& augmentation, const PointMap& point_map)
     : augmentation_(augmentation),
       graph_(augmentation.graph()),
       point_map_(point_map),
-      leaf_borders_(augmentation, point_map),
-      np_(np)
+      leaf_borders_(augmentation, point_map)
   {}
 
-  // A node with arcs above and below is at the centroid of the contours that meet there, a leaf at its vertex, or in
-  // the middle of the border loop or of the tied vertices that it stands for.
+  // A node with arcs above and below is at the centroid of the contours that meet there, a leaf at its vertex or, on a
+  // mesh, in the middle of the border loop or of the tied vertices that it stands for.
   Point node_point(node_descriptor node) const
   {
     const vertex_descriptor vertex = graph_[node].vertex;
     const bool is_minimum = in_degree(node, graph_) == 0, is_leaf = is_minimum || out_degree(node, graph_) == 0;
     Centroid centroid = is_leaf ? leaf_borders_.centroid(vertex) : Centroid();
-    if(centroid.is_of_length_zero())
+    if(centroid.is_of_length_zero() && (is_mesh || !is_leaf))
     {
       for(const arc_descriptor arc : CGAL::make_range(in_edges(node, graph_)))
         add_contour(augmentation_.contour_below(arc, vertex), vertex, is_leaf, centroid);
@@ -76,20 +76,19 @@ public:
 
   // `contour_at` is called with the arc and a place between 0 and 1.
   template <class ContourAt>
-  Places places(arc_descriptor arc, std::size_t number_of_contours, const ContourAt& contour_at) const
+  Contours_of_arc contours(arc_descriptor arc, std::size_t number_of_contours, const ContourAt& contour_at) const
   {
-    Places result;
+    Contours_of_arc result;
     for(std::size_t i = 1; i <= number_of_contours; ++i)
     {
       const double t = static_cast<double>(i) / static_cast<double>(number_of_contours + 1);
       const Contour contour = contour_at(arc, t);
-      const std::vector<Point> points = points_of(contour);
+      const std::vector<Point> points = points_of(augmentation_, contour, point_map_);
       Centroid centroid;
-      centroid.add_curve(points, contour.is_closed);
+      add_to_centroid(contour, points, centroid);
       result.centroids.push_back(centroid());
-      result.contour_points.push_back(coordinates_of(points[contour.is_closed ? 0 : points.size() / 2]));
+      result.contour_points.push_back(coordinates_of(inner_point(contour, points)));
       result.values.push_back(contour.value);
-      result.size = (std::max)(result.size, centroid.length());
     }
     return result;
   }
@@ -99,59 +98,68 @@ private:
   void add_contour(const Contour& contour, vertex_descriptor vertex, bool is_leaf, Centroid& centroid) const
   {
     const auto& mesh = augmentation_.mesh();
+    const auto& crossed = crossed_edges(contour);
     const bool is_point =
-      is_leaf && std::all_of(contour.halfedges.begin(), contour.halfedges.end(), [&](const auto h) {
+      is_leaf && std::all_of(crossed.begin(), crossed.end(), [&](const auto& h) {
         const vertex_descriptor from = source(h, mesh), to = target(h, mesh);
         return (from == vertex || to == vertex) && augmentation_.value(from) != augmentation_.value(to);
       });
     if(!is_point)
-      centroid.add_curve(points_of(contour), contour.is_closed);
-  }
-
-  std::vector<Point> points_of(const Contour& contour) const
-  {
-    std::vector<Point> points;
-    points.reserve(contour.halfedges.size());
-    augmentation_.points_of_contour(contour, std::back_inserter(points), np_);
-    return points;
+      add_to_centroid(contour, points_of(augmentation_, contour, point_map_), centroid);
   }
 
   const Augmentation& augmentation_;
   const typename Augmentation::Graph& graph_;
   const PointMap& point_map_;
   const Leaf_borders<Augmentation, PointMap> leaf_borders_;
-  const NamedParameters& np_;
 };
 
-// Whether the two sides of a loop look like one line, as those of a round tube inside of another one.
-inline bool do_coincide(const Places& a, const Places& b)
+// How far apart two lines are that look like one: about the width of a line in a picture of all.
+inline double width_of_lines(const std::vector<Contours_of_arc>& contours)
 {
-  const double small = 1e-3 * (std::max)(a.size, b.size);
+  constexpr double part_of_picture = 0.015, infinity = std::numeric_limits<double>::infinity();
+  Coordinates low, high;
+  low.fill(infinity);
+  high.fill(-infinity);
+  for(const Contours_of_arc& arc : contours)
+    for(const Coordinates& point : arc.contour_points)
+      for(std::size_t i = 0; i != point.size(); ++i)
+      {
+        low[i] = (std::min)(low[i], point[i]);
+        high[i] = (std::max)(high[i], point[i]);
+      }
+  return low[0] <= high[0] ? part_of_picture * distance(low, high) : 0;
+}
+
+// Whether the two sides of a loop look like one line, as those of a round tube inside of another one.
+inline bool do_coincide(const Contours_of_arc& a, const Contours_of_arc& b, double small)
+{
   return std::equal(a.centroids.begin(), a.centroids.end(), b.centroids.begin(), b.centroids.end(),
                     [&](const Coordinates& p, const Coordinates& q) { return distance(p, q) <= small; });
 }
 
 // Moves those arcs halfway to their contours that lead from the same node to the same node along the same line.
 template <class Graph>
-void separate_parallel_arcs(const Graph& graph, std::vector<Places>& places)
+void separate_parallel_arcs(const Graph& graph, std::vector<Contours_of_arc>& contours)
 {
   std::vector<std::pair<std::pair<std::size_t, std::size_t>, std::size_t>> arcs; // by their ends
   for(const auto arc : CGAL::make_range(edges(graph)))
     arcs.push_back({{source(arc, graph), target(arc, graph)}, arcs.size()});
   std::sort(arcs.begin(), arcs.end());
-  std::vector<bool> is_moved(places.size(), false);
+  std::vector<bool> is_moved(contours.size(), false);
+  const double width = width_of_lines(contours);
   for(auto first = arcs.begin(), last = first; first != arcs.end(); first = last)
   {
     last = std::find_if(first, arcs.end(), [&](const auto& arc) { return arc.first != first->first; });
     for(auto i = first; i != last; ++i)
       for(auto j = first; j != i; ++j)
-        if(do_coincide(places[i->second], places[j->second]))
+        if(do_coincide(contours[i->second], contours[j->second], width))
           is_moved[i->second] = is_moved[j->second] = true;
   }
-  for(std::size_t i = 0; i != places.size(); ++i)
+  for(std::size_t i = 0; i != contours.size(); ++i)
   {
-    for(std::size_t j = 0; is_moved[i] && j != places[i].centroids.size(); ++j)
-      places[i].centroids[j] = mix(0.5, places[i].centroids[j], places[i].contour_points[j]);
+    for(std::size_t j = 0; is_moved[i] && j != contours[i].centroids.size(); ++j)
+      contours[i].centroids[j] = mix(0.5, contours[i].centroids[j], contours[i].contour_points[j]);
   }
 }
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/embedding/Centroid.h>
+#include <CGAL/Reeb_graph/internal/embedding/contour_geometry.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The middles of the border loops that leaves of a graph stand for. Each loop is walked once, however many leaves it
-// has.
+// The middles of the border loops that leaves of a graph on a mesh stand for. Each loop is walked once, however many
+// leaves it has. A soup has no border loops.
 template <class Augmentation, class PointMap>
 class Leaf_borders
 {
@@ -42,12 +42,15 @@ public:
     : augmentation_(augmentation),
       point_map_(point_map)
   {
-    const auto& graph = augmentation.graph();
-    for(const auto node : CGAL::make_range(vertices(graph)))
+    if constexpr(Is_contour_on_mesh<typename Augmentation::Contour>::value)
     {
-      const bool is_leaf = (in_degree(node, graph) == 0) != (out_degree(node, graph) == 0);
-      if(is_leaf && loop_of_vertex_.count(graph[node].vertex) == 0)
-        add_loop(graph[node].vertex);
+      const auto& graph = augmentation.graph();
+      for(const auto node : CGAL::make_range(vertices(graph)))
+      {
+        const bool is_leaf = (in_degree(node, graph) == 0) != (out_degree(node, graph) == 0);
+        if(is_leaf && loop_of_vertex_.count(graph[node].vertex) == 0)
+          add_loop(graph[node].vertex);
+      }
     }
   }
 

@@ -16,13 +16,17 @@
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/embedding/Centroid_polylines.h>
+#include <CGAL/Reeb_graph/internal/embedding/Chain_polylines.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -74,13 +78,13 @@ void for_each_reported(std::size_t size, const Stage_progress& progress, const F
   }
 }
 
-// `polylines` is called with an arc, and returns the points and values of its line.
-template <class ConcurrencyTag, class Result, class Augmentation, class Polylines>
+template <class ConcurrencyTag, class Result, class Augmentation, class PointMap>
 void embed_on_surface(const Augmentation& augmentation,
-                      const Polylines& polylines,
+                      const PointMap& point_map,
                       const Progress& progress,
                       Result& result)
 {
+  const Chain_polylines<Augmentation, PointMap> polylines(augmentation, point_map);
   const auto arcs = arcs_of(augmentation);
   result.arc_polylines.resize(arcs.size());
   result.arc_values.resize(arcs.size());
@@ -91,23 +95,24 @@ void embed_on_surface(const Augmentation& augmentation,
   });
 }
 
-// How many edges a contour crosses.
-template <class Contour>
-auto number_of_crossings(const Contour& contour) -> decltype(contour.halfedges.size())
+// Where the contours of a line are that leads through `inner` ones at equal steps, and through `outer` more at each end,
+// each a quarter as far from the end as the next one inwards. `t` counts them all as if they were at equal steps.
+inline double graded_place(double t, std::size_t inner, std::size_t outer)
 {
-  return contour.halfedges.size();
-}
-template <class Contour>
-auto number_of_crossings(const Contour& contour) -> decltype(contour.edges.size())
-{
-  return contour.edges.size();
+  if(outer == 0)
+    return t;
+  const double step = 1 / static_cast<double>(inner + 1);
+  const long number = std::lround(t * static_cast<double>(inner + 2 * outer + 1)) - static_cast<long>(outer);
+  const long beyond = number - static_cast<long>(inner);
+  return number < 1 ? step * std::pow(0.25, static_cast<double>(1 - number))
+       : beyond > 0 ? 1 - step * std::pow(0.25, static_cast<double>(beyond))
+                    : static_cast<double>(number) * step;
 }
 
-// `centroids` are a Centroid_polylines, or what is one for another kind of contours. Returns false if the contours of
-// arcs cross more than so many edges.
-template <class ConcurrencyTag, class Result, class Augmentation, class Centroids, class NamedParameters>
+// Returns false if the contours of arcs cross more than so many edges.
+template <class ConcurrencyTag, class Result, class Augmentation, class PointMap, class NamedParameters>
 bool embed_at_centroids(const Augmentation& augmentation,
-                        const Centroids& centroids,
+                        const PointMap& point_map,
                         std::size_t most_crossings,
                         const NamedParameters& np,
                         const Progress& progress,
@@ -119,6 +124,8 @@ bool embed_at_centroids(const Augmentation& augmentation,
   const auto& graph = augmentation.graph();
   const std::size_t number_of_contours =
     choose_parameter(get_parameter(np, internal::number_of_contours), std::size_t(12));
+  const std::size_t number_of_contours_at_nodes =
+    choose_parameter(get_parameter(np, internal::number_of_contours_at_nodes), std::size_t(0));
   const std::size_t number_of_smoothing_steps =
     choose_parameter(get_parameter(np, internal::number_of_smoothing_steps), std::size_t(0));
   const auto parametrization_map = get_parameter(np, internal::parametrization_map);
@@ -129,27 +136,29 @@ bool embed_at_centroids(const Augmentation& augmentation,
       return augmentation.contour(arc, t);
   };
 
+  const Centroid_polylines<Augmentation, PointMap> centroids(augmentation, point_map);
   const auto arcs = arcs_of(augmentation);
-  std::vector<Places> places(arcs.size());
+  std::vector<Contours_of_arc> contours(arcs.size());
   std::atomic<std::size_t> crossings = 0;
   for_each_reported<ConcurrencyTag>(arcs.size(), Stage_progress(progress, 0, 0.9), [&](std::size_t i) {
     const auto counted_contour_at = [&](const auto arc, double t) {
-      auto contour = contour_at(arc, t);
-      crossings += number_of_crossings(contour);
+      auto contour = contour_at(arc, graded_place(t, number_of_contours, number_of_contours_at_nodes));
+      crossings += crossed_edges(contour).size();
       return contour;
     };
     if(crossings <= most_crossings)
-      places[i] = centroids.places(arcs[i], number_of_contours, counted_contour_at);
+      contours[i] =
+        centroids.contours(arcs[i], number_of_contours + 2 * number_of_contours_at_nodes, counted_contour_at);
   });
   if(crossings > most_crossings)
     return false;
   for_each_reported<ConcurrencyTag>(result.node_points.size(), Stage_progress(progress, 0.9, 1),
                                     [&](std::size_t i) { result.node_points[i] = centroids.node_point(i); });
-  separate_parallel_arcs(graph, places);
+  separate_parallel_arcs(graph, contours);
   embed_straight(augmentation, result);
   for(std::size_t i = 0; i != arcs.size(); ++i)
   {
-    std::vector<Coordinates>& line = places[i].centroids;
+    std::vector<Coordinates>& line = contours[i].centroids;
     line.insert(line.begin(), coordinates_of(result.arc_polylines[i].front()));
     line.push_back(coordinates_of(result.arc_polylines[i].back()));
     smooth(line, number_of_smoothing_steps);
@@ -159,44 +168,32 @@ bool embed_at_centroids(const Augmentation& augmentation,
     auto& polyline = result.arc_polylines[i];
     auto& values = result.arc_values[i];
     polyline.insert(polyline.begin() + 1, inner_points.begin(), inner_points.end());
-    values.insert(values.begin() + 1, places[i].values.begin(), places[i].values.end());
+    values.insert(values.begin() + 1, contours[i].values.begin(), contours[i].values.end());
   }
   return true;
 }
 
-// `make_centroids` and `make_polylines` return what the two functions above take.
-template <class ConcurrencyTag,
-          class Point,
-          class Augmentation,
-          class PointMap,
-          class NamedParameters,
-          class MakeCentroids,
-          class MakePolylines>
-Embedding<Point> embed_in_manner(const Augmentation& augmentation,
-                                 std::size_t number_of_vertices,
-                                 const PointMap& point_map,
-                                 const NamedParameters& np,
-                                 const MakeCentroids& make_centroids,
-                                 const MakePolylines& make_polylines)
+template <class ConcurrencyTag, class Augmentation, class PointMap, class NamedParameters>
+auto embed_in_manner(const Augmentation& augmentation, const PointMap& point_map, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   const Progress progress(np);
-  Embedding<Point> result;
+  Embedding<typename boost::property_traits<PointMap>::value_type> result;
   embed_nodes_at_vertices(augmentation, point_map, result);
   Embedding_manner& manner = result.manner;
   manner = choose_parameter(get_parameter(np, internal::embedding_manner), Embedding_manner::BY_COST);
   std::size_t most_crossings = (std::numeric_limits<std::size_t>::max)();
   if(manner == Embedding_manner::BY_COST)
   {
-    most_crossings = 64 * number_of_vertices + (std::size_t(1) << 20);
+    most_crossings = 64 * num_vertices(augmentation.mesh()) + (std::size_t(1) << 20);
     manner = Embedding_manner::CENTROIDS;
   }
   if(manner == Embedding_manner::CENTROIDS
-     && !embed_at_centroids<ConcurrencyTag>(augmentation, make_centroids(), most_crossings, np, progress, result))
+     && !embed_at_centroids<ConcurrencyTag>(augmentation, point_map, most_crossings, np, progress, result))
     manner = Embedding_manner::STRAIGHT;
   if(manner == Embedding_manner::ON_SURFACE)
-    embed_on_surface<ConcurrencyTag>(augmentation, make_polylines(), progress, result);
+    embed_on_surface<ConcurrencyTag>(augmentation, point_map, progress, result);
   if(manner == Embedding_manner::STRAIGHT)
     embed_straight(augmentation, result);
   progress.report_end();

@@ -94,7 +94,7 @@ private:
   std::vector<Position> positions_;         // empty if the indices are the positions
 };
 
-// The same for a mesh that has no index map.
+// The positions of descriptors in a list of them, for a mesh that has no index map.
 template <class Position, class Descriptor>
 class Stored_positions
 {

@@ -31,7 +31,10 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -56,13 +59,15 @@ struct Complex_of<Surface_mesh<Point>>
 template <class FaceListGraph>
 using Complex_of_t = typename Complex_of<FaceListGraph>::type;
 
-// A field by the numbers of vertices, and the lists that lead back to the mesh.
+// A field by the numbers of vertices, and the way from numbers to the mesh and back. The numbers of vertices can outlive
+// the mesh if its index map can.
 template <class FaceListGraph, class Scalar>
-struct Flat_field
+struct Field_by_numbers
 {
   Indexed_vector<Vertex_index, Scalar> values;
   Vertex_list<FaceListGraph> vertices;
   Halfedge_list<FaceListGraph> halfedges;
+  std::function<Vertex_index(typename Vertex_list<FaceListGraph>::vertex_descriptor)> numbers;
 };
 
 // A mesh with its field by numbers.
@@ -70,7 +75,7 @@ template <class Complex, class FaceListGraph, class Scalar>
 struct Complex_with_field
 {
   Complex complex;
-  Flat_field<FaceListGraph, Scalar> field;
+  Field_by_numbers<FaceListGraph, Scalar> field;
 };
 
 // Those before the mesh has been checked, and afterwards.
@@ -151,6 +156,26 @@ bool can_be_halfedge(const Surface_mesh<Point>& mesh, typename Surface_mesh<Poin
   return mesh.has_valid_index(h);
 }
 
+// What tells most edits of a mesh: its numbers of vertices, edges and faces, and the first number behind those of a
+// Surface_mesh, whose removed elements keep theirs.
+typedef std::array<std::size_t, 5> Element_counts;
+
+template <class FaceListGraph>
+Element_counts count_elements(const FaceListGraph& mesh)
+{
+  std::size_t number_of_edges = 0;
+  if constexpr(Has_edge_list<FaceListGraph>::value)
+    number_of_edges = num_edges(mesh);
+  return {num_vertices(mesh), number_of_edges, num_faces(mesh), 0, 0};
+}
+
+template <class Point>
+Element_counts count_elements(const Surface_mesh<Point>& mesh)
+{
+  return {mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces(), mesh.num_vertices(),
+          mesh.num_edges()};
+}
+
 // Index maps for a mesh that needs none are checked, too: whoever gives one that is wrong is told so.
 template <class FaceListGraph, class NamedParameters>
 void check_index_maps(const FaceListGraph& mesh, const NamedParameters& np)
@@ -182,10 +207,11 @@ Unchecked_surface<FaceListGraph, typename Traits::Scalar> flatten_unchecked(cons
   const auto face_range = faces(mesh);
   typedef typename boost::graph_traits<FaceListGraph>::face_descriptor face_descriptor;
   const Indexed_vector<Face_index, face_descriptor> face_list(face_range.first, face_range.second);
-  auto read = read_halfedges(mesh, face_list, vertex_list.size(), make_vertex_positions(mesh, vertex_list, np),
-                             make_face_positions(mesh, face_list, np));
+  auto positions = make_vertex_positions(mesh, vertex_list, np);
+  auto read = read_halfedges(mesh, face_list, vertex_list.size(), positions, make_face_positions(mesh, face_list, np));
   return {Unchecked_complex(Triangle_complex(std::move(read.arrays), face_list.size())),
-          {std::move(values), std::move(vertex_list), Halfedge_list<FaceListGraph>(std::move(read.even_halfedges))}};
+          {std::move(values), std::move(vertex_list), Halfedge_list<FaceListGraph>(std::move(read.even_halfedges)),
+           std::move(positions)}};
 }
 
 template <class ConcurrencyTag, class Point, class ScalarMap, class Traits, class NamedParameters>
@@ -197,7 +223,8 @@ Unchecked_surface<Surface_mesh<Point>, typename Traits::Scalar> flatten_unchecke
   Vertex_list<Surface_mesh<Point>> vertex_list(mesh);
   auto values = read_values<ConcurrencyTag>(vertex_list, scalar_map, traits);
   check_index_maps(mesh, np);
-  return {Unchecked_complex(Surface_mesh_complex<Point>(mesh)), {std::move(values), std::move(vertex_list), {}}};
+  return {Unchecked_complex(Surface_mesh_complex<Point>(mesh)),
+          {std::move(values), std::move(vertex_list), {}, [](auto v) { return Vertex_index(v); }}};
 }
 
 // Sets the fans of all vertices, and checks the complex. Any order of the vertices will do.
@@ -220,6 +247,18 @@ Complex check_complex(Unchecked_complex<Complex> unchecked, const Order& order)
   return std::move(unchecked).check(counts);
 }
 
+// Whether a scalar map is a public Flat_field with values of the wanted type. It is told by what it has, as it stands
+// above the stages.
+template <class ScalarMap, class Scalar, class = void>
+struct Is_flat_field : std::false_type
+{
+};
+template <class ScalarMap, class Scalar>
+struct Is_flat_field<ScalarMap, Scalar, std::void_t<typename ScalarMap::Flat_surface>>
+  : std::is_same<typename ScalarMap::value_type, Scalar>
+{
+};
+
 // The mesh with its field by numbers, after it has been checked.
 template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
 Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph& mesh,
@@ -231,6 +270,20 @@ Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph
   auto complex =
     check_complex<ConcurrencyTag>(std::move(unchecked), Vertex_order(field.values, traits.less_scalar_object()));
   return {std::move(complex), std::move(field)};
+}
+
+// The same, to be shared; that of a Flat_field is there already.
+template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
+std::shared_ptr<const Flat_surface<FaceListGraph, typename Traits::Scalar>> share_flat(const FaceListGraph& mesh,
+                                                                                       const ScalarMap& scalar_map,
+                                                                                       const Traits& traits,
+                                                                                       const NamedParameters& np)
+{
+  if constexpr(Is_flat_field<ScalarMap, typename Traits::Scalar>::value)
+    return scalar_map.flat_surface(mesh);
+  else
+    return std::make_shared<const Flat_surface<FaceListGraph, typename Traits::Scalar>>(
+      flatten<ConcurrencyTag>(mesh, scalar_map, traits, np));
 }
 
 } // namespace internal

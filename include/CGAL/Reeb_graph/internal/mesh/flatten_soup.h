@@ -51,6 +51,18 @@ struct Descriptors<Simplicial_complex, false>
   typedef boost::graph_traits<Simplicial_complex>::halfedge_descriptor halfedge_descriptor;
 };
 
+inline std::size_t source(const boost::graph_traits<Simplicial_complex>::halfedge_descriptor& h,
+                          const Simplicial_complex&)
+{
+  return h.first;
+}
+inline std::size_t target(const boost::graph_traits<Simplicial_complex>::halfedge_descriptor& h,
+                          const Simplicial_complex&)
+{
+  return h.second;
+}
+inline std::size_t num_vertices(const Simplicial_complex& complex) { return complex.number_of_vertices(); }
+
 // The type of a scalar map in the traits class of a soup.
 template <class Scalar>
 using Soup_scalars = boost::iterator_property_map<const Scalar*, boost::typed_identity_property_map<std::size_t>>;
@@ -90,9 +102,9 @@ using Flat_soup = Complex_with_field<Simplicial_complex, Simplicial_complex, Sca
 
 // The values of the vertices, one for each in a random access range.
 template <class ConcurrencyTag, class Scalars, class Traits>
-Flat_field<Simplicial_complex, typename Traits::Scalar> flatten_scalars(std::size_t number_of_vertices,
-                                                                        const Scalars& scalars,
-                                                                        const Traits& traits)
+Field_by_numbers<Simplicial_complex, typename Traits::Scalar> flatten_scalars(std::size_t number_of_vertices,
+                                                                              const Scalars& scalars,
+                                                                              const Traits& traits)
 {
   const std::size_t number_of_scalars = static_cast<std::size_t>(std::end(scalars) - std::begin(scalars));
   if(number_of_scalars != number_of_vertices)
@@ -100,7 +112,7 @@ Flat_field<Simplicial_complex, typename Traits::Scalar> flatten_scalars(std::siz
   const Vertex_list<Simplicial_complex> vertices(number_of_vertices);
   const auto map =
     boost::make_iterator_property_map(std::begin(scalars), boost::typed_identity_property_map<std::size_t>());
-  return {read_values<ConcurrencyTag>(vertices, map, traits), vertices, {}};
+  return {read_values<ConcurrencyTag>(vertices, map, traits), vertices, {}, {}};
 }
 
 // The field is checked before the complex that read_complex() returns.

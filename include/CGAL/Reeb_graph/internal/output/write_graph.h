@@ -37,7 +37,7 @@ namespace internal {
 // The halfedges of the mesh in the chains.
 template <class ConcurrencyTag, class FaceListGraph, class Scalar>
 auto chain_halfedges(const FaceListGraph& mesh,
-                     const Flat_field<FaceListGraph, Scalar>& field,
+                     const Field_by_numbers<FaceListGraph, Scalar>& field,
                      const Flat_chains& chains)
 {
   typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
@@ -149,7 +149,7 @@ void write_chains(const std::shared_ptr<const std::vector<HalfedgeDescriptor>>& 
 template <class ConcurrencyTag, class FaceListGraph, class Complex, class Scalar, class Order, class ReebGraph>
 void write_graph(const FaceListGraph& mesh,
                  const Complex& complex,
-                 const Flat_field<FaceListGraph, Scalar>& field,
+                 const Field_by_numbers<FaceListGraph, Scalar>& field,
                  const Order& order,
                  const Flat_graph& flat_graph,
                  ReebGraph& graph)

@@ -69,17 +69,17 @@ public:
   }
 
 private:
-  typedef std::pair<Scalar, std::ptrdiff_t> Place; // in the total order
-  typedef std::pair<Place, Position> Placed_vertex;
-  typedef std::priority_queue<Placed_vertex, std::vector<Placed_vertex>, std::greater<Placed_vertex>> Queue;
+  typedef std::pair<Scalar, std::ptrdiff_t> Order_key; // in the total order
+  typedef std::pair<Order_key, Position> Vertex_with_key;
+  typedef std::priority_queue<Vertex_with_key, std::vector<Vertex_with_key>, std::greater<Vertex_with_key>> Queue;
 
-  Place place(Position v, const std::vector<Scalar>& values) const
+  Order_key key(Position v, const std::vector<Scalar>& values) const
   {
     return {sign_ * values[v], static_cast<std::ptrdiff_t>(v) * (sign_ > 0 ? 1 : -1)};
   }
   bool is_lower(Position u, Position v, const std::vector<Scalar>& values) const
   {
-    return place(u, values) < place(v, values);
+    return key(u, values) < key(v, values);
   }
 
   bool is_minimum(Position v, const std::vector<Scalar>& values) const
@@ -105,7 +105,7 @@ private:
       if(basins_next_to_[n.vertex] == basin_)
         continue;
       basins_next_to_[n.vertex] = basin_;
-      shore_.push({place(n.vertex, values_), n.vertex});
+      shore_.push({key(n.vertex, values_), n.vertex});
     }
   }
 

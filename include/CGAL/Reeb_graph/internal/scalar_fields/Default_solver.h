@@ -12,11 +12,13 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/named_parameters.h>
-
-#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_equations.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_problem.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/solve_iteratively.h>
 #ifdef CGAL_EIGEN3_ENABLED
+#include <CGAL/Reeb_graph/internal/scalar_fields/Multigrid.h>
+
 #include <CGAL/Eigen_solver_traits.h>
 
 #include <Eigen/OrderingMethods>
@@ -25,8 +27,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -83,39 +83,75 @@ typedef Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen_matrix, Eigen::Lower, Gi
   Default_solver;
 typedef Eigen_solver_traits<Eigen::SparseLU<Eigen_matrix>> Unsymmetric_solver;
 
-#else
-
-typedef void Default_solver;
-
-#endif
-
-// Whether there is a named parameter `sparse_linear_solver`.
-template <class NamedParameters>
-inline constexpr bool is_solver_given =
-  is_given<decltype(parameters::get_parameter(std::declval<const NamedParameters&>(),
-                                              internal_np::sparse_linear_solver))>;
-
-template <class NamedParameters>
-auto choose_solver(const NamedParameters& np)
+// The equations of a Dirichlet problem, with multigrid as preconditioner.
+class Multigrid_system
 {
-  if constexpr(is_solver_given<NamedParameters>)
-    return parameters::get_parameter(np, internal_np::sparse_linear_solver);
-  else
+public:
+  explicit Multigrid_system(const Dirichlet_problem& problem) : problem_(problem), multigrid_(make_row_matrix(problem))
+  {}
+
+  bool is_usable() const { return multigrid_.is_usable(); }
+
+  void compute_residual(const Values& x, Values& residual) const { problem_.compute_residual(x, residual); }
+
+  void multiply(const Values& x, Values& product) const { view(product).noalias() = multigrid_.matrix() * view(x); }
+
+  void precondition(const Values& r, Values& z)
   {
-    static_assert(!std::is_void_v<Default_solver>,
-                  "Eigen is needed, or the named parameter sparse_linear_solver: link CGAL::Eigen3_support");
-    return Default_solver();
+    z.resize(r.size());
+    view(z) = multigrid_(view(r));
   }
+
+private:
+  typedef Multigrid::Vector Vector;
+  static Eigen::Map<const Vector> view(const Values& values) { return {values.data(), Eigen::Index(values.size())}; }
+  static Eigen::Map<Vector> view(Values& values) { return {values.data(), Eigen::Index(values.size())}; }
+
+  const Dirichlet_problem& problem_;
+  Multigrid multigrid_;
+};
+
+// Below this number of vertices a factorization is faster than multigrid.
+inline constexpr Position smallest_size_for_multigrid = 5000;
+
+#endif // CGAL_EIGEN3_ENABLED
+
+// Solves large problems by multigrid, which need not get as accurate as asked for: after too many steps, the estimate of
+// the error could not be trusted. Then, and else, a matrix is factorized.
+template <class Equations>
+Dirichlet_solution solve_by_default([[maybe_unused]] const Equations& equations,
+                                    [[maybe_unused]] const Accuracy& accuracy)
+{
+#ifdef CGAL_EIGEN3_ENABLED
+  if(equations.graph.number_of_vertices() >= smallest_size_for_multigrid)
+  {
+    const Dirichlet_problem problem = equations.make_problem(breadth_first_order(equations.graph));
+    constexpr std::size_t largest_number_of_steps = 40;
+    Multigrid_system system(problem);
+    const Iterative_solution solution =
+      system.is_usable() ? solve_iteratively(system, problem.right_side(), accuracy, largest_number_of_steps)
+                         : Iterative_solution();
+    if(solution.is_accurate)
+      return equations.make_solution(problem, solution.values, solution.number_of_steps);
+  }
+  Default_solver solver;
+  return solve_directly(equations, accuracy, solver);
+#else
+  static_assert(sizeof(Equations) == 0,
+                "Eigen is needed, or the named parameter sparse_linear_solver: link CGAL::Eigen3_support");
+  return {};
+#endif
 }
 
-template <class NamedParameters>
-double choose_tolerance(const NamedParameters& np)
+template <class Problem>
+Values solve_unsymmetric([[maybe_unused]] const Problem& problem)
 {
-  const double tolerance =
-    parameters::choose_parameter(parameters::get_parameter(np, internal::solver_tolerance), 1e-12);
-  if(!(tolerance > 0) || !std::isfinite(tolerance))
-    throw Solver_tolerance_error(tolerance);
-  return tolerance;
+#ifdef CGAL_EIGEN3_ENABLED
+  Unsymmetric_solver solver;
+  return Factorized_matrix<Unsymmetric_solver>(solver, problem).solve(problem.right_side());
+#else
+  throw Linear_solver_error();
+#endif
 }
 
 } // namespace scalar_fields

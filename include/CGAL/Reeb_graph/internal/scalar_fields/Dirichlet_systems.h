@@ -14,9 +14,6 @@
 #include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_problem.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/solve_iteratively.h>
-#ifdef CGAL_EIGEN3_ENABLED
-#include <CGAL/Reeb_graph/internal/scalar_fields/Multigrid.h>
-#endif
 
 #include <cmath>
 #include <cstddef>
@@ -26,38 +23,6 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 namespace scalar_fields {
-
-#ifdef CGAL_EIGEN3_ENABLED
-
-// The equations of a Dirichlet problem, with multigrid as preconditioner.
-class Multigrid_system
-{
-public:
-  explicit Multigrid_system(const Dirichlet_problem& problem) : problem_(problem), multigrid_(make_row_matrix(problem))
-  {}
-
-  bool is_usable() const { return multigrid_.is_usable(); }
-
-  void compute_residual(const Values& x, Values& residual) const { problem_.compute_residual(x, residual); }
-
-  void multiply(const Values& x, Values& product) const { view(product).noalias() = multigrid_.matrix() * view(x); }
-
-  void precondition(const Values& r, Values& z)
-  {
-    z.resize(r.size());
-    view(z) = multigrid_(view(r));
-  }
-
-private:
-  typedef Multigrid::Vector Vector;
-  static Eigen::Map<const Vector> view(const Values& values) { return {values.data(), Eigen::Index(values.size())}; }
-  static Eigen::Map<Vector> view(Values& values) { return {values.data(), Eigen::Index(values.size())}; }
-
-  const Dirichlet_problem& problem_;
-  Multigrid multigrid_;
-};
-
-#endif // CGAL_EIGEN3_ENABLED
 
 // The equations of a Dirichlet problem, with a factorized matrix as preconditioner.
 template <class Solver>
@@ -81,11 +46,13 @@ private:
 
 // Mean value weights are not symmetric, but the equations can be scaled so that they come close to symmetric ones: the
 // geometric means of tangents on both ends of an edge.
-template <class Surface>
 class Nearly_symmetric_weights
 {
 public:
-  Nearly_symmetric_weights(const Surface& surface, const Weighted_graph& graph) : surface_(surface), graph_(graph) {}
+  Nearly_symmetric_weights(const Indexed_surface& surface, const Weighted_graph& graph)
+    : surface_(surface),
+      graph_(graph)
+  {}
 
   double operator()(Position v, const Weighted_graph::Neighbor& n) const
   {
@@ -108,7 +75,7 @@ public:
   }
 
 private:
-  const Surface& surface_;
+  const Indexed_surface& surface_;
   const Weighted_graph& graph_;
 };
 

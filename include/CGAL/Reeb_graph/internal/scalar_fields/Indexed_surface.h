@@ -17,27 +17,26 @@
 #include <CGAL/Reeb_graph/internal/base/point_map.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/mesh/Descriptor_positions.h>
-#include <CGAL/Reeb_graph/internal/mesh/Surface_mesh_complex.h>
-#include <CGAL/Reeb_graph/internal/mesh/Triangle_complex.h>
-#include <CGAL/Reeb_graph/internal/mesh/Unchecked_complex.h>
-#include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
+#include <CGAL/Reeb_graph/internal/mesh/check_faces.h>
 #include <CGAL/Reeb_graph/internal/mesh/flatten.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
-#include <CGAL/Reeb_graph/internal/mesh/read_halfedges.h>
+#include <CGAL/Reeb_graph_traits.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -79,35 +78,12 @@ struct Indexed_triangle
   std::array<bool, 3> is_on_border;
 };
 
-// A mesh as the fields see it: a triangle complex, checked as that of a Reeb graph is, as a list of its triangles, and
-// the points. These are divided by `scale`, a power of two, so that products of a few coordinates neither overflow nor
-// vanish.
-template <class FaceListGraph>
+// A surface as the solvers of fields see it: the triangles, and the points. These are divided by `scale`, a power of two,
+// so that products of a few coordinates neither overflow nor vanish.
 class Indexed_surface
 {
 public:
-  typedef FaceListGraph Mesh;
-  typedef typename Descriptors<Mesh>::vertex_descriptor vertex_descriptor;
-  typedef typename Descriptors<Mesh>::face_descriptor face_descriptor;
-  typedef Indexed_vector<Vertex_index, vertex_descriptor> Vertex_handles;
-  typedef Indexed_vector<Face_index, face_descriptor> Face_handles;
-
-  template <class NamedParameters>
-  Indexed_surface(const FaceListGraph& mesh, const NamedParameters& np)
-    : vertices_(vertices(mesh).first, vertices(mesh).second),
-      faces_(faces(mesh).first, faces(mesh).second),
-      positions_(make_vertex_positions(mesh, vertices_, parameters::default_values()))
-  {
-    checked_index(vertices_.size());
-    read_points(choose_point_map(mesh, np));
-    read_triangles(mesh);
-  }
-
-  Position number_of_vertices() const { return static_cast<Position>(vertices_.size()); }
-  vertex_descriptor vertex_handle(std::size_t v) const { return vertices_[Vertex_index(v)]; }
-  const Vertex_handles& vertex_handles() const { return vertices_; }
-  face_descriptor face_handle(std::size_t triangle) const { return faces_[Face_index(triangle)]; }
-  const Face_handles& face_handles() const { return faces_; }
+  Position number_of_vertices() const { return static_cast<Position>(points_.size()); }
   const std::vector<Indexed_triangle>& triangles() const { return triangles_; }
 
   const Vector& point(Position v) const { return points_[v]; }
@@ -119,6 +95,75 @@ public:
   double added_length() const { return added_length_; }
   void set_added_length(double added_length) { added_length_ = added_length; }
 
+protected:
+  Indexed_surface() = default;
+
+  void set_points(std::vector<Vector> points)
+  {
+    points_ = std::move(points);
+    double largest = 0;
+    for(std::size_t v = 0; v != points_.size(); ++v)
+      for(const double coordinate : points_[v])
+      {
+        if(!std::isfinite(coordinate))
+          throw Non_finite_point_error(v);
+        largest = (std::max)(largest, std::abs(coordinate));
+      }
+    if(largest > 0)
+      scale_ = std::ldexp(1., (std::max)(std::ilogb(largest), -1000));
+    for(Vector& p : points_)
+      p = {p[0] / scale_, p[1] / scale_, p[2] / scale_};
+  }
+
+  void add_triangle(const std::array<Position, 3>& vertices, const std::array<bool, 3>& is_on_border)
+  {
+    triangles_.push_back({vertices, is_on_border});
+  }
+
+private:
+  std::vector<Vector> points_;
+  std::vector<Indexed_triangle> triangles_;
+  double scale_ = 1, added_length_ = 0;
+};
+
+// The surface of a mesh, checked as that of a Reeb graph is, and the way from positions to descriptors and back.
+template <class FaceListGraph>
+class Indexed_mesh : public Indexed_surface
+{
+public:
+  typedef FaceListGraph Mesh;
+  typedef typename Descriptors<Mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename Descriptors<Mesh>::halfedge_descriptor halfedge_descriptor;
+  typedef typename Descriptors<Mesh>::face_descriptor face_descriptor;
+  typedef Indexed_vector<Vertex_index, vertex_descriptor> Vertex_handles;
+  typedef Indexed_vector<Face_index, face_descriptor> Face_handles;
+
+  template <class NamedParameters>
+  Indexed_mesh(const FaceListGraph& mesh, const NamedParameters& np)
+    : vertices_(vertices(mesh).first, vertices(mesh).second),
+      faces_(faces(mesh).first, faces(mesh).second),
+      positions_(make_vertex_positions(mesh, vertices_, parameters::default_values()))
+  {
+    checked_index(vertices_.size());
+    const auto point_map = choose_point_map(mesh, np);
+    std::vector<Vector> points;
+    points.reserve(vertices_.size());
+    for(const vertex_descriptor v : vertices_)
+    {
+      const auto& p = get(point_map, v);
+      points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+    }
+    set_points(std::move(points));
+    check(mesh);
+    for(const face_descriptor f : faces_)
+      read_triangle(mesh, f, halfedge(f, mesh));
+  }
+
+  vertex_descriptor vertex_handle(std::size_t v) const { return vertices_[Vertex_index(v)]; }
+  const Vertex_handles& vertex_handles() const { return vertices_; }
+  face_descriptor face_handle(std::size_t triangle) const { return faces_[Face_index(triangle)]; }
+  const Face_handles& face_handles() const { return faces_; }
+
   // The position of a vertex, no_position if it is not one of the mesh.
   Position position(vertex_descriptor v) const
   {
@@ -129,84 +174,28 @@ public:
   }
 
 private:
-  template <class VertexPointMap>
-  void read_points(const VertexPointMap& point_map)
+  // Any field will do.
+  void check(const FaceListGraph& mesh) const
   {
-    points_.reserve(vertices_.size());
-    double largest = 0;
-    for(const vertex_descriptor v : vertices_)
+    const auto heights = boost::make_function_property_map<vertex_descriptor>(
+      [&](vertex_descriptor v) { return point(positions_(v).number())[2]; });
+    const Reeb_graph_traits<FaceListGraph, std::decay_t<decltype(heights)>> traits;
+    flatten<Sequential_tag>(mesh, heights, traits, parameters::default_values());
+  }
+
+  // A Surface_mesh is checked by its halfedges. They need not be those that its faces have.
+  void read_triangle(const FaceListGraph& mesh, face_descriptor f, halfedge_descriptor a)
+  {
+    const halfedge_descriptor b = next(a, mesh), c = prev(a, mesh);
+    const auto position_of = [&](halfedge_descriptor h) { return positions_(source(h, mesh)).number(); };
+    const auto is_on_border_edge = [&](halfedge_descriptor h) { return is_border(opposite(h, mesh), mesh); };
+    if(face(a, mesh) != f)
     {
-      const auto& p = get(point_map, v);
-      points_.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-      for(const double coordinate : points_.back())
-      {
-        if(!std::isfinite(coordinate))
-          throw Non_finite_point_error(points_.size() - 1);
-        largest = (std::max)(largest, std::abs(coordinate));
-      }
+      check_faces(mesh);
+      throw Non_manifold_vertex_error(position_of(a));
     }
-    if(largest > 0)
-      scale_ = std::ldexp(1., (std::max)(std::ilogb(largest), -1000));
-    for(Vector& p : points_)
-      p = {p[0] / scale_, p[1] / scale_, p[2] / scale_};
-  }
-
-  // The third coordinates of the vertices by the numbers that they have in a complex.
-  template <class NumberOfPosition>
-  Indexed_vector<Vertex_index, double> find_heights(std::size_t size, const NumberOfPosition& number) const
-  {
-    Indexed_vector<Vertex_index, double> heights(size, 0.);
-    for(const Vertex_index v : vertices_.keys())
-      heights[number(v)] = points_[v.number()][2];
-    return heights;
-  }
-
-  template <class Graph>
-  void read_triangles(const Graph& mesh)
-  {
-    read_triangles_of_copy(mesh);
-  }
-
-  template <class Graph>
-  void read_triangles_of_copy(const Graph& mesh)
-  {
-    auto read = read_halfedges(mesh, faces_, vertices_.size(), positions_,
-                               make_face_positions(mesh, faces_, parameters::default_values()));
-    const auto heights = find_heights(vertices_.size(), [](Vertex_index v) { return v; });
-    const Triangle_complex complex = check_complex<Sequential_tag>(
-      Unchecked_complex<Triangle_complex>(Triangle_complex(std::move(read.arrays), faces_.size())),
-      Vertex_order(heights, std::less<double>()));
-    triangles_.reserve(faces_.size());
-    for(const auto& [a, b, c] : read.halfedges_of_faces)
-      triangles_.push_back(
-        {{complex.source(a).number(), complex.source(b).number(), complex.source(c).number()},
-         {complex.is_on_border_edge(a), complex.is_on_border_edge(b), complex.is_on_border_edge(c)}});
-  }
-
-  // A Surface_mesh is checked as it is, without a copy of its halfedges, unless a face contradicts itself.
-  template <class Point>
-  void read_triangles(const Surface_mesh<Point>& mesh)
-  {
-    const auto heights = find_heights(mesh.num_vertices(), [&](Vertex_index v) { return Vertex_index(vertices_[v]); });
-    check_complex<Sequential_tag>(Unchecked_complex(Surface_mesh_complex<Point>(mesh)),
-                                  Vertex_order(heights, std::less<double>()));
-    const auto is_misled = [&](face_descriptor f) {
-      const auto a = mesh.halfedge(f), b = mesh.next(a), c = mesh.prev(a);
-      const auto u = mesh.source(a), v = mesh.source(b), w = mesh.source(c);
-      return mesh.face(a) != f || mesh.target(a) != v || mesh.target(b) != w || mesh.target(c) != u || u == v || v == w
-          || w == u;
-    };
-    if(std::any_of(faces_.begin(), faces_.end(), is_misled))
-      return read_triangles_of_copy(mesh);
-    triangles_.reserve(faces_.size());
-    for(const face_descriptor f : faces_)
-    {
-      const auto a = mesh.halfedge(f), b = mesh.next(a), c = mesh.prev(a);
-      const auto source = [&](auto h) { return positions_(mesh.source(h)).number(); };
-      const auto is_on_border_edge = [&](auto h) { return mesh.is_border(mesh.opposite(h)); };
-      triangles_.push_back(
-        {{source(a), source(b), source(c)}, {is_on_border_edge(a), is_on_border_edge(b), is_on_border_edge(c)}});
-    }
+    add_triangle({position_of(a), position_of(b), position_of(c)},
+                 {is_on_border_edge(a), is_on_border_edge(b), is_on_border_edge(c)});
   }
 
   Vertex_handles vertices_;
@@ -214,9 +203,6 @@ private:
   decltype(make_vertex_positions(std::declval<const FaceListGraph&>(),
                                  std::declval<const Vertex_handles&>(),
                                  parameters::default_values())) positions_;
-  std::vector<Vector> points_;
-  std::vector<Indexed_triangle> triangles_;
-  double scale_ = 1, added_length_ = 0;
 };
 
 } // namespace scalar_fields

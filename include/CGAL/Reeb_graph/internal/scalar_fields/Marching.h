@@ -32,11 +32,10 @@ namespace scalar_fields {
 // straight through the triangles (M. Novotni and R. Klein, Computing Geodesic Distances on Triangular Meshes, 2002).
 // They depend on the lengths of edges only, no equation is solved, and each vertex of a component with a source gets a
 // finite one. Along an edge they grow by no more than its length.
-template <class Surface>
 class Marching
 {
 public:
-  Marching(const Surface& surface, const std::vector<bool>& is_source)
+  Marching(const Indexed_surface& surface, const std::vector<bool>& is_source)
     : surface_(surface),
       first_(surface.number_of_vertices() + 1, 0),
       distances_(surface.number_of_vertices(), std::numeric_limits<double>::infinity()),
@@ -123,7 +122,7 @@ private:
     return {x, std::sqrt((std::max)((from_origin - x) * (from_origin + x), 0.))};
   }
 
-  const Surface& surface_;
+  const Indexed_surface& surface_;
   std::vector<std::size_t> first_, triangles_; // the triangles of each vertex
   std::vector<double> distances_;
   std::vector<bool> is_final_;

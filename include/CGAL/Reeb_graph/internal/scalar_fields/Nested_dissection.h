@@ -26,11 +26,10 @@ namespace scalar_fields {
 // Orders the vertices of a surface so that the factor of a matrix with one entry per edge has few entries: first those
 // of one half, then those of the other half, then those that separate them, and so on in both halves (A. George, Nested
 // Dissection of a Regular Finite Element Mesh, 1973). The halves are those along the longest side of the bounding box.
-template <class Surface>
 class Nested_dissection
 {
 public:
-  Nested_dissection(const Surface& surface, const Weighted_graph& graph)
+  Nested_dissection(const Indexed_surface& surface, const Weighted_graph& graph)
     : surface_(surface),
       graph_(graph),
       vertices_(graph.number_of_vertices()),
@@ -82,7 +81,7 @@ private:
     dissect(first_separator, end_of_upper_half);
   }
 
-  const Surface& surface_;
+  const Indexed_surface& surface_;
   const Weighted_graph& graph_;
   std::vector<Position> vertices_;
   std::vector<Position> halves_; // number of the last upper half that a vertex was in, by vertex

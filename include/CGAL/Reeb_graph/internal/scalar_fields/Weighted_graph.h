@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/triangle_geometry.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -103,8 +105,7 @@ private:
 };
 
 // The weights w_ij = (tan(theta / 2) + tan(phi / 2)) / |v_j - v_i|, with the angles at v_i on both sides of the edge.
-template <class Surface>
-Weighted_graph mean_value_graph(const Surface& surface)
+inline Weighted_graph mean_value_graph(const Indexed_surface& surface)
 {
   return Weighted_graph(surface.number_of_vertices(), [&](const auto& visit) {
     for(std::size_t t = 0; t != surface.triangles().size(); ++t)
@@ -123,8 +124,7 @@ Weighted_graph mean_value_graph(const Surface& surface)
 }
 
 // The weights w_ij = (cot(alpha) + cot(beta)) / 2, with the angles that face the edge.
-template <class Surface>
-Weighted_graph cotangent_graph(const Surface& surface)
+inline Weighted_graph cotangent_graph(const Indexed_surface& surface)
 {
   return Weighted_graph(surface.number_of_vertices(), [&](const auto& visit) {
     for(std::size_t t = 0; t != surface.triangles().size(); ++t)
@@ -142,9 +142,24 @@ Weighted_graph cotangent_graph(const Surface& surface)
   });
 }
 
+// The edges of a complex, with the weight 1, for what needs neither faces nor points.
+template <class Complex>
+Weighted_graph edge_graph(const Complex& complex)
+{
+  return Weighted_graph(complex.number_of_vertices(), [&](const auto& visit) {
+    for(const Edge_index e : Index_range<Edge_index>(complex.number_of_edges()))
+    {
+      if(!complex.is_on_triangle(e))
+        continue;
+      const Position u = complex.source(even_halfedge(e)).number(), v = complex.target(even_halfedge(e)).number();
+      visit(Weighted_graph::Contribution{u, v, 1});
+      visit(Weighted_graph::Contribution{v, u, 1});
+    }
+  });
+}
+
 // The weights w_ij = 1.
-template <class Surface>
-Weighted_graph uniform_graph(const Surface& surface)
+inline Weighted_graph uniform_graph(const Indexed_surface& surface)
 {
   return Weighted_graph(surface.number_of_vertices(), [&](const auto& visit) {
     for(const Indexed_triangle& t : surface.triangles())
@@ -158,8 +173,7 @@ Weighted_graph uniform_graph(const Surface& surface)
   });
 }
 
-template <class Surface>
-Weighted_graph laplacian_graph(const Surface& surface, Laplacian_weights weights)
+inline Weighted_graph laplacian_graph(const Indexed_surface& surface, Laplacian_weights weights)
 {
   switch(weights)
   {

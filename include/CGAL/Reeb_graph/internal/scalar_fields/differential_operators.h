@@ -34,8 +34,7 @@ inline bool is_finite(const Vector& vector)
 }
 
 // The gradients on the faces, for the points divided by surface.scale().
-template <class Surface>
-std::vector<Vector> scaled_gradients(const Surface& surface, const std::vector<double>& values)
+inline std::vector<Vector> scaled_gradients(const Indexed_surface& surface, const std::vector<double>& values)
 {
   std::vector<Vector> gradients;
   gradients.reserve(surface.triangles().size());
@@ -51,8 +50,7 @@ std::vector<Vector> scaled_gradients(const Surface& surface, const std::vector<d
 }
 
 // The integrated divergences at the vertices, for the points divided by surface.scale().
-template <class Surface>
-std::vector<double> scaled_divergences(const Surface& surface, const std::vector<Vector>& vectors)
+inline std::vector<double> scaled_divergences(const Indexed_surface& surface, const std::vector<Vector>& vectors)
 {
   std::vector<double> divergences(surface.number_of_vertices(), 0);
   for(std::size_t t = 0; t != surface.triangles().size(); ++t)
@@ -71,8 +69,8 @@ std::vector<double> scaled_divergences(const Surface& surface, const std::vector
 }
 
 // The corners of a triangle, or those of its lengthened geometry.
-template <class Surface>
-std::array<Simple_cartesian<double>::Point_3, 3> corner_points(const Surface& surface, std::size_t triangle)
+inline std::array<Simple_cartesian<double>::Point_3, 3> corner_points(const Indexed_surface& surface,
+                                                                      std::size_t triangle)
 {
   const auto point = [](const Vector& p) { return Simple_cartesian<double>::Point_3(p[0], p[1], p[2]); };
   const auto& v = surface.triangles()[triangle].vertices;
@@ -83,8 +81,7 @@ std::array<Simple_cartesian<double>::Point_3, 3> corner_points(const Surface& su
 }
 
 // The mixed Voronoi areas of the vertices, zero for isolated ones, for the points divided by surface.scale().
-template <class Surface>
-std::vector<double> scaled_mixed_areas(const Surface& surface)
+inline std::vector<double> scaled_mixed_areas(const Indexed_surface& surface)
 {
   std::vector<double> areas(surface.number_of_vertices(), 0);
   for(std::size_t t = 0; t != surface.triangles().size(); ++t)
@@ -99,8 +96,8 @@ std::vector<double> scaled_mixed_areas(const Surface& surface)
 
 // The mean curvatures times the mixed areas, for the points divided by surface.scale(): half the lengths of the vectors
 // sum_j w_ij (v_i - v_j) with cotangent weights.
-template <class Surface>
-std::vector<double> scaled_integrated_mean_curvatures(const Surface& surface, const Weighted_graph& cotangents)
+inline std::vector<double> scaled_integrated_mean_curvatures(const Indexed_surface& surface,
+                                                             const Weighted_graph& cotangents)
 {
   std::vector<double> curvatures;
   curvatures.reserve(surface.number_of_vertices());

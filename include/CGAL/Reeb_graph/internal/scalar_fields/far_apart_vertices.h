@@ -26,11 +26,10 @@ namespace scalar_fields {
 
 // Finds the vertex of a component that is farthest from another one along the edges, the first one if there are
 // several.
-template <class Surface>
 class Farthest_vertex_search
 {
 public:
-  Farthest_vertex_search(const Surface& surface, const Weighted_graph& graph)
+  Farthest_vertex_search(const Indexed_surface& surface, const Weighted_graph& graph)
     : surface_(surface),
       graph_(graph),
       distances_(graph.number_of_vertices(), std::numeric_limits<double>::infinity())
@@ -69,7 +68,7 @@ private:
     queue_.push(entry);
   }
 
-  const Surface& surface_;
+  const Indexed_surface& surface_;
   const Weighted_graph& graph_;
   std::vector<double> distances_;
   std::vector<Position> reached_;
@@ -78,11 +77,11 @@ private:
 
 // Two vertices of each component: the one farthest from its first vertex, and the one farthest from that. They are the
 // same only in a component of a single vertex.
-template <class Surface>
-std::vector<std::pair<Position, Position>> far_apart_vertices(const Surface& surface, const Weighted_graph& graph)
+inline std::vector<std::pair<Position, Position>> far_apart_vertices(const Indexed_surface& surface,
+                                                                     const Weighted_graph& graph)
 {
   const std::vector<Position> labels = label_components(graph);
-  Farthest_vertex_search<Surface> farthest_vertex(surface, graph);
+  Farthest_vertex_search farthest_vertex(surface, graph);
   std::vector<std::pair<Position, Position>> pairs;
   for(Position v = 0; v != graph.number_of_vertices(); ++v)
     if(labels[v] == pairs.size())

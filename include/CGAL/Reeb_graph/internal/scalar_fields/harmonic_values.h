@@ -70,8 +70,8 @@ struct Unit_range
 
 // The harmonic field with these fixed values, and without extrema at free vertices. The fraction is that of the work
 // which is done when the equations are set up.
-template <class Surface, class Scalar, class NamedParameters>
-std::vector<Scalar> harmonic_values(const Surface& surface,
+template <class Scalar, class NamedParameters>
+std::vector<Scalar> harmonic_values(const Indexed_surface& surface,
                                     const Weighted_graph& graph,
                                     const Constraints<Scalar>& constraints,
                                     const Progress& progress,
@@ -86,7 +86,7 @@ std::vector<Scalar> harmonic_values(const Surface& surface,
       fixed_values[v] = range.to_unit(constraints.values[v]);
   progress.report(fraction);
   const Dirichlet_solution solution =
-    solve_dirichlet_problem(surface, graph, choose_weights(np), constraints.is_fixed, fixed_values, 1, np);
+    solve_dirichlet_problem({surface, graph, choose_weights(np), constraints.is_fixed, fixed_values}, 1, np);
   report.number_of_iterations = solution.number_of_steps;
   std::vector<Scalar> values = constraints.values;
   for(Position v = 0; v != graph.number_of_vertices(); ++v)
@@ -113,7 +113,7 @@ Field_report write_harmonic_field(const FaceListGraph& mesh,
   {
     const Progress progress(np);
     progress.report(0);
-    Indexed_surface<FaceListGraph> surface(mesh, np);
+    Indexed_mesh<FaceListGraph> surface(mesh, np);
     const Laplacian_weights weights = choose_weights(np);
     const bool has_geometry = weights != Laplacian_weights::UNIFORM;
     Field_report report = has_geometry ? make_triangles_proper(surface) : Field_report();

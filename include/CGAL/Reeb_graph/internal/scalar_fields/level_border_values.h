@@ -18,7 +18,6 @@
 #include <CGAL/Reeb_graph/internal/scalar_fields/Basin_filling.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Border_levels.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/vertex_graph.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -34,15 +33,15 @@ namespace internal {
 namespace scalar_fields {
 
 // The vertices of each border component.
-template <class Mesh, class PositionMap>
-std::vector<std::vector<Position>> vertices_of_borders(const Mesh& mesh, const PositionMap& positions)
+template <class Mesh, class NumberOfVertex>
+std::vector<std::vector<Position>> vertices_of_borders(const Mesh& mesh, const NumberOfVertex& number)
 {
   std::vector<std::vector<Position>> borders;
   for(const auto& cycle : find_border_cycles(mesh))
   {
     borders.emplace_back();
     for(const auto v : vertices_around_face(cycle.halfedge, mesh))
-      borders.back().push_back(get(positions, v));
+      borders.back().push_back(number(v).number());
   }
   return borders;
 }
@@ -117,13 +116,13 @@ Changes write_level_borders(const Mesh& mesh,
                             const Progress& progress)
 {
   progress.report(0);
-  flatten<Sequential_tag>(mesh, scalar_map, traits, parameters::default_values()); // It checks the input.
+  const auto surface = share_flat<Sequential_tag>(mesh, scalar_map, traits, parameters::default_values());
+  const auto& [complex, field] = *surface;
   const auto less = traits.less_scalar_object();
   progress.report(0.2);
-  const auto values = read_values_of_vertices(mesh, scalar_map);
-  const auto positions = make_position_map(mesh);
-  const auto borders = vertices_of_borders(mesh, positions);
-  const auto graph = make_vertex_graph(mesh, positions, values.size());
+  const std::vector<typename Traits::Scalar> values(field.values.begin(), field.values.end());
+  const auto borders = vertices_of_borders(mesh, field.numbers);
+  const auto graph = edge_graph(complex);
   progress.report(0.9);
   const auto new_values = level_border_values(graph, borders, values, traits, wish, collar_width);
   progress.report(0.95); // the last one before the field changes
@@ -133,15 +132,14 @@ Changes write_level_borders(const Mesh& mesh,
   changes.number_of_borders = borders.size();
   for(const auto& border : borders)
     changes.number_of_changed_borders += std::any_of(border.begin(), border.end(), is_changed) ? 1 : 0;
-  for(const auto v : CGAL::make_range(vertices(mesh)))
+  for(Position v = 0; v != values.size(); ++v)
   {
-    const Position i = get(positions, v);
-    if(!is_changed(i))
+    if(!is_changed(v))
       continue;
     ++changes.number_of_changed_vertices;
     changes.largest_change =
-      (std::max)(changes.largest_change, distance_of_values(conversion, values[i], new_values[i]));
-    put(scalar_map, v, new_values[i]);
+      (std::max)(changes.largest_change, distance_of_values(conversion, values[v], new_values[v]));
+    put(scalar_map, field.vertices[Vertex_index(v)], new_values[v]);
   }
   progress.report_end();
   return changes;

@@ -32,8 +32,8 @@ namespace scalar_fields {
 
 // Solves sum_j w_ij (f_j - f_i) = h_i at the free vertices, where `right_side` is h. The fraction is that of the work
 // which is done when the equations are set up.
-template <class Surface, class NamedParameters>
-std::vector<double> poisson_values(const Surface& surface,
+template <class NamedParameters>
+std::vector<double> poisson_values(const Indexed_surface& surface,
                                    const Weighted_graph& graph,
                                    const Constraints<double>& constraints,
                                    std::vector<double> right_side,
@@ -47,7 +47,7 @@ std::vector<double> poisson_values(const Surface& surface,
       right_side[v] = constraints.values[v];
   progress.report(fraction);
   Dirichlet_solution solution =
-    solve_dirichlet_problem(surface, graph, Laplacian_weights::COTANGENT, constraints.is_fixed, right_side, 0, np);
+    solve_dirichlet_problem({surface, graph, Laplacian_weights::COTANGENT, constraints.is_fixed, right_side}, 0, np);
   report.number_of_iterations = solution.number_of_steps;
   check_finite(solution.values);
   progress.report(0.9);
@@ -67,7 +67,7 @@ Field_report solve_poisson_equation(const FaceListGraph& mesh,
   {
     const Progress progress(np);
     progress.report(0);
-    Indexed_surface<FaceListGraph> surface(mesh, np);
+    Indexed_mesh<FaceListGraph> surface(mesh, np);
     Field_report report = make_triangles_proper(surface);
     const Weighted_graph graph = cotangent_graph(surface);
     Constraints<double> fixed(surface.number_of_vertices());

@@ -28,8 +28,7 @@ namespace scalar_fields {
 
 // Makes all edges longer by the least length after which any two sides of a triangle are longer than the third one by a
 // margin: intrinsic mollification. See Field_report.
-template <class Surface>
-void lengthen_edges(Surface& surface, Field_report& report)
+inline void lengthen_edges(Indexed_surface& surface, Field_report& report)
 {
   constexpr double margin_of_mean = 1e-6, margin_of_longest = 1e-12;
   double sum = 0, number_of_edges = 0, longest = 0;
@@ -59,8 +58,7 @@ void lengthen_edges(Surface& surface, Field_report& report)
 }
 
 // Makes the edges longer if there is a triangle that is not proper.
-template <class Surface>
-Field_report make_triangles_proper(Surface& surface)
+inline Field_report make_triangles_proper(Indexed_surface& surface)
 {
   Field_report report;
   for(std::size_t t = 0; t != surface.triangles().size(); ++t)
@@ -74,8 +72,8 @@ Field_report make_triangles_proper(Surface& surface)
 // Calls solve(graph, fraction), with the fraction of the work that is done when its equations have been set up. If they
 // have no finite solution, and the edges have their own lengths, it makes them longer, and calls it once more with the
 // graph that make_graph() gives then.
-template <class Surface, class Graph, class Solve, class MakeGraph>
-auto solve_or_lengthen_edges(Surface& surface,
+template <class Graph, class Solve, class MakeGraph>
+auto solve_or_lengthen_edges(Indexed_surface& surface,
                              Field_report& report,
                              const Graph& graph,
                              const Solve& solve,

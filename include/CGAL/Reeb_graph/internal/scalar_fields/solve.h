@@ -12,118 +12,67 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Default_solver.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_equations.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_problem.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Dirichlet_systems.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Nested_dissection.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/solve_iteratively.h>
-#include <CGAL/Reeb_graph/options.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+// Who links the library with the solvers need not read Eigen.
+#ifndef CGAL_REEB_GRAPH_ARE_SOLVERS_COMPILED
+#include <CGAL/Reeb_graph/internal/scalar_fields/Default_solver.h>
+#endif
+
+#include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <cmath>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 namespace scalar_fields {
 
-// Solves the equations by iteration with multigrid. The solution need not be accurate; after too many steps, the
-// estimate of the error could not be trusted.
-inline Iterative_solution solve_by_multigrid([[maybe_unused]] const Dirichlet_problem& problem,
-                                             [[maybe_unused]] const Accuracy& accuracy)
+// Whether there is a named parameter `sparse_linear_solver`.
+template <class NamedParameters>
+inline constexpr bool is_solver_given =
+  is_given<decltype(parameters::get_parameter(std::declval<const NamedParameters&>(),
+                                              internal_np::sparse_linear_solver))>;
+
+template <class NamedParameters>
+double choose_tolerance(const NamedParameters& np)
 {
-#ifdef CGAL_EIGEN3_ENABLED
-  constexpr std::size_t largest_number_of_steps = 40;
-  Multigrid_system system(problem);
-  if(system.is_usable())
-    return solve_iteratively(system, problem.right_side(), accuracy, largest_number_of_steps);
-#endif
-  return Iterative_solution();
+  const double tolerance =
+    parameters::choose_parameter(parameters::get_parameter(np, internal::solver_tolerance), 1e-12);
+  if(!(tolerance > 0) || !std::isfinite(tolerance))
+    throw Solver_tolerance_error(tolerance);
+  return tolerance;
 }
 
-// The matrix of the problem is symmetric.
-template <class Solver>
-Values solve_symmetric_directly(const Dirichlet_problem& problem, Solver& solver)
-{
-  return Factorized_matrix<Solver>(solver, problem).solve(problem.right_side());
-}
-
-// The symmetric weights that are close are factorized, and iteration does the rest.
-template <class Weights, class Solver>
-Values solve_nearly_symmetric_directly(const Dirichlet_problem& problem,
-                                       const Weights& weights,
-                                       const Accuracy& accuracy,
-                                       Solver& solver)
-{
-  Factorized_system<Solver> system(solver, problem, weights);
-  constexpr std::size_t largest_number_of_steps = 80;
-  Iterative_solution solution = solve_iteratively(system, problem.right_side(), accuracy, largest_number_of_steps);
-  if(solution.is_accurate)
-    return std::move(solution.values);
-#ifdef CGAL_EIGEN3_ENABLED
-  Unsymmetric_solver unsymmetric_solver;
-  return Factorized_matrix<Unsymmetric_solver>(unsymmetric_solver, problem).solve(problem.right_side());
-#else
-  throw Linear_solver_error();
-#endif
-}
-
-// The values of all vertices, and the number of steps of the iteration that has found them, zero if there was none.
-struct Dirichlet_solution
-{
-  std::vector<double> values;
-  std::size_t number_of_steps = 0;
-};
-
-// Below this number of vertices a factorization is faster than multigrid.
-inline constexpr Position smallest_size_for_multigrid = 5000;
-
-// Solves the equations sum_j w_ij (x_j - x_i) = h_i. `values` holds x for the fixed vertices, and h for the free ones.
-// Large problems are solved by multigrid, unless a solver is given. Where that does not get as accurate as asked for,
-// and else, a matrix is factorized.
-template <class Surface, class NamedParameters>
-Dirichlet_solution solve_dirichlet_problem(const Surface& surface,
-                                           const Weighted_graph& graph,
-                                           Laplacian_weights weights,
-                                           const std::vector<bool>& is_fixed,
-                                           const std::vector<double>& values,
+// Solves the equations by the solver that is given, or else by the default one.
+template <class NamedParameters>
+Dirichlet_solution solve_dirichlet_problem(const Dirichlet_equations& equations,
                                            double least_range,
                                            const NamedParameters& np)
 {
-  const Nearly_symmetric_weights<Surface> symmetric_weights(surface, graph);
   const Accuracy accuracy = {choose_tolerance(np), least_range};
-  if(std::find(is_fixed.begin(), is_fixed.end(), false) == is_fixed.end())
-    return {values, 0};
-  const auto make_problem = [&](const std::vector<Position>& order) {
-    Dirichlet_problem problem(graph, order, is_fixed, values);
-    if(weights == Laplacian_weights::MEAN_VALUE)
-      symmetric_weights.scale(problem);
-    return problem;
-  };
-  const auto values_of_vertices = [&](const Dirichlet_problem& problem, const Values& solution) {
-    std::vector<double> result = values;
-    for(std::size_t row = 0; row != solution.size(); ++row)
-      result[problem.vertex(row)] = solution[row];
-    return result;
-  };
-  if constexpr(!is_solver_given<NamedParameters>)
-    if(graph.number_of_vertices() >= smallest_size_for_multigrid)
-    {
-      const Dirichlet_problem problem = make_problem(breadth_first_order(graph));
-      const Iterative_solution solution = solve_by_multigrid(problem, accuracy);
-      if(solution.is_accurate)
-        return {values_of_vertices(problem, solution.values), solution.number_of_steps};
-    }
-  const Dirichlet_problem problem = make_problem(Nested_dissection<Surface>(surface, graph).vertices());
-  auto solver = choose_solver(np);
-  return {values_of_vertices(problem, weights == Laplacian_weights::MEAN_VALUE
-                                        ? solve_nearly_symmetric_directly(problem, symmetric_weights, accuracy, solver)
-                                        : solve_symmetric_directly(problem, solver)),
-          0};
+  if(std::find(equations.is_fixed.begin(), equations.is_fixed.end(), false) == equations.is_fixed.end())
+    return {equations.values, 0};
+  if constexpr(is_solver_given<NamedParameters>)
+  {
+    auto solver = parameters::get_parameter(np, internal_np::sparse_linear_solver);
+    return solve_directly(equations, accuracy, solver);
+  }
+  else
+    return solve_by_default(equations, accuracy);
 }
+
+#define CGAL_REEB_GRAPH_SOLVE_BY_DEFAULT(PREFIX)                                                                       \
+  PREFIX template Dirichlet_solution solve_by_default<Dirichlet_equations>(const Dirichlet_equations&,                 \
+                                                                           const Accuracy&);                           \
+  PREFIX template Values solve_unsymmetric<Dirichlet_problem>(const Dirichlet_problem&);
+CGAL_REEB_GRAPH_FOR_SOLVERS(CGAL_REEB_GRAPH_SOLVE_BY_DEFAULT)
 
 } // namespace scalar_fields
 } // namespace internal

@@ -65,8 +65,7 @@ struct Triangle_geometry
 };
 
 // The geometry of the points of a triangle.
-template <class Surface>
-Triangle_geometry geometry_of_points(const Surface& surface, std::size_t triangle)
+inline Triangle_geometry geometry_of_points(const Indexed_surface& surface, std::size_t triangle)
 {
   const auto& v = surface.triangles()[triangle].vertices;
   Triangle_geometry geometry;
@@ -117,8 +116,7 @@ inline Triangle_geometry lengthened(const Triangle_geometry& given, double added
   return geometry;
 }
 
-template <class Surface>
-Triangle_geometry triangle_geometry(const Surface& surface, std::size_t triangle)
+inline Triangle_geometry triangle_geometry(const Indexed_surface& surface, std::size_t triangle)
 {
   const Triangle_geometry geometry = geometry_of_points(surface, triangle);
   return surface.added_length() > 0 ? lengthened(geometry, surface.added_length()) : geometry;

@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/simplification/Link_cut_forest.h>
-#include <CGAL/Reeb_graph/internal/simplification/tree_pairs.h>
 
 #include <algorithm>
 #include <vector>
@@ -82,7 +82,7 @@ private:
   }
 
   Index number_of_nodes_;
-  Elder_components components_;
+  Disjoint_sets<Index> components_;
   Link_cut_forest forest_;
   std::vector<Arc> arcs_; // those that are in the forest
 };

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/St_numbering.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
@@ -32,7 +33,7 @@ namespace internal {
 // vertices around the piece do not change sides. Within it, the vertices are numbered so that each has a lower and a
 // higher neighbor. So no extremum is left, and as the indices of the piece and of its saddle add up to the same as
 // before, no other saddle than that of the arcs that stay if the piece has no handle and no border.
-template <class Scalar>
+template <class Complex, class Scalar>
 class Moved_pieces
 {
   typedef scalar_fields::Position Position;
@@ -42,12 +43,14 @@ public:
   // `saddles` has for each vertex that is to be moved the vertex of the saddle, and no_index for each other one.
   // `rooms` has for the vertex of a saddle how far the next values of nodes are: a saddle in a piece must not pass
   // them.
-  Moved_pieces(const Vertex_graph& graph,
+  Moved_pieces(const Complex& complex,
+               const Vertex_graph& graph,
                const std::vector<Index>& saddles,
                const std::vector<Scalar>& rooms,
                const std::vector<Scalar>& values,
                double threshold)
-    : graph_(graph),
+    : complex_(complex),
+      graph_(graph),
       saddles_(saddles),
       rooms_(rooms),
       values_(values),
@@ -164,7 +167,7 @@ private:
       last = is_above ? (std::max)(from + step, std::nextafter(last, infinity))
                       : (std::min)(from - step, std::nextafter(last, -infinity));
       if(!(is_above ? from < last && last < middle : last < from && middle < last))
-        throw Perturbed_ties_error(piece.vertices.front());
+        throw_too_few_numbers(piece.vertices.front());
       values.push_back(last);
     }
     if(!is_above)
@@ -180,8 +183,13 @@ private:
     {
       moved[order[i]] = values[i];
       if(!(std::abs(static_cast<double>(values[i]) - static_cast<double>(values_[order[i]])) < threshold_))
-        throw Perturbed_ties_error(order[i]);
+        throw_too_few_numbers(order[i]);
     }
+  }
+
+  [[noreturn]] void throw_too_few_numbers(Position v) const
+  {
+    throw Perturbed_ties_error(complex_.position(Vertex_index(v)));
   }
 
   Scalar largest_distance(const std::vector<Position>& vertices, Scalar value) const
@@ -192,7 +200,8 @@ private:
     return distance;
   }
 
-  const Vertex_graph& graph_;
+  const Complex& complex_;
+  const Vertex_graph& graph_; // its edges
   const std::vector<Index>& saddles_;
   const std::vector<Scalar>& rooms_;
   const std::vector<Scalar>& values_;

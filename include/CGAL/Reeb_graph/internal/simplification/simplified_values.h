@@ -11,21 +11,29 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/Flat_field.h>
 #include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/vertex_graph.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/mesh/flatten.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/simplification/Moved_pieces.h>
+#include <CGAL/Reeb_graph/internal/simplification/persistence.h>
 #include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
 #include <CGAL/Reeb_graph/internal/simplification/spread_ties.h>
 #include <CGAL/Reeb_graph/internal/simplification/write_simplified_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-#include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 #include <CGAL/compute_reeb_graph.h>
 
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,55 +47,47 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// By node, the position of its vertex.
-template <class Mesh, class ReebGraph>
-std::vector<Index> positions_of_nodes(const Mesh& mesh, const ReebGraph& graph)
+// Puts the places of vertices where the numbers of these say. A property map.
+template <class Field>
+struct Places_by_number
 {
-  const auto nodes = get(dynamic_vertex_property_t<Index>(), mesh);
-  for(const auto v : CGAL::make_range(vertices(mesh)))
-    put(nodes, v, no_index);
-  for(Index node = 0; node != num_vertices(graph); ++node)
-    put(nodes, graph[node].vertex, node);
-  std::vector<Index> positions(num_vertices(graph));
-  Index position = 0;
-  for(const auto v : CGAL::make_range(vertices(mesh)))
+  typedef typename decltype(Field::vertices)::vertex_descriptor key_type;
+  typedef Index value_type;
+  typedef void reference;
+  typedef boost::writable_property_map_tag category;
+
+  friend void put(const Places_by_number& map, const key_type& v, Index place)
   {
-    if(get(nodes, v) != no_index)
-      positions[get(nodes, v)] = position;
-    ++position;
+    (*map.places)[map.field->numbers(v).number()] = place;
   }
-  return positions;
-}
 
-// By position of the vertex, the number of its place in the graph.
-template <class Mesh, class ScalarMap, class ReebGraph, class NamedParameters>
-std::vector<Index> find_places_of_vertices(const Mesh& mesh,
-                                           const ScalarMap& scalar_map,
-                                           const ReebGraph& graph,
-                                           const NamedParameters& np,
-                                           const Stage_progress& progress)
+  const Field* field;
+  std::vector<Index>* places;
+};
+
+// By node, the number of its vertex.
+template <class Field, class ReebGraph>
+std::vector<Index> vertices_of_nodes(const Field& field, const ReebGraph& graph)
 {
-  const Augmentation<Mesh, ScalarMap, ReebGraph> augmentation(mesh, scalar_map, graph,
-                                                              np.callback(progress.part(0, 0.2).callback()));
-  const auto locations = augmentation.locate_vertices(parameters::callback(progress.part(0.2, 0.9).callback()));
-  std::vector<Index> places;
-  for(const auto v : CGAL::make_range(vertices(mesh)))
-    places.push_back(static_cast<Index>(locations.index(v)));
-  return places;
+  std::vector<Index> result;
+  result.reserve(num_vertices(graph));
+  for(const auto node : CGAL::make_range(vertices(graph)))
+    result.push_back(field.numbers(graph[node].vertex).number());
+  return result;
 }
 
-// By position of the vertex of a node, the distance to the next value of another node.
+// By vertex of a node, the distance to the next value of another node.
 template <class Scalar>
-std::vector<Scalar> rooms_of_nodes(const std::vector<Index>& positions, const std::vector<Scalar>& values)
+std::vector<Scalar> rooms_of_nodes(const std::vector<Index>& nodes, const std::vector<Scalar>& values)
 {
   std::vector<Scalar> rooms(values.size(), std::numeric_limits<Scalar>::infinity());
-  for(std::size_t node = 1; node < positions.size(); ++node)
+  for(std::size_t node = 1; node < nodes.size(); ++node)
   {
-    const Scalar room = values[positions[node]] - values[positions[node - 1]];
-    for(const Index position : {positions[node - 1], positions[node]})
+    const Scalar room = values[nodes[node]] - values[nodes[node - 1]];
+    for(const Index v : {nodes[node - 1], nodes[node]})
     {
       if(room > 0)
-        rooms[position] = (std::min)(rooms[position], room);
+        rooms[v] = (std::min)(rooms[v], room);
     }
   }
   return rooms;
@@ -153,67 +153,109 @@ std::vector<Scalar> contracted_values(const ReebGraph& graph,
   return values;
 }
 
-// With perturbed ties, it is moved next to its saddle.
-template <class Mesh, class ReebGraph, class Scalar>
-std::vector<Scalar> perturbed_values(const Mesh& mesh,
-                                     const ReebGraph& graph,
+// With perturbed ties, it is moved next to its saddle. `nodes` are the vertices of the nodes.
+template <class Complex, class Scalar>
+std::vector<Scalar> perturbed_values(const Complex& complex,
+                                     const std::vector<Index>& nodes,
                                      std::vector<Index> saddles, // at first, nodes
                                      const std::vector<Scalar>& values,
                                      double threshold)
 {
-  const std::vector<Index> positions = positions_of_nodes(mesh, graph);
   for(Index& saddle : saddles)
-    saddle = saddle == no_index ? no_index : positions[saddle];
-  const auto vertex_graph =
-    scalar_fields::make_vertex_graph(mesh, scalar_fields::make_position_map(mesh), values.size());
+    saddle = saddle == no_index ? no_index : nodes[saddle];
+  const auto graph = scalar_fields::edge_graph(complex);
   const std::vector<Scalar> spread =
-    spread_ties(values, find_tied_saddles(vertex_graph, saddles, values, static_cast<Scalar>(threshold)));
-  const std::vector<Scalar> rooms = rooms_of_nodes(positions, spread);
-  return Moved_pieces<Scalar>(vertex_graph, saddles, rooms, spread, threshold).move();
+    spread_ties(complex, values, find_tied_saddles(graph, saddles, values, static_cast<Scalar>(threshold)));
+  const std::vector<Scalar> rooms = rooms_of_nodes(nodes, spread);
+  return Moved_pieces<Complex, Scalar>(complex, graph, saddles, rooms, spread, threshold).move();
 }
 
-// The values of the simplified field, by position of the vertex; see simplify_field().
-template <class Branch, class Traits, class Mesh, class ScalarMap, class NamedParameters>
-auto simplified_values(const Mesh& mesh,
-                       const ScalarMap& scalar_map,
+#define CGAL_REEB_GRAPH_PERTURBED_VALUES(PREFIX, TAG, COMPLEX, SCALAR)                                                 \
+  PREFIX template std::vector<SCALAR> perturbed_values(const COMPLEX&, const std::vector<Index>&, std::vector<Index>,  \
+                                                       const std::vector<SCALAR>&, double);
+CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES_ONCE(CGAL_REEB_GRAPH_PERTURBED_VALUES)
+
+// The values of the simplified field, by number of the vertex; see simplify_field(). They are those of `flat_field`
+// then, if the graph has been computed again to see that it is the simplified one.
+template <class Branch, class Graph, class FlatField, class NamedParameters>
+auto simplified_values(FlatField& flat_field,
                        double threshold,
                        const NamedParameters& np,
                        const Stage_progress& progress)
 {
-  typedef typename Traits::Scalar Scalar;
-  const Ties ties_of_graph = parameters::choose_parameter(parameters::get_parameter(np, ties), Ties::PERTURB);
-  typename Traits::Graph graph;
-  compute_reeb_graph(mesh, scalar_map, graph, np.callback(progress.part(0, 0.22).callback()));
+  typedef typename FlatField::value_type Scalar;
+  const auto& mesh = flat_field.mesh();
+  const auto& [complex, field] = *flat_field.flat_surface(mesh); // It stays, as long as nobody else has it.
+  typedef Places_by_number<std::decay_t<decltype(field)>> Place_map;
+  Graph graph;
+  std::vector<Index> places(field.values.size(), no_index);
+  compute_reeb_graph(
+    mesh, flat_field, graph,
+    parameters::vertex_place_map(Place_map{&field, &places}, np.callback(progress.part(0.1, 0.6).callback())));
   const Leaf_pruning pruned = prune_graph<Branch>(graph, threshold, np);
-  const std::vector<Index> places = find_places_of_vertices(mesh, scalar_map, graph, np, progress.part(0.3, 0.75));
   const std::vector<Index> saddles_of_places = pruned.find_saddles();
   std::vector<Index> saddles;
   saddles.reserve(places.size());
   for(const Index place : places)
-    saddles.push_back(saddles_of_places[place]);
-  const std::vector<Scalar> values = scalar_fields::read_values_of_vertices(mesh, scalar_map);
-  if(ties_of_graph == Ties::CONTRACT)
-    return contracted_values(graph, saddles, values);
+    saddles.push_back(place == no_index ? no_index : saddles_of_places[place]);
+  std::vector<Scalar> values(field.values.begin(), field.values.end());
+  if(parameters::choose_parameter(parameters::get_parameter(np, ties), Ties::PERTURB) == Ties::CONTRACT)
+    return contracted_values(graph, saddles, std::move(values));
   if constexpr(std::is_floating_point_v<Scalar>)
   {
-    typename Traits::Graph simplified;
+    Graph simplified, graph_of_moved;
     const auto simplification = write_simplified_graph(graph, pruned, simplified);
-    std::vector<Scalar> moved = perturbed_values(mesh, graph, std::move(saddles), values, threshold);
-    const auto map = make_scalar_map(mesh, moved);
-    typename Reeb_graph_traits<Mesh, std::decay_t<decltype(map)>>::Graph graph_of_moved;
-    compute_reeb_graph(mesh, map, graph_of_moved, parameters::callback(progress.part(0.85, 1).callback()));
-    const std::vector<Index> positions = positions_of_nodes(mesh, graph_of_moved);
+    values = perturbed_values(complex, vertices_of_nodes(field, graph), std::move(saddles), values, threshold);
+    progress(0.75);
+    flat_field.set_values(boost::make_function_property_map<typename FlatField::key_type>(
+      [&](const auto& v) { return values[field.numbers(v).number()]; }));
+    compute_reeb_graph(mesh, flat_field, graph_of_moved, parameters::callback(progress.part(0.75, 1).callback()));
+    const std::vector<Index> nodes = vertices_of_nodes(flat_field.flat_surface(mesh)->field, graph_of_moved);
     const auto place_of_node = [&](std::size_t node) {
-      const Index place = places[positions[node]];
+      const Index place = places[nodes[node]];
       return place < num_vertices(graph) ? simplification.index_of_node(place)
                                          : simplification.index_of_arc(place - num_vertices(graph));
     };
     if(!is_simplified_graph(graph_of_moved, simplified, place_of_node))
       throw Perturbed_ties_error("a removed piece has a border or a handle that makes a loop of its own");
-    return moved;
+    return values;
   }
   else
     throw Perturbed_ties_error("the values are no floating point numbers");
+}
+
+// Writes them, and returns the largest difference.
+template <class Branch, class Traits, class Mesh, class ScalarMap, class SimplifiedScalarMap, class NamedParameters>
+double write_simplified_field(const Mesh& mesh,
+                              const ScalarMap& scalar_map,
+                              double threshold,
+                              const SimplifiedScalarMap& simplified_scalar_map,
+                              const NamedParameters& np)
+{
+  const Progress progress(np);
+  progress.report(0);
+  auto flat_field = [&] {
+    if constexpr(Is_flat_field<ScalarMap, typename Traits::Scalar>::value)
+      return scalar_map;
+    else
+      return Flat_field<Mesh, typename Traits::Scalar>(mesh, scalar_map, np);
+  }();
+  const auto values =
+    simplified_values<Branch, typename Traits::Graph>(flat_field, threshold, np, Stage_progress(progress, 0, 0.98));
+  double largest_difference = 0;
+  const auto surface = flat_field.flat_surface(mesh);
+  for(const Vertex_index number : surface->complex.vertices())
+  {
+    if(!surface->complex.has_vertex(number))
+      continue;
+    const auto v = surface->field.vertices[number];
+    const auto& value = values[number.number()];
+    largest_difference =
+      (std::max)(largest_difference, persistence(CGAL::to_double(get(scalar_map, v)), CGAL::to_double(value)));
+    put(simplified_scalar_map, v, value);
+  }
+  progress.report_end();
+  return largest_difference;
 }
 
 } // namespace internal

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 #include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 
@@ -21,7 +22,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <vector>
 
@@ -78,15 +78,20 @@ std::map<Scalar, Tied_saddles<Scalar>> find_tied_saddles(const scalar_fields::We
 // Tells these saddles apart from the vertices tied with them, by values between this one and the next larger one: those
 // of the value that come before the first saddle keep it, and those between two saddles have one value. The order of
 // all vertices, and so the graph, stays the same.
-template <class Scalar>
-std::vector<Scalar> spread_ties(const std::vector<Scalar>& values,
+template <class Complex, class Scalar>
+std::vector<Scalar> spread_ties(const Complex& complex,
+                                const std::vector<Scalar>& values,
                                 const std::map<Scalar, Tied_saddles<Scalar>>& tied_saddles)
 {
   std::vector<Scalar> spread = values;
   if(tied_saddles.empty())
     return spread;
-  std::vector<Index> ascending(values.size());
-  std::iota(ascending.begin(), ascending.end(), Index(0));
+  std::vector<Index> ascending;
+  for(const Vertex_index v : complex.vertices())
+  {
+    if(complex.has_vertex(v))
+      ascending.push_back(v.number());
+  }
   std::stable_sort(ascending.begin(), ascending.end(), [&](Index u, Index v) { return values[u] < values[v]; });
   const Scalar infinity = std::numeric_limits<Scalar>::infinity();
   const Scalar lowest = values[ascending.front()], highest = values[ascending.back()];
@@ -109,7 +114,7 @@ std::vector<Scalar> spread_ties(const std::vector<Scalar>& values,
       if(number_of_steps != 0)
         spread[*it] = value + room * (static_cast<Scalar>(number_of_steps) / size);
       if((is_step && !(spread[it[-1]] < spread[*it])) || !(spread[*it] < next || number_of_steps == 0))
-        throw Perturbed_ties_error(*it);
+        throw Perturbed_ties_error(complex.position(Vertex_index(*it)));
     }
   }
   return spread;

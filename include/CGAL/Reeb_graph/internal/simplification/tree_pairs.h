@@ -11,45 +11,24 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/simplification/Node_neighbors.h>
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// The components of the subgraphs that a sweep over the nodes has passed. The root of each is its eldest node, the one
-// that the sweep has met first.
-class Elder_components
-{
-public:
-  explicit Elder_components(Index size) : parents_(size) { std::iota(parents_.begin(), parents_.end(), Index(0)); }
-
-  // Paths are halved on the way.
-  Index find(Index node)
-  {
-    while(parents_[node] != node)
-      node = parents_[node] = parents_[parents_[node]];
-    return node;
-  }
-
-  // For two roots.
-  void link(Index younger, Index elder) { parents_[younger] = elder; }
-
-private:
-  std::vector<Index> parents_;
-};
-
 // Sweeps over the nodes upwards. Calls visit_pair(minimum, saddle) where two components meet, for the one of higher
-// minimum: the elder rule. What is left are the components of the graph, by their lowest minima.
+// minimum: the elder rule. The root of a component is its eldest node, the one that the sweep has met first. What is left
+// are the components of the graph, by their lowest minima.
 template <class VisitPair>
-Elder_components sweep_upwards(const Node_neighbors& lower_ends, const VisitPair& visit_pair)
+Disjoint_sets<Index> sweep_upwards(const Node_neighbors& lower_ends, const VisitPair& visit_pair)
 {
-  Elder_components components(lower_ends.number_of_nodes());
+  Disjoint_sets<Index> components(lower_ends.number_of_nodes());
   for(Index node = 0; node != lower_ends.number_of_nodes(); ++node)
   {
     Index root = node;
@@ -72,7 +51,7 @@ Elder_components sweep_upwards(const Node_neighbors& lower_ends, const VisitPair
 template <class VisitPair>
 void sweep_downwards(const Node_neighbors& upper_ends, const VisitPair& visit_pair)
 {
-  Elder_components components(upper_ends.number_of_nodes());
+  Disjoint_sets<Index> components(upper_ends.number_of_nodes());
   for(Index node = upper_ends.number_of_nodes(); node-- != 0;)
   {
     Index root = node;
@@ -92,7 +71,7 @@ void sweep_downwards(const Node_neighbors& upper_ends, const VisitPair& visit_pa
 
 // Calls visit_pair(lowest minimum, highest maximum) for each component.
 template <class VisitPair>
-void pair_ends_of_components(Elder_components components, Index number_of_nodes, const VisitPair& visit_pair)
+void pair_ends_of_components(Disjoint_sets<Index> components, Index number_of_nodes, const VisitPair& visit_pair)
 {
   std::vector<Index> highest(number_of_nodes);
   for(Index node = 0; node != number_of_nodes; ++node)

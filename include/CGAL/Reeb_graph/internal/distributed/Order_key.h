@@ -5,8 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
 // Author(s)     : The Reeb_graph authors
-#ifndef CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_PLACE_H
-#define CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_PLACE_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_ORDER_KEY_H
+#define CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_ORDER_KEY_H
 
 #include <CGAL/license/Reeb_graph.h>
 
@@ -23,14 +23,14 @@ namespace internal {
 
 // A vertex with its value: its place in the total order of the vertices of all ranks.
 template <class Scalar>
-struct Place
+struct Order_key
 {
   static_assert(std::is_arithmetic_v<Scalar>, "On several ranks, scalar values are numbers.");
 
   Scalar value;
   Global_vertex vertex;
 
-  friend bool operator<(const Place& a, const Place& b)
+  friend bool operator<(const Order_key& a, const Order_key& b)
   {
     return a.value < b.value || (a.value == b.value && a.vertex < b.vertex);
   }
@@ -38,11 +38,11 @@ struct Place
 
 // The highest place of each slab but the last one, ascending.
 template <class Scalar>
-using Splitters = std::vector<Place<Scalar>>;
+using Splitters = std::vector<Order_key<Scalar>>;
 
 // The slab in which a place is.
 template <class Scalar>
-std::size_t slab_of(const Splitters<Scalar>& splitters, const Place<Scalar>& place)
+std::size_t slab_of(const Splitters<Scalar>& splitters, const Order_key<Scalar>& place)
 {
   return static_cast<std::size_t>(std::lower_bound(splitters.begin(), splitters.end(), place) - splitters.begin());
 }
@@ -51,4 +51,4 @@ std::size_t slab_of(const Splitters<Scalar>& splitters, const Place<Scalar>& pla
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_PLACE_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_DISTRIBUTED_ORDER_KEY_H

@@ -6,20 +6,19 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_COMPLEX_CONTOUR_TRACERS_H
-#define CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_COMPLEX_CONTOUR_TRACERS_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_GRAPHS_ON_CELLS_H
+#define CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_GRAPHS_ON_CELLS_H
 
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Soup_contour.h>
-#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Cell_list.h>
+#include <CGAL/Reeb_graph/internal/augmentation/Graph_on_soup.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Level_set_component.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Oriented_tetrahedra.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Polyline_search.h>
 #include <CGAL/Reeb_graph/internal/augmentation/Triangle_orientation.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <boost/unordered_map.hpp>
@@ -35,77 +34,21 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// What the tracers below have in common: the way from crossed edges to the points of a contour.
-template <class GraphOnSoup, class Contour_>
-class Complex_contour_tracer
+// A graph on triangles, in which contours are polylines.
+template <class ReebGraph, class Traits>
+class Graph_on_triangles : public Graph_on_soup<ReebGraph, Traits, Cell_list, Soup_contour>
 {
-  typedef typename GraphOnSoup::halfedge_descriptor halfedge_descriptor;
-
-protected:
-  typedef typename GraphOnSoup::arc_descriptor arc_descriptor;
+  typedef Graph_on_soup<ReebGraph, Traits, Cell_list, Soup_contour> Base;
 
 public:
-  typedef Contour_ Contour;
-
-  explicit Complex_contour_tracer(const GraphOnSoup& on_soup) : on_soup_(on_soup) {}
-
-  Edge_index find_start(const halfedge_descriptor& h) const
-  {
-    const Halfedge_index halfedge =
-      on_soup_.complex().find_halfedge(on_soup_.checked_source(h), on_soup_.checked_target(h));
-    if(halfedge == no_index)
-      throw Graph_mismatch_error();
-    return edge_of(halfedge);
-  }
-
-protected:
-  template <class Level>
-  Contour make_points(arc_descriptor arc, const Level_set_component& component, const Level& level) const
-  {
-    Contour contour;
-    contour.arc = arc;
-    contour.value = level.value;
-    contour.edges.reserve(component.edges.size());
-    contour.fractions.reserve(component.edges.size());
-    for(const Edge_index edge : component.edges)
-    {
-      Vertex_index lower = on_soup_.complex().lower_end(edge), higher = on_soup_.complex().higher_end(edge);
-      if(!level.is_below(lower))
-        std::swap(lower, higher);
-      contour.edges.emplace_back(lower.number(), higher.number());
-      contour.fractions.push_back(crossing_fraction(on_soup_.value(lower), on_soup_.value(higher), level.value));
-    }
-    return contour;
-  }
-
-  template <class Level>
-  Level_set_component find_component(Edge_index start, const Level& level) const
-  {
-    return find_level_set_component(on_soup_.complex(), start, level.is_below);
-  }
-
-private:
-  const GraphOnSoup& on_soup_;
-};
-
-// Traces contours in triangles: polylines.
-template <class GraphOnSoup>
-class Polyline_tracer : public Complex_contour_tracer<GraphOnSoup, Soup_contour<typename GraphOnSoup::arc_descriptor>>
-{
-  typedef Complex_contour_tracer<GraphOnSoup, Soup_contour<typename GraphOnSoup::arc_descriptor>> Base;
-  typedef typename Base::arc_descriptor arc_descriptor;
-
-public:
-  typedef Cell_list Cells;
-  static constexpr int vertices_per_cell = 3;
+  using Base::Base;
+  using typename Base::arc_descriptor;
   using typename Base::Contour;
-
-  Polyline_tracer(const GraphOnSoup& on_soup, const Cells&) : Base(on_soup) {}
 
   template <class Level>
   Contour trace(arc_descriptor arc, Edge_index start, const Level& level) const
   {
-    const Level_set_component component = this->find_component(start, level);
+    const Level_set_component component = find_level_set_component(this->complex(), start, level.is_below);
     Contour contour = this->make_points(arc, component, level);
     Polyline_search search(component);
     contour.polylines = search.find_polylines();
@@ -114,25 +57,22 @@ public:
   }
 };
 
-// Traces contours in tetrahedra: patches of triangles.
-template <class GraphOnSoup>
-class Patch_tracer : public Complex_contour_tracer<GraphOnSoup, Isosurface_patch<typename GraphOnSoup::arc_descriptor>>
+// A graph on tetrahedra, in which contours are patches of triangles.
+template <class ReebGraph, class Traits>
+class Graph_on_tetrahedra : public Graph_on_soup<ReebGraph, Traits, Oriented_tetrahedra, Isosurface_patch>
 {
-  typedef Complex_contour_tracer<GraphOnSoup, Isosurface_patch<typename GraphOnSoup::arc_descriptor>> Base;
-  typedef typename Base::arc_descriptor arc_descriptor;
+  typedef Graph_on_soup<ReebGraph, Traits, Oriented_tetrahedra, Isosurface_patch> Base;
   typedef Oriented_tetrahedra::Tetrahedron Tetrahedron;
 
 public:
-  typedef Oriented_tetrahedra Cells;
-  static constexpr int vertices_per_cell = 4;
+  using Base::Base;
+  using typename Base::arc_descriptor;
   using typename Base::Contour;
-
-  Patch_tracer(const GraphOnSoup& on_soup, const Cells& tetrahedra) : Base(on_soup), tetrahedra_(tetrahedra) {}
 
   template <class Level>
   Contour trace(arc_descriptor arc, Edge_index start, const Level& level) const
   {
-    Contour contour = this->make_points(arc, this->find_component(start, level), level);
+    Contour contour = this->make_points(arc, find_level_set_component(this->complex(), start, level.is_below), level);
     Point_of_edge point_of_edge;
     boost::unordered_set<std::size_t> lower_vertices;
     std::vector<Vertex_index> lower_vertices_in_order;
@@ -144,8 +84,8 @@ public:
     }
     for(const Vertex_index vertex : lower_vertices_in_order)
     {
-      tetrahedra_.for_each_at(vertex, [&](Number number) {
-        Tetrahedron tetrahedron = tetrahedra_[number];
+      this->cells().for_each_at(vertex, [&](Number number) {
+        Tetrahedron tetrahedron = this->cells()[number];
         const std::size_t number_of_lower = move_lower_to_front(tetrahedron, level.is_below);
         // so that the tetrahedron comes once
         const bool is_first = vertex == *std::min_element(tetrahedron.begin(), tetrahedron.begin() + number_of_lower);
@@ -203,30 +143,10 @@ private:
     default: contour.triangles.push_back({point(0, 3), point(1, 3), point(2, 3)});
     }
   }
-
-  const Oriented_tetrahedra& tetrahedra_;
-};
-
-// The tracer of a kind of contours.
-template <template <class> class ContourOfArc>
-struct Tracer_of;
-
-template <>
-struct Tracer_of<Soup_contour>
-{
-  template <class GraphOnSoup>
-  using type = Polyline_tracer<GraphOnSoup>;
-};
-
-template <>
-struct Tracer_of<Isosurface_patch>
-{
-  template <class GraphOnSoup>
-  using type = Patch_tracer<GraphOnSoup>;
 };
 
 } // namespace internal
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_COMPLEX_CONTOUR_TRACERS_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_GRAPHS_ON_CELLS_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_NEW_PLACES_H
-#define CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_NEW_PLACES_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_SIMPLIFIED_PLACES_H
+#define CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_SIMPLIFIED_PLACES_H
 
 #include <CGAL/license/Reeb_graph.h>
 
@@ -23,12 +23,12 @@ namespace internal {
 
 // The places in a simplified graph of the nodes, and behind them the arcs, of the exact graph. In a graph that has not
 // been simplified, each has the same place.
-class New_places
+class Simplified_places
 {
 public:
   // From a Simplification, or from no named parameter.
   template <class Parameter>
-  explicit New_places(const Parameter& simplification)
+  explicit Simplified_places(const Parameter& simplification)
   {
     if constexpr(is_given<Parameter>)
     {
@@ -55,4 +55,4 @@ private:
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_NEW_PLACES_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_AUGMENTATION_SIMPLIFIED_PLACES_H

@@ -1,0 +1,178 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_FLAT_FIELD_H
+#define CGAL_REEB_GRAPH_FLAT_FIELD_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
+#include <CGAL/Reeb_graph/internal/mesh/flatten.h>
+#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph_traits.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphRef
+///
+/// \brief a scalar field on a mesh that has been checked and numbered, to be kept for several functions and several
+/// fields.
+///
+/// Each function of the package checks the mesh, and reads the field and, but for a `Surface_mesh`, the faces into
+/// arrays. A `Flat_field` is a scalar map that has all this already: given as the scalar map of its mesh to
+/// `compute_reeb_graph()`, `Augmentation` or `simplify_field()`, it saves them that work, and given to any other
+/// function, it is a map as others are. The results are the same.
+///
+/// Copies share their memory. `set_values()` gives an object another field; its copies, and the augmentations that have
+/// been made with it, keep the one that they have.
+///
+/// <b>The mesh must stay as it is.</b> It has to outlive the object, in its place in memory. After an edit, each use of
+/// the object compares the numbers of vertices, edges and faces, and throws `Changed_mesh_error` if they are others. An
+/// edit that keeps the numbers, such as the flip of an edge, is not noticed: on a `Surface_mesh`, whose connectivity is
+/// seen and not copied, results are then undefined; on any other mesh, they are those of the mesh as it was. Points may
+/// move. A change of the scalar map that the values came from has no effect until `set_values()`.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`
+/// \tparam Scalar the type of the scalar values
+///
+/// \cgalModels{ReadablePropertyMap}
+template <class FaceListGraph, class Scalar>
+class Flat_field
+{
+public:
+  typedef typename internal::Descriptors<FaceListGraph>::vertex_descriptor key_type; ///< the key type
+  typedef Scalar value_type;                                                         ///< the value type
+  typedef const Scalar& reference;                                                   ///< a reference to it
+  typedef boost::readable_property_map_tag category;                                 ///< the category
+
+  /// checks the mesh, and reads it and the field.
+  ///
+  /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  ///
+  /// \param mesh the triangulated surface; it is only read
+  /// \param scalar_map the scalar field, whose values are copied
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_index_map`,
+  ///        `face_index_map` and `geom_traits` of `compute_reeb_graph()`. The functions that the object is given to
+  ///        need the same `geom_traits`
+  ///
+  /// \exception Error one of those that `compute_reeb_graph()` throws for a mesh, a field or an index map
+  template <class ScalarMap, class NamedParameters = parameters::Default_named_parameters>
+  Flat_field(const FaceListGraph& mesh,
+             const ScalarMap& scalar_map,
+             const NamedParameters& np = parameters::default_values())
+    : mesh_(&mesh),
+      counts_(internal::count_elements(mesh))
+  {
+    if constexpr(Is_field<ScalarMap, NamedParameters>::value)
+      surface_ =
+        std::make_shared<Flat_surface>(internal::flatten<Sequential_tag>(mesh, scalar_map, traits<ScalarMap>(np), np));
+  }
+
+  /// replaces the values. Only they are read, and checked.
+  ///
+  /// \param scalar_map another scalar field on the mesh; of any type, but its values convert to `Scalar`
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`
+  ///
+  /// \exception Changed_mesh_error if the mesh has another number of vertices, edges or faces than before
+  /// \exception Unordered_scalar_error if a scalar value is NaN
+  ///
+  /// When one of these is thrown, the object is as it was before.
+  template <class ScalarMap, class NamedParameters = parameters::Default_named_parameters>
+  void set_values(const ScalarMap& scalar_map, const NamedParameters& np = parameters::default_values())
+  {
+    if constexpr(Is_field<ScalarMap, NamedParameters>::value)
+    {
+      check_mesh(*mesh_);
+      auto values = internal::read_values<Sequential_tag>(surface_->field.vertices, scalar_map, traits<ScalarMap>(np));
+      if(surface_.use_count() != 1) // What shares it keeps its values.
+        surface_ = std::make_shared<Flat_surface>(*surface_);
+      surface_->field.values = std::move(values);
+    }
+  }
+
+  /// returns the mesh.
+  const FaceListGraph& mesh() const { return *mesh_; }
+
+  /// returns the value of a vertex of the mesh.
+  ///
+  /// \exception Unknown_vertex_error if it is not one, and the mesh numbers its vertices so that this shows
+  friend reference get(const Flat_field& field, const key_type& vertex) { return field.value(vertex); }
+
+#ifndef DOXYGEN_RUNNING
+  typedef internal::Flat_surface<FaceListGraph, Scalar> Flat_surface;
+
+  // What all who are given the field as scalar map of `mesh` share.
+  std::shared_ptr<const Flat_surface> flat_surface(const FaceListGraph& mesh) const
+  {
+    check_mesh(mesh);
+    return surface_;
+  }
+#endif
+
+private:
+  template <class ScalarMap, class NamedParameters>
+  using Traits = internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters>;
+
+  template <class ScalarMap, class NamedParameters>
+  struct Is_field : internal::Scalar_field<FaceListGraph, ScalarMap, Traits<ScalarMap, NamedParameters>>
+  {
+    static_assert(std::is_same_v<typename Traits<ScalarMap, NamedParameters>::Scalar, Scalar>,
+                  "The values of the scalar map are not those of the Flat_field: they need the same type.");
+  };
+
+  template <class ScalarMap, class NamedParameters>
+  static auto traits(const NamedParameters& np)
+  {
+    return internal::choose_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>>(np);
+  }
+
+  void check_mesh(const FaceListGraph& mesh) const
+  {
+    if(&mesh != mesh_ || internal::count_elements(mesh) != counts_)
+      throw Changed_mesh_error();
+  }
+
+  reference value(const key_type& vertex) const
+  {
+    const internal::Vertex_index number = surface_->field.numbers(vertex);
+    if(number.number() >= surface_->field.values.size())
+      throw Unknown_vertex_error();
+    return surface_->field.values[number];
+  }
+
+  const FaceListGraph* mesh_;
+  internal::Element_counts counts_;
+  std::shared_ptr<Flat_surface> surface_;
+};
+
+template <class FaceListGraph, class ScalarMap>
+Flat_field(const FaceListGraph&, const ScalarMap&)
+  -> Flat_field<FaceListGraph, typename Reeb_graph_traits<FaceListGraph, ScalarMap>::Scalar>;
+
+template <class FaceListGraph, class ScalarMap, class NamedParameters>
+Flat_field(const FaceListGraph&, const ScalarMap&, const NamedParameters&)
+  -> Flat_field<FaceListGraph,
+                typename internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters>::Scalar>;
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_FLAT_FIELD_H

@@ -1,0 +1,156 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFICATION_THRESHOLDS_H
+#define CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFICATION_THRESHOLDS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/graph_topology.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/simplification/component_ranges.h>
+#include <CGAL/Reeb_graph/internal/simplification/wide_gaps.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/simplification/Simplification_threshold.h>
+#include <CGAL/Reeb_graph/simplification/arc_persistences.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+namespace internal {
+
+// The thresholds in the wide gaps of the persistences of branches.
+template <class ReebGraph>
+std::vector<Simplification_threshold> thresholds_for_branches(const ReebGraph& graph,
+                                                              const std::vector<double>& values,
+                                                              double range)
+{
+  const Pruning_history history = prune_step_by_step(graph, values);
+  std::vector<Simplification_threshold> thresholds;
+  if(history.persistences.empty())
+    return thresholds;
+  const std::size_t loops = num_edges(graph) + number_of_components(graph) - num_vertices(graph);
+  for(const Persistence_gap& gap : find_wide_gaps(history.persistences, range))
+  {
+    const auto [nodes, leaves] = history.states[gap.number_below];
+    thresholds.push_back({gap.middle(), gap.width(), nodes, leaves, loops, false});
+  }
+  return thresholds;
+}
+
+// The thresholds in the wide gaps of the persistences of branches and loops.
+template <class ReebGraph, class NamedParameters>
+std::vector<Simplification_threshold> thresholds_for_branches_and_loops(const ReebGraph& graph,
+                                                                        double range,
+                                                                        const NamedParameters& np)
+{
+  std::vector<Simplification_threshold> thresholds;
+  const std::vector<double> persistences = arc_persistences(graph, np);
+  if(std::none_of(persistences.begin(), persistences.end(), [&](double size) { return size < range; }))
+    return thresholds;
+  for(const Persistence_gap& gap : find_wide_gaps(persistences, range))
+  {
+    ReebGraph simplified;
+    simplify(graph, gap.middle(), simplified, np);
+    const std::size_t nodes = num_vertices(simplified);
+    Simplification_threshold threshold = {gap.middle(), gap.width(), nodes, 0, 0, false};
+    for(std::size_t node = 0; node != nodes; ++node)
+      threshold.leaves += in_degree(node, simplified) + out_degree(node, simplified) == 1 ? 1 : 0;
+    threshold.loops = num_edges(simplified) + number_of_components(simplified) - nodes;
+    thresholds.push_back(threshold);
+  }
+  return thresholds;
+}
+
+// The most plausible ones, ascending.
+inline std::vector<Simplification_threshold> choose_thresholds(std::vector<Simplification_threshold> thresholds)
+{
+  constexpr std::size_t largest_number = 6;
+  std::stable_sort(thresholds.begin(), thresholds.end(), [](const auto& a, const auto& b) {
+    return plausibility(a.gap, a.leaves) > plausibility(b.gap, b.leaves);
+  });
+  if(thresholds.size() > largest_number)
+    thresholds.resize(largest_number);
+  if(!thresholds.empty())
+    thresholds.front().is_suggested = true;
+  std::sort(thresholds.begin(), thresholds.end(),
+            [](const auto& a, const auto& b) { return a.threshold < b.threshold; });
+  return thresholds;
+}
+
+} // namespace internal
+
+/// \ingroup PkgReebGraphSimplification
+///
+/// \brief finds the few thresholds that matter for `simplify()`: those that have a wide gap of the persistences around
+/// them, so that what is removed is clearly smaller than what stays.
+///
+/// Noise gives many pairs whose persistences are close together, up to about twice its amplitude, and features are more
+/// persistent; see F. Chazal, L. J. Guibas, S. Y. Oudot, P. Skraba, *Persistence-Based Clustering in Riemannian
+/// Manifolds*, 2013, who choose the widest gap. Here, a gap is the ratio of two persistences that follow each other, which
+/// does not depend on units, and a limb that is ten times as long as another one does not hide the gap below that one.
+/// The persistences are those with which `simplify()` removes branches, and with `cancel_loops` loops; the range of the
+/// largest connected component lies above all of them. What is smaller than a thousandth of this range is not seen, and
+/// counts as that: below the least of a few features of a smooth field there is a wide gap, and they all stay. A gap is
+/// wide if the ratio is 1.25 or more.
+///
+/// The suggested threshold is that for which \f$ \ln r - 1.5\, |\ln (l / 7)| \f$ is greatest, where \f$ r \f$ is the ratio and
+/// \f$ l \f$ the number of leaves that stay: the widest gap, with a prior expectation of about seven leaves, as head, tail
+/// and limbs of a body. It decides where a shape has details of all sizes, and no gap is much wider than the other ones;
+/// a gap of noise outweighs it.
+///
+/// With \f$ n \f$ nodes and arcs, it takes \f$ O(n \log n) \f$ time; with `cancel_loops` the time of `simplify()` for
+/// each wide gap, of which there are at most 31.
+///
+/// \tparam ReebGraph the type `Graph` of the traits class
+/// \tparam OutputIterator a model of `OutputIterator` for `Simplification_threshold`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param graph a Reeb graph, computed with any named parameters
+/// \param thresholds the output: the suggested threshold, and of the other ones the best by the same measure, at most
+/// six in all, ascending; none if nothing can be removed, or if no gap is wide
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `cancel_loops` and `geom_traits`, as
+/// for `simplify()`
+///
+/// \returns the output iterator behind the last threshold.
+///
+/// \exception Reeb_graph::Measure_error if the number of a value is NaN
+/// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
+template <class ReebGraph, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+OutputIterator simplification_thresholds(const ReebGraph& graph,
+                                         OutputIterator thresholds,
+                                         const NamedParameters& np = parameters::default_values())
+{
+  if constexpr(internal::Graph_of_numbers<ReebGraph, NamedParameters>::value)
+  {
+    const std::vector<double> values = internal::numbers_of_nodes(graph, np);
+    const std::vector<double> ranges = internal::component_ranges(graph, values);
+    if(num_edges(graph) == 0)
+      return thresholds;
+    const double range = *std::max_element(ranges.begin(), ranges.end());
+    const bool are_loops_cancelled =
+      parameters::choose_parameter(parameters::get_parameter(np, internal::cancel_loops), false);
+    const std::vector<Simplification_threshold> found = are_loops_cancelled
+                                                        ? internal::thresholds_for_branches_and_loops(graph, range, np)
+                                                        : internal::thresholds_for_branches(graph, values, range);
+    for(const Simplification_threshold& threshold : internal::choose_thresholds(found))
+      *thresholds++ = threshold;
+  }
+  return thresholds;
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFICATION_THRESHOLDS_H

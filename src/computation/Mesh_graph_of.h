@@ -1,0 +1,165 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_MESH_GRAPH_OF_H
+#define CGAL_REEB_GRAPH_SRC_MESH_GRAPH_OF_H
+
+#include "base/progress_bar.h"
+#include "base/stopwatch.h"
+#include "computation/Mesh_graph.h"
+#include "computation/Report_visitor.h"
+#include "computation/augmentation.h"
+#include "computation/simplification.h"
+
+#include <CGAL/Reeb_graph/IO/json.h>
+
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace reeb_graph_program {
+// Computes the Reeb graph by compute(np), and adds what it took to the report.
+template <class Compute>
+auto compute_and_time(const Graph_options& options, Report& report, const Compute& compute)
+{
+  Report_visitor visitor(report);
+  Progress_bar progress_bar("graph");
+  const Timed_computation timed(report);
+  return compute(named_parameters(options).visitor(std::ref(visitor)).callback(std::ref(progress_bar)));
+}
+
+// A Mesh_graph. `Kind` knows the mesh: it has the types Graph and Augmentation, and functions that are called as they
+// are here.
+template <class Kind>
+class Mesh_graph_of : public Mesh_graph
+{
+  typedef typename Kind::Graph Any_graph;
+  typedef typename Kind::Augmentation Any_augmentation;
+
+public:
+  Mesh_graph_of(const Mesh& mesh,
+                Scalar_map scalar_map,
+                const Graph_options& options,
+                const Simplification_options& simplification,
+                double threshold,
+                Report& report)
+    : kind_(mesh, scalar_map),
+      options_(options),
+      given_(compute_and_time(options, report, [&](const auto& np) { return kind_.compute(np); }))
+  {
+    const Stopwatch stopwatch;
+    simplified_.emplace(given_, simplification, threshold);
+    if(simplification.is_anything_removed())
+      report.seconds.emplace_back("simplify", stopwatch.seconds());
+  }
+
+  const Graph& given() const override { return kind_.on_surface(given_, given_on_surface_); }
+  const Graph& result() const override
+  {
+    return simplified_->simplification() ? kind_.on_surface(simplified_->result(), result_on_surface_) : given();
+  }
+  double threshold() const override { return simplified_->threshold(); }
+
+  const std::vector<std::size_t>& places() override
+  {
+    locate();
+    return places_;
+  }
+
+  std::vector<Arc_row> measure_arcs() override
+  {
+    locate();
+    return kind_.measure_arcs(augmentation(), *locations_);
+  }
+
+  Graph_in_space embed(CGAL::Reeb_graph::Embedding_manner manner, const std::vector<Arc_row>* arcs) override
+  {
+    Progress_bar progress_bar("embedding");
+    const auto np = CGAL::parameters::embedding_manner(manner).callback(std::ref(progress_bar));
+    Graph_in_space graph_in_space = {kind_.embed(augmentation(), np), {}};
+    if(arcs)
+      graph_in_space.arc_attributes = attributes_of_arcs(result(), *arcs);
+    return graph_in_space;
+  }
+
+  void write_json(std::ostream& stream, const Graph_in_space& graph_in_space) override
+  {
+    CGAL::Reeb_graph::write_json(stream, augmentation().mesh(), augmentation().graph(), graph_in_space.embedding,
+                                 kind_.vertex_numbers(),
+                                 CGAL::parameters::arc_attributes(graph_in_space.arc_attributes));
+  }
+
+  Contours find_contours(const Contour_choice& choice) override
+  {
+    Contours contours;
+    if(choice.arc)
+      add(augmentation().contour(arc_of_number(*choice.arc), choice.t), contours);
+    else
+      for(const auto& contour :
+          augmentation().template contours_at_value<CGAL::Parallel_if_available_tag>(choice.level))
+        add(contour, contours);
+    return contours;
+  }
+
+private:
+  const Any_augmentation& augmentation()
+  {
+    if(augmentation_)
+      return *augmentation_;
+    Progress_bar progress_bar("surface");
+    const auto np = named_parameters(options_).callback(std::ref(progress_bar));
+    if(const auto& simplification = simplified_->simplification())
+      augmentation_ = kind_.augment(simplified_->result(), CGAL::parameters::simplification(*simplification, np));
+    else
+      augmentation_ = kind_.augment(given_, np);
+    return *augmentation_;
+  }
+
+  void locate()
+  {
+    if(locations_)
+      return;
+    const Any_augmentation& a = augmentation();
+    Progress_bar progress_bar("places");
+    locations_ =
+      a.template locate_vertices<CGAL::Parallel_if_available_tag>(CGAL::parameters::callback(std::ref(progress_bar)));
+    places_ = places_of(kind_.vertices(), *locations_);
+  }
+
+  typename Any_augmentation::arc_descriptor arc_of_number(std::size_t arc) const
+  {
+    const Any_graph& graph = simplified_->result();
+    if(arc >= num_edges(graph))
+      throw std::runtime_error("there is no arc " + std::to_string(arc) + ": the graph has "
+                               + std::to_string(num_edges(graph)) + ", numbered from 0");
+    return *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(arc));
+  }
+
+  void add(const typename Any_augmentation::Contour& contour, Contours& contours)
+  {
+    kind_.add(augmentation(), contour, contours);
+    ++contours.number;
+  }
+
+  const Kind kind_;
+  const Graph_options options_;
+  const Any_graph given_;
+  std::optional<Simplified_graph_of<Any_graph>> simplified_;
+  mutable std::optional<Graph> given_on_surface_, result_on_surface_;
+  std::unique_ptr<const Any_augmentation> augmentation_;
+  std::optional<typename Any_augmentation::Vertex_locations> locations_;
+  std::vector<std::size_t> places_;
+};
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_MESH_GRAPH_OF_H

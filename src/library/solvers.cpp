@@ -1,0 +1,12 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+// The seam for the solvers of fields, where there is Eigen.
+#define CGAL_REEB_GRAPH_SOLVERS
+#define CGAL_REEB_GRAPH_DEFINE_SOLVERS
+#include <CGAL/Reeb_graph/internal/scalar_fields/solve.h>
