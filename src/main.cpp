@@ -41,6 +41,7 @@ using reeb_graph_program::Curves_type;
 using reeb_graph_program::Demo_options;
 using reeb_graph_program::describe;
 using reeb_graph_program::Field_options;
+using reeb_graph_program::Handles_options;
 using reeb_graph_program::run_with_threads;
 
 void add_contour_command(CLI::App& app, Contour_options& options)
@@ -128,6 +129,19 @@ void add_field_command(CLI::App& app, Field_options& options)
   command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_field(options); }); });
 }
 
+void add_handles_command(CLI::App& app, Handles_options& options)
+{
+  CLI::App* command =
+    app.add_subcommand("handles", "Find the handles and the tunnels of a surface, each by a short loop around it");
+  add_input_options(*command, options.input);
+  add_field_option(*command, options.input);
+  add_file(*command, "--loops", options.loops_path, "Write the loops to this file, .vtp, .obj, or .polylines.txt");
+  command->add_flag("!--no-shortening", options.are_loops_shortened, "Leave the loops as they are found first");
+  add_threads_option(*command, options.number_of_threads);
+  add_json_option(*command, options.is_report_json);
+  command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_handles(options); }); });
+}
+
 void add_demo_command(CLI::App& app, Demo_options& options)
 {
   CLI::App* command = app.add_subcommand("demo", "Show a Reeb graph of a generated surface; needs no input");
@@ -167,6 +181,7 @@ int main(int argc, char** argv)
   Contour_options contour_options;
   Curves_options curves_options;
   Field_options field_options;
+  Handles_options handles_options;
   Demo_options demo_options;
   add_compute_command(app, compute_options)->callback([&options = compute_options] {
     run_with_threads(options.graph.number_of_threads, [&options] { run_compute(options); });
@@ -174,6 +189,7 @@ int main(int argc, char** argv)
   add_contour_command(app, contour_options);
   add_curves_command(app, curves_options);
   add_field_command(app, field_options);
+  add_handles_command(app, handles_options);
   add_demo_command(app, demo_options);
   try
   {

@@ -91,8 +91,7 @@ Graph_of_arrays::Graph_of_arrays(std::shared_ptr<Input> input, const Graph_optio
   }
   else
   {
-    given_complex_ =
-      std::make_shared<const Complex_graph>(compute_complex(report));
+    given_complex_ = std::make_shared<const Complex_graph>(compute_complex(report));
     complex_graph_.emplace(*given_complex_, simplification_, threshold_);
     graph_on_vertices_ = on_vertices(*given_complex_);
   }
@@ -298,7 +297,7 @@ void Graph_of_arrays::write_page_or_mesh(const std::filesystem::path& path, cons
   const bool is_page = path.extension() == ".html";
   check_is_surface(input_->mesh, is_page ? "a page" : "a coloured mesh");
   if(!is_page)
-    {
+  {
     const std::vector<std::size_t> places = places_of(input_->surface().vertices(), locations());
     return write_mesh(path, input_->mesh, {input_->value_map, places, num_vertices(graph()), std::nullopt});
   }

@@ -212,9 +212,8 @@ const AnyAugmentation& Graph_of_arrays::make(std::unique_ptr<AnyAugmentation>& a
   const auto construct = [&](const auto& cells) {
     const auto& map = input_->scalar_map;
     const auto call = [&](const auto& np) {
-      augmentation = std::make_unique<AnyAugmentation>(input_->number_of_vertices(), cells,
-                                                       CGAL::make_range(map.begin(), map.end()),
-                                                       complex_graph_->result(), np);
+      augmentation = std::make_unique<AnyAugmentation>(
+        input_->number_of_vertices(), cells, CGAL::make_range(map.begin(), map.end()), complex_graph_->result(), np);
     };
     const auto np = CGAL::parameters::edges(std::cref(complex.edges), named_parameters(options_));
     if(const auto& simplification = complex_graph_->simplification())

@@ -157,6 +157,24 @@ struct Curves_report : Work_report
   bool are_ties_contracted = false;                      // of the simplified field
 };
 
+// A loop of the list of the command handles.
+struct Loop_row
+{
+  std::string kind;                   // handle, tunnel, hole, or loop
+  std::optional<std::size_t> partner; // its number
+  double length = 0;
+  std::optional<double> persistence; // of a pair
+  std::optional<double> area;        // of the disc that fills it, where one does
+  std::size_t component = 0;
+  bool is_simple = true;
+};
+
+struct Handles_report : Work_report
+{
+  std::string field;           // its name
+  std::vector<Loop_row> loops; // in the order of the file
+};
+
 } // namespace reeb_graph_program
 
 #endif // CGAL_REEB_GRAPH_SRC_REPORT_H

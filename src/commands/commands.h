@@ -72,6 +72,15 @@ struct Field_options
   std::size_t number_of_threads = 0; // 0: one per core
 };
 
+struct Handles_options
+{
+  Input_options input;
+  std::string loops_path; // empty if they are not written
+  bool are_loops_shortened = true;
+  bool is_report_json = false;
+  std::size_t number_of_threads = 0; // 0: one per core
+};
+
 struct Demo_options
 {
   std::filesystem::path folder = "reeb_graph_demo";
@@ -89,6 +98,7 @@ void run_compute(const Compute_options& options);
 void run_contour(const Contour_options& options);
 void run_curves(const Curves_options& options);
 void run_field(const Field_options& options);
+void run_handles(const Handles_options& options);
 void run_demo(const Demo_options& options);
 
 } // namespace reeb_graph_program

@@ -76,7 +76,7 @@ void check(const Compute_options& options)
 Graph_in_space embed_and_time(const Compute_options& options,
                               bool is_surface,
                               Mesh_graph& graph,
-                              const std::vector<Arc_row>& arcs,
+                              const std::vector<Arc_row>* arcs,
                               Report& report)
 {
   const Stopwatch stopwatch;
@@ -84,14 +84,14 @@ Graph_in_space embed_and_time(const Compute_options& options,
   const auto default_manner = !is_surface || std::filesystem::path(options.graph_path).extension() == ".csv"
                               ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
                               : CGAL::Reeb_graph::Embedding_manner::BY_COST;
-  Graph_in_space result = graph.embed(options.embedding_manner.value_or(default_manner),
-                                      has_arc_attributes(options.graph_path) ? &arcs : nullptr);
+  Graph_in_space result = graph.embed(options.embedding_manner.value_or(default_manner), arcs);
   report.embedding_manner = result.embedding.manner;
   report.seconds.emplace_back("embed", stopwatch.seconds());
   return result;
 }
 
-// The vertices are located if one of the files or the table needs it.
+// The vertices are located, and arcs measured, if one of the files or the table needs it. On what is no surface, that can
+// take longer than the graph, so arcs are measured there with --table only.
 void write_files_of_mesh(const Compute_options& options,
                          Mesh_graph& graph,
                          const Mesh& mesh,
@@ -100,28 +100,32 @@ void write_files_of_mesh(const Compute_options& options,
 {
   constexpr std::size_t few_arcs = 40;
   const std::size_t number_of_nodes = num_vertices(graph.result());
-  const bool has_table = options.is_table_wanted.value_or(num_edges(graph.result()) <= few_arcs);
-  const bool has_file = !options.vertex_arcs_path.empty() || !options.mesh_path.empty() || is_graph_in_space(options);
-  if(!has_table && !has_file)
-    return;
-  const Stopwatch stopwatch;
-  const std::vector<std::size_t>& places = graph.places();
+  const bool is_surface = !mesh.complex;
+  const bool has_table = options.is_table_wanted.value_or(is_surface && num_edges(graph.result()) <= few_arcs);
+  const bool has_places = !options.vertex_arcs_path.empty() || !options.mesh_path.empty();
+  const bool has_attributes =
+    is_graph_in_space(options) && has_arc_attributes(options.graph_path) && (is_surface || has_table);
   std::vector<Arc_row> arcs;
-  if(has_table || (is_graph_in_space(options) && has_arc_attributes(options.graph_path)))
-    arcs = graph.measure_arcs();
-  if(has_table)
-    report.arc_table = arcs;
-  report.seconds.emplace_back("locate", stopwatch.seconds());
-  if(!has_file)
-    return;
+  if(has_table || has_attributes || has_places)
+  {
+    const Stopwatch stopwatch;
+    graph.locate_vertices();
+    if(has_table || has_attributes)
+      arcs = graph.measure_arcs();
+    if(has_table)
+      report.arc_table = arcs;
+    report.seconds.emplace_back("locate", stopwatch.seconds());
+  }
   std::optional<Graph_in_space> graph_in_space;
   if(is_graph_in_space(options))
-    graph_in_space = embed_and_time(options, !mesh.complex, graph, arcs, report);
+    graph_in_space = embed_and_time(options, is_surface, graph, has_attributes ? &arcs : nullptr, report);
+  if(!graph_in_space && !has_places)
+    return;
   const Stopwatch output_stopwatch;
   if(!options.vertex_arcs_path.empty())
-    write_vertex_arcs(options.vertex_arcs_path, places, number_of_nodes);
+    write_vertex_arcs(options.vertex_arcs_path, graph.places(), number_of_nodes);
   if(!options.mesh_path.empty())
-    write_mesh(options.mesh_path, mesh, {scalar_map, places, number_of_nodes, std::nullopt});
+    write_mesh(options.mesh_path, mesh, {scalar_map, graph.places(), number_of_nodes, std::nullopt});
   if(graph_in_space)
     write_graph_in_space(options.graph_path, graph.result(), *graph_in_space,
                          [&](std::ostream& stream) { graph.write_json(stream, *graph_in_space); });

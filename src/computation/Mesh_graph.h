@@ -58,7 +58,11 @@ public:
   // What --simplify has been.
   virtual double threshold() const = 0;
 
-  // What follows is that of the result. The place of each vertex is numbered as in the graph files.
+  // What follows is that of the result. Vertices are located when one of the next two functions is called, if they have
+  // not been before.
+  virtual void locate_vertices() = 0;
+
+  // The place of each vertex, numbered as in the graph files.
   virtual const std::vector<std::size_t>& places() = 0;
 
   // The arcs, by their numbers.

@@ -69,15 +69,26 @@ public:
   }
   double threshold() const override { return simplified_->threshold(); }
 
+  void locate_vertices() override
+  {
+    if(locations_)
+      return;
+    const Any_augmentation& a = augmentation();
+    Progress_bar progress_bar("places");
+    locations_ =
+      a.template locate_vertices<CGAL::Parallel_if_available_tag>(CGAL::parameters::callback(std::ref(progress_bar)));
+    places_ = places_of(kind_.vertices(), *locations_);
+  }
+
   const std::vector<std::size_t>& places() override
   {
-    locate();
+    locate_vertices();
     return places_;
   }
 
   std::vector<Arc_row> measure_arcs() override
   {
-    locate();
+    locate_vertices();
     return kind_.measure_arcs(augmentation(), *locations_);
   }
 
@@ -122,17 +133,6 @@ private:
     else
       augmentation_ = kind_.augment(given_, np);
     return *augmentation_;
-  }
-
-  void locate()
-  {
-    if(locations_)
-      return;
-    const Any_augmentation& a = augmentation();
-    Progress_bar progress_bar("places");
-    locations_ =
-      a.template locate_vertices<CGAL::Parallel_if_available_tag>(CGAL::parameters::callback(std::ref(progress_bar)));
-    places_ = places_of(kind_.vertices(), *locations_);
   }
 
   typename Any_augmentation::arc_descriptor arc_of_number(std::size_t arc) const

@@ -12,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <optional>
@@ -425,6 +426,59 @@ void write_border_changes(std::ostream& out, const CGAL::Reeb_graph::Border_leve
   out << "made " << changes.number_of_changed_borders << " of " << count(changes.number_of_borders, "border")
       << " levels of the field: values of " << changes.number_of_changed_vertices << " vertices changed, by at most "
       << changes.largest_change << '\n';
+}
+
+void write_text(std::ostream& out, const Handles_report& report)
+{
+  const auto number_of = [&](const std::string& kind) {
+    return static_cast<std::size_t>(
+      std::count_if(report.loops.begin(), report.loops.end(), [&](const Loop_row& row) { return row.kind == kind; }));
+  };
+  out << "surface  " << count(number_of("handle"), "handle") << ", " << count(number_of("tunnel"), "tunnel") << ", "
+      << count(number_of("hole"), "hole") << ", " << count(number_of("loop"), "loop") << " without inside\n";
+  out << "field    " << report.field << '\n';
+  if(report.loops.empty())
+    return;
+  out << "\n loop    kind  partner          length     persistence            area  component\n"
+      << std::defaultfloat << std::setprecision(6);
+  const auto write = [&](const auto& number, int width) {
+    out << std::setw(width);
+    if(number)
+      out << *number;
+    else
+      out << '-';
+  };
+  for(std::size_t i = 0; i != report.loops.size(); ++i)
+  {
+    const Loop_row& row = report.loops[i];
+    out << std::setw(5) << i << std::setw(8) << row.kind;
+    write(row.partner, 9);
+    out << std::setw(16) << row.length;
+    write(row.persistence, 16);
+    write(row.area, 16);
+    out << std::setw(11) << row.component << (row.is_simple ? "" : "  crosses itself") << '\n';
+  }
+}
+
+void write_json(std::ostream& out, const Handles_report& report)
+{
+  nlohmann::ordered_json json;
+  json["field"] = report.field;
+  json["loops"] = nlohmann::ordered_json::array();
+  for(const Loop_row& row : report.loops)
+  {
+    nlohmann::ordered_json loop;
+    loop["kind"] = row.kind;
+    loop["partner"] = row.partner ? nlohmann::ordered_json(*row.partner) : nlohmann::ordered_json();
+    loop["length"] = json_number(row.length);
+    loop["persistence"] = json_number(row.persistence);
+    loop["area"] = json_number(row.area);
+    loop["component"] = row.component;
+    loop["simple"] = row.is_simple;
+    json["loops"].push_back(loop);
+  }
+  add_field_and_costs(json, report);
+  out << json.dump(2) << '\n';
 }
 
 } // namespace reeb_graph_program

@@ -43,6 +43,10 @@ void write_json(std::ostream& out, const Report& report);
 void write_text(std::ostream& out, const Curves_report& report);
 void write_json(std::ostream& out, const Curves_report& report);
 
+// The list of loops.
+void write_text(std::ostream& out, const Handles_report& report);
+void write_json(std::ostream& out, const Handles_report& report);
+
 // The report of a field alone.
 void write_text(std::ostream& out, const Field_range& range, const Work_report& report);
 void write_json(std::ostream& out, const Field_range& range, const Work_report& report);

@@ -10,6 +10,7 @@
 
 #include <CGAL/Reeb_graph/Soup_augmentation.h>
 #include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
+#include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
@@ -41,6 +42,13 @@ struct Soup
     CGAL::compute_reeb_graph_of_soup(n, cells, values, graph);
   }
   static const auto& cells(const Triangle_soup& soup) { return soup.triangles; }
+  template <class Locations>
+  static std::size_t measure(const Augmentation& augmentation,
+                             const std::vector<Point>& points,
+                             const Locations& locations)
+  {
+    return 0 * arc_areas(augmentation, points, locations).size();
+  }
 };
 
 struct Solid
@@ -54,6 +62,13 @@ struct Solid
     CGAL::compute_reeb_graph_of_tetrahedra(n, cells, values, graph);
   }
   static const auto& cells(const generated_surfaces::Tetrahedron_soup& soup) { return soup.tetrahedra; }
+  template <class Locations>
+  static std::size_t measure(const Augmentation& augmentation,
+                             const std::vector<Point>& points,
+                             const Locations& locations)
+  {
+    return 0 * arc_volumes(augmentation, points, locations).size();
+  }
 };
 
 template <class Kind, class Cells>
@@ -75,6 +90,8 @@ struct Complex
   {
     return std::make_unique<const typename Kind::Augmentation>(values.size(), Kind::cells(complex), values, graph);
   }
+
+  std::size_t measure() const { return Kind::measure(*augmentation, points, augmentation->locate_vertices()); }
 
   Cells complex;
   std::vector<double> values;
@@ -118,6 +135,14 @@ std::vector<Function<Subject>> functions()
      [](const Subject& s) {
        s.augmentation->locate_vertices();
        return std::size_t(0);
+     }},
+    {"locate_vertices, arc_areas or arc_volumes", [](const Subject& s) { return s.measure(); }},
+    {"arc_lengths",
+     [](const Subject& s) {
+       std::size_t sum = 0;
+       for(const auto arc : CGAL::make_range(edges(s.graph)))
+         sum += s.graph[arc].chain.size();
+       return sum + 0 * arc_lengths(*s.augmentation, s.points).size();
      }},
     {"contours_at_value",
      [](const Subject& s) {

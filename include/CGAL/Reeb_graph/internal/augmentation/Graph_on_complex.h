@@ -60,8 +60,8 @@ public:
 
   // The numbers of vertices are less than that, but not all such numbers are those of vertices.
   std::size_t end_of_vertices() const { return field().vertices.size(); }
-  const std::function<Vertex_index(vertex_descriptor)>& vertex_numbers() const { return number_of_vertex_; }
-  Vertex_index number(vertex_descriptor v) const { return number_of_vertex_(v); }
+  const std::function<Vertex_index(vertex_descriptor)>& vertex_numbers() const { return field().numbers; }
+  Vertex_index number(vertex_descriptor v) const { return field().numbers(v); }
   vertex_descriptor vertex(Vertex_index number) const { return field().vertices[number]; }
   std::size_t position(Vertex_index number) const { return field().vertices.position(number); }
   bool is_vertex(Vertex_index number, vertex_descriptor v) const
@@ -86,17 +86,11 @@ public:
   double value(Vertex_index number) const { return conversion_.to_double(scalar(number)); }
 
 protected:
-  // `find_vertex_numbers` is given the vertices, and returns the function from them to their numbers.
-  template <class FindVertexNumbers>
-  Graph_on_complex(const ReebGraph& graph,
-                   const Traits& traits,
-                   ComplexWithField complex,
-                   const FindVertexNumbers& find_vertex_numbers)
+  Graph_on_complex(const ReebGraph& graph, const Traits& traits, std::shared_ptr<const ComplexWithField> complex)
     : graph_(graph),
-      complex_(std::make_shared<const ComplexWithField>(std::move(complex))),
+      complex_(std::move(complex)),
       order_(field().values, traits.less_scalar_object()),
-      conversion_(traits),
-      number_of_vertex_(find_vertex_numbers(field().vertices))
+      conversion_(traits)
   {}
 
   const decltype(ComplexWithField::field)& field() const { return complex_->field; }
@@ -106,7 +100,6 @@ private:
   const std::shared_ptr<const ComplexWithField> complex_;
   const Order order_;
   const Scalar_conversion<Traits> conversion_;
-  const std::function<Vertex_index(vertex_descriptor)> number_of_vertex_;
 };
 
 // The place of a value on an ascending halfedge: 0 at its source, 1 at its target, in the middle if that is unclear.

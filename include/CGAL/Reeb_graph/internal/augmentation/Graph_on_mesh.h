@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -66,10 +67,7 @@ public:
                 const Traits& traits,
                 const NamedParameters& np,
                 const Progress& progress)
-    : Base(graph,
-           traits,
-           flatten_reported(mesh, scalar_map, traits, np, progress),
-           [&](const auto& vertices) { return find_vertex_numbers(mesh, vertices, np); }),
+    : Base(graph, traits, flatten_reported(mesh, scalar_map, traits, np, progress)),
       mesh_(mesh)
   {}
 
@@ -174,14 +172,14 @@ private:
   }
 
   template <class ScalarMap, class NamedParameters>
-  static Surface flatten_reported(const FaceListGraph& mesh,
-                                  const ScalarMap& scalar_map,
-                                  const Traits& traits,
-                                  const NamedParameters& np,
-                                  const Progress& progress)
+  static std::shared_ptr<const Surface> flatten_reported(const FaceListGraph& mesh,
+                                                         const ScalarMap& scalar_map,
+                                                         const Traits& traits,
+                                                         const NamedParameters& np,
+                                                         const Progress& progress)
   {
     progress.report(0);
-    Surface surface = flatten<Sequential_tag>(mesh, scalar_map, traits, np);
+    auto surface = share_flat<Sequential_tag>(mesh, scalar_map, traits, np);
     progress.report(0.8);
     return surface;
   }

@@ -24,6 +24,7 @@
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -55,13 +56,7 @@ public:
                 const Traits& traits,
                 const NamedParameters& np,
                 const Progress& progress)
-    : Base(graph,
-           traits,
-           flatten_reported(points, cells, scalars, traits, np, progress),
-           [](const auto& vertices) {
-             return
-               [size = vertices.size()](std::size_t v) { return v < size ? Vertex_index(v) : Vertex_index(no_index); };
-           }),
+    : Base(graph, traits, flatten_reported(points, cells, scalars, traits, np, progress)),
       cells_(this->end_of_vertices(), points, cells)
   {}
 
@@ -121,15 +116,16 @@ private:
   }
 
   template <class PointsOrNumber, class Cells, class Scalars, class NamedParameters>
-  static Flat_soup<typename Traits::Scalar> flatten_reported(const PointsOrNumber& points,
-                                                             const Cells& cells,
-                                                             const Scalars& scalars,
-                                                             const Traits& traits,
-                                                             const NamedParameters& np,
-                                                             const Progress& progress)
+  static std::shared_ptr<const Flat_soup<typename Traits::Scalar>> flatten_reported(const PointsOrNumber& points,
+                                                                                    const Cells& cells,
+                                                                                    const Scalars& scalars,
+                                                                                    const Traits& traits,
+                                                                                    const NamedParameters& np,
+                                                                                    const Progress& progress)
   {
     progress.report(0);
-    auto soup = flatten_cells<CellList::vertices_per_cell>(points, cells, scalars, traits, np);
+    auto soup = std::make_shared<const Flat_soup<typename Traits::Scalar>>(
+      flatten_cells<CellList::vertices_per_cell>(points, cells, scalars, traits, np));
     progress.report(0.8);
     return soup;
   }

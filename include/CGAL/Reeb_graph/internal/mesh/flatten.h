@@ -128,21 +128,6 @@ Indexed_vector<Vertex_index, typename Traits::Scalar> read_values(const VertexLi
   return values;
 }
 
-// The function from the vertices of a mesh to their indices. It can outlive the mesh if its index map can.
-template <class FaceListGraph, class NamedParameters>
-auto find_vertex_numbers(const FaceListGraph& mesh,
-                         const Vertex_list<FaceListGraph>& vertices,
-                         const NamedParameters& np)
-{
-  return make_vertex_positions(mesh, vertices, np);
-}
-
-template <class Point, class NamedParameters>
-auto find_vertex_numbers(const Surface_mesh<Point>&, const Vertex_list<Surface_mesh<Point>>&, const NamedParameters&)
-{
-  return [](typename Surface_mesh<Point>::Vertex_index v) { return Vertex_index(v); };
-}
-
 // Whether a halfedge can be one of the mesh. Only a mesh that numbers its halfedges tells those of other meshes.
 template <class FaceListGraph, class HalfedgeDescriptor>
 bool can_be_halfedge(const FaceListGraph&, const HalfedgeDescriptor&)
@@ -231,20 +216,19 @@ Unchecked_surface<Surface_mesh<Point>, typename Traits::Scalar> flatten_unchecke
 template <class ConcurrencyTag, class Complex, class Order>
 Complex check_complex(Unchecked_complex<Complex> unchecked, const Order& order)
 {
-  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), order);
+  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(
+    unchecked.at_set_fans(), order, [&](Vertex_index vertex, Halfedge_index h) { unchecked.set_fan(vertex, h); });
   const auto set_fans = [&](std::size_t begin, std::size_t end, Fan_counts& counts) {
     No_visitor_of_fan visitor;
     for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
     {
-      if(const Halfedge_index halfedge = regular_vertices.halfedge(v); halfedge != no_index)
-        unchecked.set_fan(v, halfedge);
-      else
+      const Number number_of_corners = regular_vertices.number_of_corners(v);
+      counts.corners += number_of_corners;
+      if(number_of_corners == 0)
         unchecked.set_fan(v, counts, visitor);
     }
   };
-  auto counts = sum_of_parts<ConcurrencyTag, Fan_counts>(unchecked.number_of_vertices(), set_fans);
-  counts.corners += regular_vertices.number_of_corners();
-  return std::move(unchecked).check(counts);
+  return std::move(unchecked).check(sum_of_parts<ConcurrencyTag, Fan_counts>(unchecked.number_of_vertices(), set_fans));
 }
 
 // Whether a scalar map is a public Flat_field with values of the wanted type. It is told by what it has, as it stands

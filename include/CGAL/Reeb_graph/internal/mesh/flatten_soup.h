@@ -112,7 +112,8 @@ Field_by_numbers<Simplicial_complex, typename Traits::Scalar> flatten_scalars(st
   const Vertex_list<Simplicial_complex> vertices(number_of_vertices);
   const auto map =
     boost::make_iterator_property_map(std::begin(scalars), boost::typed_identity_property_map<std::size_t>());
-  return {read_values<ConcurrencyTag>(vertices, map, traits), vertices, {}, {}};
+  const auto number = [=](std::size_t v) { return v < number_of_vertices ? Vertex_index(v) : Vertex_index(no_index); };
+  return {read_values<ConcurrencyTag>(vertices, map, traits), vertices, {}, number};
 }
 
 // The field is checked before the complex that read_complex() returns.

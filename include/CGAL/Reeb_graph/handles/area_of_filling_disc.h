@@ -1,0 +1,181 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_HANDLES_AREA_OF_FILLING_DISC_H
+#define CGAL_REEB_GRAPH_HANDLES_AREA_OF_FILLING_DISC_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/point_map.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/utility.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+namespace internal {
+
+// Discs that span loops of a mesh, and the test which of them meet the mesh elsewhere.
+template <class Mesh>
+class Filling_discs
+{
+  typedef Exact_predicates_inexact_constructions_kernel Kernel;
+  typedef Kernel::Point_3 Point;
+  typedef Kernel::Triangle_3 Triangle;
+  typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<Mesh>::face_descriptor face_descriptor;
+
+  struct Disc_triangle
+  {
+    Triangle triangle;
+    std::size_t disc;
+  };
+
+  struct Numbered_box : Box_intersection_d::Box_d<double, 3>
+  {
+    Numbered_box(const Bbox_3& box, std::size_t n) : Box_intersection_d::Box_d<double, 3>(box), number(n) {}
+    std::size_t number;
+  };
+
+public:
+  static constexpr std::size_t largest_size = 1000; // of loops, as triangulating one takes more than linear time
+
+  explicit Filling_discs(const Mesh& mesh) : mesh_(mesh) {}
+
+  template <class HalfedgeRange, class PointMap>
+  void add(const HalfedgeRange& loop, const PointMap& point_map)
+  {
+    const std::size_t disc = areas_.size();
+    areas_.emplace_back();
+    passed_.emplace_back();
+    std::vector<Point> polyline;
+    for(const auto h : loop)
+    {
+      passed_.back().insert(source(h, mesh_));
+      polyline.push_back(point(source(h, mesh_), point_map));
+    }
+    if(polyline.size() < 3 || polyline.size() > largest_size)
+      return;
+    std::vector<CGAL::Triple<int, int, int>> triangles;
+    Polygon_mesh_processing::triangulate_hole_polyline(polyline, std::back_inserter(triangles));
+    if(triangles.empty())
+      return;
+    double area = 0;
+    for(const auto& t : triangles)
+    {
+      triangles_.push_back({Triangle(polyline[t.first], polyline[t.second], polyline[t.third]), disc});
+      area += std::sqrt(CGAL::to_double(triangles_.back().triangle.squared_area()));
+    }
+    areas_.back() = area;
+  }
+
+  // The areas of the discs that do not meet a face but those at vertices of their loops.
+  template <class PointMap>
+  std::vector<std::optional<double>> areas(const PointMap& point_map)
+  {
+    std::vector<Numbered_box> disc_boxes, face_boxes;
+    for(const Disc_triangle& t : triangles_)
+      disc_boxes.push_back(Numbered_box(t.triangle.bbox(), disc_boxes.size()));
+    if(disc_boxes.empty())
+      return areas_;
+    const std::vector<face_descriptor> all_faces(faces(mesh_).begin(), faces(mesh_).end());
+    for(const face_descriptor f : all_faces)
+      face_boxes.push_back(Numbered_box(triangle(f, point_map).bbox(), face_boxes.size()));
+    box_intersection_d(disc_boxes.begin(), disc_boxes.end(), face_boxes.begin(), face_boxes.end(),
+                       [&](const Numbered_box& a, const Numbered_box& b) {
+                         const Disc_triangle& t = triangles_[a.number];
+                         const face_descriptor f = all_faces[b.number];
+                         if(areas_[t.disc] && !is_beside(t.disc, f)
+                            && CGAL::do_intersect(t.triangle, triangle(f, point_map)))
+                           areas_[t.disc].reset();
+                       });
+    return areas_;
+  }
+
+private:
+  template <class PointMap>
+  static Point point(vertex_descriptor v, const PointMap& point_map)
+  {
+    const auto& p = get(point_map, v);
+    return Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+
+  template <class PointMap>
+  Triangle triangle(face_descriptor f, const PointMap& point_map) const
+  {
+    const auto h = halfedge(f, mesh_);
+    return Triangle(point(source(h, mesh_), point_map), point(target(h, mesh_), point_map),
+                    point(target(next(h, mesh_), mesh_), point_map));
+  }
+
+  // Whether a face has a vertex of the loop of a disc.
+  bool is_beside(std::size_t disc, face_descriptor f) const
+  {
+    for(const auto v : vertices_around_face(halfedge(f, mesh_), mesh_))
+      if(passed_[disc].count(v) != 0)
+        return true;
+    return false;
+  }
+
+  const Mesh& mesh_;
+  std::vector<std::optional<double>> areas_;
+  std::vector<std::set<vertex_descriptor>> passed_; // by the loop of a disc
+  std::vector<Disc_triangle> triangles_;
+};
+
+} // namespace internal
+
+/// \ingroup PkgReebGraphHandles
+///
+/// \brief returns the areas of discs that fill loops, where they do.
+///
+/// A loop that bounds on one side of a surface need not bound a disc there: the tunnel of a knotted torus does not. For
+/// each loop, a disc of triangles with little area is spanned, by `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`.
+/// If it meets a face of the mesh, but for those with a vertex on the loop, there is no area. Neither is there for a
+/// loop of less than 3 or more than 1000 halfedges.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`
+/// \tparam LoopRange a range of ranges of halfedge descriptors
+///
+/// \param mesh the mesh
+/// \param loops the loops, closed walks that pass no vertex twice
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", of which `vertex_point_map` counts
+///
+/// \returns an area, or nothing, for each loop.
+template <class FaceListGraph, class LoopRange, class NamedParameters = parameters::Default_named_parameters>
+std::vector<std::optional<double>> areas_of_filling_discs(
+  const FaceListGraph& mesh,
+  const LoopRange& loops,
+  const NamedParameters& np = parameters::default_values())
+{
+  const auto point_map = internal::choose_point_map(mesh, np);
+  internal::Filling_discs<FaceListGraph> discs(mesh);
+  for(const auto& loop : loops)
+    discs.add(loop, point_map);
+  return discs.areas(point_map);
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_HANDLES_AREA_OF_FILLING_DISC_H

@@ -1,0 +1,249 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_HANDLES_HANDLE_AND_TUNNEL_LOOPS_H
+#define CGAL_REEB_GRAPH_HANDLES_HANDLE_AND_TUNNEL_LOOPS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/handles/Handle_loop.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/base/point_map.h>
+#include <CGAL/Reeb_graph/internal/handles/Closed_surface.h>
+#include <CGAL/Reeb_graph/internal/handles/Handle_homology.h>
+#include <CGAL/Reeb_graph/internal/handles/Reeb_loops.h>
+#include <CGAL/Reeb_graph/internal/handles/make_loops.h>
+#include <CGAL/Reeb_graph/internal/handles/self_intersections.h>
+#include <CGAL/Reeb_graph_traits.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+CGAL_REEB_GRAPH_NAMED_PARAMETER(shorten_loops, bool)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(check_self_intersections, bool)
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphHandles
+///
+/// \brief the loops of a surface, with what certifies them: what `handle_and_tunnel_loops()` returns.
+///
+/// The mesh has to outlive it and must not change. It can be moved, and all copies share what they know.
+///
+/// \tparam FaceListGraph the type of the mesh
+template <class FaceListGraph>
+class Handle_and_tunnel_loops
+{
+public:
+  /// a halfedge of the mesh
+  typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
+  /// a loop
+  typedef Handle_loop<halfedge_descriptor> Loop;
+
+  /// \brief returns the loops: those of one component after the other, by the length of the shorter one of each pair,
+  /// where a handle stands before its partner; behind them the holes of all components.
+  const std::vector<Loop>& loops() const { return loops_; }
+
+  /// \brief returns the number of times that a loop of the list links another one, or itself, that is pushed to the
+  /// outside of the surface: 0 for loops of different components, which are not compared, and for those without inside.
+  ///
+  /// \param loop the position of the loop
+  /// \param pushed the position of the one that is pushed
+  long long linking_number(std::size_t loop, std::size_t pushed) const
+  {
+    return found_->linking_number(walks_[loop], walks_[pushed]);
+  }
+
+  /// \brief returns the number of times that a loop of the list crosses another one from the right of that to its left,
+  /// less those the other way round.
+  ///
+  /// \param loop the position of the one that is crossed
+  /// \param other the position of the one that crosses it
+  long long intersection_number(std::size_t loop, std::size_t other) const
+  {
+    return found_->intersection_number(walks_[loop], walks_[other]);
+  }
+
+  /// \brief returns whether a loop bounds inside of its component, but not on the surface. No loop of a surface without
+  /// inside does.
+  ///
+  /// \param halfedges consecutive halfedges of the mesh, a range; may pass anything more than once
+  ///
+  /// \exception Open_loop_error if the halfedges are no closed walk
+  template <class HalfedgeRange>
+  bool is_handle(const HalfedgeRange& halfedges) const
+  {
+    return found_->is_bounding(walk(halfedges), true);
+  }
+
+  /// \brief returns whether a loop bounds outside of its component, but not on the surface.
+  ///
+  /// \param halfedges as above
+  ///
+  /// \exception Open_loop_error if the halfedges are no closed walk
+  template <class HalfedgeRange>
+  bool is_tunnel(const HalfedgeRange& halfedges) const
+  {
+    return found_->is_bounding(walk(halfedges), false);
+  }
+
+#ifndef DOXYGEN_RUNNING
+  template <class Found>
+  Handle_and_tunnel_loops(std::shared_ptr<const Found> found,
+                          std::shared_ptr<const internal::Surface_closing<FaceListGraph>> closing,
+                          const std::vector<internal::Surface_loop>& loops)
+    : found_(std::move(found)),
+      closing_(std::move(closing))
+  {
+    for(const internal::Surface_loop& loop : loops)
+    {
+      walks_.push_back(loop.walk);
+      loops_.push_back({loop.kind, {}, loop.partner, loop.length, loop.persistence, loop.component, loop.is_simple});
+      for(const internal::Index h : loop.walk)
+        loops_.back().halfedges.push_back(closing_->halfedges()[h]);
+    }
+  }
+#endif
+
+private:
+  template <class HalfedgeRange>
+  internal::Halfedge_walk walk(const HalfedgeRange& halfedges) const
+  {
+    internal::Halfedge_walk result;
+    for(const halfedge_descriptor h : halfedges)
+      result.push_back(closing_->number(h));
+    const auto& surface = found_->homology().surface();
+    for(std::size_t i = 0; i != result.size(); ++i)
+    {
+      const internal::Index before = result[(i + result.size() - 1) % result.size()];
+      if(surface.target[before] != surface.source(result[i]))
+        throw Open_loop_error(i);
+    }
+    return result;
+  }
+
+  std::shared_ptr<const internal::Found_loops> found_;
+  std::shared_ptr<const internal::Surface_closing<FaceListGraph>> closing_;
+  std::vector<internal::Halfedge_walk> walks_;
+  std::vector<Loop> loops_;
+};
+
+/// \ingroup PkgReebGraphHandles
+///
+/// \brief finds the handles and the tunnels of a surface in space.
+///
+/// The homology of a closed surface of genus \f$ g \f$ is that of its inside plus that of its outside. For each
+/// component, other components ignored, this function finds \f$ g \f$ loops that bound inside (handles) and \f$ g \f$
+/// that bound outside (tunnels): a basis of the homology with integers in which each handle crosses its partner once,
+/// and no other tunnel. They are closed walks along edges of the mesh.
+///
+/// What bounds on which side is decided by linking numbers, by exact predicates on the points as they are: see the
+/// manual. The field decides nothing but the persistences: it has no influence on the loops.
+///
+/// By default the loops are short: they are chosen by length, the shortest first, as long as the choice is part of such
+/// a basis, among loops that an edge closes with a tree of shortest paths. A loop is not longer than the shortest one of
+/// its class by more than 4 percent, unless the search for it takes too much memory.
+///
+/// A component with holes has no inside. Each hole gives a `Loop_kind::HOLE`, and the genus that is left once all are
+/// filled gives pairs of `Loop_kind::LOOP`. So does a component that intersects itself.
+///
+/// Without shortening, it takes \f$ O(n + g^3 + k \log^2 k + c) \f$ time, where \f$ n \f$ is the number of vertices and
+/// faces, \f$ k \f$ the number of edges on the loops of a tree, and \f$ c \f$ the number of their crossings as they are
+/// seen in one direction, besides that of the Reeb graph. The shortening takes some tens of searches for each loop, of
+/// which each sees the part of the surface that is nearer than half the length of that loop.
+///
+/// The idea to combine loops by linking numbers is that of T. K. Dey, F. Fan, Y. Wang, *An Efficient Computation of
+/// Handle and Tunnel Loops via Reeb Graphs*, 2013.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph` with dynamic property maps, such as `Surface_mesh` and
+///         `Polyhedron_3`
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the mesh
+/// \param scalar_map the scalar field, by which persistences are measured
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices, of which the nearest ones with coordinates of type `double`
+///                           count}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type and points of a
+///                    three-dimensional kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{shorten_loops}
+///     \cgalParamDescription{whether the loops are made short}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///     \cgalParamExtra{use the functions `parameters::shorten_loops()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{check_self_intersections}
+///     \cgalParamDescription{whether triangles that intersect are looked for, so that what has no inside is known. If
+///                           there are none, this is a waste of time. Without it, a component whose linking numbers are
+///                           those of no surface with two sides is still found.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///     \cgalParamExtra{use the functions `parameters::check_self_intersections()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object}
+///     \cgalParamType{a model of `ReebGraphTraits`}
+///     \cgalParamDefault{`Reeb_graph_traits<FaceListGraph, ScalarMap>`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1. If it returns
+///                           `false`, the work stops with `Reeb_graph::Cancelled_error`.}
+///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the loops.
+///
+/// \exception Reeb_graph::Non_finite_point_error if a coordinate of a point is infinite or NaN
+///
+/// and the exceptions of `compute_reeb_graph()`.
+template <class FaceListGraph, class ScalarMap, class NamedParameters = parameters::Default_named_parameters>
+Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(
+  const FaceListGraph& mesh,
+  ScalarMap scalar_map,
+  const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const internal::Progress progress(np);
+  progress.report(0);
+  const auto traits = internal::choose_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>>(np);
+  const auto reeb_loops =
+    internal::find_reeb_loops(mesh, scalar_map, traits, internal::Stage_progress(progress, 0, 0.1));
+  const auto closing = std::make_shared<internal::Surface_closing<FaceListGraph>>(
+    mesh, internal::choose_point_map(mesh, np));
+  auto found = std::make_shared<internal::Found_loops>(std::move(closing->surface()),
+                                                       internal::Stage_progress(progress, 0.1, 0.2));
+  if(choose_parameter(get_parameter(np, internal::check_self_intersections), true))
+    found->refuse_self_intersections();
+  auto loops = found->make_loops(choose_parameter(get_parameter(np, internal::shorten_loops), true),
+                                 internal::Stage_progress(progress, 0.2, 1));
+  internal::set_persistences(reeb_loops, [&](const auto h) { return closing->number(h); }, loops);
+  progress.report_end();
+  return Handle_and_tunnel_loops<FaceListGraph>(
+    std::shared_ptr<const internal::Found_loops>(found),
+    std::shared_ptr<const internal::Surface_closing<FaceListGraph>>(closing), loops);
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_HANDLES_HANDLE_AND_TUNNEL_LOOPS_H

@@ -1,0 +1,99 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "computation/handles.h"
+
+#include "base/progress_bar.h"
+
+#include <CGAL/Reeb_graph/IO/polylines.h>
+#include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
+#include <CGAL/Reeb_graph/handles/handle_and_tunnel_loops.h>
+#include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
+#include <CGAL/compute_reeb_graph.h>
+
+#include <functional>
+#include <iterator>
+#include <limits>
+
+namespace reeb_graph_program {
+namespace {
+// That of all pairs of extrema with saddles.
+double total_persistence(const Surface& surface, Scalar_map scalar_map)
+{
+  typedef CGAL::Reeb_graph::Persistence_pair_kind Kind;
+  Graph graph;
+  CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(surface, scalar_map, graph);
+  std::vector<CGAL::Reeb_graph::Persistence_pair<boost::graph_traits<Graph>::vertex_descriptor>> pairs;
+  CGAL::Reeb_graph::persistence_pairs(graph, std::back_inserter(pairs));
+  double sum = 0;
+  for(const auto& pair : pairs)
+  {
+    if(pair.kind == Kind::MINIMUM_SADDLE || pair.kind == Kind::SADDLE_MAXIMUM)
+      sum += CGAL::Reeb_graph::persistence(graph, pair);
+  }
+  return sum;
+}
+
+void write_coordinate(const Surface& surface, Scalar_map scalar_map, int coordinate)
+{
+  for(const Surface::Vertex_index v : surface.vertices())
+    scalar_map[v] = surface.point(v)[coordinate];
+}
+
+} // namespace
+
+Loops_of_surface find_loops(const Surface& surface, Scalar_map scalar_map, bool are_shortened)
+{
+  Progress_bar progress_bar("handles");
+  const auto callback = CGAL::parameters::callback(std::ref(progress_bar));
+  const auto found = CGAL::Reeb_graph::handle_and_tunnel_loops(
+    surface, scalar_map, CGAL::parameters::shorten_loops(are_shortened, callback));
+  std::vector<std::vector<Surface::Halfedge_index>> walks;
+  for(const auto& loop : found.loops())
+    walks.push_back(loop.is_simple ? loop.halfedges : std::vector<Surface::Halfedge_index>());
+  const auto areas = CGAL::Reeb_graph::areas_of_filling_discs(surface, walks);
+  Loops_of_surface result;
+  for(std::size_t i = 0; i != found.loops().size(); ++i)
+  {
+    const auto& loop = found.loops()[i];
+    Loop_row row;
+    row.kind = to_string(loop.kind);
+    row.length = loop.length;
+    if(loop.partner != loop.no_partner)
+    {
+      row.partner = loop.partner;
+      row.persistence = loop.persistence;
+    }
+    row.area = areas[i];
+    row.component = loop.component;
+    row.is_simple = loop.is_simple;
+    result.rows.push_back(row);
+    result.polylines.push_back(CGAL::Reeb_graph::polyline_of_curve(surface, loop));
+  }
+  return result;
+}
+
+std::string write_least_rough_height(const Surface& surface, Scalar_map scalar_map)
+{
+  int best = 2;
+  double least = std::numeric_limits<double>::infinity();
+  for(int coordinate : {2, 1, 0})
+  {
+    write_coordinate(surface, scalar_map, coordinate);
+    const double sum = total_persistence(surface, scalar_map);
+    if(sum < least)
+    {
+      least = sum;
+      best = coordinate;
+    }
+  }
+  write_coordinate(surface, scalar_map, best);
+  return std::string(1, static_cast<char>('x' + best));
+}
+
+} // namespace reeb_graph_program

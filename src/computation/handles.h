@@ -1,0 +1,33 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_HANDLES_H
+#define CGAL_REEB_GRAPH_SRC_HANDLES_H
+
+#include "base/report.h"
+#include "base/surface.h"
+
+#include <string>
+#include <vector>
+
+namespace reeb_graph_program {
+struct Loops_of_surface
+{
+  std::vector<Loop_row> rows;
+  std::vector<Polyline> polylines; // in the same order
+};
+
+// Handles, tunnels, holes, and loops of what has no inside.
+Loops_of_surface find_loops(const Surface& surface, Scalar_map scalar_map, bool are_shortened);
+
+// Writes the coordinate, of the three, whose extrema have the least persistence in all, and returns its name.
+std::string write_least_rough_height(const Surface& surface, Scalar_map scalar_map);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_HANDLES_H

@@ -1,0 +1,24 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_LOOPS_OUTPUT_H
+#define CGAL_REEB_GRAPH_SRC_LOOPS_OUTPUT_H
+
+#include "computation/handles.h"
+
+#include <filesystem>
+
+namespace reeb_graph_program {
+// Throws std::runtime_error if the file name ends in none of .vtp, .obj, and .polylines.txt.
+void check_loops_format(const std::filesystem::path& path);
+
+void write_loops(const std::filesystem::path& path, const Loops_of_surface& loops);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_LOOPS_OUTPUT_H

@@ -1,0 +1,348 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "handle_samples.h"
+#include "linking_oracle.h"
+
+#include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
+#include <CGAL/Reeb_graph/handles/handle_and_tunnel_loops.h>
+#include <CGAL/Reeb_graph/scalar_maps.h>
+
+#include <boost/mpl/list.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <vector>
+
+// Handles and tunnels: what bounds on which side, that they are dual, and short.
+
+BOOST_AUTO_TEST_SUITE(test_handles)
+
+using CGAL::Reeb_graph::handle_and_tunnel_loops;
+using CGAL::Reeb_graph::Loop_kind;
+using generated_surfaces::make_mesh;
+using handle_samples::closed_samples;
+using handle_samples::Sample;
+using mesh_builders::Polyhedron;
+using mesh_builders::Surface_mesh;
+namespace parameters = CGAL::parameters;
+
+typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
+
+namespace {
+template <class Mesh>
+std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, double> random_values(const Mesh& mesh, std::size_t seed)
+{
+  random_meshes::Random random(seed);
+  std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, double> values;
+  for(const auto v : vertices(mesh))
+    values[v] = static_cast<double>(random.below(1000));
+  return values;
+}
+
+template <class Mesh, class NamedParameters>
+auto find_loops(const Mesh& mesh, std::size_t seed, const NamedParameters& np)
+{
+  const auto values = random_values(mesh, seed);
+  return handle_and_tunnel_loops(mesh, boost::make_assoc_property_map(values), np);
+}
+
+template <class Mesh>
+auto find_loops(const Mesh& mesh, std::size_t seed)
+{
+  return find_loops(mesh, seed, parameters::default_values());
+}
+
+template <class Loops>
+std::size_t count(const Loops& loops, Loop_kind kind)
+{
+  return std::count_if(loops.begin(), loops.end(), [&](const auto& loop) { return loop.kind == kind; });
+}
+
+template <class Mesh, class Loop>
+bool is_closed_walk(const Mesh& mesh, const Loop& loop)
+{
+  for(std::size_t i = 0; i != loop.halfedges.size(); ++i)
+    if(target(loop.halfedges[i], mesh) != source(loop.halfedges[(i + 1) % loop.halfedges.size()], mesh))
+      return false;
+  return !loop.halfedges.empty();
+}
+
+// What the list says of itself, by intersection and linking numbers of its own.
+template <class Mesh, class Found>
+void check_list(const Mesh& mesh, const Found& found)
+{
+  const auto& loops = found.loops();
+  for(std::size_t i = 0; i != loops.size(); ++i)
+  {
+    BOOST_TEST(is_closed_walk(mesh, loops[i]));
+    BOOST_TEST(found.is_handle(loops[i].halfedges) == (loops[i].kind == Loop_kind::HANDLE));
+    BOOST_TEST(found.is_tunnel(loops[i].halfedges) == (loops[i].kind == Loop_kind::TUNNEL));
+    if(loops[i].kind == Loop_kind::HOLE)
+      continue;
+    BOOST_TEST(loops[loops[i].partner].partner == i);
+    for(std::size_t j = 0; j != loops.size(); ++j)
+    {
+      if(loops[j].kind == Loop_kind::HOLE)
+        continue;
+      const bool are_partners = loops[i].partner == j;
+      BOOST_TEST(std::abs(found.intersection_number(i, j)) == (are_partners ? 1 : 0));
+      BOOST_TEST(std::abs(found.linking_number(i, j)) == (are_partners && loops[i].kind == Loop_kind::TUNNEL ? 1 : 0));
+    }
+  }
+}
+
+// The same by moving the loops off the surface. `outside` is 1 if normals point outwards, or -1.
+template <class Mesh, class Found>
+void check_by_oracle(const Mesh& mesh, const Found& found, double distance, const std::vector<int>& outside)
+{
+  const linking_oracle::Offset<Mesh> offset(mesh, distance);
+  const auto& loops = found.loops();
+  const std::size_t number = (std::min)(loops.size(), std::size_t(16));
+  for(std::size_t i = 0; i != number; ++i)
+    for(std::size_t j = 0; j != number; ++j)
+    {
+      if(loops[i].component != loops[j].component)
+        continue;
+      const auto polygon = offset.polygon(loops[i].halfedges, 0);
+      for(const int side : {1, -1})
+      {
+        const bool is_linked = loops[i].partner == j && (loops[i].kind == Loop_kind::TUNNEL) == (side == 1);
+        const auto pushed = offset.polygon(loops[j].halfedges, side * outside[loops[i].component]);
+        const double linking = linking_oracle::linking_number(polygon, pushed);
+        BOOST_TEST(std::abs(linking) == (is_linked ? 1 : 0));
+        if(side == 1)
+          BOOST_TEST(linking == static_cast<double>(found.linking_number(i, j)));
+      }
+    }
+}
+
+std::vector<int> outside_of(const Sample& sample)
+{
+  if(sample.name == "nested tori")
+    return {1, -1};
+  return std::vector<int>(sample.genera.size(), sample.name.find("turned over") == std::string::npos ? 1 : -1);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(the_loops_bound_on_their_sides_and_are_dual, Mesh, Meshes)
+{
+  for(const Sample& sample : closed_samples())
+  {
+    BOOST_TEST_CONTEXT(sample.name)
+    {
+      const Mesh mesh = make_mesh<Mesh>(sample.soup);
+      const auto found = find_loops(mesh, 1);
+      std::vector<std::size_t> handles(sample.genera.size(), 0), tunnels = handles;
+      for(const auto& loop : found.loops())
+        ++(loop.kind == Loop_kind::HANDLE ? handles : tunnels)[loop.component];
+      BOOST_TEST(handles == sample.genera, boost::test_tools::per_element());
+      BOOST_TEST(tunnels == sample.genera, boost::test_tools::per_element());
+      check_list(mesh, found);
+      check_by_oracle(mesh, found, 1e-3, outside_of(sample));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(loops_that_are_not_shortened_are_dual_too)
+{
+  for(const Sample& sample : closed_samples())
+  {
+    BOOST_TEST_CONTEXT(sample.name)
+    {
+      const Surface_mesh mesh = make_mesh<Surface_mesh>(sample.soup);
+      const auto found = find_loops(mesh, 2, parameters::shorten_loops(false));
+      check_list(mesh, found);
+      check_by_oracle(mesh, found, 1e-3, outside_of(sample));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(gyroids_and_plates_of_high_genus)
+{
+  for(const auto& soup : {handle_samples::gyroid(5, 0.6), generated_surfaces::closed_surface(100, 6000)})
+  {
+    const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
+    const auto found =
+      find_loops(mesh, 3, parameters::shorten_loops(false, parameters::check_self_intersections(false)));
+    const long characteristic = static_cast<long>(mesh.number_of_vertices() + mesh.number_of_faces())
+                              - static_cast<long>(mesh.number_of_edges());
+    std::size_t number_of_components = 0;
+    for(const auto& loop : found.loops())
+      number_of_components = (std::max)(number_of_components, loop.component + 1);
+    BOOST_TEST(number_of_components == 1u);
+    const std::size_t genus = static_cast<std::size_t>(1 - characteristic / 2);
+    BOOST_TEST(genus > 10u);
+    BOOST_TEST(count(found.loops(), Loop_kind::HANDLE) == genus);
+    BOOST_TEST(count(found.loops(), Loop_kind::TUNNEL) == genus);
+    const std::size_t number = (std::min)(found.loops().size(), std::size_t(30));
+    for(std::size_t i = 0; i != number; ++i)
+      for(std::size_t j = 0; j != number; ++j)
+        BOOST_TEST(found.linking_number(i, j)
+                   == (found.loops()[i].kind == Loop_kind::TUNNEL && found.loops()[i].partner == j ? 1 : 0));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_gyroid_by_the_oracle)
+{
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(handle_samples::gyroid(4, 0.7));
+  const auto found = find_loops(mesh, 4);
+  BOOST_TEST(found.loops().size() > 8u);
+  check_list(mesh, found);
+  check_by_oracle(mesh, found, 1e-3, {1, 1});
+}
+
+BOOST_AUTO_TEST_CASE(short_loops_of_a_torus)
+{
+  const std::size_t around = 24, along = 60;
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(generated_surfaces::torus(around, along));
+  const auto found = find_loops(mesh, 5);
+  const double pi = generated_surfaces::internal::pi;
+  // the ring around the tube, and the innermost circle
+  const double handle = 2 * around * 0.4 * std::sin(pi / around), tunnel = 2 * along * 0.6 * std::sin(pi / along);
+  BOOST_TEST(found.loops().size() == 2u);
+  BOOST_TEST(found.loops()[0].length == handle, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(found.loops()[1].length < 1.05 * tunnel);
+  BOOST_TEST(found.loops()[1].length > 0.999 * tunnel);
+}
+
+BOOST_AUTO_TEST_CASE(the_tunnel_of_a_knotted_torus_has_no_disc)
+{
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(handle_samples::knotted_torus());
+  const auto found = find_loops(mesh, 6);
+  std::vector<std::vector<Surface_mesh::Halfedge_index>> loops;
+  for(const auto& loop : found.loops())
+  {
+    BOOST_TEST(loop.is_simple);
+    loops.push_back(loop.halfedges);
+  }
+  const auto areas = CGAL::Reeb_graph::areas_of_filling_discs(mesh, loops);
+  BOOST_TEST(areas[0].has_value());
+  BOOST_TEST(!areas[1].has_value());
+  const double pi = generated_surfaces::internal::pi;
+  BOOST_TEST(found.loops()[0].length == 24 * 0.35 * std::sin(pi / 12), boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(areas[0].value() == 6 * 0.35 * 0.35 * std::sin(pi / 6), boost::test_tools::tolerance(1e-3));
+}
+
+BOOST_AUTO_TEST_CASE(the_field_changes_persistences_only)
+{
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(generated_surfaces::closed_surface(3, 800));
+  const auto first = find_loops(mesh, 7), second = find_loops(mesh, 8);
+  for(std::size_t i = 0; i != first.loops().size(); ++i)
+    BOOST_TEST((first.loops()[i].halfedges == second.loops()[i].halfedges));
+}
+
+BOOST_AUTO_TEST_CASE(the_persistences_are_those_of_the_reeb_graph)
+{
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(generated_surfaces::closed_surface(5, 1500));
+  for(const std::size_t seed : {9, 10, 11})
+  {
+    const auto values = random_values(mesh, seed);
+    const auto map = boost::make_assoc_property_map(values);
+    const auto found = handle_and_tunnel_loops(mesh, map);
+    std::vector<double> persistences, expected;
+    for(std::size_t i = 0; i != found.loops().size(); i += 2)
+      persistences.push_back(found.loops()[i].persistence);
+    CGAL::Reeb_graph_traits<Surface_mesh, std::decay_t<decltype(map)>>::Graph graph;
+    CGAL::compute_reeb_graph(mesh, map, graph);
+    std::vector<CGAL::Reeb_graph::Persistence_pair<boost::graph_traits<decltype(graph)>::vertex_descriptor>> pairs;
+    CGAL::Reeb_graph::persistence_pairs(graph, std::back_inserter(pairs));
+    for(const auto& pair : pairs)
+      if(pair.kind == CGAL::Reeb_graph::Persistence_pair_kind::LOOP)
+        expected.push_back(CGAL::Reeb_graph::persistence(graph, pair));
+    expected.resize(persistences.size(), 0);
+    std::sort(expected.begin(), expected.end());
+    std::sort(persistences.begin(), persistences.end());
+    BOOST_TEST(persistences == expected, boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(surfaces_with_holes_have_loops_without_inside, Mesh, Meshes)
+{
+  auto soup = generated_surfaces::closed_surface(2, 600);
+  soup.triangles.erase(soup.triangles.begin() + 40);
+  soup.triangles.erase(soup.triangles.begin());
+  soup = handle_samples::together(soup, handle_samples::scaled_and_moved(generated_surfaces::torus(9, 12), 1, {9, 9, 9}));
+  const Mesh mesh = make_mesh<Mesh>(soup);
+  const auto found = find_loops(mesh, 12);
+  BOOST_TEST(count(found.loops(), Loop_kind::LOOP) == 4u);
+  BOOST_TEST(count(found.loops(), Loop_kind::HOLE) == 2u);
+  BOOST_TEST(count(found.loops(), Loop_kind::HANDLE) == 1u);
+  BOOST_TEST(count(found.loops(), Loop_kind::TUNNEL) == 1u);
+  check_list(mesh, found);
+  for(const auto& loop : found.loops())
+    if(loop.kind == Loop_kind::HOLE)
+      BOOST_TEST(loop.halfedges.size() == 3u);
+}
+
+BOOST_AUTO_TEST_CASE(what_intersects_itself_has_no_inside)
+{
+  const auto circle = [](double t) { return handle_samples::Vector{std::cos(t), std::sin(t), 0}; };
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(handle_samples::tube(circle, 16, 12, 1.3));
+  const auto found = find_loops(mesh, 13);
+  BOOST_TEST(found.loops().size() == 2u);
+  BOOST_TEST(count(found.loops(), Loop_kind::LOOP) == 2u);
+  check_list(mesh, found);
+}
+
+BOOST_AUTO_TEST_CASE(meshes_without_handles_have_no_loops)
+{
+  BOOST_TEST(find_loops(Surface_mesh(), 14).loops().empty());
+  const Surface_mesh sphere = make_mesh<Surface_mesh>(generated_surfaces::closed_surface(0, 200));
+  BOOST_TEST(find_loops(sphere, 15).loops().empty());
+}
+
+BOOST_AUTO_TEST_CASE(an_open_walk_is_refused_and_a_contractible_loop_is_neither)
+{
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(generated_surfaces::torus(9, 12));
+  const auto found = find_loops(mesh, 16);
+  auto walk = found.loops()[0].halfedges;
+  walk.pop_back();
+  BOOST_CHECK_THROW(found.is_handle(walk), CGAL::Reeb_graph::Open_loop_error);
+  const auto h = *halfedges(mesh).begin();
+  const std::vector<Surface_mesh::Halfedge_index> face = {h, next(h, mesh), prev(h, mesh)};
+  BOOST_TEST(!found.is_handle(face));
+  BOOST_TEST(!found.is_tunnel(face));
+}
+
+BOOST_AUTO_TEST_CASE(it_can_be_cancelled)
+{
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(generated_surfaces::closed_surface(3, 800));
+  double last = 0;
+  find_loops(mesh, 17, parameters::callback([&](double fraction) {
+               BOOST_TEST(fraction >= last);
+               last = fraction;
+               return true;
+             }));
+  BOOST_TEST(last == 1);
+  for(const double limit : {0., 0.15, 0.4})
+    BOOST_CHECK_THROW(find_loops(mesh, 17, parameters::callback([&](double fraction) { return fraction < limit; })),
+                      CGAL::Reeb_graph::Cancelled_error);
+}
+
+BOOST_AUTO_TEST_CASE(large_integers_take_over)
+{
+  using namespace CGAL::Reeb_graph::internal;
+  const long long large = 4000000000000000000;
+  BOOST_CHECK_THROW(find_row_lattice<Checked_integer>({{3, large}, {2, -large}}), Integer_overflow);
+  const auto lattice = find_row_lattice<Large_integer>({{3, large}, {2, -large}});
+  BOOST_TEST(lattice.basis.size() == 2u);
+  const std::vector<std::vector<Large_integer>> rows = {{3, large}, {2, -large}};
+  for(std::size_t i : {0, 1})
+    for(std::size_t k : {0, 1})
+      BOOST_TEST((lattice.coordinates[0][i] * lattice.basis[0][k] + lattice.coordinates[1][i] * lattice.basis[1][k]
+                  == rows[i][k]));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
