@@ -16,6 +16,7 @@
 #include "output/report_output.h"
 #include "page/page_output.h"
 
+#include <CGAL/Reeb_graph/IO/json.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
 #include <CGAL/Reeb_graph/simplification/arc_persistences.h>
@@ -57,6 +58,25 @@ double value_of_rank(const std::vector<double>& levels, double rank)
                        : CGAL::Reeb_graph::internal::value_at_fraction(levels[lower], levels[lower + 1], fraction);
 }
 
+// Each arc is a straight line between the vertices of its nodes.
+Graph_in_space embed_straight(const Graph& graph, const Surface& surface)
+{
+  Graph_in_space result;
+  for(const auto node : CGAL::make_range(vertices(graph)))
+  {
+    result.embedding.node_points.push_back(surface.point(graph[node].vertex));
+    result.embedding.node_values.push_back(graph[node].value);
+  }
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const std::size_t lower = source(arc, graph), upper = target(arc, graph);
+    result.embedding.arc_polylines.push_back(
+      {result.embedding.node_points[lower], result.embedding.node_points[upper]});
+    result.embedding.arc_values.push_back({graph[lower].value, graph[upper].value});
+  }
+  return result;
+}
+
 } // namespace
 
 Graph_of_arrays::Graph_of_arrays(std::shared_ptr<Input> input, const Graph_options& options)
@@ -71,10 +91,9 @@ Graph_of_arrays::Graph_of_arrays(std::shared_ptr<Input> input, const Graph_optio
   }
   else
   {
-    given_complex_ =
-      std::make_shared<const Complex_graph>(compute_and_time(input_->mesh, input_->scalar_map, options_, report));
+    given_complex_ = std::make_shared<const Complex_graph>(compute_complex(report));
     complex_graph_.emplace(*given_complex_, simplification_, threshold_);
-    graph_on_vertices_ = reeb_graph_program::graph_on_vertices(*given_complex_, input_->mesh.surface, false);
+    graph_on_vertices_ = on_vertices(*given_complex_);
   }
   report_ = std::make_shared<const Report>(std::move(report));
 }
@@ -107,7 +126,7 @@ void Graph_of_arrays::simplify()
   complex_graph_.emplace(*given_complex_with_values_, simplification_, threshold_);
   if(is_ranked)
     set_values(complex_graph_->simplified(), input_->scalar_map);
-  graph_on_vertices_ = reeb_graph_program::graph_on_vertices(complex_graph_->result(), input_->mesh.surface, false);
+  graph_on_vertices_ = on_vertices(complex_graph_->result());
 }
 
 std::shared_ptr<const Graph> Graph_of_arrays::with_values(const Graph& graph) const
@@ -182,7 +201,7 @@ std::vector<std::size_t> Graph_of_arrays::places() const
 {
   const std::lock_guard lock(mutex_);
   if(!is_surface())
-    return reeb_graph_program::locate_vertices(input_->mesh, input_->scalar_map, *complex_graph_, options_);
+    return places_in_complex();
   std::vector<std::size_t> places;
   places.reserve(input_->number_of_vertices());
   for(const Surface::Vertex_index v : input_->surface().vertices())
@@ -239,7 +258,9 @@ Graph_in_space Graph_of_arrays::embed_locked(Embedding_manner manner, const std:
       check_is_surface(input_->mesh, "an embedding that is not straight");
     return embed_straight(*to_write(graph()), input_->surface());
   }
-  Graph_in_space result = embed_graph(augmentation(), manner, rows);
+  Graph_in_space result = {embed_on_surface(manner), {}};
+  if(rows != nullptr)
+    result.arc_attributes = attributes_of_arcs(*with_values(graph()), *rows);
   if(!input_->is_ranked())
     return result;
   for(double& value : result.embedding.node_values)
@@ -247,8 +268,6 @@ Graph_in_space Graph_of_arrays::embed_locked(Embedding_manner manner, const std:
   for(std::vector<double>& values : result.embedding.arc_values)
     for(double& value : values)
       value = input_->base + value_of_rank(input_->levels, value);
-  if(rows != nullptr)
-    result.arc_attributes.front().numbers = CGAL::Reeb_graph::arc_persistences(*with_values(graph()));
   return result;
 }
 
@@ -278,7 +297,10 @@ void Graph_of_arrays::write_page_or_mesh(const std::filesystem::path& path, cons
   const bool is_page = path.extension() == ".html";
   check_is_surface(input_->mesh, is_page ? "a page" : "a coloured mesh");
   if(!is_page)
-    return write_mesh(path, input_->surface(), {input_->value_map, locations(), num_vertices(graph()), std::nullopt});
+  {
+    const std::vector<std::size_t> places = places_of(input_->surface().vertices(), locations());
+    return write_mesh(path, input_->mesh, {input_->value_map, places, num_vertices(graph()), std::nullopt});
+  }
   check_page(path);
   Page_request request = {input_->surface(), input_->scalar_map, *given_, options_, options.title, options.label};
   // The page compares the values of nodes with those of the field: it shows ranks.
@@ -299,11 +321,16 @@ void Graph_of_arrays::write_in_space(const std::filesystem::path& path, const Fi
   const Graph_in_space graph_in_space =
     embed_locked(options.manner.value_or(is_table ? Embedding_manner::STRAIGHT : Embedding_manner::BY_COST),
                  has_rows ? &rows : nullptr);
-  if(is_surface())
-    return write_graph_in_space(path, *to_write(graph()), graph_in_space, input_->surface());
-  Surface vertices = input_->surface(); // a copy that is given the edges of chains
-  const Graph with_chains = reeb_graph_program::graph_on_vertices(complex_graph_->result(), vertices, true);
-  write_graph_in_space(path, *to_write(with_chains), graph_in_space, vertices);
+  const std::shared_ptr<const Graph> graph_to_write = to_write(graph());
+  const auto attributes = CGAL::parameters::arc_attributes(graph_in_space.arc_attributes);
+  write_graph_in_space(path, *graph_to_write, graph_in_space, [&](std::ostream& stream) {
+    const Surface& surface = input_->surface();
+    if(is_surface())
+      CGAL::Reeb_graph::write_json(stream, surface, *graph_to_write, graph_in_space.embedding,
+                                   get(boost::vertex_index, surface), attributes);
+    else
+      CGAL::Reeb_graph::write_json(stream, complex_graph_->result(), graph_in_space.embedding, attributes);
+  });
 }
 
 void Graph_of_arrays::write(const std::filesystem::path& path, const File_options& options) const
@@ -322,10 +349,7 @@ void Graph_of_arrays::write(const std::filesystem::path& path, const File_option
 std::string Graph_of_arrays::report() const
 {
   Report report = *report_;
-  if(is_surface())
-    count_all(input_->surface(), *given_, report);
-  else
-    count_all(input_->mesh, *given_complex_, report);
+  count_all(input_->mesh, is_surface() ? *given_ : on_vertices(*given_complex_), report);
   if(simplification_.is_anything_removed())
     count_simplified(graph(), threshold_, report);
   std::ostringstream stream;

@@ -14,7 +14,6 @@
 #include "base/Field_label.h"
 #include "base/report.h"
 #include "computation/augmentation.h"
-#include "computation/complex_graph.h"
 #include "computation/embedding.h"
 #include "computation/simplification.h"
 
@@ -32,6 +31,8 @@
 #include <vector>
 
 namespace reeb_graph_python {
+typedef Simplified_graph_of<Complex_graph> Simplified_complex_graph;
+
 // A contour by numbers: point number i is on edge number i, from its lower to its higher vertex.
 struct Contour_of_arrays
 {
@@ -117,6 +118,10 @@ private:
   typedef CGAL::Reeb_graph::Tetrahedra_augmentation<double> Tetrahedra_augmentation;
 
   void simplify();
+  Complex_graph compute_complex(Report& report) const;
+  Graph on_vertices(const Complex_graph& graph) const;
+  std::vector<std::size_t> places_in_complex() const;
+  CGAL::Reeb_graph::Embedding<Point> embed_on_surface(CGAL::Reeb_graph::Embedding_manner manner) const;
   std::shared_ptr<const Graph> with_values(const Graph& graph) const;
   std::shared_ptr<const Graph> to_write(const Graph& graph) const; // with the base as well
   Graph_in_space embed_locked(CGAL::Reeb_graph::Embedding_manner manner, const std::vector<Arc_row>* rows) const;

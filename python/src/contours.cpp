@@ -8,7 +8,14 @@
 
 #include "Graph_of_arrays.h"
 
+#include "base/progress_bar.h"
+#include "computation/Mesh_graph_of.h"
+
+#include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
+#include <CGAL/compute_reeb_graph_of_soup.h>
+
+#include <boost/range/irange.hpp>
 
 #include <stdexcept>
 
@@ -107,7 +114,78 @@ private:
   std::optional<double> value_;
 };
 
+template <class AnyGraph>
+auto arc_of_number(const AnyGraph& graph, std::size_t arc)
+{
+  return *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(arc));
+}
+
+template <class Function>
+auto with_triangles(const Complex& complex, const Function& function)
+{
+  if(complex.tetrahedra.empty())
+    return function(complex.triangles);
+  std::vector<std::array<std::uint32_t, 3>> triangles = complex.triangles;
+  for(const auto& t : complex.tetrahedra)
+    triangles.insert(triangles.end(), {{t[0], t[1], t[2]}, {t[0], t[1], t[3]}, {t[0], t[2], t[3]}, {t[1], t[2], t[3]}});
+  return function(triangles);
+}
+
 } // namespace
+
+// Where tetrahedra and other triangles are together, the faces of all tetrahedra are triangles too.
+Complex_graph Graph_of_arrays::compute_complex(Report& report) const
+{
+  typedef CGAL::Parallel_if_available_tag Tag;
+  const Complex& complex = *input_->mesh.complex;
+  const auto scalars = CGAL::make_range(input_->scalar_map.begin(), input_->scalar_map.end());
+  const std::size_t number = input_->number_of_vertices();
+  return compute_and_time(options_, report, [&](const auto& given_parameters) {
+    const auto np = CGAL::parameters::edges(std::cref(complex.edges), given_parameters);
+    Complex_graph graph;
+    if(complex.triangles.empty() && !complex.tetrahedra.empty())
+      CGAL::compute_reeb_graph_of_tetrahedra<Tag>(number, complex.tetrahedra, scalars, graph, np);
+    else
+      with_triangles(complex, [&](const auto& triangles) {
+        CGAL::compute_reeb_graph_of_soup<Tag>(number, triangles, scalars, graph, np);
+      });
+    return graph;
+  });
+}
+
+// Without chains.
+Graph Graph_of_arrays::on_vertices(const Complex_graph& graph) const
+{
+  typedef CGAL::Reeb_graph_traits<Surface, Scalar_map> Traits;
+  Graph result;
+  for(const auto node : CGAL::make_range(vertices(graph)))
+  {
+    const Surface::Vertex_index v(static_cast<Surface::size_type>(graph[node].vertex));
+    add_vertex(Traits::Node{graph[node].value, v, graph[node].kind}, result);
+  }
+  for(const auto arc : CGAL::make_range(edges(graph)))
+    put(boost::edge_index, result, add_edge(source(arc, graph), target(arc, graph), result).first,
+        get(boost::edge_index, graph, arc));
+  return result;
+}
+
+std::vector<std::size_t> Graph_of_arrays::places_in_complex() const
+{
+  const auto locate = [this](const auto& augmentation) {
+    return places_of(boost::irange(std::size_t(0), input_->number_of_vertices()),
+                     augmentation.template locate_vertices<CGAL::Parallel_if_available_tag>());
+  };
+  const Complex& complex = *input_->mesh.complex;
+  return complex.triangles.empty() && !complex.tetrahedra.empty() ? locate(make(tetrahedra_augmentation_))
+                                                                  : locate(make(soup_augmentation_));
+}
+
+CGAL::Reeb_graph::Embedding<Point> Graph_of_arrays::embed_on_surface(CGAL::Reeb_graph::Embedding_manner manner) const
+{
+  Progress_bar progress_bar("embedding");
+  return CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(
+    augmentation(), CGAL::parameters::embedding_manner(manner).callback(std::ref(progress_bar)));
+}
 
 // Calls the function with the augmentation that the mesh needs.
 template <class Function>
@@ -133,12 +211,18 @@ const AnyAugmentation& Graph_of_arrays::make(std::unique_ptr<AnyAugmentation>& a
   const Complex& complex = *input_->mesh.complex;
   const auto construct = [&](const auto& cells) {
     const auto& map = input_->scalar_map;
-    augmentation = std::make_unique<AnyAugmentation>(
-      input_->number_of_vertices(), cells, CGAL::make_range(map.begin(), map.end()), complex_graph_->result(),
-      CGAL::parameters::edges(std::cref(complex.edges), named_parameters(options_)));
+    const auto call = [&](const auto& np) {
+      augmentation = std::make_unique<AnyAugmentation>(
+        input_->number_of_vertices(), cells, CGAL::make_range(map.begin(), map.end()), complex_graph_->result(), np);
+    };
+    const auto np = CGAL::parameters::edges(std::cref(complex.edges), named_parameters(options_));
+    if(const auto& simplification = complex_graph_->simplification())
+      call(CGAL::parameters::simplification(*simplification, np));
+    else
+      call(np);
   };
   if constexpr(std::is_same_v<AnyAugmentation, Soup_augmentation>)
-    construct(complex.triangles);
+    with_triangles(complex, construct);
   else
     construct(complex.tetrahedra);
   return *augmentation;
