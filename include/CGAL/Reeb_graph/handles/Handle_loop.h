@@ -29,7 +29,7 @@ enum class Loop_kind
   HANDLE, ///< it bounds inside of the surface, and not outside, as a ring around the tube of a torus does
   TUNNEL, ///< it bounds outside of the surface, and not inside, as a ring around the hole of a torus does
   HOLE,   ///< it leads around a hole: a border of the surface
-  LOOP    ///< it is one of a surface that has no inside, since it has a hole, intersects itself, or has faces without area
+  LOOP ///< it is one of a surface that has no inside, since it has a hole, intersects itself, or has faces without area
 };
 
 /// \ingroup PkgReebGraphHandles

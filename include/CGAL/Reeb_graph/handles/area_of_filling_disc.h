@@ -163,10 +163,9 @@ private:
 ///
 /// \returns an area, or nothing, for each loop.
 template <class FaceListGraph, class LoopRange, class NamedParameters = parameters::Default_named_parameters>
-std::vector<std::optional<double>> areas_of_filling_discs(
-  const FaceListGraph& mesh,
-  const LoopRange& loops,
-  const NamedParameters& np = parameters::default_values())
+std::vector<std::optional<double>> areas_of_filling_discs(const FaceListGraph& mesh,
+                                                          const LoopRange& loops,
+                                                          const NamedParameters& np = parameters::default_values())
 {
   const auto point_map = internal::choose_point_map(mesh, np);
   internal::Filling_discs<FaceListGraph> discs(mesh);

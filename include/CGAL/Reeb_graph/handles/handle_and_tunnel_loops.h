@@ -216,10 +216,9 @@ private:
 ///
 /// and the exceptions of `compute_reeb_graph()`.
 template <class FaceListGraph, class ScalarMap, class NamedParameters = parameters::Default_named_parameters>
-Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(
-  const FaceListGraph& mesh,
-  ScalarMap scalar_map,
-  const NamedParameters& np = parameters::default_values())
+Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGraph& mesh,
+                                                               ScalarMap scalar_map,
+                                                               const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -228,15 +227,16 @@ Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(
   const auto traits = internal::choose_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>>(np);
   const auto reeb_loops =
     internal::find_reeb_loops(mesh, scalar_map, traits, internal::Stage_progress(progress, 0, 0.1));
-  const auto closing = std::make_shared<internal::Surface_closing<FaceListGraph>>(
-    mesh, internal::choose_point_map(mesh, np));
+  const auto closing =
+    std::make_shared<internal::Surface_closing<FaceListGraph>>(mesh, internal::choose_point_map(mesh, np));
   auto found = std::make_shared<internal::Found_loops>(std::move(closing->surface()),
                                                        internal::Stage_progress(progress, 0.1, 0.2));
   if(choose_parameter(get_parameter(np, internal::check_self_intersections), true))
     found->refuse_self_intersections();
   auto loops = found->make_loops(choose_parameter(get_parameter(np, internal::shorten_loops), true),
                                  internal::Stage_progress(progress, 0.2, 1));
-  internal::set_persistences(reeb_loops, [&](const auto h) { return closing->number(h); }, loops);
+  internal::set_persistences(
+    reeb_loops, [&](const auto h) { return closing->number(h); }, loops);
   progress.report_end();
   return Handle_and_tunnel_loops<FaceListGraph>(
     std::shared_ptr<const internal::Found_loops>(found),

@@ -52,10 +52,7 @@ public:
   const Tree_and_cotree::Component& component() const { return component_; }
   Halfedge_walk walk(std::size_t k) const { return trees_.walk_through(component_.left_over[k]); }
 
-  Integer_rows linking_numbers() const
-  {
-    return Linking_numbers(surface_, trees_, component_, pieces_, copieces_)();
-  }
+  Integer_rows linking_numbers() const { return Linking_numbers(surface_, trees_, component_, pieces_, copieces_)(); }
 
   // The coordinates of a closed walk in the basis b: how often each loop c crosses it from its right to its left.
   std::vector<long long> coordinates(const Halfedge_walk& walk) const
@@ -169,7 +166,9 @@ private:
       {
         if(i == j)
           continue;
-        const auto after_begin = [&](std::size_t place) { return (place + places.size() - chords[i][0]) % places.size(); };
+        const auto after_begin = [&](std::size_t place) {
+          return (place + places.size() - chords[i][0]) % places.size();
+        };
         const bool begins_right = after_begin(chords[j][0]) < after_begin(chords[i][1]);
         const bool ends_right = after_begin(chords[j][1]) < after_begin(chords[i][1]);
         result[i][j] = begins_right == ends_right ? 0 : begins_right ? 1 : -1;

@@ -44,8 +44,8 @@ public:
   struct Component
   {
     Component_loops loops;
-    std::size_t number;       // among all components of the surface
-    Integer_rows projection;  // empty if there is no inside
+    std::size_t number;      // among all components of the surface
+    Integer_rows projection; // empty if there is no inside
     bool is_front_outside = true;
     std::size_t number_of_vertices = 0;
   };

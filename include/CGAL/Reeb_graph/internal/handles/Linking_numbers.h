@@ -91,8 +91,7 @@ public:
         return numbers_in(direction);
       }
       catch(const Degenerate_direction&)
-      {
-      }
+      {}
     }
     return {};
   }

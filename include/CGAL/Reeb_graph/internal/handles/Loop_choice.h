@@ -219,8 +219,7 @@ private:
         continue;
       tried.insert(positions[k]);
       progress(0); // so that it can be cancelled
-      auto loop =
-        search(surface_.source(partner[k]), 1 - half, best.length, 16 * number_of_vertices_ + 1000000, accept);
+      auto loop = search(surface_.source(partner[k]), 1 - half, best.length, 16 * number_of_vertices_ + 100000, accept);
       if(!loop.walk.empty())
         best = std::move(loop);
     }

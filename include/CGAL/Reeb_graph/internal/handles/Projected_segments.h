@@ -73,8 +73,8 @@ public:
     return decide([&](auto zero) {
       typedef decltype(zero) FT;
       const Vector<FT> origin = point<FT>(a[0]);
-      const int sign = sign_of(
-        determinant(difference(point<FT>(a[1]), origin), direction<FT>(), difference(point<FT>(b), origin)));
+      const int sign =
+        sign_of(determinant(difference(point<FT>(a[1]), origin), direction<FT>(), difference(point<FT>(b), origin)));
       return sign == 0 ? throw Degenerate_direction() : sign;
     });
   }

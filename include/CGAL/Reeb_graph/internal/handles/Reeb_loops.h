@@ -44,7 +44,10 @@ struct Reeb_loop
 // The loops of the Reeb graph of a field, the least persistent one first. The arcs that leave the forest when loops are
 // paired are as many as these loops, and what is left is a spanning forest.
 template <class Mesh, class ScalarMap, class Traits>
-auto find_reeb_loops(const Mesh& mesh, const ScalarMap& scalar_map, const Traits& traits, const Stage_progress& progress)
+auto find_reeb_loops(const Mesh& mesh,
+                     const ScalarMap& scalar_map,
+                     const Traits& traits,
+                     const Stage_progress& progress)
 {
   typedef typename Reeb_graph_traits<Mesh, ScalarMap>::Graph Graph;
   typedef typename boost::graph_traits<Graph>::vertex_descriptor node_descriptor;

@@ -34,7 +34,8 @@ public:
   struct Component
   {
     Index root = no_index;
-    std::vector<Index> left_over; // b_k passes this halfedge from its source to its target, c_k from its right to its left
+    std::vector<Index>
+      left_over; // b_k passes this halfedge from its source to its target, c_k from its right to its left
     bool has_border = false;
     Index genus() const { return static_cast<Index>(left_over.size() / 2); }
   };
@@ -69,7 +70,7 @@ public:
   {
     return to_parent_[f] == no_index ? Index(no_index) : surface_.face[surface_.opposite(to_parent_[f])];
   }
-  double distance(Index v) const { return distances_[v]; } // from the root
+  double distance(Index v) const { return distances_[v]; }             // from the root
   const std::vector<Index>& face_order() const { return face_order_; } // parents first
 
   bool is_in_tree(Index h) const
@@ -78,8 +79,7 @@ public:
   }
   bool is_in_cotree(Index h) const
   {
-    return to_parent_[surface_.face[h]] == h
-        || to_parent_[surface_.face[surface_.opposite(h)]] == surface_.opposite(h);
+    return to_parent_[surface_.face[h]] == h || to_parent_[surface_.face[surface_.opposite(h)]] == surface_.opposite(h);
   }
 
   // The closed walk from the root to a halfedge, along it, and back.
@@ -221,9 +221,9 @@ public:
   }
 
   Index size() const { return static_cast<Index>(parents_.size()); }
-  Index parent(Index piece) const { return parents_[piece]; }     // no_index at the root
-  Index piece_of(Index node) const { return piece_of_[node]; }    // no_index for a root
-  const std::vector<Index>& nodes() const { return nodes_; }      // all that belong to a piece
+  Index parent(Index piece) const { return parents_[piece]; }  // no_index at the root
+  Index piece_of(Index node) const { return piece_of_[node]; } // no_index for a root
+  const std::vector<Index>& nodes() const { return nodes_; }   // all that belong to a piece
 
 private:
   std::vector<Index>& piece_of_;
