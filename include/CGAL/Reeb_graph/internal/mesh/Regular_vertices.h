@@ -13,30 +13,36 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
-#include <CGAL/Reeb_graph/internal/base/Zeroed_array.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
-#include <CGAL/Reeb_graph/internal/mesh/Triangle_complex_base.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Whether the field is smooth, by a sample of the edges: the maxima of links at them are then as many as a third of
-// these; on noise, two thirds.
+// What a sample of the edges tells.
+struct Sampled_edges
+{
+  std::size_t number = 0;
+  std::size_t far_ones = 0;    // whose ends or next edges are far away in memory
+  std::size_t link_maxima = 0; // as many as a third of the edges if the field is smooth, two thirds on noise
+};
+
 template <class Complex, class Order>
-bool is_smooth(const Complex& complex, const Order& order)
+Sampled_edges sample_edges(const Complex& complex, const Order& order)
 {
   constexpr std::size_t number_of_samples = 500;
   const std::size_t number_of_edges = complex.number_of_edges();
-  std::size_t number = 0, number_of_maxima = 0;
+  const auto are_far = [](Index a, Index b, std::size_t size) {
+    return (std::max)(a, b) - (std::min)(a, b) > size / 16;
+  };
+  Sampled_edges sample;
   for(std::size_t i = 0; i != number_of_samples; ++i)
   {
     const Halfedge_index h = even_halfedge(Edge_index(i * number_of_edges / number_of_samples));
@@ -49,152 +55,214 @@ bool is_smooth(const Complex& complex, const Order& order)
                        y = complex.target(right);
     if((std::max)({u, v, x, y}).number() >= complex.number_of_vertices())
       continue;
-    ++number;
+    ++sample.number;
+    sample.far_ones += are_far(h.number(), left.number(), complex.number_of_halfedges())
+                    || are_far(u.number(), v.number(), complex.number_of_vertices());
     for(const Vertex_index end : {u, v})
-      number_of_maxima += order(x, end) && order(y, end) ? 1 : 0;
+      sample.link_maxima += order(x, end) && order(y, end) ? 1 : 0;
   }
-  return number_of_maxima < number / 2;
+  return sample;
 }
 
-// The vertices that are seen to be regular, and to have one fan, with no turn around them: by a sweep over the
-// triangles, in the order in which they are in memory.
+// How many pages of memory the halfedges are on with which turns around some vertices begin, for each of these. They
+// are few if the mesh was made vertex by vertex, and nearly one for each if its faces are in another order.
+template <class Complex>
+double pages_per_vertex(const Complex& complex)
+{
+  constexpr std::size_t number_of_runs = 32, length = 64, halfedges_per_page = 256;
+  if(complex.number_of_vertices() < length)
+    return 0;
+  std::size_t number_of_pages = 0;
+  for(std::size_t run = 0; run != number_of_runs; ++run)
+  {
+    const std::size_t first = run * (complex.number_of_vertices() - length) / number_of_runs;
+    std::array<std::size_t, length> pages;
+    for(std::size_t i = 0; i != length; ++i)
+      pages[i] = complex.halfedge_of_face_at(Vertex_index(first + i)).number() / halfedges_per_page;
+    std::sort(pages.begin(), pages.end());
+    number_of_pages += static_cast<std::size_t>(std::unique(pages.begin(), pages.end()) - pages.begin());
+  }
+  return static_cast<double>(number_of_pages) / (number_of_runs * length);
+}
+
+// Whether a sweep finds vertices to be regular faster than turns around them. It does if neighbors are often far from
+// each other in memory, or vertices in a row are: each step of a turn then waits, as it is known only when the last one
+// has come.
+template <class Complex, class Order>
+bool is_sweep_faster(const Complex& complex, const Order& order)
+{
+  constexpr std::size_t smallest_number_of_edges = 100000; // Fewer ones are in the caches.
+  if(complex.number_of_edges() < smallest_number_of_edges)
+    return false;
+  const Sampled_edges sample = sample_edges(complex, order);
+  return sample.link_maxima < sample.number / 2
+      && (sample.far_ones > sample.number / 4 || pages_per_vertex(complex) > 0.3);
+}
+
+// The vertices that are seen to be regular, and to have one fan, with no turn around them: by a sweep over the edges,
+// in the order in which they are in memory.
 //
-// Each triangle has a lowest, a middle and a highest vertex. They are the vertices that are
-// - the middle one of two triangles,
-// - only on edges with two triangles,
-// - on no edge up whose other vertices in both triangles are the highest ones, and
-// - on no edge down whose other vertices in both triangles are the lowest ones.
-// By the second condition, each of their fans is inside of the surface: its link is a closed curve, which changes
-// between lower and higher vertices in those triangles in which its vertex is the middle one. So by the first condition
-// one fan has one lower and one upper part, or there is none but such with a link that is all lower or all higher; as
-// the changes of a closed curve are an even number, they are not of two fans. If the link of a fan is all higher, it has
-// a lowest vertex, which is on an edge of the third kind; if it is all lower, its highest one is on one of the fourth.
-// So there is no such fan, and the one that is left has one lower and one upper part.
-//
-// These are nearly all vertices of a smooth field. There are none here if something is wrong with a face.
+// They are the vertices inside of the surface whose links have one maximum, which is higher than the vertex, and no
+// minimum that is. The link of each fan has a maximum, so there is no other fan; such a link ascends once and descends
+// once, and its minimum is lower than the vertex, so that it has one upper and one lower part. These are nearly all
+// vertices of a smooth field. There are none here where something is wrong with a face or an edge.
+template <class ConcurrencyTag>
 class Regular_vertices
 {
 public:
   // No vertices.
   Regular_vertices() = default;
 
-  // Calls set_halfedge(vertex, a halfedge of a triangle that ends there) for these vertices, and maybe for other ones.
-  template <class Complex, class Order, class SetHalfedge>
-  Regular_vertices(const Complex& complex, const Order& order, const SetHalfedge& set_halfedge)
-    : corners_(complex.number_of_vertices(), 0)
+  template <class Complex, class Order>
+  Regular_vertices(const Complex& complex, const Order& order) : found_(complex.number_of_vertices())
   {
-    Apexes apexes(complex.number_of_halfedges());
-    const std::size_t end = complex.end_of_faces();
-    for(std::size_t block = 0; block < end; block += block_size)
+    const auto sweep = [&](std::size_t begin, std::size_t end, std::size_t& number_of_bad_edges) {
+      for(std::size_t block = begin; block < end; block += block_size)
+        number_of_bad_edges +=
+          sweep_block(complex, order, Edge_index(block), Edge_index((std::min)(block + block_size, end)));
+    };
+    if(sum_of_parts<ConcurrencyTag, std::size_t>(complex.number_of_edges(), sweep) != 0)
     {
-      const Index_range faces(Face_index(block), Face_index((std::min)(block + block_size, end)));
-      if(!add_triangles(complex, order, set_halfedge, faces, apexes))
-      {
-        corners_.clear();
-        return;
-      }
+      found_.clear();
+      return;
     }
-    for(const Edge_index e : Index_range<Edge_index>(complex.number_of_edges()))
-      add_edge(complex, order, even_halfedge(e), apexes);
+    number_of_corners_ = sum_of_parts<ConcurrencyTag, std::size_t>(
+      found_.size(), [&](std::size_t begin, std::size_t end, std::size_t& number) {
+        for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
+          number += complex.has_vertex(v) && halfedge(v) != no_index ? found_[v].number_of_edges.get() : 0;
+      });
   }
 
-  // How many corners of triangles are at a vertex, 0 if it is none of these.
-  Number number_of_corners(Vertex_index vertex) const
+  // A halfedge that ends at a vertex, no_index if it is not one of these.
+  Halfedge_index halfedge(Vertex_index vertex) const
   {
-    if(corners_.empty())
-      return 0;
-    const Number number = static_cast<Number>(corners_[vertex]),
-                 number_of_no_middles = static_cast<Number>(corners_[vertex] >> 32);
-    return number - number_of_no_middles == 2 ? number : 0;
+    if(found_.empty())
+      return no_index;
+    const Number end = found_[vertex].end.get();
+    return end == none || end == several ? Halfedge_index(no_index) : Halfedge_index(end - 1);
   }
+
+  // The corners of triangles at these vertices, which have as many edges.
+  std::size_t number_of_corners() const { return number_of_corners_; }
 
 private:
-  // For the triangle of a halfedge, whether the vertex opposite of the halfedge is the lowest one, the middle one, or
-  // the highest one, as the numbers around `middle`; 0 if there is no triangle.
-  typedef Zeroed_array<Halfedge_index, std::uint8_t> Apexes;
-  static constexpr int middle = 4;
+  static constexpr Number none = 0, several = No_index(); // or other reasons not to say
 
-  static constexpr std::size_t block_size = 32;
-
-  // Reads some faces, then counts: what is read need not wait for what is written. Returns whether all is right with
-  // them.
-  template <class Complex, class Order, class SetHalfedge>
-  bool add_triangles(const Complex& complex,
-                     const Order& order,
-                     const SetHalfedge& set_halfedge,
-                     const Index_range<Face_index>& faces,
-                     Apexes& apexes)
+  struct Found
   {
-    std::array<Triangle_at_face, block_size> triangles;
-    std::size_t size = 0;
-    bool are_right = true;
-    for(const Face_index f : faces)
-      if(complex.has_face(f))
-        are_right &= complex.read_triangle(f, triangles[size++]);
-    if(are_right)
-      for(std::size_t i = 0; i != size; ++i)
-        add_triangle(triangles[i], order, set_halfedge, apexes);
-    return are_right;
-  }
+    Relaxed_value<Number> end;             // the number behind that of a halfedge from the maximum of the link
+    Relaxed_value<Number> number_of_edges; // without those on the border
+  };
 
-  // Without branches on what is compared, as none could be foreseen.
-  template <class Order, class SetHalfedge>
-  void add_triangle(const Triangle_at_face& triangle,
-                    const Order& order,
-                    const SetHalfedge& set_halfedge,
-                    Apexes& apexes)
+  // The vertices opposite of an edge, if it has two triangles.
+  struct Apexes
   {
-    const Vertex_index a = triangle.vertices[0], b = triangle.vertices[1], c = triangle.vertices[2];
-    const unsigned ab = order.is_lower(a, b), bc = order.is_lower(b, c), ca = order.is_lower(c, a);
-    add_corner(a, ca, ab);
-    add_corner(b, ab, bc);
-    add_corner(c, bc, ca);
-    const Halfedge_index to_a = triangle.halfedges[0], to_b = triangle.halfedges[1], to_c = triangle.halfedges[2];
-    set_halfedge(a, to_a);
-    set_halfedge(b, to_b);
-    set_halfedge(c, to_c);
-    apexes[to_a] = static_cast<std::uint8_t>(middle + ab - bc); // is opposite of b
-    apexes[to_b] = static_cast<std::uint8_t>(middle + bc - ca);
-    apexes[to_c] = static_cast<std::uint8_t>(middle + ca - ab);
-  }
+    Vertex_index left, right;
+  };
 
-  void add_corner(Vertex_index vertex, unsigned is_above_last, unsigned is_below_next)
-  {
-    const std::uint64_t is_no_middle = is_above_last ^ is_below_next;
-    corners_[vertex] += 1 + (is_no_middle << 32);
-  }
+  static constexpr std::size_t block_size = 128; // What is read of the edges of a block stays in the first caches.
+  typedef std::array<Apexes, block_size> Apexes_of_block;
 
-  // Excludes the ends of an edge that the conditions above exclude.
+  // Returns the number of edges with which something is wrong. If there are any, nothing has been found.
   template <class Complex, class Order>
-  void add_edge(const Complex& complex, const Order& order, Halfedge_index even, const Apexes& apexes)
+  std::size_t sweep_block(const Complex& complex, const Order& order, Edge_index begin, Edge_index end)
   {
-    const int sum = apexes[even] + apexes[opposite_of(even)];
-    if(sum >= 2 * middle - 1
-       && sum <= 2 * middle + 1) // One opposite vertex is the middle one, or they are of both kinds.
-      return;
-    if(!complex.has_edge(edge_of(even)))
-      return;
-    const bool has_triangles = sum >= 2 * (middle - 1), are_higher = sum > 2 * middle;
-    const Vertex_index ends[] = {complex.source(even), complex.target(even)};
-    for(const std::size_t i : {0, 1})
-      if(corners_.contains(ends[i]) && (!has_triangles || order(ends[i], ends[1 - i]) == are_higher))
-        corners_[ends[i]] = excluded;
+    const Apexes_of_block apexes = find_apexes(complex, begin, end);
+    std::size_t number_of_bad_edges = 0;
+    for(const Edge_index e : Index_range(begin, end))
+    {
+      if(!complex.has_edge(e))
+        continue;
+      number_of_bad_edges += is_bad_edge(complex, e) ? 1 : 0;
+      const Apexes& beside = apexes[e.number() - begin.number()];
+      for(const Vertex_index v : {complex.source(even_halfedge(e)), complex.target(even_halfedge(e))})
+      {
+        order.prefetch(v);
+        prefetch_element(found_, v);
+      }
+      order.prefetch(beside.left);
+      order.prefetch(beside.right);
+    }
+    if(number_of_bad_edges != 0)
+      return number_of_bad_edges;
+    for(const Edge_index e : Index_range(begin, end))
+      if(complex.has_edge(e))
+        add_edge(complex, order, e, apexes[e.number() - begin.number()]);
+    return 0;
   }
 
-  // The number of the corners of a vertex, and, in the higher half, of those where it is the lowest or the highest
-  // vertex of the triangle: one number, so that it is written once for each corner.
-  Indexed_vector<Vertex_index, std::uint64_t> corners_;
-  static constexpr std::uint64_t excluded = (std::numeric_limits<std::uint64_t>::max)();
+  // The next halfedges may be anywhere in memory, and a mesh does not tell where to prefetch them. This loop does
+  // nothing else, so that the processor has the reads of many rounds before it, and waits for them at once.
+  template <class Complex>
+  static Apexes_of_block find_apexes(const Complex& complex, Edge_index begin, Edge_index end)
+  {
+    const Number number_of_halfedges = complex.number_of_halfedges();
+    const auto target_of_next = [&](Halfedge_index h) {
+      const Halfedge_index next = complex.next(h);
+      return complex.target(next.number() < number_of_halfedges ? next : h); // Nothing has been checked yet.
+    };
+    Apexes_of_block apexes;
+    std::size_t i = 0;
+    for(const Edge_index e : Index_range(begin, end))
+      apexes[i++] = {target_of_next(even_halfedge(e)), target_of_next(opposite_of(even_halfedge(e)))};
+    return apexes;
+  }
+
+  // Whether an edge has one vertex at both ends, or no face, or one that is no triangle.
+  template <class Complex>
+  static bool is_bad_edge(const Complex& complex, Edge_index edge)
+  {
+    const Halfedge_index even = even_halfedge(edge), odd = opposite_of(even);
+    const bool has_left = complex.has_triangle(even), has_right = complex.has_triangle(odd);
+    return complex.source(even) == complex.target(even) || !(has_left || has_right)
+        || (has_left && !complex.is_next_in_triangle(even)) || (has_right && !complex.is_next_in_triangle(odd));
+  }
+
+  // Without branches on what is compared, as none could be foreseen where the surface is not in order in memory.
+  template <class Complex, class Order>
+  void add_edge(const Complex& complex, const Order& order, Edge_index edge, const Apexes& apexes)
+  {
+    const Halfedge_index even = even_halfedge(edge);
+    const Vertex_index ends[] = {complex.source(even), complex.target(even)};
+    if(complex.is_on_border_edge(even))
+    {
+      for(const Vertex_index v : ends)
+        found_[v].end.set(several);
+      return;
+    }
+    const std::size_t higher = order.is_lower(ends[0], ends[1]) ? 1 : 0, lower = 1 - higher;
+    std::size_t numbers_of_lower_apexes[2]; // than each end
+    for(const std::size_t i : {0, 1})
+      numbers_of_lower_apexes[i] =
+        std::size_t(order.is_lower(apexes.left, ends[i])) + std::size_t(order.is_lower(apexes.right, ends[i]));
+    Found &at_lower = found_[ends[lower]], &at_higher = found_[ends[higher]];
+    at_lower.number_of_edges.template add<ConcurrencyTag>(1);
+    at_higher.number_of_edges.template add<ConcurrencyTag>(1);
+    if(numbers_of_lower_apexes[higher] == 2)
+      add_maximum(at_lower, Halfedge_index(even.number() + higher)); // the one that descends
+    if(numbers_of_lower_apexes[higher] == 0)
+      at_lower.end.set(several); // A minimum of its link is higher.
+    if(numbers_of_lower_apexes[lower] == 2)
+      at_higher.end.set(several); // A maximum of its link is lower.
+  }
+
+  // Of threads that meet at a vertex, one sees that there has been no maximum. The other ones write last.
+  static void add_maximum(Found& found, Halfedge_index halfedge)
+  {
+    if(found.end.get() != none || found.end.template exchange<ConcurrencyTag>(halfedge.number() + 1) != none)
+      found.end.set(several);
+  }
+
+  Indexed_vector<Vertex_index, Found> found_;
+  std::size_t number_of_corners_ = 0;
 };
 
 // The regular vertices if to find them pays.
-template <class ConcurrencyTag, class Complex, class Order, class SetHalfedge>
-Regular_vertices find_regular_vertices(const Complex& complex, const Order& order, const SetHalfedge& set_halfedge)
+template <class ConcurrencyTag, class Complex, class Order>
+Regular_vertices<ConcurrencyTag> find_regular_vertices(const Complex& complex, const Order& order)
 {
-  constexpr std::size_t smallest_number_of_edges = 100000; // Fewer ones are in the caches.
-  if(is_used(Tuned_part::FACE_SWEEP) && !is_parallel<ConcurrencyTag>()
-     && complex.number_of_edges() >= smallest_number_of_edges && is_smooth(complex, order))
-    return {complex, order, set_halfedge};
+  if(is_used(Tuned_part::EDGE_SWEEP) && is_sweep_faster(complex, order))
+    return {complex, order};
   return {};
 }
 

@@ -20,7 +20,6 @@
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
-#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -59,44 +58,14 @@ public:
   // Hides the other one, as it is known without a look at the next halfedge, which may be far away in memory.
   Halfedge_index previous(Halfedge_index h) const { return Halfedge_index(mesh_->prev(descriptor(h))); }
 
-  // Faces have the numbers that they have in the mesh.
-  Number end_of_faces() const { return mesh_->num_faces(); }
-  bool has_face(Face_index f) const { return !mesh_->has_garbage() || !mesh_->is_removed(descriptor(f)); }
-
-  // All is right with a face if all that the mesh tells of its halfedges agrees. Two such faces have no halfedge in
-  // common, as each has one face. Without branches, as all is read in any case.
-  bool read_triangle(Face_index f, Triangle_at_face& triangle) const
+  // If so for all halfedges of faces, `next` and `previous` undo each other, and two steps onwards are one back: so
+  // three steps lead around each face.
+  bool is_next_in_triangle(Halfedge_index h) const
   {
-    const Halfedge_index last(number_of_halfedges() - 1); // Nothing has been checked yet.
-    const Halfedge_index first = (std::min)(Halfedge_index(mesh_->halfedge(descriptor(f))), last),
-                         second = (std::min)(next(first), last), third = (std::min)(previous(first), last);
-    const Vertex_index a = target(first), b = target(second), c = target(third);
-    Number difference = 0;
-    const auto compare = [&](auto u, auto v) { difference |= u.number() ^ v.number(); };
-    compare(next(first), second);
-    compare(next(second), third);
-    compare(next(third), first);
-    compare(previous(first), third);
-    compare(previous(second), first);
-    compare(previous(third), second);
-    compare(this->source(first), c);
-    compare(this->source(second), a);
-    compare(this->source(third), b);
-    for(const Halfedge_index h : {first, second, third})
-    {
-      compare(Face_index(mesh_->face(descriptor(h))), f);
-      difference |= has_edge(edge_of(h)) ? 0 : 1;
-    }
-    triangle.halfedges[0] = first;
-    triangle.halfedges[1] = second;
-    triangle.halfedges[2] = third;
-    triangle.vertices[0] = a;
-    triangle.vertices[1] = b;
-    triangle.vertices[2] = c;
-    return (difference == 0) & (a != b) & (b != c) & (c != a)
-         & ((std::max)({a, b, c}).number() < this->number_of_vertices());
+    const Halfedge_index second = next(h);
+    return second.number() < number_of_halfedges() && has_edge(edge_of(second)) && has_triangle(second) && second != h
+        && previous(second) == h && next(second) == previous(h);
   }
-
   Halfedge_index halfedge_of_face_at(Vertex_index v) const
   {
     if(!has_vertex(v))
@@ -109,7 +78,6 @@ public:
 
 private:
   static typename Mesh::Vertex_index descriptor(Vertex_index v) { return typename Mesh::Vertex_index(v.number()); }
-  static typename Mesh::Face_index descriptor(Face_index f) { return typename Mesh::Face_index(f.number()); }
   static typename Mesh::Halfedge_index descriptor(Halfedge_index h)
   {
     return typename Mesh::Halfedge_index(h.number());

@@ -58,6 +58,7 @@ public:
 
   std::size_t number_of_faces() const { return number_of_faces_; }
   std::size_t number_of_live_edges() const { return halfedges_.size() / 2; }
+  bool is_next_in_triangle(Halfedge_index) const { return true; }
   Halfedge_index halfedge_of_face_at(Vertex_index vertex) const { return first_halfedge(vertex); }
   void check_faces() const {}
   void check_edges() const {}

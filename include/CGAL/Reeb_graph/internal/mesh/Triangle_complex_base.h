@@ -16,7 +16,6 @@
 #include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
 #include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
 
-#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -27,20 +26,14 @@ namespace internal {
 template <class Complex>
 class Unchecked_complex;
 
-// The halfedges of a face, one after another, and the vertices at which they end.
-struct Triangle_at_face
-{
-  std::array<Halfedge_index, 3> halfedges;
-  std::array<Vertex_index, 3> vertices;
-};
-
 // An oriented triangulated surface by numbers, as the stages see it. A halfedge has its triangle on the left, or none,
 // along the border. There may be numbers that belong to no vertex and to no edge.
 //
 // A class `Complex` derived from this one has number_of_halfedges(), target(halfedge), has_triangle(halfedge),
 // next(halfedge), for a halfedge of a triangle, and has_vertex(number) and has_edge(number); and for Unchecked_complex,
 // number_of_faces(), number_of_live_edges(), halfedge_of_face_at(vertex), any one that ends there or no_index,
-// check_faces(), which throws if a face is no triangle with three vertices, and check_edges(), if an edge has no face.
+// is_next_in_triangle(halfedge), which is false for one at least in each face that is no triangle, check_faces(), which
+// throws if a face is no triangle with three vertices, and check_edges(), if an edge has no face.
 template <class Complex>
 class Triangle_complex_base
 {
@@ -70,26 +63,6 @@ public:
   {
     const Halfedge_index even = even_halfedge(edge);
     return complex().has_triangle(even) ? even : opposite_of(even);
-  }
-
-  // The triangles by numbers below end_of_faces(), some of which belong to none. Here they are those of the least
-  // halfedges.
-  Number end_of_faces() const { return complex().number_of_halfedges(); }
-  bool has_face(Face_index face) const
-  {
-    const Halfedge_index h(face.number());
-    return complex().has_triangle(h) && h < complex().next(h) && h < previous(h);
-  }
-  // Returns whether all is right with the face.
-  bool read_triangle(Face_index face, Triangle_at_face& triangle) const
-  {
-    Halfedge_index h(face.number());
-    for(std::size_t i = 0; i != 3; ++i, h = complex().next(h))
-    {
-      triangle.halfedges[i] = h;
-      triangle.vertices[i] = complex().target(h);
-    }
-    return true;
   }
 
   // The halfedge before, in the triangle of the halfedge.

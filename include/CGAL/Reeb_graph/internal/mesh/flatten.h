@@ -216,19 +216,20 @@ Unchecked_surface<Surface_mesh<Point>, typename Traits::Scalar> flatten_unchecke
 template <class ConcurrencyTag, class Complex, class Order>
 Complex check_complex(Unchecked_complex<Complex> unchecked, const Order& order)
 {
-  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(
-    unchecked.at_set_fans(), order, [&](Vertex_index vertex, Halfedge_index h) { unchecked.set_fan(vertex, h); });
+  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), order);
   const auto set_fans = [&](std::size_t begin, std::size_t end, Fan_counts& counts) {
     No_visitor_of_fan visitor;
     for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
     {
-      const Number number_of_corners = regular_vertices.number_of_corners(v);
-      counts.corners += number_of_corners;
-      if(number_of_corners == 0)
+      if(const Halfedge_index halfedge = regular_vertices.halfedge(v); halfedge != no_index)
+        unchecked.set_fan(v, halfedge);
+      else
         unchecked.set_fan(v, counts, visitor);
     }
   };
-  return std::move(unchecked).check(sum_of_parts<ConcurrencyTag, Fan_counts>(unchecked.number_of_vertices(), set_fans));
+  auto counts = sum_of_parts<ConcurrencyTag, Fan_counts>(unchecked.number_of_vertices(), set_fans);
+  counts.corners += regular_vertices.number_of_corners();
+  return std::move(unchecked).check(counts);
 }
 
 // Whether a scalar map is a public Flat_field with values of the wanted type. It is told by what it has, as it stands
