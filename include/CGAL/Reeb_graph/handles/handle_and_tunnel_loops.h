@@ -20,6 +20,7 @@
 #include <CGAL/Reeb_graph/internal/handles/Reeb_loops.h>
 #include <CGAL/Reeb_graph/internal/handles/make_loops.h>
 #include <CGAL/Reeb_graph/internal/handles/self_intersections.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -28,9 +29,6 @@
 #include <memory>
 #include <utility>
 #include <vector>
-
-CGAL_REEB_GRAPH_NAMED_PARAMETER(shorten_loops, bool)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(check_self_intersections, bool)
 
 namespace CGAL {
 namespace Reeb_graph {
