@@ -20,7 +20,6 @@
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/Critical_vertex_counts.h>
 #include <CGAL/Reeb_graph/Embedding.h>
-#include <CGAL/Reeb_graph/Error.h>
 #include <CGAL/Reeb_graph/Flat_field.h>
 #include <CGAL/Reeb_graph/Halfedge_chain.h>
 #include <CGAL/Reeb_graph/IO.h>
@@ -43,10 +42,8 @@
 #include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/graph_exceptions.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/Reeb_graph/index_maps.h>
-#include <CGAL/Reeb_graph/mesh_exceptions.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 #include <CGAL/Reeb_graph/piece_measures.h>
@@ -60,7 +57,6 @@
 #include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/Reeb_graph/simplification/simplify_field.h>
-#include <CGAL/Reeb_graph/soup_exceptions.h>
 #include <CGAL/Reeb_graph/tetrahedra.h>
 #include <CGAL/Reeb_graph/visitor.h>
 #include <CGAL/Reeb_graph_soup_traits.h>

@@ -12,18 +12,18 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/arcs/find_arcs.h>
-#include <CGAL/Reeb_graph/internal/arcs/reduce_arcs.h>
-#include <CGAL/Reeb_graph/internal/augmentation/Wanted_places.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/critical_vertices/classify_vertices.h>
-#include <CGAL/Reeb_graph/internal/critical_vertices/count_critical_vertices.h>
-#include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
-#include <CGAL/Reeb_graph/internal/mesh/flatten.h>
-#include <CGAL/Reeb_graph/internal/output/write_graph.h>
+#include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
+#include <CGAL/Reeb_graph/internal/complex/flatten.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/write_graph.h>
+#include <CGAL/Reeb_graph/internal/way_back/Vertex_places.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/visitor.h>

@@ -11,11 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/critical_vertices/classify_complex.h>
-#include <CGAL/Reeb_graph/internal/mesh/flatten_soup.h>
-#include <CGAL/Reeb_graph/internal/mesh/read_simplices.h>
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/complex/flatten_soup.h>
+#include <CGAL/Reeb_graph/internal/engine/classify_complex.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-#include <CGAL/Reeb_graph/soup_exceptions.h>
 #include <CGAL/Reeb_graph_soup_traits.h>
 #include <CGAL/compute_reeb_graph.h>
 

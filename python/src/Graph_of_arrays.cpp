@@ -18,7 +18,7 @@
 
 #include <CGAL/Reeb_graph/IO/json.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
-#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 #include "computation/Mesh_graph_of.h"
 
 #include <CGAL/Reeb_graph/embed.h>
-#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
 #include <boost/range/irange.hpp>

@@ -15,8 +15,6 @@
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
-#include <CGAL/Reeb_graph/mesh_exceptions.h>
-#include <CGAL/Reeb_graph/soup_exceptions.h>
 
 #include <exception>
 #include <stdexcept>

@@ -16,7 +16,7 @@
 #include <CGAL/Reeb_graph/fields/height_field.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
 #include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
-#include <CGAL/Reeb_graph/internal/mesh/border_cycles.h>
+#include <CGAL/Reeb_graph/internal/complex/border_cycles.h>
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 
 #include "mpi/ranks.h"
 
-#include <CGAL/Reeb_graph/internal/distributed/wait_for.h>
+#include <CGAL/Reeb_graph/distributed/internal/exchange.h>
 
 #include <boost/mpi/collectives.hpp>
 #include <boost/mpi/exception.hpp>

@@ -12,8 +12,8 @@
 
 #include <CGAL/IO/OFF.h>
 #include <CGAL/Reeb_graph/IO/polylines.h>
-#include <CGAL/Reeb_graph/internal/output/Vtp_document.h>
-#include <CGAL/Reeb_graph/internal/output/json_text.h>
+#include <CGAL/Reeb_graph/internal/io/Vtp_document.h>
+#include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <cstddef>
 #include <cstdint>

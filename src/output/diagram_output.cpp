@@ -10,7 +10,7 @@
 
 #include "output/output_file.h"
 
-#include <CGAL/Reeb_graph/internal/drawing/round_ticks.h>
+#include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
 
 #include <algorithm>
 #include <array>

@@ -15,8 +15,8 @@
 #include "known_meshes.h"
 #include "random_fields.h"
 
-#include <CGAL/Reeb_graph/internal/contour_trees/Contour_trees_engine.h>
-#include <CGAL/Reeb_graph/internal/mesh/Regular_vertices.h>
+#include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/Contour_trees_engine.h>
 
 #include <boost/mpl/list.hpp>
 

@@ -13,7 +13,7 @@
 #include "generated_surfaces/random_meshes.h"
 #include "graph_checks.h"
 
-#include <CGAL/Reeb_graph/internal/base/Plain_vector.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
 
 #include <boost/graph/copy.hpp>
 

@@ -13,8 +13,8 @@
 #include "generated_surfaces/random_meshes.h"
 
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Default_solver.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/solve_iteratively.h>
+#include <CGAL/Reeb_graph/fields/internal/solve.h>
+#include <CGAL/Reeb_graph/fields/internal/solve_iteratively.h>
 
 #include <algorithm>
 #include <cmath>

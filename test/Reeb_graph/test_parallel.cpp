@@ -14,10 +14,10 @@
 #include "throwing_traits.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/internal/base/Indexed_vector.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/mesh/Vertex_order.h>
-#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
 #include <boost/mpl/list.hpp>

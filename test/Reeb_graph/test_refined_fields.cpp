@@ -16,10 +16,10 @@
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/cut_along_contours.h>
 #include <CGAL/Reeb_graph/curves/cutting_system.h>
+#include <CGAL/Reeb_graph/curves/internal/Refined_field.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/curves/segmentation.h>
 #include <CGAL/Reeb_graph/curves/unfold_multi_saddles.h>
-#include <CGAL/Reeb_graph/internal/curves/value_between.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/compute_reeb_graph.h>
 

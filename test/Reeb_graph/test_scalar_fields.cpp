@@ -14,9 +14,9 @@
 #include <CGAL/Reeb_graph/fields/gradient_and_divergence.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
 #include <CGAL/Reeb_graph/fields/height_field.h>
+#include <CGAL/Reeb_graph/fields/internal/solve.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
 #include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Default_solver.h>
 
 #include <CGAL/Exact_rational.h>
 

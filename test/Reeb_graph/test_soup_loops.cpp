@@ -11,10 +11,9 @@
 #include "graph_checks.h"
 #include "random_complexes.h"
 
-#include <CGAL/Reeb_graph/internal/contour_trees/Contour_trees_engine.h>
-#include <CGAL/Reeb_graph/internal/level_sets/Components_of_complex.h>
-#include <CGAL/Reeb_graph/internal/level_sets/Contour_search.h>
-#include <CGAL/Reeb_graph/internal/level_sets/Contours_of_sectors.h>
+#include <CGAL/Reeb_graph/internal/engine/Contour_search.h>
+#include <CGAL/Reeb_graph/internal/engine/Contour_trees_engine.h>
+#include <CGAL/Reeb_graph/internal/engine/Contours_of_sectors.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
 #include <boost/test/unit_test.hpp>

@@ -17,9 +17,9 @@
 #include "random_fields.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/internal/distributed/Vertex_ranges.h>
-#include <CGAL/Reeb_graph/internal/distributed/ask_owners.h>
-#include <CGAL/Reeb_graph/internal/distributed/distribute_surface.h>
+#include <CGAL/Reeb_graph/distributed/internal/Slab_surface.h>
+#include <CGAL/Reeb_graph/distributed/internal/Vertex_numbering.h>
+#include <CGAL/Reeb_graph/distributed/internal/distribute_surface.h>
 
 #include <boost/test/unit_test.hpp>
 

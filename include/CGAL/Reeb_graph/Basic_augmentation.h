@@ -13,12 +13,11 @@
 
 #include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/augmentation/Arc_contours.h>
-#include <CGAL/Reeb_graph/internal/augmentation/Simplified_places.h>
-#include <CGAL/Reeb_graph/internal/augmentation/check_graph.h>
-#include <CGAL/Reeb_graph/internal/augmentation/locate_vertices.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/way_back/Arc_contours.h>
+#include <CGAL/Reeb_graph/internal/way_back/check_graph.h>
+#include <CGAL/Reeb_graph/internal/way_back/locate_vertices.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 

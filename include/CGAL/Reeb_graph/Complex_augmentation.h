@@ -12,9 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Basic_augmentation.h>
-#include <CGAL/Reeb_graph/internal/augmentation/graphs_on_cells.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/way_back/graphs_on_cells.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <cstddef>

@@ -13,8 +13,8 @@
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/Embedding.h>
-#include <CGAL/Reeb_graph/internal/base/point_map.h>
-#include <CGAL/Reeb_graph/internal/embedding/embed_arcs.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/way_back/embed_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 namespace CGAL {

@@ -11,8 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
-#include <CGAL/Reeb_graph/internal/base/Spanning_forest.h>
+#include <CGAL/Reeb_graph/internal/base/union_find.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Descriptor_numbers.h>
+#include <CGAL/Reeb_graph/internal/base/descriptors.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

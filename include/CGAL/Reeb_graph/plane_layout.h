@@ -15,9 +15,9 @@
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/drawing/Plane_drawing.h>
 #include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
-#include <CGAL/Reeb_graph/internal/simplification/persistence.h>
-#include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
+#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
+#include <CGAL/Reeb_graph/simplification/internal/prune_graph.h>
 
 #include <algorithm>
 #include <array>

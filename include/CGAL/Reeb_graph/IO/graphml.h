@@ -13,8 +13,8 @@
 
 #include <CGAL/Reeb_graph/IO/attributes.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
-#include <CGAL/Reeb_graph/internal/output/Graphml_writer.h>
-#include <CGAL/Reeb_graph/internal/output/files.h>
+#include <CGAL/Reeb_graph/internal/io/Graphml_writer.h>
+#include <CGAL/Reeb_graph/internal/io/Text_output.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -12,9 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/IO/attributes.h>
-#include <CGAL/Reeb_graph/internal/base/point_map.h>
-#include <CGAL/Reeb_graph/internal/output/Vtp_document.h>
-#include <CGAL/Reeb_graph/internal/output/files.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/io/Text_output.h>
+#include <CGAL/Reeb_graph/internal/io/Vtp_document.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/boost/graph/iterator.h>

@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/crossing_fraction.h>
-#include <CGAL/Reeb_graph/internal/base/point_map.h>
-#include <CGAL/Reeb_graph/internal/output/files.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/io/Text_output.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 

@@ -12,10 +12,10 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/base/arc_index.h>
+#include <CGAL/Reeb_graph/internal/base/descriptors.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/output/Graphml_document.h>
+#include <CGAL/Reeb_graph/internal/io/Graphml_document.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

@@ -16,11 +16,11 @@
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/drawing/Svg_drawing.h>
 #include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
-#include <CGAL/Reeb_graph/internal/output/files.h>
-#include <CGAL/Reeb_graph/internal/output/number_text.h>
-#include <CGAL/Reeb_graph/internal/simplification/persistence.h>
+#include <CGAL/Reeb_graph/internal/io/Text_output.h>
+#include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/plane_layout.h>
+#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 
 #include <cstddef>
 #include <locale>

@@ -15,12 +15,12 @@
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/curves/exceptions.h>
+#include <CGAL/Reeb_graph/curves/internal/Contour_choice.h>
+#include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
+#include <CGAL/Reeb_graph/curves/internal/rank_vertices.h>
+#include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/curves/contours_to_cut.h>
-#include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
-#include <CGAL/Reeb_graph/internal/curves/rank_vertices.h>
-#include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
 
 namespace CGAL {
 namespace Reeb_graph {

@@ -13,9 +13,9 @@
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
+#include <CGAL/Reeb_graph/curves/internal/choose_contours.h>
+#include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/curves/choose_contours.h>
-#include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
 
 namespace CGAL {
 namespace Reeb_graph {

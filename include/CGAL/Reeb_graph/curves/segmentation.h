@@ -13,10 +13,10 @@
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
+#include <CGAL/Reeb_graph/curves/internal/arc_patches.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
-#include <CGAL/Reeb_graph/internal/curves/arc_patches.h>
 
 #include <CGAL/iterator.h>
 

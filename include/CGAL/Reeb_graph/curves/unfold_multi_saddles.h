@@ -12,10 +12,10 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
+#include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
+#include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/curves/cut_and_mark.h>
-#include <CGAL/Reeb_graph/internal/curves/simple_reeb_graph.h>
 
 namespace CGAL {
 namespace Reeb_graph {

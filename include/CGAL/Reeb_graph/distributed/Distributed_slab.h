@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/distributed/Linked_slab.h>
-#include <CGAL/Reeb_graph/internal/mesh/mesh_indices.h>
+#include <CGAL/Reeb_graph/distributed/internal/Slab_complex.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/distributed/Distributed_slab.h>
 #include <CGAL/Reeb_graph/distributed/exceptions.h>
-#include <CGAL/Reeb_graph/internal/distributed/run_on_ranks.h>
+#include <CGAL/Reeb_graph/distributed/internal/run_on_ranks.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/visitor.h>
 #include <CGAL/Reeb_graph_soup_traits.h>

@@ -13,8 +13,8 @@
 
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
+#include <CGAL/Reeb_graph/fields/internal/constraints.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Harmonic_constraints.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -13,14 +13,14 @@
 
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
+#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
+#include <CGAL/Reeb_graph/fields/internal/constraints.h>
+#include <CGAL/Reeb_graph/fields/internal/differential_operators.h>
+#include <CGAL/Reeb_graph/fields/internal/poisson_values.h>
+#include <CGAL/Reeb_graph/fields/internal/triangle_geometry.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Constraints.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Indexed_surface.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/Weighted_graph.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/differential_operators.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/poisson_values.h>
-#include <CGAL/Reeb_graph/internal/scalar_fields/proper_triangles.h>
 
 #include <CGAL/Named_function_parameters.h>
 

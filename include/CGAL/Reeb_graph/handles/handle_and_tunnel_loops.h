@@ -12,14 +12,12 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/handles/Handle_loop.h>
+#include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
+#include <CGAL/Reeb_graph/handles/internal/Handle_homology.h>
+#include <CGAL/Reeb_graph/handles/internal/Reeb_loops.h>
+#include <CGAL/Reeb_graph/handles/internal/make_loops.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/base/point_map.h>
-#include <CGAL/Reeb_graph/internal/handles/Closed_surface.h>
-#include <CGAL/Reeb_graph/internal/handles/Handle_homology.h>
-#include <CGAL/Reeb_graph/internal/handles/Reeb_loops.h>
-#include <CGAL/Reeb_graph/internal/handles/make_loops.h>
-#include <CGAL/Reeb_graph/internal/handles/self_intersections.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>
 

@@ -14,11 +14,10 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/simplification/Arc_removal.h>
-#include <CGAL/Reeb_graph/internal/simplification/Node_neighbors.h>
-#include <CGAL/Reeb_graph/internal/simplification/component_ranges.h>
-#include <CGAL/Reeb_graph/internal/simplification/persistence.h>
-#include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
+#include <CGAL/Reeb_graph/simplification/internal/Arc_removal.h>
+#include <CGAL/Reeb_graph/simplification/internal/pairs.h>
+#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
+#include <CGAL/Reeb_graph/simplification/internal/prune_graph.h>
 
 #include <cstddef>
 #include <utility>

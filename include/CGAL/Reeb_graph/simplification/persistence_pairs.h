@@ -12,11 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
-#include <CGAL/Reeb_graph/internal/simplification/Node_neighbors.h>
-#include <CGAL/Reeb_graph/internal/simplification/loop_pairs.h>
-#include <CGAL/Reeb_graph/internal/simplification/persistence.h>
-#include <CGAL/Reeb_graph/internal/simplification/tree_pairs.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
+#include <CGAL/Reeb_graph/simplification/internal/pairs.h>
+#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 
 #include <boost/graph/graph_traits.hpp>
 

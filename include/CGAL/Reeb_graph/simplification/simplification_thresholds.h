@@ -14,11 +14,11 @@
 #include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/simplification/component_ranges.h>
-#include <CGAL/Reeb_graph/internal/simplification/wide_gaps.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/Simplification_threshold.h>
 #include <CGAL/Reeb_graph/simplification/arc_persistences.h>
+#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
+#include <CGAL/Reeb_graph/simplification/internal/wide_gaps.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <algorithm>

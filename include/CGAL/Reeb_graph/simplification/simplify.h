@@ -12,11 +12,10 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
-#include <CGAL/Reeb_graph/internal/simplification/prune_graph.h>
-#include <CGAL/Reeb_graph/internal/simplification/write_simplified_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/Simplification.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
+#include <CGAL/Reeb_graph/simplification/internal/prune_graph.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -13,9 +13,9 @@
 
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/simplification/simplified_values.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
+#include <CGAL/Reeb_graph/simplification/internal/simplified_values.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -111,6 +112,45 @@ inline Number checked_index(std::size_t size)
     throw Mesh_size_error();
   return static_cast<Number>(size);
 }
+
+// The side of a level, or of a vertex.
+enum class Side : unsigned char
+{
+  LOWER,
+  UPPER
+};
+
+inline constexpr std::array<Side, 2> both_sides = {Side::LOWER, Side::UPPER};
+
+constexpr Side side_of(bool is_upper) { return is_upper ? Side::UPPER : Side::LOWER; }
+constexpr Side opposite_of(Side side) { return side_of(side == Side::LOWER); }
+
+// Two elements, one for each side, the lower one first.
+template <class T>
+struct By_side
+{
+  std::array<T, 2> elements;
+
+  constexpr T& operator[](Side side) { return elements[static_cast<std::size_t>(side)]; }
+  constexpr const T& operator[](Side side) const { return elements[static_cast<std::size_t>(side)]; }
+};
+
+// Names of the elements of a mesh. The stages know nothing else of them.
+struct Vertex_tag;
+struct Halfedge_tag;
+struct Edge_tag;
+struct Face_tag;
+struct Triangle_tag;
+typedef Index_of<Vertex_tag> Vertex_index;
+typedef Index_of<Halfedge_tag> Halfedge_index;
+typedef Index_of<Edge_tag> Edge_index;
+typedef Index_of<Face_tag> Face_index;
+typedef Index_of<Triangle_tag> Triangle_index; // of a complex that may be no surface
+
+// The two halfedges of edge e are 2 e and 2 e + 1.
+constexpr Edge_index edge_of(Halfedge_index halfedge) { return Edge_index(halfedge.number() / 2); }
+constexpr Halfedge_index opposite_of(Halfedge_index halfedge) { return Halfedge_index(halfedge.number() ^ 1); }
+constexpr Halfedge_index even_halfedge(Edge_index edge) { return Halfedge_index(std::size_t(2) * edge.number()); }
 
 } // namespace internal
 } // namespace Reeb_graph

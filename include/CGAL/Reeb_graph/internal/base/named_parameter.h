@@ -11,9 +11,17 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Reeb_graph/exceptions.h>
 
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
 #include <functional>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 
@@ -54,6 +62,28 @@ template <class T>
 T& unwrap_reference(std::reference_wrapper<T>& parameter)
 {
   return parameter;
+}
+
+// The named parameter `vertex_point_map`, or the points of the mesh.
+template <class FaceGraph, class NamedParameters>
+auto choose_point_map(const FaceGraph& mesh, const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                      get_const_property_map(CGAL::vertex_point, mesh));
+}
+
+template <class FaceGraph, class NamedParameters>
+using Point_of_mesh = typename boost::property_traits<std::decay_t<
+  decltype(choose_point_map(std::declval<const FaceGraph&>(), std::declval<const NamedParameters&>()))>>::value_type;
+
+// The points of a range for vertices that are numbers. It throws Attribute_count_error unless there is one for each.
+template <class PointRange>
+auto checked_point_map(const PointRange& points, std::size_t number_of_vertices)
+{
+  const auto number_of_points = static_cast<std::size_t>(std::end(points) - std::begin(points));
+  if(number_of_points != number_of_vertices)
+    throw Attribute_count_error("points", number_of_points, number_of_vertices);
+  return boost::make_iterator_property_map(std::begin(points), boost::typed_identity_property_map<std::size_t>());
 }
 
 } // namespace internal

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <cstdint>
+
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
@@ -35,6 +37,27 @@ enum class Tuned_part
 
 constexpr bool is_left_out(Tuned_part part) { return part == Tuned_part::CGAL_REEB_GRAPH_LEFT_OUT; }
 constexpr bool is_used(Tuned_part part) { return !is_left_out(part); }
+
+// Loops that jump about in memory, but know where to, tell so some rounds ahead.
+inline void prefetch(const void* address)
+{
+#ifdef __GNUC__
+  if(is_used(Tuned_part::PREFETCH))
+    __builtin_prefetch(address);
+#else
+  static_cast<void>(address);
+#endif
+}
+
+// The place where the element of a vector is or would be that `key` names: for any key.
+template <class Vector, class Key>
+void prefetch_element(const Vector& vector, Key key)
+{
+  // Computed as a number, as a pointer must not leave its array.
+  const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(vector.data());
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): nothing is read from there
+  prefetch(reinterpret_cast<const void*>(begin + key.number() * sizeof(typename Vector::value_type)));
+}
 
 } // namespace internal
 } // namespace Reeb_graph

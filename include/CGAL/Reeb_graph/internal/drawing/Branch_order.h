@@ -13,19 +13,163 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/drawing/Branch_tree.h>
-#include <CGAL/Reeb_graph/internal/drawing/Opposite_sides.h>
-#include <CGAL/Reeb_graph/internal/drawing/Side_load.h>
-#include <CGAL/Reeb_graph/internal/drawing/Skyline.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+// A closed interval of heights.
+struct Height_range
+{
+  double low, high;
+
+  bool has_inside(double height) const { return low < height && height < high; }
+  void extend(const Height_range& other)
+  {
+    low = (std::min)(low, other.low);
+    high = (std::max)(high, other.high);
+  }
+};
+
+// How far what has been placed reaches at each height: a segment tree, in which what is said of a part holds for all of
+// it. Asking for its maximum in an interval takes logarithmic time, raising it at most the square of that.
+class Skyline
+{
+public:
+  // `heights` are all those that intervals are told apart by, in ascending order.
+  Skyline(const std::vector<double>& heights, double start) : heights_(heights), start_(start)
+  {
+    while(size_ < heights.size())
+      size_ *= 2;
+    highest_.assign(2 * size_, start);
+    raised_.assign(2 * size_, start);
+  }
+
+  double highest(const Height_range& range) const
+  {
+    const auto [begin, end] = positions(range);
+    double result = start_;
+    visit(begin, end, [&](std::size_t part) { result = (std::max)(result, highest_[part]); });
+    for(std::size_t bound : {begin, end - 1})
+    {
+      for(std::size_t part = (bound + size_) / 2; begin < end && part != 0; part /= 2)
+        result = (std::max)(result, raised_[part]);
+    }
+    return result;
+  }
+
+  void raise(const Height_range& range, double value)
+  {
+    const auto [begin, end] = positions(range);
+    visit(begin, end, [&](std::size_t part) {
+      highest_[part] = (std::max)(highest_[part], value);
+      raised_[part] = (std::max)(raised_[part], value);
+      for(part /= 2; part != 0; part /= 2)
+        highest_[part] = (std::max)(highest_[part], value);
+    });
+  }
+
+private:
+  std::pair<std::size_t, std::size_t> positions(const Height_range& range) const
+  {
+    const auto begin = std::lower_bound(heights_.begin(), heights_.end(), range.low);
+    const auto end = std::upper_bound(begin, heights_.end(), range.high);
+    return {begin - heights_.begin(), end - heights_.begin()};
+  }
+
+  // Calls visit(part) for the parts that an interval of positions consists of.
+  template <class Visit>
+  void visit(std::size_t begin, std::size_t end, const Visit& visit) const
+  {
+    for(begin += size_, end += size_; begin < end; begin /= 2, end /= 2)
+    {
+      if(begin % 2 != 0)
+        visit(begin++);
+      if(end % 2 != 0)
+        visit(--end);
+    }
+  }
+
+  const std::vector<double>& heights_;
+  double start_;
+  std::size_t size_ = 1;
+  std::vector<double> highest_, raised_; // by part: in it, and for all of it
+};
+
+// About how many branches one side of a trunk has, in equal parts of the height, which is from 0 to 1.
+class Side_load
+{
+public:
+  void add(const Height_range& range, Index number_of_branches)
+  {
+    std::for_each(part(range.low), part(range.high) + 1, [&](Index& load) { load += number_of_branches; });
+  }
+
+  // What decides between two sides: the load where a branch would be, and then the load of all parts.
+  std::pair<Index, std::size_t> load(const Height_range& range)
+  {
+    return {*std::max_element(part(range.low), part(range.high) + 1),
+            std::accumulate(loads_.begin(), loads_.end(), std::size_t(0))};
+  }
+
+private:
+  typedef std::array<Index, 32> Loads;
+
+  Loads::iterator part(double height)
+  {
+    const auto size = static_cast<double>(loads_.size());
+    return loads_.begin() + static_cast<std::ptrdiff_t>((std::clamp)(height * size, 0., size - 1));
+  }
+
+  Loads loads_ = {};
+};
+
+// Elements that go to two sides, and what is known of pairs of them: that they are on one side, or on opposite ones. A
+// union-find in which each element knows its side, seen from the root.
+class Opposite_sides
+{
+public:
+  explicit Opposite_sides(std::size_t size) : parents_(size), sizes_(size, 1), is_opposite_(size, false)
+  {
+    std::iota(parents_.begin(), parents_.end(), std::size_t(0));
+  }
+
+  std::size_t size() const { return parents_.size(); }
+
+  // The root of an element, and whether the two are on opposite sides.
+  std::pair<std::size_t, bool> find(std::size_t element) const
+  {
+    bool is_opposite = false;
+    for(; parents_[element] != element; element = parents_[element])
+      is_opposite ^= is_opposite_[element];
+    return {element, is_opposite};
+  }
+
+  // Two elements that are already related stay as they are, also if that contradicts.
+  void relate(std::size_t a, std::size_t b, bool are_opposite)
+  {
+    auto [root, is_opposite] = find(a);
+    auto [other_root, is_other_opposite] = find(b);
+    if(root == other_root)
+      return;
+    if(sizes_[root] < sizes_[other_root])
+      std::swap(root, other_root);
+    parents_[other_root] = root;
+    sizes_[root] += sizes_[other_root];
+    is_opposite_[other_root] = is_opposite ^ is_other_opposite ^ are_opposite;
+  }
+
+private:
+  std::vector<std::size_t> parents_, sizes_;
+  std::vector<bool> is_opposite_; // to the parent
+};
 
 // On which side of its parent each branch lies, and the order of all branches of a component from the left to the
 // right. A branch is led to its parent at the height of the node there. It crosses another one that lies between the

@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Disjoint_sets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/simplification/Leaf_pruning.h>
-#include <CGAL/Reeb_graph/internal/simplification/persistence.h>
+#include <CGAL/Reeb_graph/internal/base/union_find.h>
+#include <CGAL/Reeb_graph/simplification/internal/Leaf_pruning.h>
+#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -12,11 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Node_kind.h>
-#include <CGAL/Reeb_graph/internal/drawing/Occupied_plane.h>
 #include <CGAL/Reeb_graph/internal/drawing/Svg_elements.h>
 #include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
-#include <CGAL/Reeb_graph/internal/drawing/round_ticks.h>
-#include <CGAL/Reeb_graph/internal/output/number_text.h>
+#include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <algorithm>
 #include <array>

@@ -12,10 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Node_kind.h>
-#include <CGAL/Reeb_graph/internal/drawing/Occupied_plane.h>
-#include <CGAL/Reeb_graph/internal/output/number_text.h>
-#include <CGAL/Reeb_graph/internal/output/xml_text.h>
+#include <CGAL/Reeb_graph/internal/io/text.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -26,6 +25,95 @@
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+// A rectangle, in pixels.
+struct Box
+{
+  double left, top, right, bottom;
+
+  bool overlaps(const Box& other) const
+  {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+  bool contains(const Box& other) const
+  {
+    return left <= other.left && top <= other.top && other.right <= right && other.bottom <= bottom;
+  }
+};
+
+// What has been drawn, as boxes in a grid, to find places that are free.
+class Occupied_plane
+{
+public:
+  explicit Occupied_plane(const Box& bounds)
+    : bounds_(bounds),
+      columns_(number_of_cells(bounds.right - bounds.left)),
+      rows_(number_of_cells(bounds.bottom - bounds.top)),
+      cells_(columns_ * rows_)
+  {}
+
+  void add(const Box& box)
+  {
+    visit_cells(box, [&](std::size_t cell) { cells_[cell].push_back(box); });
+  }
+
+  // Adds a line of some width, in pieces whose boxes are about as small as it.
+  void add_line(std::array<double, 2> from, std::array<double, 2> to, double width)
+  {
+    const double dx = to[0] - from[0], dy = to[1] - from[1], longest_piece = 6;
+    const bool is_upright = (std::min)(std::abs(dx), std::abs(dy)) < 0.5;
+    const double pieces = is_upright ? 1 : std::ceil((std::max)(std::abs(dx), std::abs(dy)) / longest_piece);
+    for(std::size_t piece = 0; static_cast<double>(piece) < pieces; ++piece)
+    {
+      const auto i = static_cast<double>(piece);
+      const double x0 = from[0] + dx * i / pieces, x1 = from[0] + dx * (i + 1) / pieces;
+      const double y0 = from[1] + dy * i / pieces, y1 = from[1] + dy * (i + 1) / pieces;
+      add({(std::min)(x0, x1) - width / 2, (std::min)(y0, y1) - width / 2, (std::max)(x0, x1) + width / 2,
+           (std::max)(y0, y1) + width / 2});
+    }
+  }
+
+  // Whether a box lies within the bounds and overlaps nothing.
+  bool is_free(const Box& box) const
+  {
+    bool is_free = bounds_.contains(box);
+    visit_cells(box, [&](std::size_t cell) {
+      is_free = is_free && std::none_of(cells_[cell].begin(), cells_[cell].end(), [&](const Box& other) {
+                  return box.overlaps(other);
+                });
+    });
+    return is_free;
+  }
+
+private:
+  static constexpr double cell_size = 32;
+
+  static std::size_t number_of_cells(double length)
+  {
+    return static_cast<std::size_t>((std::max)(length, 0.) / cell_size) + 1;
+  }
+
+  static std::size_t cell_of(double distance, std::size_t size)
+  {
+    return static_cast<std::size_t>((std::clamp)(distance / cell_size, 0., static_cast<double>(size - 1)));
+  }
+
+  template <class Visit>
+  void visit_cells(const Box& box, const Visit& visit) const
+  {
+    const std::size_t right = cell_of(box.right - bounds_.left, columns_),
+                      bottom = cell_of(box.bottom - bounds_.top, rows_);
+    for(std::size_t row = cell_of(box.top - bounds_.top, rows_); row <= bottom; ++row)
+    {
+      for(std::size_t column = cell_of(box.left - bounds_.left, columns_); column <= right; ++column)
+        visit(row * columns_ + column);
+    }
+  }
+
+  Box bounds_;
+  std::size_t columns_, rows_;
+  std::vector<std::vector<Box>> cells_;
+};
 
 // How a kind of nodes is drawn: colours that differ for all eyes (Okabe and Ito), and shapes that differ as well.
 struct Node_style

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -21,6 +22,22 @@
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+// At least so many round numbers of an interval, if rounding leaves so many there: in steps of 1, 2, or 5 times a power
+// of ten. The lowest number of the interval if it has no length.
+inline std::vector<double> round_ticks(double lowest, double highest, int number)
+{
+  const double largest_step = highest / number - lowest / number;
+  if(!(largest_step > 0))
+    return {lowest};
+  const double power = std::pow(10, std::floor(std::log10(largest_step)));
+  const double step = power * (largest_step >= 5 * power ? 5 : largest_step >= 2 * power ? 2 : 1);
+  std::vector<double> ticks;
+  for(double i = std::ceil(lowest / step); i * step <= highest && ticks.size() < 5 * static_cast<std::size_t>(number);
+      ++i)
+    ticks.push_back(i == 0 ? 0 : i * step);
+  return ticks;
+}
 
 // What is drawn as the values of nodes: the values, if they all ascend or all fall from node to node; in any other
 // order, where differences mean nothing, the numbers of the nodes.

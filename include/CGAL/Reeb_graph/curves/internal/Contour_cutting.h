@@ -1,0 +1,276 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_CURVES_INTERNAL_CONTOUR_CUTTING_H
+#define CGAL_REEB_GRAPH_CURVES_INTERNAL_CONTOUR_CUTTING_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/curves/Curve.h>
+#include <CGAL/Reeb_graph/curves/internal/Ranked_mesh.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// A contour that is to become a path of edges. It is the same for all levels between the highest lower end and the
+// lowest upper end of its halfedges.
+template <class HalfedgeDescriptor>
+struct Contour_to_cut
+{
+  std::vector<HalfedgeDescriptor> halfedges; // ascending, one for each crossed edge; the higher side is on the left
+  bool is_closed = false;
+  double value = 0;
+  Rank lower_rank = 0;     // rank of the highest lower end
+  bool is_falling = false; // whether larger values are lower there, in another order than that of numbers
+
+  friend bool operator<(const Contour_to_cut& a, const Contour_to_cut& b)
+  {
+    const auto height = [](const Contour_to_cut& contour) {
+      return contour.is_falling ? -contour.value : contour.value;
+    };
+    return std::make_pair(a.lower_rank, height(a)) < std::make_pair(b.lower_rank, height(b));
+  }
+};
+
+// Refines a mesh so that contours become paths of edges. Two contours that cross one edge are either the same, or one
+// is above the other all along, so that an order of all of them is one along each edge, too.
+template <class RankedMesh>
+class Contour_cutting
+{
+  typedef typename RankedMesh::Mesh Mesh;
+  typedef typename RankedMesh::vertex_descriptor vertex_descriptor;
+  typedef typename RankedMesh::halfedge_descriptor halfedge_descriptor;
+  typedef typename RankedMesh::face_descriptor face_descriptor;
+  typedef Contour_to_cut<halfedge_descriptor> Contour;
+
+  struct Crossing
+  {
+    std::size_t contour, number; // the crossings of all contours are numbered in their order
+  };
+
+public:
+  Contour_cutting(const RankedMesh& ranked, const std::vector<Contour>& contours)
+    : ranked_(ranked),
+      mesh_(ranked.mesh()),
+      contours_(contours),
+      crossing_map_(get(dynamic_vertex_property_t<std::size_t>(), mesh_))
+  {}
+
+  std::vector<Curve<halfedge_descriptor>> operator()(const Stage_progress& progress)
+  {
+    for(const vertex_descriptor v : vertices(mesh_))
+      put(crossing_map_, v, 0);
+    sort_crossings();
+    collect_faces();
+    const std::size_t number_of_edges = crossed_edges_.size(), number_of_faces = crossed_faces_.size();
+    for(std::size_t edge = 0; edge != number_of_edges; ++edge)
+    {
+      progress.part(0.1, 0.4).report_step(edge, number_of_edges);
+      split_edge(edge);
+    }
+    for(std::size_t i = 0; i != number_of_faces; ++i)
+    {
+      progress.part(0.4, 0.9).report_step(i, number_of_faces);
+      split_face(crossed_faces_[i]);
+    }
+    return make_curves();
+  }
+
+private:
+  // Sorts the crossings of each edge by level, as it takes the contours in ascending order.
+  void sort_crossings()
+  {
+    number_edges();
+    std::vector<std::size_t> order(contours_.size()), next(first_crossings_.begin(), first_crossings_.end());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return contours_[a] < contours_[b]; });
+    crossings_.resize(first_crossings_.back());
+    for(const std::size_t contour : order)
+    {
+      std::size_t number = first_numbers_[contour];
+      for(std::size_t i = 0; i != contours_[contour].halfedges.size(); ++i, ++number)
+        crossings_[next[edge_numbers_[number]]++] = {contour, number};
+    }
+  }
+
+  void number_edges()
+  {
+    const auto edge_number_map = get(dynamic_edge_property_t<std::size_t>(), mesh_);
+    for(const auto e : edges(mesh_))
+      put(edge_number_map, e, 0);
+    first_crossings_.assign(1, 0);
+    for(const Contour& contour : contours_)
+    {
+      first_numbers_.push_back(edge_numbers_.size());
+      for(const halfedge_descriptor h : contour.halfedges)
+      {
+        std::size_t number = get(edge_number_map, edge(h, mesh_));
+        if(number == 0)
+        {
+          crossed_edges_.push_back(h);
+          first_crossings_.push_back(0);
+          number = crossed_edges_.size();
+          put(edge_number_map, edge(h, mesh_), number);
+        }
+        edge_numbers_.push_back(number - 1);
+        ++first_crossings_[number];
+      }
+    }
+    std::partial_sum(first_crossings_.begin(), first_crossings_.end(), first_crossings_.begin());
+  }
+
+  void collect_faces()
+  {
+    const auto is_listed = get(dynamic_face_property_t<bool>(), mesh_);
+    for(const face_descriptor f : faces(mesh_))
+      put(is_listed, f, false);
+    for(const halfedge_descriptor h : crossed_edges_)
+      for(const halfedge_descriptor side : {h, opposite(h, mesh_)})
+      {
+        if(is_border(side, mesh_) || get(is_listed, face(side, mesh_)))
+          continue;
+        put(is_listed, face(side, mesh_), true);
+        crossed_faces_.push_back(face(side, mesh_));
+      }
+  }
+
+  void split_edge(std::size_t edge)
+  {
+    const halfedge_descriptor h = crossed_edges_[edge];
+    const vertex_descriptor u = source(h, mesh_), w = target(h, mesh_);
+    place_crossings(edge, u, w);
+    for(std::size_t i = 0; i != fractions_.size(); ++i)
+    {
+      const Crossing& crossing = crossings_[first_crossings_[edge] + i];
+      const halfedge_descriptor first = ranked_.split_edge(h, u, w, fractions_[i]);
+      put(crossing_map_, target(first, mesh_), crossing.number + 1);
+    }
+  }
+
+  // Places the crossings where the values of their contours are on the edge, but keeps them apart from each other and
+  // from the ends.
+  void place_crossings(std::size_t edge, vertex_descriptor u, vertex_descriptor w)
+  {
+    const std::size_t size = first_crossings_[edge + 1] - first_crossings_[edge];
+    const double step = 0.4 / (size + 1.), margin = 0.1 / (size + 1.);
+    fractions_.resize(size);
+    for(std::size_t i = 0; i != size; ++i)
+    {
+      const double value = contours_[crossings_[first_crossings_[edge] + i].contour].value;
+      const double lowest = i == 0 ? margin : fractions_[i - 1] + step;
+      fractions_[i] = (std::max)(lowest, ranked_.crossing_fraction(u, w, value));
+    }
+    double highest = 1 - margin;
+    for(std::size_t i = size; i-- != 0; highest = fractions_[i] - step)
+      fractions_[i] = (std::min)(fractions_[i], highest);
+  }
+
+  bool is_corner(halfedge_descriptor h) const { return get(crossing_map_, target(h, mesh_)) == 0; }
+
+  // Splits a triangle by the segments of all contours. Two ways lead from its lowest to its highest corner, and every
+  // segment joins the left one to the right one. Both are climbed at the same time; what is left below a segment is a
+  // polygon of up to five edges.
+  void split_face(face_descriptor f)
+  {
+    const std::array<halfedge_descriptor, 2> ends = lowest_and_highest_corner(f);
+    const vertex_descriptor top = target(ends[1], mesh_);
+    halfedge_descriptor left = next(ends[0], mesh_), right = prev(ends[0], mesh_);
+    halfedge_descriptor segment = left;
+    for(;;)
+    {
+      if(is_corner(left) && target(left, mesh_) != top)
+        left = next(left, mesh_);
+      else if(is_corner(right) && target(right, mesh_) != top)
+        right = prev(right, mesh_);
+      if(target(left, mesh_) == top || target(right, mesh_) == top)
+        break;
+      segment = ranked_.split_face(right, left);
+      set_path(segment);
+      ranked_.triangulate(opposite(segment, mesh_));
+      left = next(segment, mesh_);
+      right = prev(right, mesh_);
+    }
+    ranked_.triangulate(segment);
+  }
+
+  // The halfedges of a face that lead to its lowest and to its highest corner.
+  std::array<halfedge_descriptor, 2> lowest_and_highest_corner(face_descriptor f) const
+  {
+    std::array<halfedge_descriptor, 2> ends = {halfedge(f, mesh_), halfedge(f, mesh_)};
+    bool is_first = true;
+    for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, mesh_), mesh_))
+    {
+      if(!is_corner(h))
+        continue;
+      const Rank rank = ranked_.rank(target(h, mesh_));
+      if(is_first || rank < ranked_.rank(target(ends[0], mesh_)))
+        ends[0] = h;
+      if(is_first || rank > ranked_.rank(target(ends[1], mesh_)))
+        ends[1] = h;
+      is_first = false;
+    }
+    return ends;
+  }
+
+  void set_path(halfedge_descriptor segment)
+  {
+    path_.resize(edge_numbers_.size());
+    path_[get(crossing_map_, source(segment, mesh_)) - 1] = segment;
+  }
+
+  std::vector<Curve<halfedge_descriptor>> make_curves() const
+  {
+    std::vector<Curve<halfedge_descriptor>> curves(contours_.size());
+    for(std::size_t contour = 0; contour != contours_.size(); ++contour)
+    {
+      Curve<halfedge_descriptor>& curve = curves[contour];
+      curve.is_closed = contours_[contour].is_closed;
+      curve.value = contours_[contour].value;
+      const auto first = path_.begin() + first_numbers_[contour];
+      curve.halfedges.assign(first, first + contours_[contour].halfedges.size() - (curve.is_closed ? 0 : 1));
+      for(const halfedge_descriptor h : curve.halfedges)
+      {
+        curve.lower_halfedges.push_back(opposite(h, mesh_));
+        curve.length += ranked_.distance(source(h, mesh_), target(h, mesh_));
+      }
+    }
+    return curves;
+  }
+
+  const RankedMesh& ranked_;
+  Mesh& mesh_;
+  const std::vector<Contour>& contours_;
+  // The number of its crossing for each new vertex, plus one.
+  typename boost::property_map<Mesh, dynamic_vertex_property_t<std::size_t>>::type crossing_map_;
+  std::vector<std::size_t> first_numbers_; // number of the first crossing, by contour
+  std::vector<std::size_t> edge_numbers_;  // number of the edge, by crossing
+  std::vector<halfedge_descriptor> crossed_edges_;
+  std::vector<std::size_t> first_crossings_; // positions in crossings_, by edge, and one more
+  std::vector<Crossing> crossings_;          // crossings of one edge after the other, ascending
+  std::vector<face_descriptor> crossed_faces_;
+  std::vector<halfedge_descriptor> path_; // halfedge of the curve that leaves a crossing, by crossing
+  std::vector<double> fractions_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_CURVES_INTERNAL_CONTOUR_CUTTING_H

@@ -1,0 +1,257 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_CURVES_INTERNAL_RANKED_MESH_H
+#define CGAL_REEB_GRAPH_CURVES_INTERNAL_RANKED_MESH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
+
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The place of a vertex in the total order. Only comparisons decide the Reeb graph, so ranks can take the place of
+// scalar values. Between the ranks of two vertices of the input there is room for those of the vertices that a
+// refinement adds.
+typedef std::uint64_t Rank;
+inline constexpr Rank rank_spacing = Rank(1) << 31;
+
+// A mesh that is refined, with the rank of each vertex, and its value as far as it places the points of new vertices.
+template <class Mesh_, class VertexPointMap, class Visitor>
+class Ranked_mesh
+{
+public:
+  typedef Mesh_ Mesh;
+  typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::graph_traits<Mesh>::edge_descriptor edge_descriptor;
+  typedef typename boost::graph_traits<Mesh>::face_descriptor face_descriptor;
+  typedef typename boost::property_map<Mesh, dynamic_vertex_property_t<Rank>>::type Rank_map;
+  typedef typename boost::property_map<Mesh, dynamic_vertex_property_t<double>>::type Value_map;
+
+  Ranked_mesh(Mesh& mesh, VertexPointMap vertex_point_map, Visitor& visitor)
+    : mesh_(mesh),
+      vertex_point_map_(vertex_point_map),
+      visitor_(visitor),
+      rank_map_(get(dynamic_vertex_property_t<Rank>(), mesh)),
+      value_map_(get(dynamic_vertex_property_t<double>(), mesh))
+  {}
+
+  // Undoes all splits, the last one first, unless they are to be kept: something has been thrown. What was there before
+  // them is there again, with the same descriptors.
+  ~Ranked_mesh()
+  {
+    for(; !splits_.empty(); splits_.pop_back())
+      undo(splits_.back());
+  }
+
+  Ranked_mesh(const Ranked_mesh&) = delete;
+  Ranked_mesh& operator=(const Ranked_mesh&) = delete;
+
+  Mesh& mesh() const { return mesh_; }
+  Visitor& visitor() const { return visitor_; }
+  Rank_map rank_map() const { return rank_map_; }
+  Rank rank(vertex_descriptor v) const { return get(rank_map_, v); }
+  double value(vertex_descriptor v) const { return get(value_map_, v); }
+  const VertexPointMap& vertex_point_map() const { return vertex_point_map_; }
+
+  void place(vertex_descriptor v, Rank rank, double value) const
+  {
+    put(rank_map_, v, rank);
+    put(value_map_, v, value);
+  }
+
+  // The place of the value on the edge from `u` to the higher `w`: 0 at `u`, 1 at `w`, in the middle if it is unclear.
+  double crossing_fraction(vertex_descriptor u, vertex_descriptor w, double value) const
+  {
+    return internal::crossing_fraction(this->value(u), this->value(w), value);
+  }
+
+  auto point_between(vertex_descriptor u, vertex_descriptor w, double t) const
+  {
+    return internal::point_between(get(vertex_point_map_, u), get(vertex_point_map_, w), t);
+  }
+
+  double distance(vertex_descriptor u, vertex_descriptor w) const
+  {
+    return std::sqrt(CGAL::to_double((get(vertex_point_map_, u) - get(vertex_point_map_, w)).squared_length()));
+  }
+
+  double area(vertex_descriptor u, vertex_descriptor v, vertex_descriptor w) const
+  {
+    const auto& p = get(vertex_point_map_, u);
+    const auto normal = CGAL::cross_product(get(vertex_point_map_, v) - p, get(vertex_point_map_, w) - p);
+    return std::sqrt(CGAL::to_double(normal.squared_length())) / 2;
+  }
+
+  // Splits the edge of `h` by a vertex at the fraction `t` of the way from `u` to `w`, the ends of the edge of which
+  // that of `h` is a part. Returns the new halfedge that ends at it; `h` starts there then.
+  halfedge_descriptor split_edge(halfedge_descriptor h, vertex_descriptor u, vertex_descriptor w, double t) const
+  {
+    const auto point = point_between(u, w, t);
+    const Split split = {h,
+                         true,
+                         halfedge(source(h, mesh_), mesh_),
+                         halfedge(target(h, mesh_), mesh_),
+                         halfedge_of_face(h),
+                         halfedge_of_face(opposite(h, mesh_))};
+    const halfedge_descriptor first = remember(split, [&] { return Euler::split_edge(h, mesh_); });
+    put(vertex_point_map_, target(first, mesh_), point);
+    visitor_.edge_split(first, h);
+    visitor_.vertex_added(target(first, mesh_), u, w, t);
+    return first;
+  }
+
+  // Joins the targets of two halfedges of a face. The new face is behind `h2`. Returns the halfedge that follows `h1`.
+  halfedge_descriptor split_face(halfedge_descriptor h1, halfedge_descriptor h2) const
+  {
+    const halfedge_descriptor of_face = halfedge_of_face(h1);
+    const Split split = {h1,      false,  halfedge(target(h1, mesh_), mesh_), halfedge(target(h2, mesh_), mesh_),
+                         of_face, of_face};
+    const halfedge_descriptor h = remember(split, [&] { return Euler::split_face(h1, h2, mesh_); });
+    if(are_splits_remembered_)
+      splits_.back().halfedge = h;
+    visitor_.face_split(face(h, mesh_), face(opposite(h, mesh_), mesh_));
+    return h;
+  }
+
+  // Triangulates the face of `h`, a polygon of few edges that is convex but for rounding, by the fan whose worst
+  // triangle is the best one.
+  void triangulate(halfedge_descriptor h) const
+  {
+    std::vector<halfedge_descriptor> polygon;
+    for(const halfedge_descriptor g : halfedges_around_face(h, mesh_))
+      polygon.push_back(g);
+    if(polygon.size() < 4)
+      return;
+    std::size_t best_apex = 0;
+    double best_quality = -1;
+    for(std::size_t apex = 0; apex != polygon.size(); ++apex)
+    {
+      const double quality = quality_of_fan(polygon, apex);
+      if(quality > best_quality)
+      {
+        best_quality = quality;
+        best_apex = apex;
+      }
+    }
+    const halfedge_descriptor to_apex = polygon[best_apex];
+    for(std::size_t i = 3; i != polygon.size(); ++i)
+      split_face(next(next(to_apex, mesh_), mesh_), to_apex);
+  }
+
+  // The splits so far and those to come are not undone.
+  void keep_splits() const
+  {
+    are_splits_remembered_ = false;
+    splits_ = std::vector<Split>();
+  }
+
+private:
+  // A split of the edge of a halfedge, or of a face by a new one, and the halfedges that were those of its ends, and of
+  // the faces on both sides.
+  struct Split
+  {
+    halfedge_descriptor halfedge;
+    bool is_of_edge;
+    halfedge_descriptor of_source, of_target, of_face, of_opposite_face;
+  };
+
+  // Calls a function that splits. A split that fails is not remembered, and one that cannot be remembered is not done.
+  template <class Function>
+  halfedge_descriptor remember(const Split& split, const Function& function) const
+  {
+    if(!are_splits_remembered_)
+      return function();
+    splits_.push_back(split);
+    try
+    {
+      return function();
+    }
+    catch(...)
+    {
+      splits_.pop_back();
+      throw;
+    }
+  }
+
+  halfedge_descriptor halfedge_of_face(halfedge_descriptor h) const
+  {
+    return is_border(h, mesh_) ? h : halfedge(face(h, mesh_), mesh_);
+  }
+
+  void restore_face(face_descriptor f, halfedge_descriptor h) const
+  {
+    if(f != boost::graph_traits<Mesh>::null_face())
+      set_halfedge(f, h, mesh_);
+  }
+
+  void undo(const Split& split) const
+  {
+    const halfedge_descriptor h = split.halfedge;
+    if(split.is_of_edge)
+      Euler::join_vertex(opposite(prev(h, mesh_), mesh_), mesh_);
+    const vertex_descriptor u = source(h, mesh_), w = target(h, mesh_);
+    const face_descriptor f = face(h, mesh_), g = split.is_of_edge ? face(opposite(h, mesh_), mesh_) : f;
+    if(!split.is_of_edge)
+      Euler::join_face(h, mesh_);
+    set_halfedge(u, split.of_source, mesh_);
+    set_halfedge(w, split.of_target, mesh_);
+    restore_face(f, split.of_face);
+    restore_face(g, split.of_opposite_face);
+  }
+
+  double quality_of_fan(const std::vector<halfedge_descriptor>& polygon, std::size_t apex) const
+  {
+    const auto corner = [&](std::size_t i) { return target(polygon[(apex + i) % polygon.size()], mesh_); };
+    double quality = (std::numeric_limits<double>::max)();
+    for(std::size_t i = 1; i + 1 != polygon.size(); ++i)
+      quality = (std::min)(quality, quality_of_triangle(corner(0), corner(i), corner(i + 1)));
+    return quality;
+  }
+
+  // The quality is positive for a triangle that is not degenerate, and the highest for an equilateral one.
+  double quality_of_triangle(vertex_descriptor u, vertex_descriptor v, vertex_descriptor w) const
+  {
+    const auto& p = get(vertex_point_map_, u);
+    const auto uv = get(vertex_point_map_, v) - p, uw = get(vertex_point_map_, w) - p;
+    const double lengths = CGAL::to_double(uv.squared_length() + uw.squared_length() + (uw - uv).squared_length());
+    return lengths > 0 ? area(u, v, w) / lengths : 0;
+  }
+
+  Mesh& mesh_;
+  VertexPointMap vertex_point_map_;
+  Visitor& visitor_;
+  Rank_map rank_map_;
+  Value_map value_map_;
+  mutable bool are_splits_remembered_ = true;
+  mutable std::vector<Split> splits_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_CURVES_INTERNAL_RANKED_MESH_H

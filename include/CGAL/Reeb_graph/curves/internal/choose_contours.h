@@ -1,0 +1,245 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_CURVES_INTERNAL_CHOOSE_CONTOURS_H
+#define CGAL_REEB_GRAPH_CURVES_INTERNAL_CHOOSE_CONTOURS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/curves/curve_parameters.h>
+#include <CGAL/Reeb_graph/curves/internal/Contour_choice.h>
+#include <CGAL/Reeb_graph/curves/internal/Graph_retract.h>
+#include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
+#include <CGAL/Reeb_graph/curves/internal/find_branches.h>
+#include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
+#include <CGAL/Reeb_graph/fields/make_borders_level.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/kruskal_min_spanning_tree.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+// The choice of contours of a Reeb graph with simple saddles that become curves.
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+struct Length_of_curve
+{
+  double operator()(const Candidate_curve& candidate) const { return candidate.length; }
+};
+
+// The cost of a place is the length of its contour. Beyond the half that is next to the saddle, a place is the worse
+// the farther it is.
+struct Cost_of_branch_curve
+{
+  double operator()(const Candidate_curve& candidate) const
+  {
+    const double beyond = (std::numeric_limits<double>::max)() / 2;
+    return candidate.position <= 0.5 ? candidate.length : beyond * (1 + candidate.position);
+  }
+};
+
+template <class DefaultCost, class NamedParameters>
+auto choose_curve_cost(const NamedParameters& np)
+{
+  return parameters::choose_parameter<DefaultCost>(parameters::get_parameter(np, curve_cost));
+}
+
+template <class RankedMesh, class CurveCost, class NamedParameters>
+Contour_choice<RankedMesh, CurveCost> make_contour_choice(const RankedMesh& ranked,
+                                                          const Simple_reeb_graph<RankedMesh>& simple,
+                                                          const CurveCost& cost,
+                                                          const NamedParameters& np,
+                                                          const Stage_progress& progress)
+{
+  const std::size_t number =
+    parameters::choose_parameter(parameters::get_parameter(np, number_of_candidates), std::size_t(16));
+  return Contour_choice<RankedMesh, CurveCost>(ranked, simple.graph, cost, number, progress);
+}
+
+// The positions of the edges that are in no maximum spanning tree of a graph with parallel edges and loops. `Path` has
+// the ends of each edge.
+template <class Path>
+std::vector<std::size_t> edges_outside_of_maximum_spanning_tree(const std::vector<Path>& paths,
+                                                                const std::vector<double>& weights,
+                                                                std::size_t number_of_nodes)
+{
+  typedef boost::property<boost::edge_index_t, std::size_t, boost::property<boost::edge_weight_t, double>> Edge;
+  typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, Edge> Graph;
+  Graph graph(number_of_nodes);
+  for(std::size_t i = 0; i != paths.size(); ++i)
+    add_edge(paths[i].first_node, paths[i].last_node, Edge(i, -weights[i]), graph);
+  std::vector<typename boost::graph_traits<Graph>::edge_descriptor> tree;
+  boost::kruskal_minimum_spanning_tree(graph, std::back_inserter(tree));
+  std::vector<bool> is_in_tree(paths.size(), false);
+  for(const auto edge : tree)
+    is_in_tree[get(boost::edge_index, graph, edge)] = true;
+  std::vector<std::size_t> result;
+  for(std::size_t i = 0; i != paths.size(); ++i)
+  {
+    if(!is_in_tree[i])
+      result.push_back(i);
+  }
+  return result;
+}
+
+template <class RankedMesh, class NamedParameters>
+std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_cutting_system(
+  const RankedMesh& ranked,
+  const Simple_reeb_graph<RankedMesh>& simple,
+  const NamedParameters& np,
+  const Stage_progress& progress)
+{
+  typedef typename Simple_reeb_graph<RankedMesh>::Graph Graph;
+  const auto cost = choose_curve_cost<Length_of_curve>(np);
+  const auto weight = parameters::choose_parameter<Length_of_curve>(parameters::get_parameter(np, arc_weight));
+  const auto choose = make_contour_choice(ranked, simple, cost, np, progress.part(0, 0.2));
+  const std::vector<bool> no_border(num_vertices(simple.graph), false);
+  const Graph_retract<Graph> retract(simple.graph, no_border);
+
+  std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> candidates, contours;
+  std::vector<double> weights;
+  for(const auto& path : retract.paths())
+  {
+    progress.part(0.2, 1).report_step(candidates.size(), retract.paths().size());
+    auto choice = choose(path);
+    weights.push_back(weight(choice.properties));
+    candidates.push_back(std::move(choice.contour));
+  }
+  for(const std::size_t i :
+      edges_outside_of_maximum_spanning_tree(retract.paths(), weights, num_vertices(simple.graph)))
+    contours.push_back(std::move(candidates[i]));
+  return contours;
+}
+
+template <class RankedMesh, class NamedParameters>
+std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_pants_decomposition(
+  const RankedMesh& ranked,
+  const Simple_reeb_graph<RankedMesh>& simple,
+  const NamedParameters& np,
+  const Stage_progress& progress)
+{
+  typedef typename Simple_reeb_graph<RankedMesh>::Graph Graph;
+  const auto cost = choose_curve_cost<Length_of_curve>(np);
+  const auto choose = make_contour_choice(ranked, simple, cost, np, progress.part(0, 0.2));
+  std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> contours;
+  const Graph_retract<Graph> retract(simple.graph, simple.is_border);
+  std::size_t number_of_paths = 0;
+  for(const auto& path : retract.paths())
+  {
+    progress.part(0.2, 1).report_step(number_of_paths++, retract.paths().size());
+    if(!simple.is_border[path.first_node] && !simple.is_border[path.last_node])
+      contours.push_back(choose(path).contour);
+  }
+  return contours;
+}
+
+template <class RankedMesh, class NamedParameters>
+std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_branch_curves(
+  const RankedMesh& ranked,
+  const Simple_reeb_graph<RankedMesh>& simple,
+  const Branch_thresholds<NamedParameters>& thresholds,
+  const NamedParameters& np,
+  const Stage_progress& progress)
+{
+  const auto cost = choose_curve_cost<Cost_of_branch_curve>(np);
+  const auto choose = make_contour_choice(ranked, simple, cost, np, progress.part(0, 0.2));
+  std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> contours;
+  const auto branches = find_branches(ranked, simple, thresholds, progress.part(0.2, 0.5));
+  for(const auto& path : branches)
+  {
+    progress.part(0.5, 1).report_step(contours.size(), branches.size());
+    contours.push_back(choose(path).contour);
+  }
+  return contours;
+}
+
+// Copies the values at vertices that have been added to the field of the user, if that has room for them.
+template <class Traits, class Mesh, class VertexDescriptor, class LevelMap, class ScalarMap>
+void copy_added_values(const Mesh& mesh,
+                       const std::set<VertexDescriptor>& old,
+                       const LevelMap& level_map,
+                       ScalarMap scalar_map)
+{
+  if constexpr(Is_field_written<ScalarMap, Traits>::value)
+  {
+    for(const auto v : vertices(mesh))
+    {
+      if(old.count(v) == 0)
+        put(scalar_map, v, get(level_map, v));
+    }
+  }
+}
+
+// Refines a mesh so that the contours of choose(ranked mesh, its Reeb graph with simple saddles, progress) become paths
+// of edges, and outputs these. The input has been checked by check_input().
+template <class Mesh, class ScalarMap, class OutputIterator, class NamedParameters, class Choose>
+OutputIterator cut_along_chosen_contours(Mesh& mesh,
+                                         const ScalarMap& scalar_map,
+                                         OutputIterator output,
+                                         const NamedParameters& np,
+                                         const Stage_progress& progress,
+                                         const Choose& choose)
+{
+  typedef Chosen_traits<Reeb_graph_traits<Mesh, ScalarMap>, NamedParameters> Traits;
+  if constexpr(Refinable_mesh_with_field<Mesh, ScalarMap, Traits>::value)
+  {
+    const auto traits = choose_traits<Traits>(np);
+    const auto cut = [&](const auto& map, const Stage_progress& stage) {
+      const auto find_contours = [&](const auto& ranked, const Stage_progress& finding) {
+        const auto simple = compute_simple_reeb_graph(ranked, map, traits, finding.part(0, 0.55));
+        return choose(ranked, simple, finding.part(0.55, 1));
+      };
+      return cut_along_found_contours(mesh, map, traits, output, np, stage.part(0, 0.85), stage.part(0.85, 1),
+                                      find_contours);
+    };
+    if(parameters::choose_parameter(parameters::get_parameter(np, borders), Borders::LEVEL) == Borders::LEVEL)
+      return cut(scalar_map, progress);
+    const auto old_vertices = CGAL::make_range(vertices(mesh));
+    const std::set<typename boost::graph_traits<Mesh>::vertex_descriptor> old(old_vertices.begin(), old_vertices.end());
+    const auto level_map = get(dynamic_vertex_property_t<typename Traits::Scalar>(), mesh);
+    for(const auto v : old)
+      put(level_map, v, get(scalar_map, v));
+    make_borders_level(mesh, level_map, np.callback(progress.part(0, 0.2).callback()));
+    const OutputIterator end = cut(level_map, progress.part(0.2, 1));
+    copy_added_values<Traits>(mesh, old, level_map, scalar_map);
+    return end;
+  }
+  else
+    return output;
+}
+
+// Refines a mesh so that the curves of a pants decomposition become paths of edges, and outputs these. The input has
+// been checked.
+template <class Mesh, class ScalarMap, class OutputIterator, class NamedParameters>
+OutputIterator cut_into_pants(Mesh& mesh,
+                              const ScalarMap& scalar_map,
+                              OutputIterator output,
+                              const NamedParameters& np,
+                              const Stage_progress& progress)
+{
+  return cut_along_chosen_contours(mesh, scalar_map, output, np, progress,
+                                   [&](const auto& ranked, const auto& simple, const Stage_progress& stage) {
+                                     return choose_pants_decomposition(ranked, simple, np, stage);
+                                   });
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_CURVES_INTERNAL_CHOOSE_CONTOURS_H

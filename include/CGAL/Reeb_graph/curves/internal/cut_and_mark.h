@@ -1,0 +1,182 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_CURVES_INTERNAL_CUT_AND_MARK_H
+#define CGAL_REEB_GRAPH_CURVES_INTERNAL_CUT_AND_MARK_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/curves/Curve.h>
+#include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
+#include <CGAL/Reeb_graph/curves/curve_parameters.h>
+#include <CGAL/Reeb_graph/curves/exceptions.h>
+#include <CGAL/Reeb_graph/curves/internal/Contour_cutting.h>
+#include <CGAL/Reeb_graph/curves/internal/Curve_opening.h>
+#include <CGAL/Reeb_graph/curves/internal/Refined_field.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+template <class Mesh, class NamedParameters>
+auto choose_refinement_visitor(const Mesh&, const NamedParameters& np)
+{
+  return parameters::choose_parameter<Default_refinement_visitor<Mesh>>(
+    parameters::get_parameter(np, internal_np::visitor));
+}
+
+template <class Mesh, class Visitor, class NamedParameters>
+auto make_ranked_mesh(Mesh& mesh, Visitor& visitor, const NamedParameters& np)
+{
+  const auto vertex_point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                             get_property_map(vertex_point, mesh));
+  return Ranked_mesh<Mesh, std::decay_t<decltype(vertex_point_map)>, Visitor>(mesh, vertex_point_map, visitor);
+}
+
+// Calls mark(edge, curve) for each edge of each curve, for both copies if the mesh has been cut open.
+template <class Mesh, class HalfedgeDescriptor, class Mark>
+void for_each_curve_edge(const Mesh& mesh, const std::vector<Curve<HalfedgeDescriptor>>& curves, const Mark& mark)
+{
+  for(std::size_t curve = 0; curve != curves.size(); ++curve)
+  {
+    for(const HalfedgeDescriptor h : curves[curve].halfedges)
+      mark(edge(h, mesh), curve);
+    for(const HalfedgeDescriptor h : curves[curve].lower_halfedges)
+      mark(edge(h, mesh), curve);
+  }
+}
+
+template <class Mesh, class HalfedgeDescriptor, class NamedParameters>
+void mark_edges(const Mesh& mesh, const std::vector<Curve<HalfedgeDescriptor>>& curves, const NamedParameters& np)
+{
+  using parameters::get_parameter;
+  typedef typename boost::graph_traits<Mesh>::edge_descriptor edge_descriptor;
+  if constexpr(is_given<decltype(get_parameter(np, internal_np::edge_is_constrained))>)
+  {
+    auto map = get_parameter(np, internal_np::edge_is_constrained);
+    for_each_curve_edge(mesh, curves, [&](edge_descriptor e, std::size_t) { put(map, e, true); });
+  }
+  if constexpr(is_given<decltype(get_parameter(np, edge_curve_map))>)
+  {
+    auto map = get_parameter(np, edge_curve_map);
+    for_each_curve_edge(mesh, curves, [&](edge_descriptor e, std::size_t curve) { put(map, e, curve); });
+  }
+}
+
+// Numbers the pieces into which the curves cut the mesh in the order of their first faces. Returns their number.
+template <class Mesh, class HalfedgeDescriptor, class PatchMap>
+std::size_t number_patches(const Mesh& mesh,
+                           const std::vector<Curve<HalfedgeDescriptor>>& curves,
+                           const PatchMap& patch_map)
+{
+  typedef typename boost::graph_traits<Mesh>::edge_descriptor edge_descriptor;
+  const auto is_curve_edge = get(dynamic_edge_property_t<bool>(), mesh);
+  for(const edge_descriptor e : edges(mesh))
+    put(is_curve_edge, e, false);
+  for_each_curve_edge(mesh, curves, [&](edge_descriptor e, std::size_t) { put(is_curve_edge, e, true); });
+  return Polygon_mesh_processing::connected_components(mesh, patch_map,
+                                                       parameters::edge_is_constrained_map(is_curve_edge));
+}
+
+// Tells the named parameter `face_count_callback` the number of faces that cutting along the contours is going to make.
+// A triangle with k new vertices on its edges becomes k + 1 triangles, and a contour has two of them in each triangle
+// that it crosses.
+template <class RankedMesh, class NamedParameters>
+void check_face_count(const RankedMesh& ranked,
+                      const std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>>& contours,
+                      const NamedParameters& np)
+{
+  using parameters::get_parameter;
+  if constexpr(is_given<decltype(get_parameter(np, face_count_callback))>)
+  {
+    std::size_t number = faces(ranked.mesh()).size();
+    for(const auto& contour : contours)
+      number += 2 * (contour.halfedges.size() - (contour.is_closed ? 0 : 1));
+    auto callback = get_parameter(np, face_count_callback);
+    if(!callback(number))
+      throw Face_count_error(number);
+  }
+}
+
+// Cuts a mesh along contours, and writes the field and the property maps that have been asked for. If it is
+// cancelled, the mesh is as it was before the first split.
+template <class RankedMesh, class ScalarMap, class Traits, class NamedParameters>
+std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
+  const RankedMesh& ranked,
+  const std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>>& contours,
+  const ScalarMap& scalar_map,
+  const Traits& traits,
+  const NamedParameters& np,
+  const Stage_progress& progress)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  auto& mesh = ranked.mesh();
+  check_face_count(ranked, contours, np);
+  Refined_field<RankedMesh, ScalarMap, Traits> field(ranked, scalar_map, traits);
+  field.write_ranked_vertices();
+  field.place_contours(contours);
+  if constexpr(!is_given<decltype(get_parameter(np, internal_np::callback))>)
+    ranked.keep_splits(); // There may be many, and to remember them takes memory.
+  auto curves = Contour_cutting<RankedMesh>(ranked, contours)(progress.part(0.05, 0.8));
+  progress(0.8);
+  ranked.keep_splits();
+  if(choose_parameter(get_parameter(np, cut_open), false))
+  {
+    Curve_opening<RankedMesh> open(ranked);
+    for(auto& curve : curves)
+      open(curve);
+  }
+  progress.tell(0.9);
+  field.write_curves(curves);
+  mark_edges(mesh, curves, np);
+  if constexpr(is_given<decltype(get_parameter(np, internal_np::face_patch))>)
+  {
+    auto face_patch_map = get_parameter(np, internal_np::face_patch);
+    const auto patch_map = get(dynamic_face_property_t<std::size_t>(), mesh);
+    number_patches(mesh, curves, patch_map);
+    for(const auto f : faces(mesh))
+      put(face_patch_map, f, get(patch_map, f));
+  }
+  return curves;
+}
+
+// Refines a mesh so that the contours of find_contours(ranked mesh, its progress) become paths of edges, and outputs
+// these.
+template <class Mesh, class ScalarMap, class Traits, class OutputIterator, class NamedParameters, class FindContours>
+OutputIterator cut_along_found_contours(Mesh& mesh,
+                                        const ScalarMap& scalar_map,
+                                        const Traits& traits,
+                                        OutputIterator output,
+                                        const NamedParameters& np,
+                                        const Stage_progress& finding,
+                                        const Stage_progress& cutting,
+                                        const FindContours& find_contours)
+{
+  auto visitor_parameter = choose_refinement_visitor(mesh, np);
+  const auto ranked = make_ranked_mesh(mesh, unwrap_reference(visitor_parameter), np);
+  const auto contours = find_contours(ranked, finding);
+  const auto curves = cut_and_mark(ranked, contours, scalar_map, traits, np, cutting);
+  return std::copy(curves.begin(), curves.end(), output);
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_CURVES_INTERNAL_CUT_AND_MARK_H

@@ -1,0 +1,145 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_GATHERED_SURFACE_H
+#define CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_GATHERED_SURFACE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/distributed/internal/Slab_block.h>
+#include <CGAL/Reeb_graph/distributed/internal/Slab_surface.h>
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
+#include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/link_sectors.h>
+#include <CGAL/Reeb_graph/options.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The total order of vertices that are not numbered as on the surface: by value, then by global index.
+template <class Scalar>
+class Gathered_order : public Vertex_order<Scalar, std::less<Scalar>>
+{
+  typedef Vertex_order<Scalar, std::less<Scalar>> Base;
+
+public:
+  Gathered_order(const Indexed_vector<Vertex_index, Scalar>& values,
+                 const Indexed_vector<Vertex_index, Global_vertex>& global_vertices)
+    : Base(values, std::less<Scalar>()),
+      values_(&values),
+      global_vertices_(&global_vertices)
+  {}
+
+  using Base::operator();
+  bool operator()(Vertex_index u, Vertex_index v) const { return place(u) < place(v); }
+
+private:
+  Order_key<Scalar> place(Vertex_index v) const { return {(*values_)[v], (*global_vertices_)[v]}; }
+
+  const Indexed_vector<Vertex_index, Scalar>* values_;
+  const Indexed_vector<Vertex_index, Global_vertex>* global_vertices_;
+};
+
+// The critical vertices and the arcs between them, of all ranks, as rank 0 takes them where a whole surface has been
+// before: a surface without triangles, of the critical vertices and the ends of the first steps from them, where each
+// arc has one halfedge, its first step.
+template <class Scalar>
+class Gathered_surface
+{
+public:
+  // The critical vertices have to be in ascending order.
+  Gathered_surface(const std::vector<Order_key<Scalar>>& critical_vertices,
+                   const std::vector<Critical_arc<Scalar>>& arcs,
+                   Ties ties)
+  {
+    values_.reserve(critical_vertices.size() + arcs.size());
+    global_vertices_.reserve(values_.capacity());
+    for(const Order_key<Scalar>& place : critical_vertices)
+      add_vertex(place);
+    add_first_targets(arcs, ties);
+    critical_vertices_.resize(critical_vertices.size(), {0, 0});
+    No_sectors no_sectors;
+    for(const Swept_index i : critical_vertices_.indices())
+      critical_vertices_.set(i, *this, Vertex_index(i.number()), no_sectors, {0, 0});
+    critical_vertices_.template sort<Sequential_tag>(order());
+  }
+
+  const Indexed_vector<Vertex_index, Global_vertex>& global_vertices() const { return global_vertices_; }
+  const Indexed_vector<Vertex_index, Scalar>& values() const { return values_; }
+  Gathered_order<Scalar> order() const { return {values_, global_vertices_}; }
+  const Swept_vertices& critical_vertices() const { return critical_vertices_; }
+  const Slab_arcs& arcs() const { return arcs_; }
+
+  // What is asked of a complex here.
+  Vertex_index source(Halfedge_index first_step) const { return Vertex_index(arc(first_step).lower.number()); }
+  Vertex_index target(Halfedge_index first_step) const { return arc(first_step).first_step.target; }
+  bool is_on_border(Vertex_index) const { return false; }
+  [[noreturn]] void throw_contradiction_near(Vertex_index vertex) const
+  {
+    throw Unordered_scalar_error::contradiction_near(static_cast<std::size_t>(global_vertices_[vertex]));
+  }
+
+private:
+  // The sectors of the critical vertices stay on their ranks: they have made the arcs.
+  struct No_sectors
+  {
+    void write(Vertex_index, const By_side<Link_sector*>&) const {}
+  };
+
+  const Slab_arc& arc(Halfedge_index first_step) const { return arcs_[Slab_arc_index(first_step.number())]; }
+
+  void add_vertex(const Order_key<Scalar>& place)
+  {
+    checked_index(values_.size());
+    values_.push_back(place.value);
+    global_vertices_.push_back(place.vertex);
+  }
+
+  // Where ties are contracted, first steps from several vertices of a plateau can end at one vertex, which gets one
+  // number then; otherwise, nobody compares those that do.
+  void add_first_targets(const std::vector<Critical_arc<Scalar>>& arcs, Ties ties)
+  {
+    std::vector<Number> order(checked_index(arcs.size()));
+    std::iota(order.begin(), order.end(), Number(0));
+    if(ties == Ties::CONTRACT)
+      std::sort(order.begin(), order.end(),
+                [&](Number a, Number b) { return arcs[a].first_target < arcs[b].first_target; });
+    arcs_.resize(arcs.size());
+    const Critical_arc<Scalar>* last = nullptr;
+    for(const Number i : order)
+    {
+      if(last == nullptr || last->first_target != arcs[i].first_target)
+        add_vertex({arcs[i].value_of_first_target, arcs[i].first_target});
+      last = &arcs[i];
+      arcs_[Slab_arc_index(i)] = {
+        Slab_node(last->lower), Slab_node(last->upper), {Halfedge_index(i), values_.last_key()}};
+    }
+  }
+
+  Indexed_vector<Vertex_index, Global_vertex> global_vertices_; // the critical ones, ascending, then others
+  Indexed_vector<Vertex_index, Scalar> values_;
+  Swept_vertices critical_vertices_;
+  Slab_arcs arcs_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_GATHERED_SURFACE_H

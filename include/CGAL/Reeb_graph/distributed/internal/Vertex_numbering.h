@@ -1,0 +1,346 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_VERTEX_NUMBERING_H
+#define CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_VERTEX_NUMBERING_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/distributed/internal/Slab_surface.h>
+#include <CGAL/Reeb_graph/distributed/internal/exchange.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// 64 global indices, of which some are meant: how sets of vertices are sent.
+struct Vertex_word
+{
+  typedef std::uint64_t Bits;
+  static constexpr std::size_t size = 64;
+
+  // Calls visit(vertex) in ascending order.
+  template <class Visit>
+  void for_each(const Visit& visit) const
+  {
+    if(bits == ~Bits(0))
+    {
+      for(std::size_t i = 0; i != size; ++i)
+        visit(position * size + i);
+    }
+    else
+    {
+      for(Bits rest = bits; rest != 0; rest &= rest - 1)
+        visit(position * size + lowest(rest));
+    }
+  }
+
+  // Leaves out the vertices that are not from `begin` to the one before `end`, where some of the word are.
+  void keep_between(Global_vertex begin, Global_vertex end)
+  {
+    const Global_vertex first = position * size;
+    if(begin > first)
+      bits &= ~Bits(0) << (begin - first);
+    if(end < first + size)
+      bits &= ~(~Bits(0) << (end - first));
+  }
+
+  Global_vertex first() const { return position * size + lowest(bits); }
+  std::size_t number_of_vertices() const { return count(bits); }
+
+  static Number lowest(Bits bits) { return count((bits & (~bits + 1)) - 1); }
+  static Number count(Bits bits) { return static_cast<Number>(std::bitset<size>(bits).count()); }
+
+  std::uint64_t position; // the first index divided by 64
+  Bits bits;
+};
+
+// Some of the vertices of all ranks, numbered in ascending order. A page is kept for each 4096 indices of which any is
+// in the set; it has a bit for each of them, and where many are, also their numbers.
+class Vertex_numbering
+{
+public:
+  explicit Vertex_numbering(Global_vertex number_of_vertices = 0)
+    : pages_(static_cast<std::size_t>(number_of_vertices / page_size) + 1)
+  {}
+
+  void add(Global_vertex vertex)
+  {
+    page_of(vertex / page_size).bits[word_of(vertex)] |= Vertex_word::Bits(1) << (vertex % Vertex_word::size);
+  }
+
+  void add(const Vertex_word& word)
+  {
+    page_of(word.position / words_per_page).bits[word.position % words_per_page] |= word.bits;
+  }
+
+  // Numbers the vertices. No others can be added afterwards. Throws if they are too many.
+  void number()
+  {
+    std::size_t size = 0;
+    for(const std::unique_ptr<Page>& page : pages_)
+      if(page != nullptr)
+        size = page->number(size);
+    size_ = checked_index(size);
+    for(std::size_t i = 0; i != pages_.size(); ++i)
+      if(pages_[i] != nullptr)
+        pages_[i]->write_numbers();
+  }
+
+  Number size() const { return size_; }
+
+  // The number of a vertex of the set.
+  Vertex_index operator[](Global_vertex vertex) const
+  {
+    const Page& page = *pages_[vertex / page_size];
+    return page.numbers != nullptr ? (*page.numbers)[vertex % page_size] : Vertex_index(page.count_up_to(vertex));
+  }
+
+  // Calls visit(word) for the words from `position` on which have any vertex, in ascending order, until it returns
+  // false. Returns the position of that one.
+  template <class Visit>
+  std::uint64_t for_each_word(std::uint64_t position, const Visit& visit) const
+  {
+    for(; position < pages_.size() * words_per_page; ++position)
+    {
+      const std::unique_ptr<Page>& page = pages_[position / words_per_page];
+      if(page == nullptr)
+        position |= words_per_page - 1;
+      else
+      {
+        const Vertex_word word = {position, page->bits[position % words_per_page]};
+        if(word.bits != 0 && !visit(word))
+          break;
+      }
+    }
+    return position;
+  }
+
+private:
+  static constexpr std::size_t words_per_page = 64;
+  static constexpr std::size_t page_size = words_per_page * Vertex_word::size;
+
+  typedef std::array<Vertex_index, page_size> Numbers;
+
+  struct Page
+  {
+    std::size_t number(std::size_t begin)
+    {
+      first = static_cast<Number>(begin);
+      std::size_t rank = 0;
+      for(std::size_t i = 0; i != words_per_page; ++i)
+      {
+        ranks[i] = static_cast<std::uint16_t>(rank);
+        rank += Vertex_word::count(bits[i]);
+      }
+      size = static_cast<Number>(rank);
+      return begin + rank;
+    }
+
+    void write_numbers()
+    {
+      if(size < page_size / 4)
+        return;
+      numbers.reset(new Numbers);
+      Vertex_index number(first);
+      for(std::size_t i = 0; i != words_per_page; ++i)
+        Vertex_word{i, bits[i]}.for_each([&](std::size_t place) {
+          (*numbers)[place] = number;
+          ++number;
+        });
+    }
+
+    std::size_t count_up_to(Global_vertex vertex) const
+    {
+      const std::size_t word = word_of(vertex);
+      const Vertex_word::Bits lower = (Vertex_word::Bits(1) << (vertex % Vertex_word::size)) - 1;
+      return std::size_t(first) + ranks[word] + Vertex_word::count(bits[word] & lower);
+    }
+
+    std::array<Vertex_word::Bits, words_per_page> bits = {};
+    std::array<std::uint16_t, words_per_page> ranks;
+    Number first;
+    Number size;
+    std::unique_ptr<Numbers> numbers;
+  };
+
+  static std::size_t word_of(Global_vertex vertex) { return vertex / Vertex_word::size % words_per_page; }
+
+  Page& page_of(std::uint64_t position)
+  {
+    std::unique_ptr<Page>& page = pages_[position];
+    if(page == nullptr)
+      page.reset(new Page);
+    return *page;
+  }
+
+  std::vector<std::unique_ptr<Page>> pages_;
+  Number size_ = 0;
+};
+
+// The number of answers that a rank gives, or gets, in a round.
+inline constexpr std::size_t most_answers = std::size_t(1) << 21;
+
+// How many questions each rank may ask this one in a round, of those that it has left. All that have any may ask some.
+inline std::vector<std::uint64_t> share_answers(std::vector<std::uint64_t> left)
+{
+  const std::uint64_t sum = std::accumulate(left.begin(), left.end(), std::uint64_t(0));
+  if(sum > most_answers)
+    for(std::uint64_t& number : left)
+      number = number == 0 ? 0 : number * most_answers / sum + 1;
+  return left;
+}
+
+// The questions of one rank to all others about some vertices, in rounds: in each, as many to each rank as it allows.
+class Questions
+{
+public:
+  Questions(const Vertex_ranges& ranges, const Vertex_numbering& vertices, std::size_t number_of_ranks)
+    : vertices_(&vertices),
+      ranges_(number_of_ranks, {0, 0, 0}),
+      next_words_(number_of_ranks, 0),
+      left_(number_of_ranks, 0)
+  {
+    for(const Vertex_range& range : ranges.ranges())
+    {
+      ranges_[range.rank] = range;
+      next_words_[range.rank] = range.begin / Vertex_word::size;
+      for_each_word(range.rank, [&](const Vertex_word& word) {
+        left_[range.rank] += word.number_of_vertices();
+        return true;
+      });
+    }
+  }
+
+  // How many there are left for each rank.
+  const std::vector<std::uint64_t>& left() const { return left_; }
+
+  // The words of the next round, of as many vertices as are allowed for each rank, and few more. Behind the call,
+  // first_numbers()[rank] is the number of the first vertex of a parcel.
+  Parcels<Vertex_word> next_round(const std::vector<std::uint64_t>& allowed)
+  {
+    Parcels<Vertex_word> parcels(ranges_.size());
+    first_numbers_.assign(ranges_.size(), 0);
+    std::uint64_t sum_of_ranks = 0;
+    for(std::size_t rank = 0; rank != ranges_.size(); ++rank)
+    {
+      const std::size_t old_size = parcels.items.size();
+      std::uint64_t sum = 0;
+      next_words_[rank] = for_each_word(rank, [&](const Vertex_word& word) {
+        if(sum >= allowed[rank] || sum_of_ranks >= most_answers)
+          return false;
+        if(sum == 0)
+          first_numbers_[rank] = (*vertices_)[word.first()].number();
+        sum += word.number_of_vertices();
+        sum_of_ranks += word.number_of_vertices();
+        parcels.items.push_back(word);
+        return true;
+      });
+      left_[rank] -= sum;
+      parcels.counts[rank] = static_cast<int>(parcels.items.size() - old_size);
+    }
+    return parcels;
+  }
+
+  const std::vector<std::size_t>& first_numbers() const { return first_numbers_; }
+
+private:
+  // Calls visit(word) for the words in the range of a rank that have not been asked, until it returns false. Returns
+  // the position of that one.
+  template <class Visit>
+  std::uint64_t for_each_word(std::size_t rank, const Visit& visit) const
+  {
+    const Vertex_range& range = ranges_[rank];
+    if(range.begin == range.end)
+      return 0;
+    return vertices_->for_each_word(next_words_[rank], [&](Vertex_word word) {
+      if(word.position * Vertex_word::size >= range.end)
+        return false;
+      word.keep_between(range.begin, range.end);
+      return word.bits == 0 || visit(word);
+    });
+  }
+
+  const Vertex_numbering* vertices_;
+  std::vector<Vertex_range> ranges_; // by rank
+  std::vector<std::uint64_t> next_words_;
+  std::vector<std::size_t> first_numbers_;
+  std::vector<std::uint64_t> left_; // by rank
+};
+
+// The parcels of answers to parcels of questions: answer_of(vertex) for each.
+template <class Answer, class AnswerOf>
+Parcels<Answer> answer_questions(const std::vector<Vertex_word>& words,
+                                 const std::vector<int>& counts,
+                                 const AnswerOf& answer_of)
+{
+  Parcels<Answer> answers(counts.size());
+  std::size_t size = 0;
+  for(const Vertex_word& word : words)
+    size += word.number_of_vertices();
+  answers.items.reserve(size);
+  auto word = words.begin();
+  for(std::size_t rank = 0; rank != counts.size(); ++rank)
+  {
+    const std::size_t old_size = answers.items.size();
+    for(const auto end = word + counts[rank]; word != end; ++word)
+      word->for_each([&](Global_vertex vertex) { answers.items.push_back(answer_of(vertex)); });
+    answers.counts[rank] = static_cast<int>(answers.items.size() - old_size);
+  }
+  return answers;
+}
+
+// Writes answer_of(vertex), asked at the rank in whose range the vertex is, to the place of its number in `result`, for
+// all vertices of the numbering. Collective.
+template <class Array, class AnswerOf>
+void ask_owners(Exchange& exchange,
+                const Vertex_ranges& ranges,
+                const Vertex_numbering& vertices,
+                const AnswerOf& answer_of,
+                Array& result)
+{
+  typedef typename Array::value_type Answer;
+  const std::size_t number_of_ranks = exchange.number_of_ranks();
+  Questions questions(ranges, vertices, number_of_ranks);
+  Parcels<Vertex_word> asked(number_of_ranks);
+  Parcels<Answer> answers(number_of_ranks);
+  const auto ask = [&] {
+    const auto allowed = exchange.all_to_all(share_answers(exchange.all_to_all(questions.left())));
+    exchange.in_agreement([&] { asked = questions.next_round(allowed); });
+    return exchange.is_on_any_rank(!asked.items.empty());
+  };
+  exchange.in_agreement([&] { result.resize(vertices.size()); });
+  while(ask())
+  {
+    std::vector<Vertex_word> words;
+    const std::vector<int> word_counts = exchange.send(asked, words);
+    exchange.in_agreement([&] { answers = answer_questions<Answer>(words, word_counts, answer_of); });
+    std::vector<Answer> received;
+    const std::vector<int> counts = exchange.send(answers, received);
+    auto begin = received.begin();
+    for(std::size_t rank = 0; rank != number_of_ranks; begin += counts[rank], ++rank)
+      std::copy(begin, begin + counts[rank],
+                result.begin() + static_cast<std::ptrdiff_t>(questions.first_numbers()[rank]));
+  }
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_VERTEX_NUMBERING_H

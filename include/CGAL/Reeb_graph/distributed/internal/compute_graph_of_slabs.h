@@ -1,0 +1,143 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_COMPUTE_GRAPH_OF_SLABS_H
+#define CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_COMPUTE_GRAPH_OF_SLABS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/distributed/internal/Chain_parts.h>
+#include <CGAL/Reeb_graph/distributed/internal/Gathered_surface.h>
+#include <CGAL/Reeb_graph/distributed/internal/Slab_block.h>
+#include <CGAL/Reeb_graph/distributed/internal/Slab_surface.h>
+#include <CGAL/Reeb_graph/distributed/internal/distributed_chains.h>
+#include <CGAL/Reeb_graph/distributed/internal/exchange.h>
+#include <CGAL/Reeb_graph/distributed/internal/pass_arrays.h>
+#include <CGAL/Reeb_graph/distributed/internal/solve_slab.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/engine/Flat_graph.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/write_graph.h>
+#include <CGAL/Reeb_graph/options.h>
+
+#include <boost/mpi/collectives.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The graph by the vertices of rank 0, and those; on the other ranks, there is nothing in it.
+template <class Scalar>
+struct Gathered_graph
+{
+  std::optional<Gathered_surface<Scalar>> surface;
+  Flat_graph graph;
+  std::vector<std::size_t> begins_of_ranks; // by rank: the number of its first critical vertex; and the end
+};
+
+// Glues the slabs, and gathers the graph at rank 0. Collective.
+template <class Scalar>
+Gathered_graph<Scalar> glue_and_gather(Exchange& exchange,
+                                       const Slab_surface<Scalar>& surface,
+                                       const Swept_vertices& critical_vertices,
+                                       Arcs_of_slab found,
+                                       Ties ties,
+                                       bool are_degree_two_nodes_kept)
+{
+  const std::size_t size = critical_vertices.size();
+  const std::size_t end = boost::mpi::scan(exchange.communicator(), size, std::plus<std::size_t>());
+  Slab_block<Scalar> block;
+  std::vector<Order_key<Scalar>> places;
+  exchange.in_agreement([&] {
+    Indexed_vector<Swept_index, Number> names(size);
+    Number name = checked_index(end) - static_cast<Number>(size);
+    places.reserve(size);
+    for(const Swept_index i : critical_vertices.ascending())
+    {
+      names[i] = name++;
+      const Vertex_index vertex = critical_vertices.vertex(i);
+      places.push_back({surface.values[vertex], surface.global_vertices[vertex]});
+    }
+    block = Slab_block<Scalar>(found, surface, names);
+    found = Arcs_of_slab();
+  });
+  glue_slabs(exchange, surface.number_of_slabs, block);
+
+  const auto all_places = gather_arrays(exchange, places);
+  const auto all_arcs = gather_arrays(exchange, block.arcs());
+  Gathered_graph<Scalar> gathered;
+  exchange.in_agreement([&] {
+    if(exchange.rank() != 0)
+      return;
+    gathered.begins_of_ranks = all_places.begins;
+    const auto& whole = gathered.surface.emplace(all_places.elements, all_arcs.elements, ties);
+    gathered.graph = reduce_arcs<Sequential_tag>(whole, whole.order(), whole.critical_vertices(), whole.arcs(), ties,
+                                                 are_degree_two_nodes_kept, false);
+  });
+  return gathered;
+}
+
+// Walks the chains on the ranks. Collective.
+template <class Scalar, class ChainParts>
+void walk_chains(Exchange& exchange, const Gathered_graph<Scalar>& gathered, ChainParts& parts)
+{
+  Gathered_arrays<Climbing_piece<Scalar>> pieces;
+  exchange.in_agreement([&] {
+    if(exchange.rank() == 0)
+      pieces = list_pieces(*gathered.surface, gathered.graph, gathered.begins_of_ranks);
+  });
+  walk_slab_by_slab(exchange, scatter_arrays(exchange, pieces), parts);
+}
+
+// What write_nodes_and_arcs() asks of a field.
+template <class Scalar>
+struct Gathered_field
+{
+  const Indexed_vector<Vertex_index, Global_vertex>& vertices;
+  const Indexed_vector<Vertex_index, Scalar>& values;
+};
+
+// Writes the graph at rank 0, with chains of the parts that all ranks have walked, and clears it on the other ranks.
+// Collective.
+template <class Scalar, class ReebGraph>
+void write_gathered_graph(Exchange& exchange,
+                          const Gathered_graph<Scalar>& gathered,
+                          const std::vector<Part_of_piece>& parts,
+                          const std::vector<Global_vertex>& vertices,
+                          ReebGraph& graph)
+{
+  const auto all_parts = gather_arrays(exchange, parts);
+  const auto all_vertices = gather_arrays(exchange, vertices);
+  exchange.in_agreement([&] {
+    if(exchange.rank() != 0)
+      return graph.clear();
+    typedef std::vector<std::pair<std::size_t, std::size_t>> Vertex_pairs;
+    Flat_chains chains;
+    const auto pairs = std::make_shared<const Vertex_pairs>(
+      join_chain_parts(gathered.graph.pieces.size(), all_parts.elements, all_vertices.elements, chains));
+    const Gathered_field<Scalar> field = {gathered.surface->global_vertices(), gathered.surface->values()};
+    write_nodes_and_arcs<Sequential_tag>(field, gathered.graph, graph);
+    write_chains(pairs, chains, gathered.graph, graph);
+  });
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_COMPUTE_GRAPH_OF_SLABS_H

@@ -1,0 +1,217 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_DISTRIBUTE_SURFACE_H
+#define CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_DISTRIBUTE_SURFACE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/distributed/internal/Local_part.h>
+#include <CGAL/Reeb_graph/distributed/internal/Slab_surface.h>
+#include <CGAL/Reeb_graph/distributed/internal/Vertex_numbering.h>
+#include <CGAL/Reeb_graph/distributed/internal/exchange.h>
+#include <CGAL/Reeb_graph/distributed/internal/send_triangles.h>
+#include <CGAL/Reeb_graph/distributed/internal/splitters.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The levels between the slabs, and how many slabs triangles meet: a measure of what copies cost.
+template <class Scalar>
+struct Slab_choice
+{
+  Splitters<Scalar> splitters;
+  double slabs_per_triangle_if_all = 1; // with as many slabs as have been asked for
+  double slabs_per_triangle = 1;        // with as many as are used
+};
+
+// What a rank sends and gets when the surface is distributed.
+struct Distribution_counts
+{
+  double slabs_per_triangle_if_all = 1;
+  double slabs_per_triangle = 1;
+  std::uint64_t vertices = 0; // in its slab
+  std::uint64_t copies = 0;   // its triangles that a lower rank holds as well
+};
+
+// The most slabs that a triangle may meet on average: more memory goes into copies than slabs save. Surfaces of few
+// triangles are sliced all the same.
+inline constexpr double most_slabs_per_triangle = 2;
+inline constexpr std::uint64_t smallest_limited_surface = std::uint64_t(1) << 15;
+
+// Chooses as many slabs as are asked for, or fewer if a triangle meets too many of them, as on noise. Collective.
+template <class Scalar, class LocalPart>
+Slab_choice<Scalar> choose_slabs(Exchange& exchange, const LocalPart& part, std::size_t number_of_slabs)
+{
+  Slab_choice<Scalar> choice;
+  if(number_of_slabs == 1)
+    return choice;
+  const Splitter_choice<Scalar> chooser(exchange, part.begin(), part.scalars(), part.number_of_vertices(),
+                                        number_of_slabs);
+  const Triangle_sample<Scalar> sample(exchange, part.ranges(), part.triangles(), part.number_of_triangles(),
+                                       [&](Global_vertex v) { return part.value(v); });
+  const auto try_number = [&](std::size_t n) {
+    choice.splitters = chooser.choose(exchange, n);
+    choice.slabs_per_triangle = sample.slabs_per_triangle(exchange, choice.splitters);
+  };
+  try_number(number_of_slabs);
+  choice.slabs_per_triangle_if_all = choice.slabs_per_triangle;
+  while(choice.slabs_per_triangle > most_slabs_per_triangle && part.number_of_triangles() >= smallest_limited_surface)
+  {
+    // A level is crossed by about the same share of the triangles, wherever it is.
+    const double crossings_of_level = (choice.slabs_per_triangle - 1) / static_cast<double>(number_of_slabs - 1);
+    const std::size_t fitting = 1 + static_cast<std::size_t>((most_slabs_per_triangle - 1) / crossings_of_level);
+    number_of_slabs = (std::min)(number_of_slabs - 1, fitting);
+    try_number(number_of_slabs);
+  }
+  return choice;
+}
+
+// The slabs that each triangle of this rank meets. Collective.
+template <class LocalPart>
+std::vector<Slab_range> find_slabs_of_triangles(Exchange& exchange,
+                                                const LocalPart& part,
+                                                const Vertex_numbering& vertices,
+                                                const std::vector<Short_slab>& slabs_of_range)
+{
+  std::vector<Short_slab> slabs;
+  ask_owners(
+    exchange, part.ranges(), vertices,
+    [&](Global_vertex v) { return slabs_of_range[static_cast<std::size_t>(v - part.begin())]; }, slabs);
+  std::vector<Slab_range> result;
+  exchange.in_agreement([&] {
+    result.reserve(part.number_of_local_triangles());
+    part.for_each_triangle([&](Global_vertex a, Global_vertex b, Global_vertex c) {
+      const auto ends =
+        std::minmax({slabs[vertices[a].number()], slabs[vertices[b].number()], slabs[vertices[c].number()]});
+      result.push_back({ends.first, ends.second});
+    });
+  });
+  return result;
+}
+
+// Fills in the vertices that are numbered, their values, and on which side of the slab they are. Collective.
+template <class Scalar, class LocalPart>
+void fill_vertices(Exchange& exchange,
+                   const LocalPart& part,
+                   const Vertex_numbering& numbering,
+                   const Splitters<Scalar>& splitters,
+                   Slab_surface<Scalar>& surface)
+{
+  ask_owners(
+    exchange, part.ranges(), numbering, [&](Global_vertex v) { return part.value(v); }, surface.values);
+  exchange.in_agreement([&] {
+    surface.global_vertices.reserve(numbering.size());
+    surface.slabs_of_vertices.reserve(numbering.size());
+    numbering.for_each_word(0, [&](const Vertex_word& word) {
+      word.for_each([&](Global_vertex v) {
+        const Order_key<Scalar> place = {surface.values[surface.global_vertices.end_key()], v};
+        const bool is_below = surface.slab != 0 && !(splitters[surface.slab - 1] < place);
+        const bool is_above = surface.slab < splitters.size() && splitters[surface.slab] < place;
+        surface.global_vertices.push_back(v);
+        surface.slabs_of_vertices.push_back(is_below ? surface.below()
+                                                     : (is_above ? surface.above() : surface.inside()));
+      });
+      return true;
+    });
+  });
+}
+
+// Gives each rank the part of the surface that it needs for its slab, of as many slabs as asked for at most. `Vertex`
+// is the type of the vertices on the way. Collective.
+template <class Scalar, class Vertex, class LocalPart>
+Slab_surface<Scalar> exchange_surface(Exchange& exchange,
+                                      const LocalPart& part,
+                                      Vertex_numbering vertices,
+                                      const Splitters<Scalar>& splitters,
+                                      Distribution_counts& counts)
+{
+  std::vector<Short_slab> slabs_of_range;
+  exchange.in_agreement([&] {
+    slabs_of_range.reserve(part.size());
+    for(Global_vertex v = part.begin(); v != part.begin() + part.size(); ++v)
+      slabs_of_range.push_back(static_cast<Short_slab>(slab_of(splitters, Order_key<Scalar>{part.value(v), v})));
+  });
+  std::vector<Slab_range> slabs = find_slabs_of_triangles(exchange, part, vertices, slabs_of_range);
+  exchange.in_agreement([&] { vertices = Vertex_numbering(part.number_of_vertices()); });
+  send_vertices(exchange, part.begin(), slabs_of_range, vertices);
+  std::vector<Short_slab>().swap(slabs_of_range);
+
+  Triangle_counts expected;
+  for(const Triangle_counts& from_rank : exchange.all_to_all(count_triangles(slabs, exchange.number_of_ranks())))
+  {
+    expected.triangles += from_rank.triangles;
+    expected.copies += from_rank.copies;
+  }
+  counts.copies = expected.copies;
+  exchange.in_agreement([&] { checked_index(static_cast<std::size_t>(3 * expected.triangles)); });
+
+  Slab_surface<Scalar> surface;
+  surface.slab = exchange.rank();
+  surface.number_of_slabs = splitters.size() + 1;
+  if(surface.has_slab() && !surface.is_lowest())
+    surface.lower_bound = splitters[surface.slab - 1].value;
+  if(surface.has_slab() && !surface.is_highest())
+    surface.upper_bound = splitters[surface.slab].value;
+  auto received = send_triangles<Vertex>(exchange, part.triangles(), slabs, expected.triangles, vertices);
+  std::vector<Slab_range>().swap(slabs);
+  exchange.in_agreement([&] {
+    vertices.number();
+    surface.triangles = number_triangles(std::move(received), vertices);
+  });
+  fill_vertices(exchange, part, vertices, splitters, surface);
+  counts.vertices = static_cast<std::uint64_t>(
+    std::count(surface.slabs_of_vertices.begin(), surface.slabs_of_vertices.end(), surface.inside()));
+  return surface;
+}
+
+// Gives each rank the part of the surface that it needs for its slab. There are as many slabs as are asked for and
+// ranks are there, or fewer if triangles meet too many slabs; 0 asks for as many as ranks. Collective: what is wrong on
+// any rank is thrown on all.
+template <class Scalar, class VertexRange, class TriangleRange, class ScalarRange>
+Slab_surface<Scalar> distribute_surface(Exchange& exchange,
+                                        const VertexRange& local_vertices,
+                                        const TriangleRange& local_triangles,
+                                        const ScalarRange& local_scalars,
+                                        std::size_t number_of_slabs,
+                                        Distribution_counts& counts)
+{
+  const Local_part<TriangleRange, ScalarRange> part(exchange, local_vertices, local_triangles, local_scalars);
+  Vertex_numbering vertices;
+  exchange.in_agreement([&] {
+    vertices = Vertex_numbering(part.number_of_vertices());
+    part.check_scalars();
+    part.check_triangles([&](Global_vertex v) { vertices.add(v); });
+    vertices.number();
+  });
+  const std::size_t most =
+    (std::min)({exchange.number_of_ranks(), most_slabs,
+                static_cast<std::size_t>((std::max)(part.number_of_vertices(), Global_vertex(1)))});
+  number_of_slabs = number_of_slabs == 0 ? most : (std::min)(number_of_slabs, most);
+  const Slab_choice<Scalar> choice = choose_slabs<Scalar>(exchange, part, number_of_slabs);
+  counts.slabs_per_triangle_if_all = choice.slabs_per_triangle_if_all;
+  counts.slabs_per_triangle = choice.slabs_per_triangle;
+  if(part.number_of_vertices() < no_index)
+    return exchange_surface<Scalar, Vertex_index>(exchange, part, std::move(vertices), choice.splitters, counts);
+  return exchange_surface<Scalar, Global_vertex>(exchange, part, std::move(vertices), choice.splitters, counts);
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_DISTRIBUTE_SURFACE_H

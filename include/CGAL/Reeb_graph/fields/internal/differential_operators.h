@@ -1,0 +1,119 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_FIELDS_INTERNAL_DIFFERENTIAL_OPERATORS_H
+#define CGAL_REEB_GRAPH_FIELDS_INTERNAL_DIFFERENTIAL_OPERATORS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
+#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
+#include <CGAL/Reeb_graph/fields/internal/triangle_geometry.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Weights/mixed_voronoi_region_weights.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+namespace scalar_fields {
+
+inline bool is_finite(const Vector& vector)
+{
+  return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
+}
+
+// The gradients on the faces, for the points divided by surface.scale().
+inline std::vector<Vector> scaled_gradients(const Indexed_surface& surface, const std::vector<double>& values)
+{
+  std::vector<Vector> gradients;
+  gradients.reserve(surface.triangles().size());
+  for(std::size_t t = 0; t != surface.triangles().size(); ++t)
+  {
+    const Triangle_geometry geometry = triangle_geometry(surface, t);
+    const auto& v = surface.triangles()[t].vertices;
+    // The hat functions add up to one, so a constant may be taken off; it makes constant fields have gradient zero.
+    gradients.push_back((values[v[1]] - values[v[0]]) * geometry.hat_gradient(1)
+                        + (values[v[2]] - values[v[0]]) * geometry.hat_gradient(2));
+  }
+  return gradients;
+}
+
+// The integrated divergences at the vertices, for the points divided by surface.scale().
+inline std::vector<double> scaled_divergences(const Indexed_surface& surface, const std::vector<Vector>& vectors)
+{
+  std::vector<double> divergences(surface.number_of_vertices(), 0);
+  for(std::size_t t = 0; t != surface.triangles().size(); ++t)
+  {
+    const Triangle_geometry geometry = triangle_geometry(surface, t);
+    for(int i = 0; i != 3; ++i)
+    {
+      const int next = (i + 1) % 3, previous = (i + 2) % 3;
+      divergences[surface.triangles()[t].vertices[i]] +=
+        (geometry.cotangent(previous) * dot(geometry.edges[i], vectors[t])
+         - geometry.cotangent(next) * dot(geometry.edges[previous], vectors[t]))
+        / 2;
+    }
+  }
+  return divergences;
+}
+
+// The corners of a triangle, or those of its lengthened geometry.
+inline std::array<Simple_cartesian<double>::Point_3, 3> corner_points(const Indexed_surface& surface,
+                                                                      std::size_t triangle)
+{
+  const auto point = [](const Vector& p) { return Simple_cartesian<double>::Point_3(p[0], p[1], p[2]); };
+  const auto& v = surface.triangles()[triangle].vertices;
+  if(surface.added_length() == 0)
+    return {point(surface.point(v[0])), point(surface.point(v[1])), point(surface.point(v[2]))};
+  const Triangle_geometry geometry = triangle_geometry(surface, triangle);
+  return {point({0, 0, 0}), point(geometry.edges[0]), point(geometry.edges[0] + geometry.edges[1])};
+}
+
+// The mixed Voronoi areas of the vertices, zero for isolated ones, for the points divided by surface.scale().
+inline std::vector<double> scaled_mixed_areas(const Indexed_surface& surface)
+{
+  std::vector<double> areas(surface.number_of_vertices(), 0);
+  for(std::size_t t = 0; t != surface.triangles().size(); ++t)
+  {
+    const auto points = corner_points(surface, t);
+    for(int i = 0; i != 3; ++i)
+      areas[surface.triangles()[t].vertices[i]] +=
+        Weights::mixed_voronoi_area(points[(i + 2) % 3], points[i], points[(i + 1) % 3]);
+  }
+  return areas;
+}
+
+// The mean curvatures times the mixed areas, for the points divided by surface.scale(): half the lengths of the vectors
+// sum_j w_ij (v_i - v_j) with cotangent weights.
+inline std::vector<double> scaled_integrated_mean_curvatures(const Indexed_surface& surface,
+                                                             const Weighted_graph& cotangents)
+{
+  std::vector<double> curvatures;
+  curvatures.reserve(surface.number_of_vertices());
+  for(Position v = 0; v != surface.number_of_vertices(); ++v)
+  {
+    Vector sum = {0, 0, 0};
+    for(const auto& n : cotangents.neighbors(v))
+      sum = sum + n.weight * (surface.point(v) - surface.point(n.vertex));
+    curvatures.push_back(length(sum) / 2);
+  }
+  return curvatures;
+}
+
+} // namespace scalar_fields
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_DIFFERENTIAL_OPERATORS_H

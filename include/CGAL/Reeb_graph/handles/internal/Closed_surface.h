@@ -1,0 +1,401 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_HANDLES_INTERNAL_CLOSED_SURFACE_H
+#define CGAL_REEB_GRAPH_HANDLES_INTERNAL_CLOSED_SURFACE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// A closed walk: consecutive halfedges.
+typedef std::vector<Index> Halfedge_walk;
+
+// A triangle mesh as arrays, closed: each border cycle is filled by a fan around a new vertex, its apex. The halfedges
+// of an edge are 2e and 2e + 1. Loops never pass an apex, so its place does not matter.
+struct Closed_surface
+{
+  typedef std::array<double, 3> Point;
+
+  std::vector<Point> points;       // by vertex
+  std::vector<Index> target, next; // by halfedge
+  std::vector<Index> face;         // by halfedge
+  std::vector<Index> outgoing;     // a halfedge that leaves a vertex; no_index if there is none
+  std::vector<Index> halfedge;     // one of each face
+  Index number_of_given_vertices = 0, number_of_given_halfedges = 0;
+  std::vector<Halfedge_walk> border_cycles; // with the surface on the left
+
+  static Index opposite(Index h) { return h ^ 1; }
+  Index source(Index h) const { return target[h ^ 1]; }
+  Index previous(Index h) const { return next[next[h]]; }
+  // The next halfedge that leaves the same vertex, counterclockwise.
+  Index turned(Index h) const { return opposite(previous(h)); }
+  bool is_apex(Index v) const { return v >= number_of_given_vertices; }
+  bool is_given(Index h) const { return h < number_of_given_halfedges; }
+
+  double length(Index h) const
+  {
+    const Point &p = points[source(h)], &q = points[target[h]];
+    return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+  }
+  double length(const Halfedge_walk& walk) const
+  {
+    double sum = 0;
+    for(const Index h : walk)
+      sum += length(h);
+    return sum;
+  }
+};
+
+// Makes the closed surface of a mesh that has been checked, and keeps the descriptors of its halfedges.
+template <class Mesh>
+class Surface_closing
+{
+  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::property_map<Mesh, dynamic_halfedge_property_t<Index>>::const_type Number_map;
+
+public:
+  template <class PointMap>
+  Surface_closing(const Mesh& mesh, const PointMap& point_map)
+    : mesh_(mesh),
+      number_map_(get(dynamic_halfedge_property_t<Index>(), mesh))
+  {
+    for(const auto e : edges(mesh))
+      for(const halfedge_descriptor h : {halfedge(e, mesh), opposite(halfedge(e, mesh), mesh)})
+      {
+        put(number_map_, h, static_cast<Index>(halfedges_.size()));
+        halfedges_.push_back(h);
+      }
+    surface_.number_of_given_halfedges = checked_index(halfedges_.size());
+    checked_index(2 * halfedges_.size());
+    read(point_map);
+    close();
+    number_faces();
+  }
+
+  Closed_surface& surface() { return surface_; }
+  const std::vector<halfedge_descriptor>& halfedges() const { return halfedges_; } // those given
+  Index number(halfedge_descriptor h) const { return get(number_map_, h); }
+
+private:
+  template <class PointMap>
+  void read(const PointMap& point_map)
+  {
+    const auto vertex_number_map = get(dynamic_vertex_property_t<Index>(), mesh_);
+    for(const auto v : vertices(mesh_))
+    {
+      put(vertex_number_map, v, static_cast<Index>(surface_.points.size()));
+      const auto& point = get(point_map, v);
+      surface_.points.push_back({CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())});
+      for(const double coordinate : surface_.points.back())
+        if(!std::isfinite(coordinate))
+          throw Non_finite_point_error(surface_.points.size() - 1);
+    }
+    surface_.number_of_given_vertices = checked_index(surface_.points.size());
+    surface_.target.reserve(halfedges_.size());
+    surface_.next.reserve(halfedges_.size());
+    for(const halfedge_descriptor h : halfedges_)
+    {
+      surface_.target.push_back(get(vertex_number_map, target(h, mesh_)));
+      surface_.next.push_back(number(next(h, mesh_)));
+    }
+  }
+
+  void close()
+  {
+    std::vector<bool> is_closed(halfedges_.size(), false);
+    for(Index h = 0; h != surface_.number_of_given_halfedges; ++h)
+    {
+      if(!is_closed[h] && is_border(halfedges_[h], mesh_))
+        fill(h, is_closed);
+    }
+  }
+
+  // Fills the hole that a border halfedge belongs to.
+  void fill(Index first, std::vector<bool>& is_closed)
+  {
+    Halfedge_walk cycle;
+    for(Index h = first; !is_closed[h]; h = surface_.next[h])
+    {
+      is_closed[h] = true;
+      cycle.push_back(h);
+    }
+    const Index apex = static_cast<Index>(surface_.points.size());
+    surface_.points.push_back(surface_.points[surface_.target[first]]);
+    const Index first_spoke = static_cast<Index>(surface_.next.size()), size = static_cast<Index>(cycle.size());
+    for(Index i = 0; i != size; ++i)
+    {
+      surface_.target.push_back(apex);
+      surface_.target.push_back(surface_.source(cycle[i]));
+      surface_.next.push_back(no_index); // set by the face before
+      surface_.next.push_back(cycle[i]);
+    }
+    for(Index i = 0; i != size; ++i)
+    {
+      const Index next_to_apex = first_spoke + 2 * ((i + 1) % size);
+      surface_.next[cycle[i]] = next_to_apex;
+      surface_.next[next_to_apex] = first_spoke + 2 * i + 1;
+    }
+    Halfedge_walk border;
+    for(auto h = cycle.rbegin(); h != cycle.rend(); ++h)
+      border.push_back(Closed_surface::opposite(*h));
+    surface_.border_cycles.push_back(border);
+  }
+
+  void number_faces()
+  {
+    surface_.face.assign(surface_.next.size(), no_index);
+    surface_.outgoing.assign(surface_.points.size(), no_index);
+    for(Index h = 0; h != surface_.next.size(); ++h)
+    {
+      surface_.outgoing[surface_.source(h)] = h;
+      if(surface_.face[h] != no_index)
+        continue;
+      const Index face = static_cast<Index>(surface_.halfedge.size());
+      surface_.halfedge.push_back(h);
+      surface_.face[h] = surface_.face[surface_.next[h]] = surface_.face[surface_.previous(h)] = face;
+    }
+  }
+
+  const Mesh& mesh_;
+  Number_map number_map_;
+  std::vector<halfedge_descriptor> halfedges_;
+  Closed_surface surface_;
+};
+
+// A spanning forest of the vertices, and one of the faces across edges that are not in the first. In each component of
+// genus g, 2g edges are in none of them. Each of these closes a loop with the tree, b_k, and a loop of faces with the
+// cotree, c_k. As b_j crosses c_k if and only if j = k, both are bases of the homology, and dual to one another: the
+// coordinates of a loop in the basis b are its intersection numbers with the loops c.
+class Tree_and_cotree
+{
+public:
+  struct Component
+  {
+    Index root = no_index;
+    std::vector<Index>
+      left_over; // b_k passes this halfedge from its source to its target, c_k from its right to its left
+    bool has_border = false;
+    Index genus() const { return static_cast<Index>(left_over.size() / 2); }
+  };
+
+  explicit Tree_and_cotree(const Closed_surface& surface)
+    : surface_(surface),
+      to_vertex_(surface.points.size(), no_index),
+      component_of_(surface.points.size(), no_index),
+      distances_(surface.points.size(), 0),
+      to_parent_(surface.halfedge.size(), no_index)
+  {
+    find_tree();
+    find_cotree();
+    for(Index h = 0; h != surface.next.size(); h += 2)
+    {
+      if(!is_in_tree(h) && !is_in_cotree(h))
+        components_[component_of_[surface.target[h]]].left_over.push_back(h);
+    }
+    for(const Halfedge_walk& cycle : surface.border_cycles)
+      components_[component_of_[surface.target[cycle.front()]]].has_border = true;
+  }
+
+  const std::vector<Component>& components() const { return components_; } // those with faces
+  Index component_of(Index v) const { return component_of_[v]; }
+
+  // The halfedge that leads to a vertex in the tree, and the one of a face with the parent in the cotree on its other
+  // side; no_index for roots.
+  Index to_vertex(Index v) const { return to_vertex_[v]; }
+  Index to_parent(Index face) const { return to_parent_[face]; }
+  Index parent(Index v) const { return to_vertex_[v] == no_index ? Index(no_index) : surface_.source(to_vertex_[v]); }
+  Index parent_face(Index f) const
+  {
+    return to_parent_[f] == no_index ? Index(no_index) : surface_.face[surface_.opposite(to_parent_[f])];
+  }
+  double distance(Index v) const { return distances_[v]; }             // from the root
+  const std::vector<Index>& face_order() const { return face_order_; } // parents first
+
+  bool is_in_tree(Index h) const
+  {
+    return to_vertex_[surface_.target[h]] == h || to_vertex_[surface_.source(h)] == surface_.opposite(h);
+  }
+  bool is_in_cotree(Index h) const
+  {
+    return to_parent_[surface_.face[h]] == h || to_parent_[surface_.face[surface_.opposite(h)]] == surface_.opposite(h);
+  }
+
+  // The closed walk from the root to a halfedge, along it, and back.
+  Halfedge_walk walk_through(Index h) const
+  {
+    Halfedge_walk walk;
+    for(Index v = surface_.source(h); to_vertex_[v] != no_index; v = parent(v))
+      walk.push_back(to_vertex_[v]);
+    std::reverse(walk.begin(), walk.end());
+    walk.push_back(h);
+    for(Index v = surface_.target[h]; to_vertex_[v] != no_index; v = parent(v))
+      walk.push_back(surface_.opposite(to_vertex_[v]));
+    return walk;
+  }
+
+private:
+  // Breadth first. Apexes are leaves, so that the tree leads around holes.
+  void find_tree()
+  {
+    std::vector<Index> queue;
+    for(Index root = 0; root != surface_.number_of_given_vertices; ++root)
+    {
+      if(component_of_[root] != no_index || surface_.outgoing[root] == no_index)
+        continue;
+      component_of_[root] = static_cast<Index>(components_.size());
+      components_.push_back({root, {}, false});
+      queue.assign(1, root);
+      for(std::size_t i = 0; i != queue.size(); ++i)
+        if(!surface_.is_apex(queue[i]))
+          add_neighbors(queue[i], queue);
+    }
+  }
+
+  void add_neighbors(Index v, std::vector<Index>& queue)
+  {
+    const Index first = surface_.outgoing[v];
+    Index h = first;
+    do
+    {
+      const Index w = surface_.target[h];
+      if(component_of_[w] == no_index)
+      {
+        component_of_[w] = component_of_[v];
+        to_vertex_[w] = h;
+        distances_[w] = distances_[v] + surface_.length(h);
+        queue.push_back(w);
+      }
+      h = surface_.turned(h);
+    } while(h != first);
+  }
+
+  // Breadth first, but the faces that fill a hole come one right after the other, so that all their edges that are not
+  // in the tree are in the cotree.
+  void find_cotree()
+  {
+    struct Step
+    {
+      Index face, to_parent;
+    };
+    std::vector<bool> is_visited(surface_.halfedge.size(), false);
+    std::deque<Step> queue;
+    for(const Component& component : components_)
+    {
+      queue.push_back({surface_.face[surface_.outgoing[component.root]], no_index});
+      while(!queue.empty())
+      {
+        const Step step = queue.front();
+        queue.pop_front();
+        if(is_visited[step.face])
+          continue;
+        is_visited[step.face] = true;
+        to_parent_[step.face] = step.to_parent;
+        face_order_.push_back(step.face);
+        Index h = surface_.halfedge[step.face];
+        for(int i = 0; i != 3; ++i, h = surface_.next[h])
+        {
+          const Index g = surface_.opposite(h);
+          if(is_visited[surface_.face[g]] || is_in_tree(h))
+            continue;
+          if(surface_.is_given(h))
+            queue.push_back({surface_.face[g], g});
+          else
+            queue.push_front({surface_.face[g], g});
+        }
+      }
+    }
+  }
+
+  const Closed_surface& surface_;
+  std::vector<Index> to_vertex_, component_of_;
+  std::vector<double> distances_;
+  std::vector<Index> to_parent_, face_order_;
+  std::vector<Component> components_;
+};
+
+// The part of a forest that joins some of its nodes to their roots, as pieces: paths whose inner nodes have one child.
+// A piece belongs to the node at its lower end and to those above, up to where the next one begins.
+class Forest_pieces
+{
+public:
+  // `parent(node)` is no_index for a root. Pieces are numbered from the roots downwards.
+  template <class Parent>
+  Forest_pieces(const std::vector<Index>& ends, std::vector<Index>& piece_of, const Parent& parent)
+    : piece_of_(piece_of)
+  {
+    const Index marked = no_index - 1;
+    std::vector<std::vector<Index>> paths;
+    for(const Index end : ends)
+    {
+      paths.emplace_back();
+      for(Index node = end; parent(node) != no_index && piece_of[node] == no_index; node = parent(node))
+      {
+        piece_of[node] = marked;
+        paths.back().push_back(node);
+      }
+    }
+    // A node whose parent is an end, or joins paths, begins a piece.
+    for(const Index end : ends)
+      is_joint_.insert(end);
+    for(const auto& path : paths)
+      if(!path.empty())
+        is_joint_.insert(parent(path.back()));
+    for(auto& path : paths)
+    {
+      for(auto node = path.rbegin(); node != path.rend(); ++node)
+      {
+        const Index above = parent(*node);
+        const Index piece_above = piece_of[above];
+        if(is_joint_.count(above) != 0 || piece_above == no_index)
+        {
+          piece_of[*node] = static_cast<Index>(parents_.size());
+          parents_.push_back(piece_above);
+        }
+        else
+          piece_of[*node] = piece_above;
+        nodes_.push_back(*node);
+      }
+    }
+  }
+
+  Index size() const { return static_cast<Index>(parents_.size()); }
+  Index parent(Index piece) const { return parents_[piece]; }  // no_index at the root
+  Index piece_of(Index node) const { return piece_of_[node]; } // no_index for a root
+  const std::vector<Index>& nodes() const { return nodes_; }   // all that belong to a piece
+
+private:
+  std::vector<Index>& piece_of_;
+  std::unordered_set<Index> is_joint_;
+  std::vector<Index> parents_, nodes_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_CLOSED_SURFACE_H

@@ -1,0 +1,434 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_HANDLES_INTERNAL_LINKING_NUMBERS_H
+#define CGAL_REEB_GRAPH_HANDLES_INTERNAL_LINKING_NUMBERS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// A direction of view in which something is not in general position.
+struct Degenerate_direction
+{
+};
+
+// A point as the mean of one, two or three points of the surface: a vertex, the middle of an edge, or of a triangle.
+struct Mean_point
+{
+  std::array<const Closed_surface::Point*, 3> points;
+  int size;
+};
+
+// Exact predicates on segments as they are seen in a direction. They are evaluated with intervals, and with rational
+// numbers where these do not decide. What is not in general position throws Degenerate_direction.
+class Projected_segments
+{
+  template <class FT>
+  using Vector = std::array<FT, 3>;
+
+public:
+  typedef std::array<Mean_point, 2> Segment;
+
+  explicit Projected_segments(const std::array<double, 3>& direction) : direction_(direction) {}
+
+  // The sign of the crossing of `a` over `b`: 0 if they do not cross, or if `a` is below.
+  int crossing_over(const Segment& a, const Segment& b) const
+  {
+    return decide([&](auto zero) { return crossing_over<decltype(zero)>(a, b); });
+  }
+
+  // The sign of det(a[1] - a[0], b - a[0], c - a[0]) for vertices.
+  int turn(const Segment& a, const Mean_point& b, const Mean_point& c) const
+  {
+    return decide([&](auto zero) {
+      typedef decltype(zero) FT;
+      const Vector<FT> origin = point<FT>(a[0]);
+      return sign_of(determinant(difference(point<FT>(a[1]), origin), difference(point<FT>(b), origin),
+                                 difference(point<FT>(c), origin)));
+    });
+  }
+
+  // The sign of det(a[1] - a[0], direction, b - a[0]).
+  int turn_from_direction(const Segment& a, const Mean_point& b) const
+  {
+    return decide([&](auto zero) {
+      typedef decltype(zero) FT;
+      const Vector<FT> origin = point<FT>(a[0]);
+      const int sign =
+        sign_of(determinant(difference(point<FT>(a[1]), origin), direction<FT>(), difference(point<FT>(b), origin)));
+      return sign == 0 ? throw Degenerate_direction() : sign;
+    });
+  }
+
+private:
+  struct Undecided
+  {
+  };
+
+  template <class Predicate>
+  static int decide(const Predicate& predicate)
+  {
+    try
+    {
+      return predicate(Interval_nt<>(0));
+    }
+    catch(const Undecided&)
+    {
+      return predicate(Exact_rational(0));
+    }
+  }
+
+  static int sign_of(const Interval_nt<>& a) { return a.inf() > 0 ? 1 : a.sup() < 0 ? -1 : throw Undecided(); }
+  static int sign_of(const Exact_rational& a) { return static_cast<int>(CGAL::sign(a)); }
+
+  template <class FT>
+  static Vector<FT> point(const Mean_point& mean)
+  {
+    Vector<FT> sum = {FT((*mean.points[0])[0]), FT((*mean.points[0])[1]), FT((*mean.points[0])[2])};
+    for(int i = 1; i < mean.size; ++i)
+      for(std::size_t k = 0; k != 3; ++k)
+        sum[k] += FT((*mean.points[i])[k]);
+    if(mean.size != 1)
+      for(FT& coordinate : sum)
+        coordinate /= FT(mean.size);
+    return sum;
+  }
+
+  template <class FT>
+  Vector<FT> direction() const
+  {
+    return {FT(direction_[0]), FT(direction_[1]), FT(direction_[2])};
+  }
+
+  template <class FT>
+  static Vector<FT> difference(const Vector<FT>& a, const Vector<FT>& b)
+  {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  }
+
+  template <class FT>
+  static Vector<FT> cross(const Vector<FT>& a, const Vector<FT>& b)
+  {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+
+  template <class FT>
+  static FT dot(const Vector<FT>& a, const Vector<FT>& b)
+  {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+
+  template <class FT>
+  static FT determinant(const Vector<FT>& a, const Vector<FT>& b, const Vector<FT>& c)
+  {
+    return dot(cross(a, b), c);
+  }
+
+  static int checked(int sign) { return sign == 0 ? throw Degenerate_direction() : sign; }
+
+  template <class FT>
+  int crossing_over(const Segment& a, const Segment& b) const
+  {
+    const Vector<FT> a0 = point<FT>(a[0]), a1 = point<FT>(a[1]), b0 = point<FT>(b[0]), b1 = point<FT>(b[1]);
+    const Vector<FT> d = direction<FT>(), along_a = difference(a1, a0), along_b = difference(b1, b0);
+    const Vector<FT> across_a = cross(d, along_a), across_b = cross(d, along_b);
+    const Vector<FT> between = difference(b0, a0);
+    if(checked(sign_of(dot(across_a, between))) == checked(sign_of(dot(across_a, difference(b1, a0)))))
+      return 0;
+    if(checked(sign_of(dot(across_b, between))) == checked(sign_of(dot(across_b, difference(b0, a1)))))
+      return 0;
+    // If they cross, the direction that is common to the normals of both tells which one is above.
+    const Vector<FT> normal = cross(along_a, along_b);
+    const int sign = checked(sign_of(dot(normal, d)));
+    return sign_of(dot(between, normal)) * sign < 0 ? sign : 0;
+  }
+
+  std::array<double, 3> direction_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+// The linking numbers of the loops of edges of a component with its loops of faces, pushed off the surface.
+//
+// The side to which the normals of the faces point is called the front. A loop c of faces leads through the middles of
+// triangles and of edges; pushed to the front, it is disjoint from every loop of edges. Seen in a direction, the
+// linking number of a loop b of edges with it is the sum of the signs of all crossings of b over it. Edges of b and
+// segments of c have no point in common, and are crossed as they are, but where c crosses b in the middle of an edge.
+// There, the pushed c turns around the edge from one side to the other on the front. It passes below the edge if and
+// only if what is just below the edge is in front of the surface, and this crossing has the sign of the intersection of
+// b and c. So no point has to be moved, and exact signs of determinants decide everything.
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+typedef std::vector<std::vector<long long>> Integer_rows;
+
+class Linking_numbers
+{
+  typedef Projected_segments::Segment Segment;
+
+  // A segment of a loop, in the direction in which loops of edges lead away from the root, and loops of faces to it.
+  struct Located_segment
+  {
+    Segment segment;
+    Index piece;
+    Index edge; // the halfedge that a loop of faces crosses, if this edge is in no tree, or no_index
+  };
+
+public:
+  // `pieces_of_vertices` and `pieces_of_faces` hold no_index for all vertices and faces of the component.
+  Linking_numbers(const Closed_surface& surface,
+                  const Tree_and_cotree& trees,
+                  const Tree_and_cotree::Component& component,
+                  const Forest_pieces& pieces,
+                  const Forest_pieces& copieces)
+    : surface_(surface),
+      trees_(trees),
+      left_over_(component.left_over),
+      pieces_(pieces),
+      copieces_(copieces)
+  {
+    collect_segments();
+  }
+
+  // Minus the linking number of each loop b_i of edges with each loop c_j of faces pushed to the front. Empty if no
+  // direction is in general position, as there is none where triangles have no area, or points are the same.
+  Integer_rows operator()() const
+  {
+    std::uint64_t random = 20130617;
+    for(int trial = 0; trial != 16; ++trial)
+    {
+      std::array<double, 3> direction;
+      for(double& coordinate : direction)
+      {
+        random = random * 6364136223846793005u + 1442695040888963407u;
+        coordinate = static_cast<double>(random >> 40) / static_cast<double>(1 << 24) - 0.5;
+      }
+      direction[2] += direction[2] < 0 ? -1 : 1;
+      try
+      {
+        return numbers_in(direction);
+      }
+      catch(const Degenerate_direction&)
+      {}
+    }
+    return {};
+  }
+
+private:
+  typedef Box_intersection_d::Box_with_handle_d<double, 2, const Located_segment*> Box;
+
+  Mean_point vertex(Index v) const { return {{&surface_.points[v], nullptr, nullptr}, 1}; }
+  Mean_point middle(Index h) const
+  {
+    return {{&surface_.points[surface_.source(h)], &surface_.points[surface_.target[h]], nullptr}, 2};
+  }
+  Mean_point middle_of_face(Index f) const
+  {
+    const Index h = surface_.halfedge[f];
+    return {{&surface_.points[surface_.source(h)], &surface_.points[surface_.target[h]],
+             &surface_.points[surface_.target[surface_.next[h]]]},
+            3};
+  }
+  Segment segment(Index h) const { return {vertex(surface_.source(h)), vertex(surface_.target[h])}; }
+
+  void collect_segments()
+  {
+    for(const Index v : pieces_.nodes())
+      edges_.push_back({segment(trees_.to_vertex(v)), pieces_.piece_of(v), no_index});
+    for(std::size_t k = 0; k != left_over_.size(); ++k)
+      edges_.push_back({segment(left_over_[k]), static_cast<Index>(pieces_.size() + k), left_over_[k]});
+    for(const Index f : copieces_.nodes())
+      add_crossing(trees_.to_parent(f), copieces_.piece_of(f), no_index);
+    for(std::size_t k = 0; k != left_over_.size(); ++k)
+      add_crossing(surface_.opposite(left_over_[k]), static_cast<Index>(copieces_.size() + k), left_over_[k]);
+  }
+
+  // The segments that lead through the middle of a halfedge from the face on its left.
+  void add_crossing(Index h, Index piece, Index left_over)
+  {
+    crossings_.push_back({{middle_of_face(surface_.face[h]), middle(h)}, piece, left_over});
+    crossings_.push_back({{middle(h), middle_of_face(surface_.face[surface_.opposite(h)])}, piece, left_over});
+  }
+
+  Integer_rows numbers_in(const std::array<double, 3>& direction) const
+  {
+    const Projected_segments view(direction);
+    std::map<std::pair<Index, Index>, long long> crossings;
+    cross_segments(view, direction, crossings);
+    Integer_rows result = sum_over_loops(crossings);
+    for(std::size_t k = 0; k != left_over_.size(); ++k)
+      result[k][k] += is_front_below(view, left_over_[k]) ? 1 : 0;
+    return result;
+  }
+
+  // Adds minus the sign of each crossing of an edge over a segment, by their pieces.
+  void cross_segments(const Projected_segments& view,
+                      const std::array<double, 3>& direction,
+                      std::map<std::pair<Index, Index>, long long>& crossings) const
+  {
+    std::vector<Box> boxes_of_edges = boxes(edges_, direction), boxes_of_crossings = boxes(crossings_, direction);
+    box_intersection_d(boxes_of_edges.begin(), boxes_of_edges.end(), boxes_of_crossings.begin(),
+                       boxes_of_crossings.end(), [&](const Box& a, const Box& b) {
+                         const Located_segment &edge = *a.handle(), &crossing = *b.handle();
+                         if(edge.edge != no_index && edge.edge == crossing.edge)
+                           return; // They touch.
+                         const int sign = view.crossing_over(edge.segment, crossing.segment);
+                         if(sign != 0)
+                           crossings[{edge.piece, crossing.piece}] -= sign;
+                       });
+  }
+
+  // Boxes around the projected segments, large enough for all errors of rounding.
+  std::vector<Box> boxes(const std::vector<Located_segment>& segments, const std::array<double, 3>& direction) const
+  {
+    const double slope_x = direction[0] / direction[2], slope_y = direction[1] / direction[2];
+    double largest = 0;
+    for(const Located_segment& located : segments)
+      for(const Mean_point& end : located.segment)
+        for(const double coordinate : *end.points[0])
+          largest = (std::max)(largest, std::abs(coordinate));
+    const double margin = 1e-14 * largest;
+    std::vector<Box> result;
+    result.reserve(segments.size());
+    for(const Located_segment& located : segments)
+    {
+      std::array<double, 2> low = {(std::numeric_limits<double>::max)(), (std::numeric_limits<double>::max)()};
+      std::array<double, 2> high = {-low[0], -low[1]};
+      for(const Mean_point& end : located.segment)
+      {
+        Closed_surface::Point p = {0, 0, 0};
+        for(int i = 0; i < end.size; ++i)
+          for(std::size_t k = 0; k != 3; ++k)
+            p[k] += (*end.points[i])[k] / end.size;
+        const std::array<double, 2> seen = {p[0] - slope_x * p[2], p[1] - slope_y * p[2]};
+        for(std::size_t k = 0; k != 2; ++k)
+        {
+          low[k] = (std::min)(low[k], seen[k] - margin);
+          high[k] = (std::max)(high[k], seen[k] + margin);
+        }
+      }
+      result.push_back(Box(low.data(), high.data(), &located));
+    }
+    return result;
+  }
+
+  // Whether what is just below the middle of an edge is in front of the surface: in the wedge that begins at the face
+  // on the left and ends at the face on the right, counterclockwise as seen against the halfedge.
+  bool is_front_below(const Projected_segments& view, Index h) const
+  {
+    const Segment edge = segment(h);
+    const Mean_point left = vertex(surface_.target[surface_.next[h]]);
+    const Mean_point right = vertex(surface_.target[surface_.next[surface_.opposite(h)]]);
+    // signs of turns by less than half a turn, where `below` is opposite to the direction
+    const int left_to_right = view.turn(edge, left, right);
+    const int left_to_below = view.turn_from_direction(edge, left);
+    const int below_to_right = -view.turn_from_direction(edge, right);
+    if(left_to_right > 0)
+      return left_to_below > 0 && below_to_right > 0;
+    if(left_to_right < 0)
+      return left_to_below > 0 || below_to_right > 0;
+    return left_to_below > 0;
+  }
+
+  // The numbers of pieces, added up along the loops.
+  Integer_rows sum_over_loops(const std::map<std::pair<Index, Index>, long long>& crossings) const
+  {
+    const std::size_t number_of_loops = left_over_.size();
+    Integer_rows rows(pieces_.size() + number_of_loops, std::vector<long long>(number_of_loops, 0));
+    std::vector<long long> sums;
+    for(auto crossing = crossings.begin(); crossing != crossings.end();)
+    {
+      const Index piece = crossing->first.first;
+      sums.assign(copieces_.size() + number_of_loops, 0);
+      for(; crossing != crossings.end() && crossing->first.first == piece; ++crossing)
+        sums[crossing->first.second] = crossing->second;
+      add_up(copieces_, sums);
+      for(std::size_t k = 0; k != number_of_loops; ++k)
+      {
+        const Index left = surface_.face[left_over_[k]], right = surface_.face[surface_.opposite(left_over_[k])];
+        rows[piece][k] = sums[copieces_.size() + k] + sum_at(copieces_, sums, left) - sum_at(copieces_, sums, right);
+      }
+    }
+    for(Index piece = 0; piece != pieces_.size(); ++piece)
+    {
+      if(pieces_.parent(piece) != no_index)
+        add(rows[piece], rows[pieces_.parent(piece)], 1);
+    }
+    Integer_rows result;
+    for(std::size_t k = 0; k != number_of_loops; ++k)
+    {
+      result.push_back(rows[pieces_.size() + k]);
+      add_row_at(result.back(), rows, surface_.source(left_over_[k]), 1);
+      add_row_at(result.back(), rows, surface_.target[left_over_[k]], -1);
+    }
+    return result;
+  }
+
+  static void add(std::vector<long long>& row, const std::vector<long long>& other, long long factor)
+  {
+    for(std::size_t k = 0; k != row.size(); ++k)
+      row[k] += factor * other[k];
+  }
+
+  void add_row_at(std::vector<long long>& row, const Integer_rows& rows, Index v, long long factor) const
+  {
+    if(pieces_.piece_of(v) != no_index)
+      add(row, rows[pieces_.piece_of(v)], factor);
+  }
+
+  static void add_up(const Forest_pieces& pieces, std::vector<long long>& sums)
+  {
+    for(Index piece = 0; piece != pieces.size(); ++piece)
+    {
+      if(pieces.parent(piece) != no_index)
+        sums[piece] += sums[pieces.parent(piece)];
+    }
+  }
+
+  static long long sum_at(const Forest_pieces& pieces, const std::vector<long long>& sums, Index node)
+  {
+    return pieces.piece_of(node) == no_index ? 0 : sums[pieces.piece_of(node)];
+  }
+
+  const Closed_surface& surface_;
+  const Tree_and_cotree& trees_;
+  const std::vector<Index>& left_over_;
+  const Forest_pieces &pieces_, &copieces_;
+  std::vector<Located_segment> edges_, crossings_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_LINKING_NUMBERS_H

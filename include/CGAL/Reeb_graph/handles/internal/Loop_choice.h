@@ -1,0 +1,264 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_HANDLES_INTERNAL_LOOP_CHOICE_H
+#define CGAL_REEB_GRAPH_HANDLES_INTERNAL_LOOP_CHOICE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/handles/internal/Component_loops.h>
+#include <CGAL/Reeb_graph/handles/internal/Integer_rows.h>
+#include <CGAL/Reeb_graph/handles/internal/Loop_halves.h>
+#include <CGAL/Reeb_graph/handles/internal/Loop_search.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+inline Halfedge_walk reversed(const Halfedge_walk& walk)
+{
+  Halfedge_walk result;
+  for(auto h = walk.rbegin(); h != walk.rend(); ++h)
+    result.push_back(Closed_surface::opposite(*h));
+  return result;
+}
+
+// A loop of each half whose intersection number is 1.
+typedef std::array<Halfedge_walk, 2> Pair_of_loops;
+
+// Chooses loops of a component that are dual bases of both halves: greedily by length among candidates, which are
+// loops that edges close with trees of shortest paths.
+template <class Integer>
+class Loop_choice
+{
+  struct Candidate
+  {
+    double length;
+    int half;
+    Halfedge_walk walk;
+  };
+
+public:
+  Loop_choice(const Closed_surface& surface,
+              const Component_loops& loops,
+              const Loop_halves<Integer>& halves,
+              std::size_t number_of_vertices)
+    : surface_(surface),
+      loops_(loops),
+      halves_(halves),
+      number_of_vertices_(number_of_vertices),
+      bases_(halves.size())
+  {}
+
+  void add_candidate(int half, Halfedge_walk walk)
+  {
+    reduce(walk);
+    const double length = surface_.length(walk);
+    candidates_.push_back({length, half, std::move(walk)});
+  }
+
+  void choose()
+  {
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
+    bases_ = Dual_bases<Integer>(halves_.size());
+    for(auto& walks : walks_)
+      walks.assign(halves_.size(), Halfedge_walk());
+    for(const Candidate& candidate : candidates_)
+    {
+      const auto choice = bases_.choose(candidate.half, coordinates(candidate.half, candidate.walk));
+      if(choice)
+        walks_[candidate.half][choice->place] = choice->sign > 0 ? candidate.walk : reversed(candidate.walk);
+    }
+  }
+
+  // Adds shorter loops as candidates, and chooses again.
+  void shorten(Loop_search& search, const Stage_progress& progress)
+  {
+    add_loops_at_left_over_edges(search, progress.part(0, 0.3));
+    choose();
+    for(int pass = 0; pass != 2; ++pass)
+    {
+      const double length = total_length();
+      for_each_loop(progress.part(0.3 * (pass + 1), 0.3 * (pass + 2)),
+                    [&](int half, std::size_t i, const Stage_progress& step) {
+                      Halfedge_walk found = shortest_across(search, half, i, false, step);
+                      if(!found.empty())
+                        add_candidate(half, std::move(found));
+                    });
+      choose();
+      if(!(total_length() < 0.999 * length))
+        break;
+    }
+    for_each_loop(progress.part(0.9, 1), [&](int half, std::size_t i, const Stage_progress& step) {
+      if(!walks_[half][i].empty())
+        return;
+      Halfedge_walk found = shortest_across(search, half, i, true, step);
+      if(!found.empty())
+        walks_[half][i] = coordinates(half, found) == bases_.vector(half, i) ? found : reversed(found);
+    });
+  }
+
+  std::vector<Pair_of_loops> take_pairs()
+  {
+    std::vector<Pair_of_loops> result;
+    for(std::size_t i = 0; i != halves_.size(); ++i)
+      result.push_back({walk(0, i), walk(1, i)});
+    return result;
+  }
+
+private:
+  std::vector<Integer> coordinates(int half, const Halfedge_walk& walk) const
+  {
+    return halves_.coordinates(half, loops_.coordinates(walk));
+  }
+
+  // The walk that has been chosen, or one that passes the loops b as often as the class asks for.
+  Halfedge_walk walk(int half, std::size_t place) const
+  {
+    if(!walks_[half][place].empty())
+      return walks_[half][place];
+    Halfedge_walk sum;
+    const auto loop = halves_.loop(half, bases_.vector(half, place));
+    for(std::size_t k = 0; k != loop.size(); ++k)
+    {
+      long long times = to_machine_integer(loop[k]);
+      const Halfedge_walk part = times < 0 ? reversed(loops_.walk(k)) : loops_.walk(k);
+      for(times = std::abs(times); times != 0; --times)
+        sum.insert(sum.end(), part.begin(), part.end());
+    }
+    reduce(sum);
+    return sum;
+  }
+
+  double total_length() const
+  {
+    double sum = 0;
+    for(int half : {0, 1})
+      for(std::size_t i = 0; i != halves_.size(); ++i)
+        sum += surface_.length(walk(half, i));
+    return sum;
+  }
+
+  // Where a handle is in the way of the tree, an edge is left over near by.
+  void add_loops_at_left_over_edges(Loop_search& search, const Stage_progress& progress)
+  {
+    std::set<Index> roots;
+    for(const Index h : loops_.component().left_over)
+      roots.insert(surface_.source(h));
+    std::size_t number = 0;
+    for(const Index root : roots)
+    {
+      progress.report_step(number++, roots.size());
+      for(int half : {0, 1})
+      {
+        auto loop = search(root, 1 - half, std::numeric_limits<double>::infinity(), 4 * number_of_vertices_ + 100000,
+                           [](const Halfedge_walk&) { return true; });
+        if(!loop.walk.empty())
+          add_candidate(half, std::move(loop.walk));
+      }
+    }
+  }
+
+  template <class Visit>
+  void for_each_loop(const Stage_progress& progress, const Visit& visit)
+  {
+    const double number = static_cast<double>(halves_.size());
+    for(std::size_t i = 0; i != halves_.size(); ++i)
+      for(int half : {0, 1})
+        visit(half, i, progress.part(i / number, (i + 1) / number));
+  }
+
+  // The shortest loop found that crosses the partner of one once, or is in the class of that one. Empty if none is
+  // shorter than that one. Each such loop has a vertex in common with the partner: the search begins there. From one
+  // vertex to the next, the length of the shortest loop through it changes by at most twice the way between, so that
+  // few have to be tried to come near to the shortest one.
+  Halfedge_walk shortest_across(Loop_search& search,
+                                int half,
+                                std::size_t place,
+                                bool is_class_fixed,
+                                const Stage_progress& progress)
+  {
+    const Halfedge_walk partner = walk(1 - half, place);
+    std::vector<double> positions(1, 0);
+    for(const Index h : partner)
+      positions.push_back(positions.back() + surface_.length(h));
+    const auto wanted = bases_.vector(half, place), crossed = bases_.vector(1 - half, place);
+    const auto accept = [&](const Halfedge_walk& walk) {
+      const auto found = coordinates(half, walk);
+      if(!is_class_fixed)
+        return magnitude(dot_product(found, crossed)) == Integer(1);
+      std::vector<Integer> opposite;
+      for(const Integer& coordinate : found)
+        opposite.push_back(-coordinate);
+      return found == wanted || opposite == wanted;
+    };
+    const Halfedge_walk& given = walks_[half][place];
+    Loop_search::Loop best = {given.empty() ? std::numeric_limits<double>::infinity() : surface_.length(given), {}};
+    std::set<double> tried;
+    for(const std::size_t k : coarse_to_fine(partner.size()))
+    {
+      if(is_near(tried, positions[k], positions.back(), 0.02 * best.length))
+        continue;
+      tried.insert(positions[k]);
+      progress(0); // so that it can be cancelled
+      auto loop = search(surface_.source(partner[k]), 1 - half, best.length, 16 * number_of_vertices_ + 100000, accept);
+      if(!loop.walk.empty())
+        best = std::move(loop);
+    }
+    return best.walk;
+  }
+
+  static std::vector<std::size_t> coarse_to_fine(std::size_t size)
+  {
+    std::vector<std::size_t> result(size == 0 ? 0 : 1, 0);
+    std::size_t stride = 1;
+    while(stride < size)
+      stride *= 2;
+    for(stride /= 2; stride != 0; stride /= 2)
+      for(std::size_t k = stride; k < size; k += 2 * stride)
+        result.push_back(k);
+    return result;
+  }
+
+  static bool is_near(const std::set<double>& tried, double position, double whole, double distance)
+  {
+    if(tried.empty())
+      return false;
+    const auto above = tried.lower_bound(position);
+    const double to_above = above == tried.end() ? *tried.begin() + whole - position : *above - position;
+    const double to_below = above == tried.begin() ? position + whole - *tried.rbegin() : position - *std::prev(above);
+    return (std::min)(to_above, to_below) < distance;
+  }
+
+  const Closed_surface& surface_;
+  const Component_loops& loops_;
+  const Loop_halves<Integer>& halves_;
+  std::size_t number_of_vertices_;
+  Dual_bases<Integer> bases_;
+  std::vector<Candidate> candidates_;
+  std::array<std::vector<Halfedge_walk>, 2> walks_; // by half and place; empty if none has been chosen
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_LOOP_CHOICE_H

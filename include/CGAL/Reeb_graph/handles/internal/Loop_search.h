@@ -1,0 +1,235 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_HANDLES_INTERNAL_LOOP_SEARCH_H
+#define CGAL_REEB_GRAPH_HANDLES_INTERNAL_LOOP_SEARCH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// For each edge, two sums of random numbers modulo 2^64, one for each half of the coordinates of a homology class: that
+// of a closed walk, from 2e to 2e + 1 positive, is 0 in the half where its coordinates are 0, and in the other one, but
+// for a chance of 2^-64. What is found by them is checked exactly.
+typedef std::vector<std::array<std::uint64_t, 2>> Class_codes;
+
+inline std::uint64_t code_of(const Class_codes& codes, Index h, int half)
+{
+  const std::uint64_t code = codes[h / 2][half];
+  return h % 2 == 0 ? code : std::uint64_t(0) - code;
+}
+
+inline std::uint64_t code_of(const Class_codes& codes, const Halfedge_walk& walk, int half)
+{
+  std::uint64_t sum = 0;
+  for(const Index h : walk)
+    sum += code_of(codes, h, half);
+  return sum;
+}
+
+// Removes what a closed walk passes to and fro.
+inline void reduce(Halfedge_walk& walk)
+{
+  Halfedge_walk reduced;
+  for(const Index h : walk)
+  {
+    if(!reduced.empty() && reduced.back() == Closed_surface::opposite(h))
+      reduced.pop_back();
+    else
+      reduced.push_back(h);
+  }
+  std::size_t begin = 0, end = reduced.size();
+  while(begin + 1 < end && reduced[begin] == Closed_surface::opposite(reduced[end - 1]))
+  {
+    ++begin;
+    --end;
+  }
+  walk.assign(reduced.begin() + begin, reduced.begin() + end);
+}
+
+// Shortest loops through a vertex among those whose class has no part in one half of the coordinates. They are the
+// closed ones of the cover of the surface in which only such loops close, and there shortest paths from a vertex form a
+// tree. Each edge that joins two of its branches closes a loop.
+class Loop_search
+{
+public:
+  struct Loop
+  {
+    double length = 0;
+    Halfedge_walk walk;
+  };
+
+  Loop_search(const Closed_surface& surface, const Class_codes& codes)
+    : surface_(surface),
+      codes_(codes),
+      first_places_(surface.points.size(), no_index)
+  {}
+
+  // Finds a loop shorter than `bound` whose class has no part in the half `closed_half`, and which is accepted: that is
+  // asked once for each class. The walk is empty if there is none, or if the search takes too many places.
+  Loop operator()(Index root,
+                  int closed_half,
+                  double bound,
+                  std::size_t largest_number_of_places,
+                  const std::function<bool(const Halfedge_walk&)>& accept)
+  {
+    begin(root);
+    Loop best = {bound, {}};
+    std::unordered_map<std::uint64_t, bool> is_accepted;
+    while(!queue_.empty() && places_.size() < largest_number_of_places)
+    {
+      const Index place = queue_.top().second;
+      queue_.pop();
+      if(places_[place].is_settled)
+        continue;
+      if(2 * places_[place].distance >= best.length)
+        break;
+      places_[place].is_settled = true;
+      settle(place, closed_half, best, [&](std::uint64_t code, const Halfedge_walk& walk) {
+        const auto known = is_accepted.find(code);
+        if(known != is_accepted.end())
+          return known->second;
+        return is_accepted[code] = is_accepted[std::uint64_t(0) - code] = accept(walk);
+      });
+    }
+    end();
+    return best;
+  }
+
+private:
+  // A vertex in the cover.
+  struct Place
+  {
+    Index vertex;
+    Index next; // the next place of the same vertex
+    Index from; // the place before it on the shortest path, or no_index
+    Index halfedge;
+    std::uint64_t sheet, code;
+    double distance;
+    bool is_settled;
+  };
+  typedef std::pair<double, Index> Queued;
+
+  void begin(Index root)
+  {
+    places_.clear();
+    queue_ = {};
+    add(root, 0, no_index, no_index, 0, 0);
+  }
+
+  void end()
+  {
+    for(const Place& place : places_)
+      first_places_[place.vertex] = no_index;
+  }
+
+  void add(Index v, std::uint64_t sheet, Index from, Index h, std::uint64_t code, double distance)
+  {
+    const Index place = static_cast<Index>(places_.size());
+    places_.push_back({v, first_places_[v], from, h, sheet, code, distance, false});
+    first_places_[v] = place;
+    queue_.emplace(distance, place);
+  }
+
+  Index find(Index v, std::uint64_t sheet) const
+  {
+    Index place = first_places_[v];
+    while(place != no_index && places_[place].sheet != sheet)
+      place = places_[place].next;
+    return place;
+  }
+
+  template <class Accept>
+  void settle(Index place, int closed_half, Loop& best, const Accept& accept)
+  {
+    const Index v = places_[place].vertex, first = surface_.outgoing[v];
+    Index h = first;
+    do
+    {
+      const Index w = surface_.target[h];
+      if(surface_.is_given(h) && surface_.opposite(h) != came_along(place))
+        follow(place, h, w, closed_half, best, accept);
+      h = surface_.turned(h);
+    } while(h != first);
+  }
+
+  Index came_along(Index place) const { return places_[place].halfedge; }
+
+  template <class Accept>
+  void follow(Index place, Index h, Index w, int closed_half, Loop& best, const Accept& accept)
+  {
+    const std::uint64_t sheet = places_[place].sheet + code_of(codes_, h, closed_half);
+    const std::uint64_t code = places_[place].code + code_of(codes_, h, 1 - closed_half);
+    const double distance = places_[place].distance + surface_.length(h);
+    const Index other = find(w, sheet);
+    if(other == no_index)
+    {
+      if(2 * distance < best.length + 2 * surface_.length(h))
+        add(w, sheet, place, h, code, distance);
+      return;
+    }
+    const double length = distance + places_[other].distance;
+    if(places_[other].code != code && length < best.length)
+    {
+      Halfedge_walk walk = walk_to(place);
+      walk.push_back(h);
+      const Halfedge_walk back = walk_to(other);
+      for(auto g = back.rbegin(); g != back.rend(); ++g)
+        walk.push_back(surface_.opposite(*g));
+      if(accept(code - places_[other].code, walk))
+      {
+        reduce(walk);
+        best = {surface_.length(walk), std::move(walk)};
+      }
+    }
+    if(!places_[other].is_settled && distance < places_[other].distance)
+    {
+      places_[other].from = place;
+      places_[other].halfedge = h;
+      places_[other].code = code;
+      places_[other].distance = distance;
+      queue_.emplace(distance, other);
+    }
+  }
+
+  Halfedge_walk walk_to(Index place) const
+  {
+    Halfedge_walk walk;
+    for(; places_[place].from != no_index; place = places_[place].from)
+      walk.push_back(places_[place].halfedge);
+    std::reverse(walk.begin(), walk.end());
+    return walk;
+  }
+
+  const Closed_surface& surface_;
+  const Class_codes& codes_;
+  std::vector<Index> first_places_; // by vertex
+  std::vector<Place> places_;
+  std::priority_queue<Queued, std::vector<Queued>, std::greater<Queued>> queue_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_LOOP_SEARCH_H

@@ -1,0 +1,420 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_BASE_ARRAYS_H
+#define CGAL_REEB_GRAPH_INTERNAL_BASE_ARRAYS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/tuning.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <initializer_list>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The memory of a Plain_vector, whose functions are compiled once for elements of all types. They are not inlined, as
+// each call of them takes longer than a call does.
+class Plain_storage
+{
+protected:
+  Plain_storage() = default;
+  Plain_storage(const Plain_storage&) = delete;
+  Plain_storage& operator=(const Plain_storage&) = delete;
+  ~Plain_storage() { ::operator delete(place_); }
+
+  void swap(Plain_storage& other) noexcept
+  {
+    std::swap(place_, other.place_);
+    std::swap(size_, other.size_);
+    std::swap(capacity_, other.capacity_);
+  }
+
+  BOOST_NOINLINE void reserve(std::size_t capacity, std::size_t size_of_element)
+  {
+    if(capacity <= capacity_)
+      return;
+    if(capacity > (std::numeric_limits<std::ptrdiff_t>::max)() / size_of_element)
+      throw std::bad_array_new_length();
+    void* const place = ::operator new(capacity* size_of_element);
+    if(size_ != 0)
+      std::memcpy(place, place_, size_ * size_of_element);
+    ::operator delete(place_);
+    place_ = place;
+    capacity_ = capacity;
+  }
+
+  // Makes room for more elements, so that to add one after the other takes constant time each.
+  BOOST_NOINLINE void grow(std::size_t number, std::size_t size_of_element)
+  {
+    if(size_ + number > capacity_)
+      reserve(size_ + (std::max)(size_, number), size_of_element);
+  }
+
+  BOOST_NOINLINE void append(const void* first, std::size_t number, std::size_t size_of_element)
+  {
+    if(number == 0)
+      return;
+    grow(number, size_of_element);
+    std::memcpy(bytes() + size_ * size_of_element, first, number * size_of_element);
+    size_ += number;
+  }
+
+  // New elements are copies of one that is somewhere else: of a block of them, so that these stay in the cache.
+  BOOST_NOINLINE void resize(std::size_t size, const void* element, std::size_t size_of_element)
+  {
+    if(size > size_)
+    {
+      grow(size - size_, size_of_element);
+      char* const first = bytes() + size_ * size_of_element;
+      const std::size_t all = (size - size_) * size_of_element, block = (std::max)(size_of_element, std::size_t(2048));
+      std::memcpy(first, element, size_of_element);
+      for(std::size_t done = size_of_element; done != all;)
+      {
+        const std::size_t next = (std::min)((std::min)(done, block / size_of_element * size_of_element), all - done);
+        std::memcpy(first + done, first, next);
+        done += next;
+      }
+    }
+    size_ = size;
+  }
+
+  char* bytes() const { return static_cast<char*>(place_); }
+
+  void* place_ = nullptr;
+  std::size_t size_ = 0;
+  std::size_t capacity_ = 0;
+};
+
+// Whether values of the type are copied as bytes, and can be anywhere in memory. Scalars of users are among the types.
+template <class T>
+inline constexpr bool is_plain =
+  std::conjunction_v<std::is_trivially_copyable<T>,
+                     std::is_copy_constructible<T>,
+                     std::is_copy_assignable<T>> && alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__;
+
+// A std::vector of elements that are copied as bytes. It does the same, and takes a third of the time to compile:
+// dozens of types of elements, most of them numbers with a tag, have been a quarter of the time that compiling a small
+// program takes.
+template <class T>
+class Plain_vector : private Plain_storage
+{
+  static_assert(is_plain<T>);
+
+public:
+  typedef T value_type;
+  typedef T& reference;
+  typedef const T& const_reference;
+  typedef T* iterator;
+  typedef const T* const_iterator;
+  typedef std::reverse_iterator<iterator> reverse_iterator;
+  typedef std::reverse_iterator<const_iterator> const_reverse_iterator;
+
+  Plain_vector() = default;
+  explicit Plain_vector(std::size_t size) { resize(size); }
+  Plain_vector(std::size_t size, const T& element) { resize(size, element); }
+  Plain_vector(std::initializer_list<T> elements) { append(elements.begin(), elements.end()); }
+  template <class Iterator, class = typename std::iterator_traits<Iterator>::iterator_category>
+  Plain_vector(Iterator first, Iterator last)
+  {
+    reserve(static_cast<std::size_t>(std::distance(first, last)));
+    for(; first != last; ++first)
+      push_back(*first);
+  }
+  Plain_vector(const Plain_vector& other) { append(other.begin(), other.end()); }
+  Plain_vector(Plain_vector&& other) noexcept { swap(other); }
+  Plain_vector& operator=(Plain_vector other) noexcept
+  {
+    swap(other);
+    return *this;
+  }
+
+  std::size_t size() const { return size_; }
+  std::size_t capacity() const { return capacity_; }
+  bool empty() const { return size_ == 0; }
+
+  T* data() { return static_cast<T*>(place_); }
+  const T* data() const { return static_cast<const T*>(place_); }
+  iterator begin() { return static_cast<T*>(place_); }
+  iterator end() { return static_cast<T*>(place_) + size_; }
+  const_iterator begin() const { return static_cast<const T*>(place_); }
+  const_iterator end() const { return static_cast<const T*>(place_) + size_; }
+  reverse_iterator rbegin() { return reverse_iterator(end()); }
+  reverse_iterator rend() { return reverse_iterator(begin()); }
+  const_reverse_iterator rbegin() const { return const_reverse_iterator(end()); }
+  const_reverse_iterator rend() const { return const_reverse_iterator(begin()); }
+
+  T& operator[](std::size_t i) { return static_cast<T*>(place_)[i]; }
+  const T& operator[](std::size_t i) const { return static_cast<const T*>(place_)[i]; }
+  T& front() { return *static_cast<T*>(place_); }
+  const T& front() const { return *static_cast<const T*>(place_); }
+  T& back() { return static_cast<T*>(place_)[size_ - 1]; }
+  const T& back() const { return static_cast<const T*>(place_)[size_ - 1]; }
+
+  void push_back(const T& element)
+  {
+    const T copy = element; // It can be an element of this.
+    if(size_ == capacity_)
+      grow(1, sizeof(T));
+    ::new(static_cast<T*>(place_) + size_) T(copy);
+    ++size_;
+  }
+  void pop_back() { --size_; }
+  void append(const T* first, const T* last)
+  {
+    Plain_storage::append(first, static_cast<std::size_t>(last - first), sizeof(T));
+  }
+  iterator erase(iterator first, iterator last)
+  {
+    size_ = static_cast<std::size_t>(std::copy(last, end(), first) - begin());
+    return first;
+  }
+  void clear() { size_ = 0; }
+
+  void reserve(std::size_t capacity) { Plain_storage::reserve(capacity, sizeof(T)); }
+  void resize(std::size_t size) { resize(size, T()); }
+  void resize(std::size_t size, const T& element)
+  {
+    const T copy = element;
+    Plain_storage::resize(size, std::addressof(copy), sizeof(T));
+  }
+  void assign(std::size_t size, const T& element)
+  {
+    const T copy = element;
+    size_ = 0;
+    Plain_storage::resize(size, std::addressof(copy), sizeof(T));
+  }
+};
+
+// A Plain_vector where the elements allow it. std::vector<bool> is smaller.
+template <class T>
+using Vector_of = std::conditional_t<is_plain<T> && !std::is_same_v<T, bool>, Plain_vector<T>, std::vector<T>>;
+
+// A vector whose elements are named by indices of one kind.
+template <class Key, class T>
+class Indexed_vector : private Vector_of<T>
+{
+  typedef Vector_of<T> Base;
+
+public:
+  using typename Base::const_iterator;
+  using typename Base::const_reference;
+  using typename Base::iterator;
+  using typename Base::reference;
+  using typename Base::value_type;
+
+  using Base::assign;
+  using Base::back;
+  using Base::Base;
+  using Base::begin;
+  using Base::capacity;
+  using Base::clear;
+  using Base::data;
+  using Base::empty;
+  using Base::end;
+  using Base::erase;
+  using Base::front;
+  using Base::push_back;
+  using Base::rbegin;
+  using Base::rend;
+  using Base::reserve;
+  using Base::resize;
+  using Base::size;
+
+  reference operator[](Key key) { return Base::operator[](number_of(key)); }
+  const_reference operator[](Key key) const { return Base::operator[](number_of(key)); }
+
+  // Replaces the content, which takes less time to compile than to resize, which keeps it.
+  void renew(std::size_t size) { *this = Indexed_vector(size); }
+  void renew(std::size_t size, const T& value) { *this = Indexed_vector(size, value); }
+
+  bool contains(Key key) const { return number_of(key) < size(); }
+
+  // The key of the element that push_back() adds next, and of the last one.
+  Key end_key() const { return Key(size()); }
+  Key last_key() const { return Key(size() - 1); }
+
+  Index_range<Key> keys() const { return Index_range<Key>(size()); }
+};
+
+// An array of zeros, for few of which another value comes: most systems let the pages where none does take neither
+// memory nor time. For numbers, whose zero has no bit set, and which need no constructor.
+template <class Key, class T>
+class Zeroed_array
+{
+  static_assert(std::is_trivial_v<T>);
+
+public:
+  explicit Zeroed_array(std::size_t size) : elements_(static_cast<T*>(std::calloc(size, sizeof(T))))
+  {
+    if(elements_ == nullptr && size != 0)
+      throw std::bad_alloc();
+    if(!is_used(Tuned_part::ZEROED_ARRAY))
+      touch(size);
+  }
+
+  T& operator[](Key key) { return elements_.get()[key.number()]; }
+  const T& operator[](Key key) const { return elements_.get()[key.number()]; }
+
+private:
+  // What other arrays do: each line of the cache is written. Compilers know that calloc() leaves zeros, and drop a
+  // memset().
+  void touch(std::size_t size)
+  {
+    constexpr std::size_t line = 64;
+    volatile char* const bytes = reinterpret_cast<volatile char*>(elements_.get());
+    for(std::size_t i = 0; i < size * sizeof(T); i += line)
+      bytes[i] = 0;
+  }
+
+  struct Free
+  {
+    void operator()(T* elements) const { std::free(elements); }
+  };
+
+  std::unique_ptr<T, Free> elements_;
+};
+
+// A set of indices below a bound, one bit for each, that tells the rank of an index in it.
+template <class Key>
+class Index_set
+{
+public:
+  struct Rank_tag;
+  typedef Index_of<Rank_tag> Rank_index;
+
+  typedef std::uint64_t Word;
+  static constexpr std::size_t bits_per_word = 64;
+
+  explicit Index_set(std::size_t bound) : words_(bound / bits_per_word + 1, 0) {}
+
+  // Indices in different words can be added from different threads.
+  void add(Key key) { words_[word_of(key)] |= Word(1) << bit_of(key); }
+
+  // Ranks can be asked for after this call, and no index added.
+  void count_ranks()
+  {
+    ranks_.resize(words_.size());
+    Number rank = 0;
+    for(std::size_t i = 0; i != words_.size(); ++i)
+    {
+      ranks_[i] = rank;
+      rank += count(words_[i]);
+    }
+    size_ = rank;
+  }
+
+  Number size() const { return size_; }
+
+  // How many lower indices are in the set: the name of one that is in it.
+  Rank_index rank(Key key) const
+  {
+    const Word lower_bits = (Word(1) << bit_of(key)) - 1;
+    return Rank_index(ranks_[word_of(key)] + count(words_[word_of(key)] & lower_bits));
+  }
+
+  // Calls visit(index) in ascending order.
+  template <class Visit>
+  void for_each(const Visit& visit) const
+  {
+    for(std::size_t i = 0; i != words_.size(); ++i)
+    {
+      for(Word word = words_[i]; word != 0; word &= word - 1)
+        visit(Key(i * bits_per_word + count((word & (~word + 1)) - 1)));
+    }
+  }
+
+private:
+  static std::size_t word_of(Key key) { return key.number() / bits_per_word; }
+  static Number bit_of(Key key) { return key.number() % bits_per_word; }
+  static Number count(Word word) { return static_cast<Number>(std::bitset<bits_per_word>(word).count()); }
+
+  Plain_vector<Word> words_;
+  Plain_vector<Number> ranks_; // by word
+  Number size_ = 0;
+};
+
+// Items in buckets, one for each key, one behind the other in one array: made by counting, then placing them. In a
+// bucket, they have the order in which they come.
+template <class Key, class Item>
+class Buckets
+{
+public:
+  template <class Iterator>
+  class Range
+  {
+  public:
+    Range(Iterator begin, Iterator end) : begin_(begin), end_(end) {}
+    Iterator begin() const { return begin_; }
+    Iterator end() const { return end_; }
+    std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
+
+  private:
+    Iterator begin_, end_;
+  };
+  typedef Range<const Item*> Bucket;
+
+  Buckets() = default;
+
+  // for_each_item(visit) calls visit(key, item), and is called twice.
+  template <class ForEachItem>
+  Buckets(std::size_t number_of_keys, const ForEachItem& for_each_item) : first_items_(number_of_keys + 2, 0)
+  {
+    // The counts are two places ahead, so that placing leaves each bucket's begin behind, at its own place.
+    std::size_t number_of_items = 0;
+    for_each_item([&](Key key, const Item&) {
+      ++first_items_[Key(key.number() + 2)];
+      ++number_of_items;
+    });
+    checked_index(number_of_items);
+    Number sum = 0;
+    for(Number& first : first_items_)
+      first = sum += first;
+    items_.resize(number_of_items);
+    for_each_item([&](Key key, const Item& item) { items_[first_items_[Key(key.number() + 1)]++] = item; });
+    first_items_.resize(number_of_keys + 1);
+  }
+
+  std::size_t size() const { return items_.size(); }
+
+  Range<Item*> operator[](Key key)
+  {
+    return {items_.data() + first_items_[key], items_.data() + first_items_[Key(key.number() + 1)]};
+  }
+  Bucket operator[](Key key) const
+  {
+    return {items_.data() + first_items_[key], items_.data() + first_items_[Key(key.number() + 1)]};
+  }
+
+private:
+  Indexed_vector<Key, Number> first_items_; // by key; and the end
+  Vector_of<Item> items_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_BASE_ARRAYS_H

@@ -1,0 +1,143 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_COMPLEX_VERTEX_ORDER_H
+#define CGAL_REEB_GRAPH_INTERNAL_COMPLEX_VERTEX_ORDER_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/base/tuning.h>
+
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The total order of the vertices: by value, then by index (simulation of simplicity). Everything that the stages
+// decide about the field, they decide by this comparison.
+template <class Scalar, class Less>
+class Vertex_order
+{
+public:
+  // Whether the order cannot contradict itself, whatever the values are.
+  static constexpr bool is_sure = is_order_of_numbers<Scalar, Less>;
+
+  // A name of a vertex with its value, to be sorted without access to the array of all values. Names are in the order
+  // of the vertices' indices.
+  template <class Name>
+  struct Key
+  {
+    Scalar value;
+    Name name;
+  };
+
+  Vertex_order(const Indexed_vector<Vertex_index, Scalar>& values, const Less& less) : values_(&values), less_(less) {}
+
+  // Whether vertex u is lower than vertex v. Sweeps ask in the order of the mesh, in which a branch on the first
+  // comparison is foreseen where the field is smooth, and what depends on the answer need not wait for the values.
+  bool operator()(Vertex_index u, Vertex_index v) const { return is_before((*values_)[u], u, (*values_)[v], v); }
+
+  void prefetch(Vertex_index v) const { prefetch_element(*values_, v); }
+
+  template <class Name>
+  Key<Name> key(Vertex_index v, Name name) const
+  {
+    return {(*values_)[v], name};
+  }
+
+  // Sorting asks what cannot be foreseen, so the answer is computed without a branch but on ties, which are few or come
+  // in a row.
+  template <class Name>
+  bool operator()(const Key<Name>& a, const Key<Name>& b) const
+  {
+    if constexpr(is_sure && is_used(Tuned_part::BRANCHLESS_ORDER))
+      return a.value == b.value ? a.name < b.name : less_(a.value, b.value);
+    else
+      return is_before(a.value, a.name, b.value, b.name);
+  }
+
+  // The same as the first operator, where the answer cannot be foreseen.
+  bool is_lower(Vertex_index u, Vertex_index v) const
+  {
+    if constexpr(is_sure)
+      return (*this)(key(u, u), key(v, v));
+    else
+      return (*this)(u, v);
+  }
+
+  // Whether the values are the same, so that only the indices order the vertices.
+  bool are_tied(Vertex_index u, Vertex_index v) const
+  {
+    return !less_((*values_)[u], (*values_)[v]) && !less_((*values_)[v], (*values_)[u]);
+  }
+
+  // Whether the value of vertex u is lower than `value`, or `value` lower than that of u.
+  bool is_lower(Vertex_index u, const Scalar& value) const { return less_((*values_)[u], value); }
+  bool is_higher(Vertex_index u, const Scalar& value) const { return less_(value, (*values_)[u]); }
+
+private:
+  template <class Name>
+  bool is_before(const Scalar& value_u, Name u, const Scalar& value_v, Name v) const
+  {
+    return less_(value_u, value_v) || (!less_(value_v, value_u) && u < v);
+  }
+
+  const Indexed_vector<Vertex_index, Scalar>* values_;
+  Less less_;
+};
+
+// A level: the place in the total order just above or just below a vertex, or the place that a value has.
+template <class Scalar, class Order>
+class Level
+{
+public:
+  static Level above_vertex(const Order& order, Vertex_index vertex)
+  {
+    return Level(order, true, vertex, std::nullopt);
+  }
+  static Level below_vertex(const Order& order, Vertex_index vertex)
+  {
+    return Level(order, false, vertex, std::nullopt);
+  }
+
+  // The level just above the last vertex that is not higher than the value, or just below the first that is not lower.
+  static Level above_value(const Order& order, const Scalar& value) { return Level(order, true, no_index, value); }
+  static Level below_value(const Order& order, const Scalar& value) { return Level(order, false, no_index, value); }
+
+  // Whether the vertex is below the level.
+  bool operator()(Vertex_index u) const
+  {
+    if(value_)
+      return is_above_ ? !order_->is_higher(u, *value_) : order_->is_lower(u, *value_);
+    return u == vertex_ ? is_above_ : (*order_)(u, vertex_);
+  }
+
+private:
+  Level(const Order& order, bool is_above, Vertex_index vertex, std::optional<Scalar> value)
+    : order_(&order),
+      is_above_(is_above),
+      vertex_(vertex),
+      value_(std::move(value))
+  {}
+
+  const Order* order_;
+  bool is_above_;
+  Vertex_index vertex_;
+  std::optional<Scalar> value_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_VERTEX_ORDER_H

@@ -1,0 +1,274 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_COMPLEX_FLATTEN_SOUP_H
+#define CGAL_REEB_GRAPH_INTERNAL_COMPLEX_FLATTEN_SOUP_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
+#include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
+#include <CGAL/Reeb_graph/internal/complex/descriptor_lists.h>
+#include <CGAL/Reeb_graph/internal/complex/flatten.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The number of vertices, given as such or by a range of points.
+template <class PointsOrNumber>
+std::size_t count_vertices(const PointsOrNumber& points)
+{
+  if constexpr(std::is_integral_v<PointsOrNumber>)
+    return static_cast<std::size_t>(points);
+  else
+    return static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
+}
+
+// The indices of an edge, which may be given as a pair.
+template <class Simplex>
+const Simplex& as_range(const Simplex& simplex)
+{
+  return simplex;
+}
+
+template <class First, class Second>
+std::array<First, 2> as_range(const std::pair<First, Second>& edge)
+{
+  return {edge.first, edge.second};
+}
+
+// How a range of indices fails to be a simplex of `size` vertices.
+enum class Simplex_fault
+{
+  NONE,
+  SIZE,
+  INDEX,
+  REPETITION
+};
+
+// Reads a range of `size` different indices of vertices. Negative numbers are no indices.
+template <std::size_t size, class Simplex>
+Simplex_fault read_simplex(const Simplex& simplex,
+                           std::size_t number_of_vertices,
+                           std::array<Vertex_index, size>& result)
+{
+  std::size_t n = 0;
+  bool are_vertices = true;
+  const auto& indices = as_range(simplex);
+  for(const auto index : indices)
+  {
+    if(n == size)
+      return Simplex_fault::SIZE;
+    const bool is_vertex = !(index < 0) && static_cast<std::size_t>(index) < number_of_vertices;
+    are_vertices &= is_vertex;
+    result[n++] = Vertex_index(static_cast<std::size_t>(index));
+  }
+  if(n != size)
+    return Simplex_fault::SIZE;
+  if(!are_vertices)
+    return Simplex_fault::INDEX;
+  for(std::size_t i = 0; i != size; ++i)
+    for(std::size_t j = 0; j != i; ++j)
+      if(result[i] == result[j])
+        return Simplex_fault::REPETITION;
+  return Simplex_fault::NONE;
+}
+
+// Calls visit(vertices) for each simplex of a range, and throw_error(position, fault) for the first that is none.
+template <std::size_t size, class Simplices, class ThrowError, class Visit>
+void for_each_simplex(const Simplices& simplices,
+                      std::size_t number_of_vertices,
+                      const ThrowError& throw_error,
+                      const Visit& visit)
+{
+  std::size_t position = 0;
+  std::array<Vertex_index, size> vertices = {};
+  for(const auto& simplex : simplices)
+  {
+    const Simplex_fault fault = read_simplex<size>(simplex, number_of_vertices, vertices);
+    if(fault != Simplex_fault::NONE)
+      throw_error(position, fault);
+    visit(vertices);
+    ++position;
+  }
+}
+
+// Calls visit(a, b) for each edge of a range of pairs of indices.
+template <class Edges>
+auto make_edge_reader(const Edges& edges, std::size_t number_of_vertices)
+{
+  return [&edges, number_of_vertices](const auto& visit) {
+    const auto throw_error = [](std::size_t edge, Simplex_fault fault) {
+      if(fault == Simplex_fault::INDEX)
+        throw Vertex_out_of_range_error("edge", edge);
+      throw Degenerate_edge_error(edge);
+    };
+    for_each_simplex<2>(edges, number_of_vertices, throw_error, [&](const auto& v) { visit(v[0], v[1]); });
+  };
+}
+
+template <class Triangles, class Edges>
+Simplicial_complex read_triangles(std::size_t number_of_vertices, const Triangles& triangles, const Edges& edges)
+{
+  checked_index(number_of_vertices);
+  const auto for_each_triangle = [&](const auto& visit) {
+    const auto throw_error = [](std::size_t face, Simplex_fault fault) {
+      if(fault == Simplex_fault::SIZE)
+        throw Non_triangular_face_error(face);
+      if(fault == Simplex_fault::INDEX)
+        throw Vertex_out_of_range_error("face", face);
+      throw Degenerate_face_error(face);
+    };
+    for_each_simplex<3>(triangles, number_of_vertices, throw_error, [&](const auto& v) { visit(v[0], v[1], v[2]); });
+  };
+  return Simplicial_complex(number_of_vertices, for_each_triangle, make_edge_reader(edges, number_of_vertices));
+}
+
+// The faces of the tetrahedra.
+template <class Tetrahedra, class Edges>
+Simplicial_complex read_tetrahedra(std::size_t number_of_vertices, const Tetrahedra& tetrahedra, const Edges& edges)
+{
+  checked_index(number_of_vertices);
+  const auto for_each_triangle = [&](const auto& visit) {
+    const auto throw_error = [](std::size_t tetrahedron, Simplex_fault fault) {
+      if(fault == Simplex_fault::INDEX)
+        throw Vertex_out_of_range_error("tetrahedron", tetrahedron);
+      throw Non_tetrahedral_cell_error(tetrahedron);
+    };
+    for_each_simplex<4>(tetrahedra, number_of_vertices, throw_error, [&](const auto& v) {
+      visit(v[0], v[1], v[2]);
+      visit(v[0], v[1], v[3]);
+      visit(v[0], v[2], v[3]);
+      visit(v[1], v[2], v[3]);
+    });
+  };
+  return Simplicial_complex(number_of_vertices, for_each_triangle, make_edge_reader(edges, number_of_vertices));
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+namespace boost {
+
+// What a soup of triangles is called by where a mesh is: there is no other mesh than the complex.
+template <>
+struct graph_traits<CGAL::Reeb_graph::internal::Simplicial_complex>
+{
+  typedef std::size_t vertex_descriptor;
+  typedef std::pair<std::size_t, std::size_t> halfedge_descriptor; // source and target
+};
+
+} // namespace boost
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+template <>
+struct Descriptors<Simplicial_complex, false>
+{
+  typedef boost::graph_traits<Simplicial_complex>::vertex_descriptor vertex_descriptor, face_descriptor;
+  typedef boost::graph_traits<Simplicial_complex>::halfedge_descriptor halfedge_descriptor;
+};
+
+inline std::size_t source(const boost::graph_traits<Simplicial_complex>::halfedge_descriptor& h,
+                          const Simplicial_complex&)
+{
+  return h.first;
+}
+inline std::size_t target(const boost::graph_traits<Simplicial_complex>::halfedge_descriptor& h,
+                          const Simplicial_complex&)
+{
+  return h.second;
+}
+inline std::size_t num_vertices(const Simplicial_complex& complex) { return complex.number_of_vertices(); }
+
+// The type of a scalar map in the traits class of a soup.
+template <class Scalar>
+using Soup_scalars = boost::iterator_property_map<const Scalar*, boost::typed_identity_property_map<std::size_t>>;
+
+template <>
+class Vertex_list<Simplicial_complex>
+{
+public:
+  typedef std::size_t vertex_descriptor;
+
+  explicit Vertex_list(std::size_t size) : size_(size) {}
+
+  std::size_t size() const { return size_; }
+  bool contains(Vertex_index) const { return true; }
+  vertex_descriptor operator[](Vertex_index v) const { return v.number(); }
+  std::size_t position(Vertex_index v) const { return v.number(); }
+
+private:
+  std::size_t size_;
+};
+
+template <>
+class Halfedge_list<Simplicial_complex>
+{
+public:
+  typedef boost::graph_traits<Simplicial_complex>::halfedge_descriptor halfedge_descriptor;
+
+  halfedge_descriptor operator()(const Simplicial_complex& complex, Halfedge_index halfedge) const
+  {
+    return {complex.source(halfedge).number(), complex.target(halfedge).number()};
+  }
+};
+
+// A soup, or the faces of tetrahedra, with its field by numbers.
+template <class Scalar>
+using Flat_soup = Complex_with_field<Simplicial_complex, Simplicial_complex, Scalar>;
+
+// The values of the vertices, one for each in a random access range.
+template <class ConcurrencyTag, class Scalars, class Traits>
+Field_by_numbers<Simplicial_complex, typename Traits::Scalar> flatten_scalars(std::size_t number_of_vertices,
+                                                                              const Scalars& scalars,
+                                                                              const Traits& traits)
+{
+  const std::size_t number_of_scalars = static_cast<std::size_t>(std::end(scalars) - std::begin(scalars));
+  if(number_of_scalars != number_of_vertices)
+    throw Scalar_count_error(number_of_scalars, number_of_vertices);
+  const Vertex_list<Simplicial_complex> vertices(number_of_vertices);
+  const auto map =
+    boost::make_iterator_property_map(std::begin(scalars), boost::typed_identity_property_map<std::size_t>());
+  const auto number = [=](std::size_t v) { return v < number_of_vertices ? Vertex_index(v) : Vertex_index(no_index); };
+  return {read_values<ConcurrencyTag>(vertices, map, traits), vertices, {}, number};
+}
+
+// The field is checked before the complex that read_complex() returns.
+template <class ConcurrencyTag, class Scalars, class Traits, class ReadComplex>
+Flat_soup<typename Traits::Scalar> flatten_soup(std::size_t number_of_vertices,
+                                                const Scalars& scalars,
+                                                const Traits& traits,
+                                                const ReadComplex& read_complex)
+{
+  auto field = flatten_scalars<ConcurrencyTag>(number_of_vertices, scalars, traits);
+  return {read_complex(), std::move(field)};
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_FLATTEN_SOUP_H

@@ -1,0 +1,341 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_COMPLEX_SURFACE_COMPLEXES_H
+#define CGAL_REEB_GRAPH_INTERNAL_COMPLEX_SURFACE_COMPLEXES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+template <class Complex>
+class Unchecked_complex;
+
+// An oriented triangulated surface by numbers, as the stages see it. A halfedge has its triangle on the left, or none,
+// along the border. There may be numbers that belong to no vertex and to no edge.
+//
+// A class `Complex` derived from this one has number_of_halfedges(), target(halfedge), has_triangle(halfedge),
+// next(halfedge), for a halfedge of a triangle, and has_vertex(number) and has_edge(number); and for Unchecked_complex,
+// number_of_faces(), number_of_live_edges(), halfedge_of_face_at(vertex), any one that ends there or no_index,
+// is_next_in_triangle(halfedge), which is false for one at least in each face that is no triangle, check_faces(), which
+// throws if a face is no triangle with three vertices, and check_edges(), if an edge has no face.
+template <class Complex>
+class Triangle_complex_base
+{
+public:
+  // Whether each edge has one or two triangles, and each vertex one fan of them.
+  static constexpr bool is_surface = true;
+
+  // The first number behind those of the vertices, or of the edges.
+  Number number_of_vertices() const { return static_cast<Number>(first_halfedges_.size()); }
+  Number number_of_edges() const { return complex().number_of_halfedges() / 2; }
+  Index_range<Vertex_index> vertices() const { return Index_range<Vertex_index>(number_of_vertices()); }
+
+  Vertex_index source(Halfedge_index halfedge) const { return complex().target(opposite_of(halfedge)); }
+
+  bool is_on_border_edge(Halfedge_index halfedge) const
+  {
+    return !complex().has_triangle(halfedge) || !complex().has_triangle(opposite_of(halfedge));
+  }
+
+  bool is_on_triangle(Edge_index edge) const
+  {
+    const Halfedge_index even = even_halfedge(edge);
+    return complex().has_edge(edge) && (complex().has_triangle(even) || complex().has_triangle(opposite_of(even)));
+  }
+  // One halfedge of an edge that is on a triangle.
+  Halfedge_index halfedge_of_triangle(Edge_index edge) const
+  {
+    const Halfedge_index even = even_halfedge(edge);
+    return complex().has_triangle(even) ? even : opposite_of(even);
+  }
+
+  // The halfedge before, in the triangle of the halfedge.
+  Halfedge_index previous(Halfedge_index halfedge) const { return complex().next(complex().next(halfedge)); }
+
+  // A halfedge of a triangle that ends at `vertex`, no_index if there is none. At a border vertex it is the one from
+  // which turning clockwise meets all others.
+  Halfedge_index first_halfedge(Vertex_index vertex) const { return first_halfedges_[vertex]; }
+
+  // The next halfedge with the same target, clockwise. Behind the border it has no triangle.
+  Halfedge_index clockwise(Halfedge_index halfedge) const { return opposite_of(complex().next(halfedge)); }
+
+  bool is_on_border(Vertex_index vertex) const
+  {
+    const Halfedge_index halfedge = first_halfedge(vertex);
+    return halfedge != no_index && !complex().has_triangle(opposite_of(halfedge));
+  }
+
+  // Calls visit(neighbor, halfedge), where `halfedge` is a halfedge of a triangle on the edge to `neighbor`, for the
+  // edges at `vertex`, turning clockwise, at a border vertex from border edge to border edge, until a call returns
+  // true.
+  template <class Visit>
+  void visit_edges_around(Vertex_index vertex, const Visit& visit) const
+  {
+    const Halfedge_index first = first_halfedge(vertex);
+    for(Halfedge_index halfedge = first; halfedge != no_index;)
+    {
+      if(visit(source(halfedge), halfedge))
+        return;
+      const Halfedge_index turned = clockwise(halfedge);
+      if(turned == first)
+        return;
+      if(!complex().has_triangle(turned))
+      {
+        visit(source(turned), opposite_of(turned));
+        return;
+      }
+      halfedge = turned;
+    }
+  }
+
+  // Calls visit(neighbor, halfedge) in the same way for each edge at `vertex`.
+  template <class Visit>
+  void for_each_edge_around(Vertex_index vertex, const Visit& visit) const
+  {
+    visit_edges_around(vertex, [&](Vertex_index neighbor, Halfedge_index halfedge) {
+      visit(neighbor, halfedge);
+      return false;
+    });
+  }
+
+  // Calls visit(halfedge) for the halfedges of triangles that end at `vertex`, clockwise.
+  template <class Visit>
+  void for_each_halfedge_around(Vertex_index vertex, const Visit& visit) const
+  {
+    const Halfedge_index first = first_halfedge(vertex);
+    for(Halfedge_index halfedge = first; halfedge != no_index;)
+    {
+      visit(halfedge);
+      halfedge = clockwise(halfedge);
+      if(halfedge == first || !complex().has_triangle(halfedge))
+        return;
+    }
+  }
+
+  // Whether all triangles at a vertex are there. A derived class that is a part of a surface hides this.
+  bool has_star(Vertex_index) const { return true; }
+
+  // Whether fans with as many corners of triangles, some of which are at the border, are all that there is: every
+  // corner belongs to a fan, and the halfedges are as many as the corners, and one more that leaves each border vertex.
+  bool has_no_others(std::size_t number_of_corners, std::size_t number_of_border_fans) const
+  {
+    return number_of_corners == 3 * complex().number_of_faces()
+        && number_of_corners + number_of_border_fans == 2 * complex().number_of_live_edges();
+  }
+
+  // The position in vertices(mesh), in which removed vertices do not count.
+  std::size_t position(Vertex_index vertex) const
+  {
+    std::size_t position = 0;
+    for(const Vertex_index v : Index_range(Vertex_index(0), vertex))
+      position += complex().has_vertex(v) ? 1 : 0;
+    return position;
+  }
+
+  // Throws the error of an order of the vertices that contradicts itself, which has shown near `vertex`.
+  [[noreturn]] void throw_contradiction_near(Vertex_index vertex) const
+  {
+    throw Unordered_scalar_error::contradiction_near(complex().position(vertex));
+  }
+
+protected:
+  // The argument has for each vertex a halfedge of a face that ends there, or anything if the derived class knows them.
+  explicit Triangle_complex_base(Indexed_vector<Vertex_index, Halfedge_index> halfedges_of_vertices)
+    : first_halfedges_(std::move(halfedges_of_vertices))
+  {}
+
+private:
+  friend class Unchecked_complex<Complex>;
+
+  const Complex& complex() const { return static_cast<const Complex&>(*this); }
+
+  Indexed_vector<Vertex_index, Halfedge_index> first_halfedges_;
+};
+
+struct Halfedge
+{
+  Vertex_index target;
+  Halfedge_index next; // in its face; no_index if it has none
+};
+
+// What a Triangle_complex is made from.
+struct Halfedge_arrays
+{
+  Indexed_vector<Halfedge_index, Halfedge> halfedges;
+  Indexed_vector<Vertex_index, Halfedge_index>
+    halfedges_of_vertices; // one of a face that ends there; no_index if there is none
+};
+
+// A surface copied from a mesh of any type into flat arrays. All numbers belong to vertices and edges.
+class Triangle_complex : public Triangle_complex_base<Triangle_complex>
+{
+public:
+  // The faces have been checked before, as has been that each edge has one.
+  Triangle_complex(Halfedge_arrays arrays, std::size_t number_of_faces)
+    : Triangle_complex_base<Triangle_complex>(std::move(arrays.halfedges_of_vertices)),
+      halfedges_(std::move(arrays.halfedges)),
+      number_of_faces_(number_of_faces)
+  {}
+
+  Number number_of_halfedges() const { return static_cast<Number>(halfedges_.size()); }
+  bool has_vertex(Vertex_index) const { return true; }
+  bool has_edge(Edge_index) const { return true; }
+
+  Vertex_index target(Halfedge_index halfedge) const { return halfedges_[halfedge].target; }
+  Halfedge_index next(Halfedge_index halfedge) const { return halfedges_[halfedge].next; }
+  bool has_triangle(Halfedge_index halfedge) const { return next(halfedge) != no_index; }
+
+  std::size_t number_of_faces() const { return number_of_faces_; }
+  std::size_t number_of_live_edges() const { return halfedges_.size() / 2; }
+  bool is_next_in_triangle(Halfedge_index) const { return true; }
+  Halfedge_index halfedge_of_face_at(Vertex_index vertex) const { return first_halfedge(vertex); }
+  void check_faces() const {}
+  void check_edges() const {}
+
+private:
+  Indexed_vector<Halfedge_index, Halfedge>
+    halfedges_; // both members in one line of the cache, with the opposite halfedge
+  std::size_t number_of_faces_;
+};
+
+// Throws if a face is no triangle with three vertices.
+template <class FaceListGraph>
+void check_faces(const FaceListGraph& mesh)
+{
+  std::size_t position = 0;
+  for(const auto f : CGAL::make_range(faces(mesh)))
+  {
+    const auto h = halfedge(f, mesh);
+    if(next(h, mesh) == h || next(next(h, mesh), mesh) == h || !is_triangle(h, mesh))
+      throw Non_triangular_face_error(position);
+    const auto a = source(h, mesh), b = target(h, mesh), c = target(next(h, mesh), mesh);
+    if(a == b || b == c || c == a)
+      throw Degenerate_face_error(position);
+    ++position;
+  }
+}
+
+template <class FaceListGraph>
+void check_edges(const FaceListGraph& mesh)
+{
+  std::size_t position = 0;
+  for(const auto e : CGAL::make_range(edges(mesh)))
+  {
+    const auto h = halfedge(e, mesh);
+    if(is_border(h, mesh) && is_border(opposite(h, mesh), mesh))
+      throw Edge_without_face_error(position);
+    ++position;
+  }
+}
+
+// A halfedge of a face that ends where h does, the null halfedge if there is none. The turn ends at an edge that nobody
+// has joined to the other ones.
+template <class FaceListGraph, class HalfedgeDescriptor>
+HalfedgeDescriptor find_halfedge_of_face(const FaceListGraph& mesh, HalfedgeDescriptor h)
+{
+  const HalfedgeDescriptor null = boost::graph_traits<FaceListGraph>::null_halfedge();
+  HalfedgeDescriptor around = h;
+  while(around != null && is_border(around, mesh))
+  {
+    const HalfedgeDescriptor second = next(around, mesh);
+    around = second == null ? null : opposite(second, mesh);
+    if(around == h)
+      return null;
+  }
+  return around;
+}
+
+// A Surface_mesh, which has its halfedges in arrays already and numbers them as a Triangle_complex does: to copy them
+// took longer than all else on a smooth field. Removed elements keep their numbers.
+template <class Point>
+class Surface_mesh_complex : public Triangle_complex_base<Surface_mesh_complex<Point>>
+{
+  typedef Surface_mesh<Point> Mesh;
+
+public:
+  explicit Surface_mesh_complex(const Mesh& mesh)
+    : Triangle_complex_base<Surface_mesh_complex>(unset_halfedges(mesh.num_vertices())),
+      mesh_(&mesh)
+  {
+    checked_index(mesh.num_halfedges());
+  }
+
+  Number number_of_halfedges() const { return mesh_->num_halfedges(); }
+  bool has_vertex(Vertex_index v) const { return !mesh_->has_garbage() || !mesh_->is_removed(descriptor(v)); }
+  bool has_edge(Edge_index e) const
+  {
+    return !mesh_->has_garbage() || !mesh_->is_removed(typename Mesh::Edge_index(e.number()));
+  }
+
+  Vertex_index target(Halfedge_index h) const { return Vertex_index(mesh_->target(descriptor(h))); }
+  Halfedge_index next(Halfedge_index h) const { return Halfedge_index(mesh_->next(descriptor(h))); }
+  bool has_triangle(Halfedge_index h) const { return !mesh_->is_border(descriptor(h)); }
+
+  std::size_t number_of_faces() const { return mesh_->number_of_faces(); }
+  std::size_t number_of_live_edges() const { return mesh_->number_of_edges(); }
+
+  // Hides the other one, as it is known without a look at the next halfedge, which may be far away in memory.
+  Halfedge_index previous(Halfedge_index h) const { return Halfedge_index(mesh_->prev(descriptor(h))); }
+
+  // If so for all halfedges of faces, `next` and `previous` undo each other, and two steps onwards are one back: so
+  // three steps lead around each face.
+  bool is_next_in_triangle(Halfedge_index h) const
+  {
+    const Halfedge_index second = next(h);
+    return second.number() < number_of_halfedges() && has_edge(edge_of(second)) && has_triangle(second) && second != h
+        && previous(second) == h && next(second) == previous(h);
+  }
+  Halfedge_index halfedge_of_face_at(Vertex_index v) const
+  {
+    if(!has_vertex(v))
+      return no_index;
+    const auto h = find_halfedge_of_face(*mesh_, mesh_->halfedge(descriptor(v)));
+    return h == mesh_->null_halfedge() ? Halfedge_index(no_index) : Halfedge_index(h);
+  }
+  void check_faces() const { internal::check_faces(*mesh_); }
+  void check_edges() const { internal::check_edges(*mesh_); }
+
+private:
+  static typename Mesh::Vertex_index descriptor(Vertex_index v) { return typename Mesh::Vertex_index(v.number()); }
+  static typename Mesh::Halfedge_index descriptor(Halfedge_index h)
+  {
+    return typename Mesh::Halfedge_index(h.number());
+  }
+
+  static Indexed_vector<Vertex_index, Halfedge_index> unset_halfedges(std::size_t size)
+  {
+    Indexed_vector<Vertex_index, Halfedge_index> halfedges;
+    halfedges.resize(checked_index(size));
+    return halfedges;
+  }
+
+  const Mesh* mesh_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_SURFACE_COMPLEXES_H

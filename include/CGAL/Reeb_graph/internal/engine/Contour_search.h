@@ -1,0 +1,266 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_ENGINE_CONTOUR_SEARCH_H
+#define CGAL_REEB_GRAPH_INTERNAL_ENGINE_CONTOUR_SEARCH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
+#include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+struct Complex_component_tag;
+typedef Index_of<Complex_component_tag> Complex_component;
+
+// The connected components of a complex, and what excludes loops of the Reeb graph in them, whatever the field is.
+// Takes linear time.
+class Components_of_complex
+{
+public:
+  explicit Components_of_complex(const Simplicial_complex& complex)
+    : complex_(complex),
+      components_(complex.number_of_vertices(), no_index),
+      is_edge_contracted_(complex.number_of_edges(), 0)
+  {
+    for(const Vertex_index v : complex.vertices())
+    {
+      if(components_[v] == no_index)
+        add_component(v);
+    }
+    contract_edges();
+    is_closed_.assign(number_of_components_, true);
+    is_simply_connected_.assign(number_of_components_, true);
+    for(const Edge_index edge : complex.edges())
+    {
+      const Complex_component component = components_[complex.lower_end(edge)];
+      if(!complex.has_two_triangles(edge))
+        is_closed_[component] = false;
+      if(is_edge_contracted_[edge] == 0)
+        is_simply_connected_[component] = false;
+    }
+  }
+
+  // Whether each edge of the vertex's component has two triangles: contours are closed curves then.
+  bool is_closed(Vertex_index vertex) const { return is_closed_[components_[vertex]]; }
+
+  // Whether each closed path of the vertex's component has been found to be contractible. Then the graph has no loop
+  // there, as it would be the image of a closed path that is not.
+  bool is_simply_connected(Vertex_index vertex) const { return is_simply_connected_[components_[vertex]]; }
+
+private:
+  // Finds a component in breadth-first order. The edges over which vertices are found first are a spanning tree.
+  void add_component(Vertex_index first)
+  {
+    const Complex_component component(number_of_components_++);
+    components_[first] = component;
+    Plain_vector<Vertex_index> found = {first};
+    for(std::size_t i = 0; i != found.size(); ++i)
+    {
+      complex_.for_each_edge_around(found[i], [&](Vertex_index neighbor, Halfedge_index halfedge) {
+        if(components_[neighbor] != no_index)
+          return;
+        components_[neighbor] = component;
+        is_edge_contracted_[edge_of(halfedge)] = 1;
+        found.push_back(neighbor);
+      });
+    }
+  }
+
+  // With the trees contracted, edges generate the fundamental groups, and triangles are their relations: an edge is
+  // contractible if the other two edges of a triangle are.
+  void contract_edges()
+  {
+    Plain_vector<Triangle_index> pending;
+    for(const Triangle_index triangle : complex_.triangles())
+    {
+      pending.push_back(triangle);
+      while(!pending.empty())
+      {
+        const Edge_index edge = last_edge(pending.back());
+        pending.pop_back();
+        if(edge == no_index)
+          continue;
+        is_edge_contracted_[edge] = 1;
+        for(const Triangle_index beside : complex_.triangles_of(edge))
+          pending.push_back(beside);
+      }
+    }
+  }
+
+  // The only edge of a triangle that has not been contracted, no_index if there is none or another one.
+  Edge_index last_edge(Triangle_index triangle) const
+  {
+    Edge_index result = no_index;
+    int number_of_edges = 0;
+    for(const Edge_index edge : complex_.edges_of(triangle))
+    {
+      if(is_edge_contracted_[edge] != 0)
+        continue;
+      result = edge;
+      ++number_of_edges;
+    }
+    return number_of_edges == 1 ? result : Edge_index(no_index);
+  }
+
+  const Simplicial_complex& complex_;
+  Indexed_vector<Vertex_index, Complex_component> components_;
+  Indexed_vector<Edge_index, unsigned char> is_edge_contracted_;
+  std::size_t number_of_components_ = 0;
+  Indexed_vector<Complex_component, bool> is_closed_;
+  Indexed_vector<Complex_component, bool> is_simply_connected_;
+};
+
+// Searches the contours at several edges that cross one level, all at once, triangle by triangle, so that the largest
+// contour costs no more than the next one, and the other ones cost nothing when they are complete. Edges keep the name
+// of the search that has found them, so no search has to forget anything.
+class Contour_search
+{
+public:
+  explicit Contour_search(const Simplicial_complex& complex) : complex_(complex), searches_(complex.number_of_edges())
+  {}
+
+  // Calls visit(ascending halfedges of the crossed edges) for all but one of the contours that cross the edges of
+  // `starts`.
+  template <class IsBelow, class Visit>
+  void visit_all_but_one(const Plain_vector<Halfedge_index>& starts, const IsBelow& is_below, const Visit& visit)
+  {
+    first_search_ = last_search_ + 1;
+    contours_.assign(starts.size(), Contour());
+    leaders_.resize(starts.size());
+    std::iota(leaders_.begin(), leaders_.end(), std::size_t(0));
+    incomplete_ = leaders_;
+    for(std::size_t i = 0; i != starts.size(); ++i)
+    {
+      ++last_search_;
+      reach(i, edge_of(starts[i]), is_below);
+    }
+    remove_joined();
+    while(incomplete_.size() > 1)
+    {
+      std::size_t number_of_kept = 0;
+      for(const std::size_t i : incomplete_)
+      {
+        if(leaders_[i] != i)
+          continue;
+        if(go_on(i, is_below))
+          incomplete_[number_of_kept++] = i;
+        else
+          completed_.push_back(i);
+      }
+      incomplete_.resize(number_of_kept);
+      remove_joined();
+      // One contour stays, even if all have come to their end in this round.
+      if(incomplete_.empty() && !completed_.empty())
+        completed_.pop_back();
+      for(const std::size_t i : completed_)
+        visit(contours_[i].crossed_edges);
+      completed_.clear();
+    }
+  }
+
+  // How many triangles have been looked at, in all searches.
+  std::size_t number_of_steps() const { return number_of_steps_; }
+
+private:
+  // An edge that has been found, and how many of its triangles have been looked at.
+  struct Pending_edge
+  {
+    Edge_index edge;
+    Number number_of_triangles;
+  };
+
+  struct Contour
+  {
+    Plain_vector<Halfedge_index> crossed_edges;
+    Plain_vector<Pending_edge> pending;
+  };
+
+  // Looks at one triangle. Returns whether there was one.
+  template <class IsBelow>
+  bool go_on(std::size_t i, const IsBelow& is_below)
+  {
+    Plain_vector<Pending_edge>& pending = contours_[i].pending;
+    while(!pending.empty() && pending.back().number_of_triangles == complex_.triangles_of(pending.back().edge).size())
+      pending.pop_back();
+    if(pending.empty())
+      return false;
+    const Edge_index edge = pending.back().edge;
+    const Triangle_index triangle = complex_.triangles_of(edge).begin()[pending.back().number_of_triangles++];
+    ++number_of_steps_;
+    reach(i, crossed_edge_beside(complex_, edge, triangle, is_below), is_below);
+    return true;
+  }
+
+  void remove_joined()
+  {
+    const auto is_joined = [this](std::size_t i) { return leaders_[i] != i; };
+    incomplete_.erase(std::remove_if(incomplete_.begin(), incomplete_.end(), is_joined), incomplete_.end());
+  }
+
+  // An edge belongs to a contour now. If it does already, and to another one, these two are one.
+  template <class IsBelow>
+  void reach(std::size_t i, Edge_index edge, const IsBelow& is_below)
+  {
+    if(searches_[edge] < first_search_)
+    {
+      searches_[edge] = first_search_ + static_cast<Number>(i);
+      const Halfedge_index even = even_halfedge(edge);
+      contours_[i].crossed_edges.push_back(is_below(complex_.source(even)) ? even : opposite_of(even));
+      contours_[i].pending.push_back({edge, 0});
+      return;
+    }
+    const std::size_t other = leader(searches_[edge] - first_search_);
+    if(other != i)
+      join(i, other);
+  }
+
+  void join(std::size_t i, std::size_t other)
+  {
+    const bool is_smaller = contours_[i].crossed_edges.size() < contours_[other].crossed_edges.size();
+    Contour& large = contours_[is_smaller ? other : i];
+    Contour& small = contours_[is_smaller ? i : other];
+    large.crossed_edges.append(small.crossed_edges.begin(), small.crossed_edges.end());
+    large.pending.append(small.pending.begin(), small.pending.end());
+    small = Contour();
+    leaders_[is_smaller ? i : other] = is_smaller ? other : i;
+  }
+
+  std::size_t leader(std::size_t i) const
+  {
+    while(leaders_[i] != i)
+      i = leaders_[i];
+    return i;
+  }
+
+  const Simplicial_complex& complex_;
+  Zeroed_array<Edge_index, Number> searches_; // the number of the start from which the edge has been found
+  Number first_search_ = 1;
+  Number last_search_ = 0;
+  std::vector<Contour> contours_;
+  Plain_vector<std::size_t> leaders_;
+  Plain_vector<std::size_t> incomplete_; // and those that have been joined in the present round
+  Plain_vector<std::size_t> completed_;  // in the present round
+  std::size_t number_of_steps_ = 0;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_CONTOUR_SEARCH_H

@@ -1,0 +1,274 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_ENGINE_CONTOUR_TREES_ENGINE_H
+#define CGAL_REEB_GRAPH_INTERNAL_ENGINE_CONTOUR_TREES_ENGINE_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/tuning.h>
+#include <CGAL/Reeb_graph/internal/engine/Complex_loop_surgery.h>
+#include <CGAL/Reeb_graph/internal/engine/Cutting_sweep.h>
+#include <CGAL/Reeb_graph/internal/engine/Loop_cuts.h>
+#include <CGAL/Reeb_graph/internal/engine/Loop_surgery.h>
+#include <CGAL/Reeb_graph/internal/engine/Merge_tree_sweep.h>
+#include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
+#include <CGAL/Reeb_graph/internal/engine/combine_trees.h>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Contour trees joined by loop surgery: near-linear for any field. The surface is cut along the few contours that
+// close loops; what is left has a tree as Reeb graph, which comes from its join tree and its split tree. The sweep for
+// the split tree comes down to a contour just below a vertex after all that is above: it can cut there and go on.
+// (J. Tierny, A. Gyulassy, E. Simon, V. Pascucci, Loop surgery for volumetric meshes: Reeb graphs reduced to contour
+// trees, 2009, for volumes.)
+template <class Complex, class Order>
+class Contour_trees_engine
+{
+  typedef Merge_tree_sweep<Complex, Order, Side::LOWER> Upward_sweep;
+  typedef Cutting_sweep<Complex, Order> Downward_sweep;
+
+public:
+  Contour_trees_engine(const Slab<Complex>& slab, const Order& order)
+    : slab_(slab),
+      order_(order),
+      critical_vertices_(slab.critical_vertices())
+  {}
+
+  // Calls report(fraction) now and then.
+  template <class ConcurrencyTag, class Report>
+  Slab_arcs find_arcs(const Report& report) const
+  {
+    No_vertex_queries no_queries;
+    return find_arcs<ConcurrencyTag>(report, no_queries);
+  }
+
+  // Answers the queries on the way.
+  template <class ConcurrencyTag, class Report, class Queries>
+  Slab_arcs find_arcs(const Report& report, Queries& queries) const
+  {
+    std::optional<Upward_sweep> upwards;
+    std::optional<Downward_sweep> downwards;
+    invoke_both<ConcurrencyTag>([&] { upwards.emplace(slab_, order_); }, [&] { downwards.emplace(slab_, order_); });
+    find_path_ends<ConcurrencyTag, Queries>(*upwards);
+    report(0.25);
+
+    const bool is_forest = sweep_first_trees<ConcurrencyTag>(*upwards, downwards, queries);
+    report(0.5);
+
+    Shrinking_tree join_tree, split_tree;
+    invoke_both<ConcurrencyTag>(
+      [&] {
+        if(!is_forest)
+          sweep_downwards_and_cut(*downwards, upwards->tree(), queries);
+      },
+      [&] { join_tree = Shrinking_tree(upwards->tree().parents); });
+    const Loop_cuts cuts = downwards->take_cuts();
+    insert_cuts(cuts, join_tree);
+    report(0.75);
+
+    Indexed_vector<Slab_node, Ascending_step> first_steps;
+    invoke_both<ConcurrencyTag>(
+      [&] { split_tree = Shrinking_tree(downwards->tree().parents); },
+      [&] { first_steps = find_first_steps<ConcurrencyTag>(downwards->tree().classes, cuts.number_of_nodes()); });
+    const std::size_t number_of_arcs = cuts.number_of_nodes() - join_tree.number_of_roots();
+    Tree_combination<Queries::are_any> combination(std::move(join_tree), std::move(split_tree), std::move(first_steps));
+    Slab_arcs arcs = combination();
+    if(arcs.size() != number_of_arcs) // The trees are not those of one order.
+      slab_.throw_contradiction_near(arcs.empty() ? Slab_arc{no_index, no_index, {}} : arcs.back());
+    if constexpr(Queries::are_any)
+    {
+      Arcs_of_classes arcs_of_classes = combination.find_arcs_of_classes(arcs);
+      rename_glued_arcs(cuts, arcs, arcs_of_classes);
+      queries.template find_arcs<ConcurrencyTag>(arcs_of_classes);
+    }
+    glue_cuts(cuts, arcs);
+    return arcs;
+  }
+
+private:
+  template <class ConcurrencyTag, class Queries, class Sweep>
+  static void find_path_ends(Sweep& sweep)
+  {
+    sweep.template find_path_ends<ConcurrencyTag>();
+    if constexpr(Queries::are_any)
+      sweep.template find_path_ends_of_vertices<ConcurrencyTag>();
+  }
+
+  // The sweep for the join tree, and for the split tree as much as can be done: all of it where no loop can be, as the
+  // sweeps do not need each other then. Whether that is so, the result, is only known after the first one; to run the
+  // second one beside it is a guess. Of a complex that may be no surface, the Euler characteristic tells nothing.
+  template <class ConcurrencyTag, class Queries>
+  bool sweep_first_trees(Upward_sweep& upwards, std::optional<Downward_sweep>& downwards, Queries& queries) const
+  {
+    const std::ptrdiff_t characteristic =
+      Complex::is_surface && slab_.is_whole_surface() ? euler_characteristic(critical_vertices_) : 0;
+    const bool is_guess_made = is_parallel<ConcurrencyTag>() && characteristic > 0;
+    invoke_both<ConcurrencyTag>([&] { sweep_upwards(upwards, queries); },
+                                [&] {
+                                  if(is_guess_made || has_many_critical_vertices())
+                                    find_path_ends<ConcurrencyTag, Queries>(*downwards);
+                                  if(is_guess_made)
+                                    sweep_downwards(*downwards, queries);
+                                });
+    const bool is_forest = characteristic > 0 && characteristic == largest_euler_characteristic(upwards.tree());
+    if(is_forest && !is_guess_made)
+      sweep_downwards(*downwards, queries);
+    if(!is_forest && is_guess_made)
+    {
+      downwards.emplace(slab_, order_);
+      if(has_many_critical_vertices())
+        find_path_ends<ConcurrencyTag, Queries>(*downwards);
+    }
+    return is_forest;
+  }
+
+  // Calls visit(critical vertex) for positions in the order of the field, and lets the sweep know ahead.
+  template <class Sweep, class Iterator, class Visit>
+  void visit_in_order(const Sweep& sweep, Iterator begin, Iterator end, const Visit& visit) const
+  {
+    constexpr std::ptrdiff_t far_ahead = 24, ahead = 16, near_ahead = 8;
+    for(Iterator critical = begin; critical != end; ++critical)
+    {
+      if(end - critical > far_ahead)
+        critical_vertices_.prefetch(critical[far_ahead]);
+      if(end - critical > ahead)
+        sweep.prefetch_classes(critical[ahead]);
+      if(end - critical > near_ahead)
+        sweep.prefetch_components(critical[near_ahead]);
+      visit(*critical);
+    }
+  }
+
+  // Whether paths are best walked in the order of the mesh. Where critical vertices are few, paths are long, and cuts
+  // change most of their ends.
+  bool has_many_critical_vertices() const
+  {
+    return critical_vertices_.size() > slab_.complex().number_of_vertices() / 64;
+  }
+
+  template <class Queries>
+  void sweep_upwards(Upward_sweep& sweep, Queries& queries) const
+  {
+    const Plain_vector<Swept_index>& ascending = critical_vertices_.ascending();
+    auto answers = queries.template answers<Side::LOWER>(sweep);
+    visit_in_order(sweep, ascending.begin(), ascending.end(), [&](Swept_index critical) {
+      sweep.merge_at(critical);
+      answers.find_next();
+    });
+    sweep.merge_last_contours();
+  }
+
+  // For the whole surface, which has no level below.
+  template <class Queries>
+  void sweep_downwards(Downward_sweep& sweep, Queries& queries) const
+  {
+    const Plain_vector<Swept_index>& ascending = critical_vertices_.ascending();
+    auto answers = queries.template answers<Side::UPPER>(sweep);
+    visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Swept_index critical) {
+      sweep.merge_at(critical);
+      answers.find_next();
+    });
+  }
+
+  // The Euler characteristic that the surface has if its components, with and without border, are spheres, disks, and
+  // single vertices. Those have no loops, and all other ones smaller Euler characteristics.
+  std::ptrdiff_t largest_euler_characteristic(const Merge_tree& join_tree) const
+  {
+    std::ptrdiff_t result = 0;
+    for(const Swept_index i : critical_vertices_.indices())
+    {
+      if(join_tree.parents[node_of(i)] != no_index)
+        continue;
+      const bool is_sphere =
+        !join_tree.is_border_reached[node_of(i)] && critical_vertices_.number_of_lower_sectors(i) != 0;
+      result += is_sphere ? 2 : 1;
+    }
+    return result;
+  }
+
+  template <class Queries>
+  void sweep_downwards_and_cut(Downward_sweep& sweep, const Merge_tree& join_tree, Queries& queries) const
+  {
+    Loop_surgery<Complex, Order> surgery(slab_, order_, join_tree, sweep.tree());
+    const Plain_vector<Swept_index>& ascending = critical_vertices_.ascending();
+    auto answers = queries.template answers<Side::UPPER>(sweep);
+    visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Swept_index critical) {
+      sweep.merge_at(critical);
+      if(surgery.can_close_loop(critical))
+      {
+        surgery.visit_loop_contours(
+          critical, [&](Slab_node sublevel_class, const Plain_vector<Halfedge_index>& crossed_edges, bool has_border) {
+            sweep.cut(critical, sublevel_class, crossed_edges, has_border);
+          });
+      }
+      answers.find_next();
+    });
+    sweep.merge_last_contours();
+  }
+
+  // Cuts do not change the join tree but for their own nodes.
+  static void insert_cuts(const Loop_cuts& cuts, Shrinking_tree& join_tree)
+  {
+    join_tree.resize(cuts.number_of_nodes());
+    for(const Cut_index cut : cuts.cuts())
+    {
+      join_tree.put_above(cuts.sublevel_class(cut), cuts.node_below(cut));
+      join_tree.put_leaf_below(node_of(cuts.critical_vertex(cut)), cuts.node_above(cut));
+    }
+  }
+
+  // The first step to each node from its parent in the split tree, in the highest of the sectors that lead
+  // there. No node has two parents, so all sectors that lead to it are at one vertex.
+  template <class ConcurrencyTag>
+  Indexed_vector<Slab_node, Ascending_step> find_first_steps(
+    const Indexed_vector<Sector_index, Slab_node>& superlevel_classes,
+    Number number_of_nodes) const
+  {
+    constexpr Number ahead = 24;
+    Indexed_vector<Slab_node, Ascending_step> first_steps(number_of_nodes, Ascending_step{no_index, no_index});
+    const auto find = [&](Sector_index begin, Sector_index end) {
+      for(const Sector_index i : Index_range(begin, end))
+      {
+        const Sector_index later(i.number() + ahead);
+        if(later < end)
+          prefetch_element(first_steps, superlevel_classes[later]);
+        const Link_sector& sector = critical_vertices_.sector(Side::UPPER, i);
+        Ascending_step& step = first_steps[superlevel_classes[i]];
+        if(step.edge == no_index || order_(step.target, sector.extreme_neighbor))
+          step = {sector.edge, sector.extreme_neighbor};
+      }
+    };
+    for_each_block<ConcurrencyTag>(critical_vertices_.size(), [&](std::size_t begin, std::size_t end) {
+      find(critical_vertices_.first_sector(Swept_index(begin), Side::UPPER),
+           critical_vertices_.first_sector(Swept_index(end), Side::UPPER));
+    });
+    return first_steps;
+  }
+
+  const Slab<Complex>& slab_;
+  const Order& order_;
+  const Swept_vertices& critical_vertices_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_CONTOUR_TREES_ENGINE_H

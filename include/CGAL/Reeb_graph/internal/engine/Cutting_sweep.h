@@ -1,0 +1,247 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_ENGINE_CUTTING_SWEEP_H
+#define CGAL_REEB_GRAPH_INTERNAL_ENGINE_CUTTING_SWEEP_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/tuning.h>
+#include <CGAL/Reeb_graph/internal/engine/Loop_cuts.h>
+#include <CGAL/Reeb_graph/internal/engine/Merge_tree_sweep.h>
+#include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The sweep for the split tree of a surface that is cut on the way. A cut ends the paths of vertices further down, so
+// their ends, if found before, have to be corrected.
+template <class Complex, class Order>
+class Cutting_sweep
+{
+public:
+  Cutting_sweep(const Slab<Complex>& slab, const Order& order)
+    : complex_(slab.complex()),
+      order_(order),
+      critical_vertices_(slab.critical_vertices()),
+      sweep_(slab, order),
+      cuts_(slab.number_of_nodes(), slab.complex().number_of_edges())
+  {}
+
+  template <class ConcurrencyTag>
+  void find_path_ends()
+  {
+    sweep_.template find_path_ends<ConcurrencyTag>();
+    are_paths_walked_late_ = false;
+  }
+
+  template <class ConcurrencyTag>
+  void find_path_ends_of_vertices()
+  {
+    sweep_.template find_path_ends_of_vertices<ConcurrencyTag>();
+  }
+
+  void prefetch_classes(Swept_index critical) const { sweep_.prefetch_classes(critical); }
+  void prefetch_components(Swept_index critical) const
+  {
+    if(!are_paths_walked_late_)
+      sweep_.prefetch_components(critical);
+  }
+
+  void merge_at(Swept_index critical)
+  {
+    if(are_paths_walked_late_)
+    {
+      for(const Sector_index i : critical_vertices_.sectors(critical, Side::UPPER))
+        sweep_.find_path_end(i, end_at_cut_or_level(), passed_);
+    }
+    sweep_.merge_at(critical);
+  }
+
+  // The class of a regular vertex; see Merge_tree_sweep.
+  Slab_node class_of(Vertex_index vertex)
+  {
+    return are_paths_walked_late_ ? sweep_.class_of(vertex, end_at_cut_or_level(), passed_) : sweep_.class_of(vertex);
+  }
+  void prefetch_path_end(Vertex_index vertex) const { sweep_.prefetch_path_end(vertex); }
+  void prefetch_component(Vertex_index vertex) const { sweep_.prefetch_component(vertex); }
+
+  // Cuts along a contour just below the critical vertex that has been merged at last; see Loop_cuts. Its halfedges are
+  // ascending.
+  void cut(Swept_index critical,
+           Slab_node sublevel_class,
+           const Plain_vector<Halfedge_index>& crossed_edges,
+           bool has_border)
+  {
+    const Cut_index cut = cuts_.next_cut();
+    cuts_.add(critical, sublevel_class, crossed_edges);
+    sweep_.put_on_last(critical, cuts_.node_above(cut));
+    components_of_cuts_.push_back(sweep_.add_component_of_cut(cuts_.node_below(cut), has_border));
+    if(!are_paths_walked_late_)
+      correct_path_ends(crossed_edges);
+    if(are_paths_walked_late_)
+      cuts_.register_edges();
+  }
+
+  // What a cut has parted is one component again at the end of the sweep, so paths may pass cuts.
+  void merge_last_contours() { sweep_.merge_last_contours(); }
+
+  Loop_cuts take_cuts() { return std::move(cuts_); }
+  const Merge_tree& tree() const { return sweep_.tree(); }
+
+  // How many edges and sectors corrections have looked at.
+  std::size_t number_of_steps() const { return number_of_steps_; }
+
+private:
+  // A path meets a cut before the upper level of the slab.
+  auto end_at_cut_or_level() const
+  {
+    return [this, end_at_level = sweep_.end_at_level()](Vertex_index target, const auto& find_edge) {
+      const Cut_index cut = cuts_.has_registered_edges() ? cuts_.lowest_at_edge(find_edge()) : no_index;
+      return cut == no_index ? end_at_level(target, find_edge) : components_of_cuts_[cut];
+    };
+  }
+
+  // Goes down against the paths from where they meet the last cut. If that gets more expensive than to walk all of them
+  // again, this is left to merge_at(); then no later cut, as it is further down, can change an end that is known.
+  void correct_path_ends(const Plain_vector<Halfedge_index>& crossed_edges)
+  {
+    if(!critical_numbers_)
+      number_critical_vertices();
+    Plain_vector<Vertex_index> lower_ends;
+    lower_ends.reserve(crossed_edges.size());
+    for(const Halfedge_index edge : crossed_edges)
+      lower_ends.push_back(complex_.source(edge));
+    Plain_vector<Vertex_index> corrected;
+    Vertex_index last = no_index, next_of_last = no_index; // Many edges in a row can end at one vertex.
+    for(std::size_t i = 0; i != crossed_edges.size(); ++i)
+    {
+      prefetch_ahead(lower_ends, i);
+      const Vertex_index lower = lower_ends[i];
+      const Edge_index edge = edge_of(crossed_edges[i]);
+      correct_components(lower, [edge](const Link_sector& sector) { return edge_of(sector.edge) == edge; });
+      if(are_corrections_expensive())
+      {
+        are_paths_walked_late_ = true;
+        break;
+      }
+      if(lower != last)
+      {
+        last = lower;
+        next_of_last = sweep_.path_ends().is_known(lower) ? sweep_.path_ends().next_vertex(lower) : no_index;
+      }
+      if(complex_.target(crossed_edges[i]) == next_of_last && edge_of(sweep_.path_ends().next_edge(lower)) == edge)
+        correct_path_end(lower, corrected);
+    }
+    for(; !corrected.empty() && !are_paths_walked_late_; ++number_of_corrections_)
+    {
+      const Vertex_index vertex = corrected.back();
+      corrected.pop_back();
+      complex_.for_each_edge_around(vertex, [&](Vertex_index neighbor, Halfedge_index) {
+        ++number_of_steps_;
+        if(!order_(neighbor, vertex))
+          return;
+        correct_components(neighbor, [vertex](const Link_sector& sector) { return sector.extreme_neighbor == vertex; });
+        if(is_on_known_path(neighbor, vertex))
+          correct_path_end(neighbor, corrected);
+      });
+      are_paths_walked_late_ = number_of_corrections_ >= critical_vertices_.size() || are_corrections_expensive();
+    }
+    if(are_paths_walked_late_)
+      sweep_.forget_path_ends();
+  }
+
+  // Whether corrections have looked at far more edges and sectors than there are, as many cuts near one vertex that has
+  // many of them do.
+  bool are_corrections_expensive() const
+  {
+    constexpr std::size_t most_steps_per_sector = 16;
+    return number_of_steps_
+         > complex_.number_of_edges() + most_steps_per_sector * critical_vertices_.total_number_of_sectors(Side::UPPER);
+  }
+
+  void number_critical_vertices()
+  {
+    critical_numbers_.emplace(complex_.number_of_vertices());
+    for(const Swept_index i : critical_vertices_.indices())
+      (*critical_numbers_)[critical_vertices_.vertex(i)] = i.number() + 1;
+  }
+
+  // Corrects the components of the upper sectors from which a path now meets the last cut.
+  template <class IsChanged>
+  void correct_components(Vertex_index vertex, const IsChanged& is_changed)
+  {
+    const Number number = (*critical_numbers_)[vertex];
+    if(number == 0)
+      return;
+    number_of_steps_ += critical_vertices_.number_of_upper_sectors(Swept_index(number - 1));
+    for(const Sector_index i : critical_vertices_.sectors(Swept_index(number - 1), Side::UPPER))
+    {
+      if(is_changed(critical_vertices_.sector(Side::UPPER, i)))
+        sweep_.set_path_end(i, components_of_cuts_.back());
+    }
+  }
+
+  // What correct_components() and the ends of paths need, which lead from one to the next.
+  void prefetch_ahead(const Plain_vector<Vertex_index>& vertices, std::size_t i) const
+  {
+    constexpr std::size_t far_ahead = 24, ahead = 16, near_ahead = 8;
+    if(i + far_ahead >= vertices.size())
+      return;
+    const Vertex_index vertex = vertices[i + far_ahead];
+    prefetch(&(*critical_numbers_)[vertex]);
+    critical_vertices_.kept_neighbors().prefetch(vertex);
+    sweep_.path_ends().prefetch(vertex);
+    if(const Number number = (*critical_numbers_)[vertices[i + ahead]]; number != 0)
+      critical_vertices_.prefetch(Swept_index(number - 1));
+    if(const Number number = (*critical_numbers_)[vertices[i + near_ahead]]; number != 0)
+      critical_vertices_.prefetch_sectors(Swept_index(number - 1), Side::UPPER);
+  }
+
+  // Whether the end of a path that goes from `lower` to `higher` is known.
+  bool is_on_known_path(Vertex_index lower, Vertex_index higher) const
+  {
+    return sweep_.path_ends().is_known(lower) && sweep_.path_ends().next_vertex(lower) == higher;
+  }
+
+  // Corrects the end of the path from a vertex, once, as several edges may lead there.
+  void correct_path_end(Vertex_index vertex, Plain_vector<Vertex_index>& corrected)
+  {
+    if(sweep_.path_ends().end(vertex) == components_of_cuts_.back())
+      return;
+    sweep_.path_ends().set_end(vertex, components_of_cuts_.back());
+    corrected.push_back(vertex);
+  }
+
+  const Complex& complex_;
+  const Order& order_;
+  const Swept_vertices& critical_vertices_;
+  Merge_tree_sweep<Complex, Order, Side::UPPER> sweep_;
+  Loop_cuts cuts_;
+  Indexed_vector<Cut_index, Component_index> components_of_cuts_;
+  Plain_vector<Vertex_index> passed_;
+  std::optional<Zeroed_array<Vertex_index, Number>> critical_numbers_; // from 1 on; 0 if it is not critical
+  bool are_paths_walked_late_ = true;                                  // each when its vertex is merged
+  std::size_t number_of_corrections_ = 0;
+  std::size_t number_of_steps_ = 0; // of corrections
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_CUTTING_SWEEP_H

@@ -1,0 +1,146 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_ENGINE_FIND_ARCS_H
+#define CGAL_REEB_GRAPH_INTERNAL_ENGINE_FIND_ARCS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/engine/Contour_trees_engine.h>
+#include <CGAL/Reeb_graph/internal/engine/Critical_sets_engine.h>
+#include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Slicing.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
+#include <CGAL/Reeb_graph/options.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// What a program does not choose is a type: what it never asks for is not compiled.
+typedef std::integral_constant<Method, Method::CONTOUR_TREES> Default_method;
+typedef std::integral_constant<std::size_t, 1> Default_number_of_slabs;
+
+// Throws if an arc lacks a node of the slab at an end, or has no step to begin with at a vertex: the order of the
+// vertices has contradicted itself.
+template <class Complex>
+void check_arcs(const Slab<Complex>& slab, const Slab_arcs& arcs)
+{
+  const Slab_node end_of_nodes(slab.number_of_nodes());
+  for(const Slab_arc& arc : arcs)
+  {
+    const bool has_first_step = arc.first_step.edge != no_index || slab.is_contour(arc.lower);
+    if(arc.lower >= end_of_nodes || arc.upper >= end_of_nodes || !has_first_step)
+      slab.throw_contradiction_near(arc);
+  }
+}
+
+// Finds the arcs between the nodes of a slab by the engine for the method. All return the same arcs, in any order.
+// First steps are those of arcs that begin at a critical vertex.
+template <class ConcurrencyTag, class Complex, class Order, class Report>
+Slab_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Order& order, Default_method, const Report& report)
+{
+  Slab_arcs arcs = Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report);
+  check_arcs(slab, arcs);
+  return arcs;
+}
+
+template <class ConcurrencyTag, class Complex, class Order, class Report>
+Slab_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Order& order, Method method, const Report& report)
+{
+  if(method != Method::CRITICAL_SETS)
+    return find_arcs_of_slab<ConcurrencyTag>(slab, order, Default_method(), report);
+  Slab_arcs arcs = Critical_sets_engine<Complex, Order>(slab, order).find_arcs(report);
+  check_arcs(slab, arcs);
+  return arcs;
+}
+
+// Cuts the surface into several slabs, finds the arcs slab by slab, and glues them.
+template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class Report>
+Slab_arcs find_and_glue_arcs(const Complex& complex,
+                             const Order& order,
+                             const Swept_vertices& critical_vertices,
+                             ChosenMethod method,
+                             Number number_of_slabs,
+                             const Report& report)
+{
+  const auto slicing =
+    Slicing<Complex>::template make<ConcurrencyTag>(complex, order, critical_vertices, number_of_slabs);
+  report(0.2);
+  Indexed_vector<Slab_index, Slab_arcs> arcs_of_slabs(slicing.number_of_slabs());
+  for_each_index<ConcurrencyTag>(arcs_of_slabs.size(), [&](std::size_t i) {
+    arcs_of_slabs[Slab_index(i)] =
+      find_arcs_of_slab<ConcurrencyTag>(slicing.slab(Slab_index(i)), order, method, No_progress());
+  });
+  return Gluing(slicing, critical_vertices.size())(arcs_of_slabs);
+}
+
+// The slab stage between partition and gluing: finds the arcs between critical vertices, slab by slab. With one slab,
+// which needs neither, the engine itself runs in parallel where it can.
+template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class ChosenNumberOfSlabs, class Report>
+Slab_arcs find_arcs(const Complex& complex,
+                    const Order& order,
+                    const Swept_vertices& critical_vertices,
+                    ChosenMethod method,
+                    ChosenNumberOfSlabs chosen_number_of_slabs,
+                    const Report& report)
+{
+  if constexpr(!std::is_same_v<ChosenNumberOfSlabs, Default_number_of_slabs>)
+  {
+    const Number number_of_slabs(std::min<std::size_t>(chosen_number_of_slabs, critical_vertices.size()));
+    if(number_of_slabs > 1)
+      return find_and_glue_arcs<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs, report);
+  }
+  return find_arcs_of_slab<ConcurrencyTag>(Slab(complex, critical_vertices), order, method, report);
+}
+
+// The same arcs by the default method, and the one of each regular vertex.
+template <class ConcurrencyTag, class Complex, class Order, class Report>
+Slab_arcs find_arcs_of_vertices(const Complex& complex,
+                                const Order& order,
+                                const Swept_vertices& critical_vertices,
+                                Arc_of_vertex& arc_of_vertex,
+                                const Report& report)
+{
+  const Slab slab(complex, critical_vertices);
+  Vertex_queries<Complex, Order> queries(complex, order, critical_vertices);
+  queries.template sort<ConcurrencyTag>();
+  Slab_arcs arcs =
+    Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report, queries);
+  check_arcs(slab, arcs);
+  arc_of_vertex = queries.take_arc_of_vertex();
+  return arcs;
+}
+
+#define CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, METHOD, NUMBER_OF_SLABS)                            \
+  PREFIX template Slab_arcs find_arcs<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, const Swept_vertices&,        \
+                                           METHOD, NUMBER_OF_SLABS, const Stage_progress&);
+#define CGAL_REEB_GRAPH_FIND_ARCS(PREFIX, TAG, COMPLEX, SCALAR)                                                        \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Default_method, Default_number_of_slabs)
+#define CGAL_REEB_GRAPH_FIND_ARCS_BY_CHOICE(PREFIX, TAG, COMPLEX, SCALAR)                                              \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Method, Default_number_of_slabs)                          \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Default_method, std::size_t)                              \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Method, std::size_t)
+CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_FIND_ARCS)
+CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_ARCS_BY_CHOICE)
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_FIND_ARCS_H

@@ -1,0 +1,265 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_ENGINE_WRITE_GRAPH_H
+#define CGAL_REEB_GRAPH_INTERNAL_ENGINE_WRITE_GRAPH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/base/descriptors.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/tuning.h>
+#include <CGAL/Reeb_graph/internal/complex/flatten.h>
+#include <CGAL/Reeb_graph/internal/engine/Flat_graph.h>
+#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The chains of all arcs, one behind the other as their pieces are.
+struct Flat_chains
+{
+  std::vector<Plain_vector<Halfedge_index>> parts; // of the sequence of all halfedges, which are ascending
+  Plain_vector<std::size_t> begins_of_parts;
+  Indexed_vector<Piece_index, std::size_t> begins_of_pieces; // and the end of the last one
+
+  std::size_t size() const { return begins_of_pieces.back(); }
+  std::size_t begin(const Flat_arc& arc) const { return begins_of_pieces[arc.first_piece]; }
+  std::size_t end(const Flat_arc& arc) const
+  {
+    return begins_of_pieces[Piece_index(arc.first_piece.number() + arc.number_of_pieces)];
+  }
+};
+
+// Walks the pieces of chains from `begin` to `end`. A path that has entered an arc cannot leave it below the upper
+// node, so comparisons tell the end, and the chain does not depend on how the arc was found. No vertex is passed twice,
+// unless the order contradicts itself.
+template <class Complex, class Order>
+Plain_vector<Halfedge_index> walk_pieces(const Complex& complex,
+                                         const Order& order,
+                                         const Chain_piece* begin,
+                                         const Chain_piece* end,
+                                         std::size_t* begins_of_pieces)
+{
+  Plain_vector<Halfedge_index> halfedges;
+  halfedges.reserve(3 * static_cast<std::size_t>(end - begin));
+  const std::size_t most = complex.number_of_vertices() + static_cast<std::size_t>(end - begin);
+  const auto add = [&](const Ascending_step& step) {
+    const bool is_ascending = complex.target(step.edge) == step.target;
+    halfedges.push_back(is_ascending ? step.edge : opposite_of(step.edge));
+  };
+  for(const Chain_piece* piece = begin; piece != end; ++piece)
+  {
+    *begins_of_pieces++ = halfedges.size();
+    add(piece->first_step);
+    const auto is_below = [&](Vertex_index vertex) { return order(vertex, piece->upper_vertex); };
+    climb(complex, order, piece->first_step.target, is_below, [&](Vertex_index vertex, const Ascending_step& step) {
+      if(halfedges.size() == most)
+        complex.throw_contradiction_near(vertex);
+      add(step);
+    });
+  }
+  return halfedges;
+}
+
+// Engines find arcs by and large in the order of where they begin on the mesh, and pieces have kept that order.
+template <class ConcurrencyTag, class Complex, class Order>
+Flat_chains find_arc_chains(const Complex& complex, const Order& order, const Flat_graph& graph)
+{
+  const std::size_t size = graph.pieces.size();
+  Flat_chains chains;
+  constexpr std::size_t smallest_part = 4; // On a smooth field there are few chains, but long ones.
+  chains.parts.resize(number_of_parts<ConcurrencyTag>(size, smallest_part));
+  chains.begins_of_pieces.renew(size + 1);
+  for_each_part<ConcurrencyTag>(chains.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    chains.parts[part] = walk_pieces(complex, order, graph.pieces.data() + begin, graph.pieces.data() + end,
+                                     chains.begins_of_pieces.data() + begin);
+  });
+  std::size_t sum = 0;
+  for(const Plain_vector<Halfedge_index>& part : chains.parts)
+  {
+    chains.begins_of_parts.push_back(sum);
+    sum += part.size();
+  }
+  chains.begins_of_pieces.back() = sum;
+  for_each_part<ConcurrencyTag>(chains.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; part != 0 && i != end; ++i)
+      chains.begins_of_pieces[Piece_index(i)] += chains.begins_of_parts[part];
+  });
+  return chains;
+}
+
+#define CGAL_REEB_GRAPH_FIND_ARC_CHAINS(PREFIX, TAG, COMPLEX, SCALAR)                                                  \
+  PREFIX template Flat_chains find_arc_chains<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, const Flat_graph&);
+CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_FIND_ARC_CHAINS)
+
+// The halfedges of the mesh in the chains.
+template <class ConcurrencyTag, class FaceListGraph, class Scalar>
+auto chain_halfedges(const FaceListGraph& mesh,
+                     const Field_by_numbers<FaceListGraph, Scalar>& field,
+                     const Flat_chains& chains)
+{
+  typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
+  std::vector<halfedge_descriptor> halfedges(chains.size());
+  for_each_index<ConcurrencyTag>(chains.parts.size(), [&](std::size_t part) {
+    std::transform(chains.parts[part].begin(), chains.parts[part].end(),
+                   halfedges.begin() + chains.begins_of_parts[part],
+                   [&](Halfedge_index halfedge) { return field.halfedges(mesh, halfedge); });
+  });
+  return std::make_shared<const std::vector<halfedge_descriptor>>(std::move(halfedges));
+}
+
+template <class Graph, class = void>
+struct Has_node_array : std::false_type
+{
+};
+template <class Graph>
+struct Has_node_array<Graph, std::void_t<decltype(std::declval<Graph&>().m_vertices.reserve(0))>> : std::true_type
+{
+};
+
+// Makes room for the nodes of an empty graph if they are in an array. There is no documented way, but this one has
+// always been there. Threads share what takes longest, longer than to write the nodes: to touch each new page of memory
+// for the first time.
+template <class ConcurrencyTag, class Graph>
+void reserve_nodes(Graph& graph, std::size_t size)
+{
+  if constexpr(Has_node_array<Graph>::value)
+  {
+    graph.m_vertices.reserve(size);
+    if constexpr(is_parallel<ConcurrencyTag>())
+    {
+      constexpr std::size_t page = 4096; // or a part of one
+      volatile char* const bytes = reinterpret_cast<volatile char*>(graph.m_vertices.data());
+      const std::size_t number_of_pages = size * sizeof(graph.m_vertices[0]) / page;
+      for_each_part<ConcurrencyTag>(number_of_parts<ConcurrencyTag>(number_of_pages, 64), number_of_pages,
+                                    [&](std::size_t, std::size_t begin, std::size_t end) {
+                                      for(std::size_t i = begin; i != end; ++i)
+                                        bytes[i * page] = 0;
+                                    });
+    }
+  }
+}
+
+// Fetches a node ahead of add_edge(): its lists of arcs take more than one line of the cache.
+template <class Graph>
+void prefetch_node(const Graph& graph, std::size_t node)
+{
+  if constexpr(Has_node_array<Graph>::value)
+  {
+    constexpr std::size_t line = 64;
+    const char* const bytes = reinterpret_cast<const char*>(&graph.m_vertices[node]);
+    for(std::size_t i = 0; i < sizeof(graph.m_vertices[0]); i += line)
+      prefetch(bytes + i);
+  }
+}
+
+// Replaces the content of `graph` by the nodes, and by the arcs without their chains.
+template <class ConcurrencyTag, class Field, class ReebGraph>
+void write_nodes_and_arcs(const Field& field, const Flat_graph& flat_graph, ReebGraph& graph)
+{
+  typedef typename boost::vertex_bundle_type<ReebGraph>::type Node;
+  graph.clear();
+  reserve_nodes<ConcurrencyTag>(graph, flat_graph.nodes.size());
+  constexpr std::size_t ahead = 12;
+  for(const Node_index i : flat_graph.nodes.keys())
+  {
+    const Node_index later(i.number() + ahead);
+    if(flat_graph.nodes.contains(later))
+      prefetch_element(field.values, flat_graph.nodes[later].vertex);
+    const Flat_node& flat_node = flat_graph.nodes[i];
+    Node node;
+    node.vertex = field.vertices[flat_node.vertex];
+    node.value = field.values[flat_node.vertex];
+    node.kind = flat_node.kind;
+    add_vertex(std::move(node), graph);
+  }
+  for(const Arc_index i : flat_graph.arcs.keys())
+  {
+    const Arc_index later(i.number() + ahead);
+    if(flat_graph.arcs.contains(later))
+      prefetch_node(graph, flat_graph.arcs[later].upper.number());
+    add_edge(flat_graph.arcs[i].lower.number(), flat_graph.arcs[i].upper.number(), graph);
+  }
+}
+
+// Gives the arcs their numbers and their chains, which are parts of `halfedges`.
+template <class HalfedgeDescriptor, class ReebGraph>
+void write_chains(const std::shared_ptr<const std::vector<HalfedgeDescriptor>>& halfedges,
+                  const Flat_chains& chains,
+                  const Flat_graph& flat_graph,
+                  ReebGraph& graph)
+{
+  constexpr std::size_t ahead = 12;
+  Arc_index i(0);
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const Arc_index later(i.number() + ahead);
+    if(flat_graph.arcs.contains(later))
+      prefetch(&chains.begins_of_pieces[flat_graph.arcs[later].first_piece]);
+    const Flat_arc& flat_arc = flat_graph.arcs[i];
+    set_arc_index(graph, arc, i.number());
+    ++i;
+    graph[arc].chain = {halfedges, chains.begin(flat_arc), chains.end(flat_arc) - chains.begin(flat_arc)};
+  }
+}
+
+// Walks the chains of the arcs beside writing nodes and arcs, for which one thread is enough, into `graph`.
+template <class ConcurrencyTag, class FaceListGraph, class Complex, class Scalar, class Order, class ReebGraph>
+void write_graph(const FaceListGraph& mesh,
+                 const Complex& complex,
+                 const Field_by_numbers<FaceListGraph, Scalar>& field,
+                 const Order& order,
+                 const Flat_graph& flat_graph,
+                 ReebGraph& graph)
+{
+  Flat_chains chains;
+  decltype(chain_halfedges<ConcurrencyTag>(mesh, field, chains)) halfedges;
+  bool is_graph_changed = false;
+  try
+  {
+    invoke_both<ConcurrencyTag>(
+      [&] {
+        chains = find_arc_chains<ConcurrencyTag>(complex, order, flat_graph);
+        halfedges = chain_halfedges<ConcurrencyTag>(mesh, field, chains);
+        chains.parts.clear(); // The graph takes much memory.
+      },
+      [&] {
+        is_graph_changed = true;
+        write_nodes_and_arcs<ConcurrencyTag>(field, flat_graph, graph);
+      });
+  }
+  catch(...) // Memory has run out, or the order of the user throws.
+  {
+    if(is_graph_changed)
+      graph.clear();
+    throw;
+  }
+  write_chains(halfedges, chains, flat_graph, graph);
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_WRITE_GRAPH_H

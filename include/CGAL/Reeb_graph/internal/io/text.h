@@ -1,0 +1,195 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_IO_TEXT_H
+#define CGAL_REEB_GRAPH_INTERNAL_IO_TEXT_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// How many bytes the character takes that a text begins with, in UTF-8; 0 if there is none.
+inline std::size_t size_of_character(std::string_view text)
+{
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const unsigned first = byte(0), second = byte(1);
+  if(first < 0x80)
+    return text.empty() ? 0 : 1;
+  const std::size_t size = first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+  for(std::size_t i = 1; i < size; ++i)
+    if((byte(i) & 0xC0U) != 0x80)
+      return 0;
+  const bool is_too_long = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool is_surrogate = first == 0xED && second > 0x9F;
+  const bool is_none = (first == 0xF4 && second > 0x8F) || (first == 0xEF && second == 0xBF && byte(2) > 0xBD);
+  return is_too_long || is_surrogate || is_none ? 0 : size;
+}
+
+// The text with the replacement character for each byte that is no part of a character in UTF-8.
+inline std::string to_utf8(std::string_view text)
+{
+  std::string result;
+  while(!text.empty())
+  {
+    const std::size_t size = size_of_character(text);
+    result += size == 0 ? std::string_view("\xEF\xBF\xBD") : text.substr(0, size);
+    text.remove_prefix(size == 0 ? 1 : size);
+  }
+  return result;
+}
+
+// The text in UTF-8, with spaces for the control characters that XML does not allow; entities are left to the caller.
+inline std::string xml_characters(const std::string& text)
+{
+  std::string result = to_utf8(text);
+  for(char& c : result)
+    if(static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t')
+      c = ' ';
+  return result;
+}
+
+// Whether std::to_chars() writes such numbers.
+template <class Value>
+#ifdef __cpp_lib_to_chars
+constexpr bool is_written_by_to_chars = std::is_same_v<Value, double> || std::is_same_v<Value, float>;
+#else
+constexpr bool is_written_by_to_chars = false;
+#endif
+
+// A sign, 17 digits, a point, and an exponent.
+constexpr std::size_t most_characters_of_number = 32;
+
+template <class Value>
+char* write_with_precision(const Value& value, int precision, char* out)
+{
+  return std::to_chars(out, out + most_characters_of_number, value, std::chars_format::general, precision).ptr;
+}
+
+template <class Value>
+std::string to_string_with_precision(const Value& value, int precision)
+{
+  if constexpr(is_written_by_to_chars<Value>)
+  {
+    char digits[most_characters_of_number];
+    if(precision <= std::numeric_limits<double>::max_digits10)
+      return {digits, write_with_precision(value, precision, digits)};
+  }
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(precision);
+  if constexpr(std::is_integral_v<Value>)
+    text << +value; // those of 8 bits are no characters
+  else
+    text << value;
+  return text.str();
+}
+
+// Six digits: what a person reads.
+template <class Value>
+std::string to_short_string(const Value& value)
+{
+  return to_string_with_precision(value, 6);
+}
+
+// As many digits as it takes to read back the same floating-point number.
+template <class Value>
+std::string to_round_trip_string(const Value& value)
+{
+  if constexpr(std::is_floating_point_v<Value>)
+    return to_string_with_precision(value, std::numeric_limits<Value>::max_digits10);
+  else
+    return to_short_string(value);
+}
+
+// What is written for a scalar value: itself, or its number if it has no operator<<.
+template <class Traits>
+auto written_scalar(const Scalar_conversion<Traits>& conversion, const typename Traits::Scalar& value)
+{
+  if constexpr(Has<Written_scalar, typename Traits::Scalar>::value)
+    return value;
+  else
+    return conversion.to_double(value);
+}
+
+// JSON has no numbers that are infinite or NaN.
+inline std::string json_of(double number) { return std::isfinite(number) ? to_round_trip_string(number) : "null"; }
+
+inline std::string json_of(std::int64_t number) { return std::to_string(number); }
+
+inline std::string json_of(const std::string& text)
+{
+  constexpr char digits[] = "0123456789abcdef";
+  std::string result = "\"";
+  for(const char c : to_utf8(text))
+  {
+    const auto code = static_cast<unsigned char>(c);
+    if(code < 32)
+      result += std::string("\\u00") + digits[code / 16] + digits[code % 16];
+    else
+      result += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  }
+  return result + '"';
+}
+
+template <class Range, class JsonOfElement>
+std::string json_list(const Range& range, const JsonOfElement& json_of_element)
+{
+  std::string result = "[";
+  for(const auto& element : range)
+    result += (result.size() == 1 ? "" : ", ") + json_of_element(element);
+  return result + "]";
+}
+
+template <class Point>
+std::string json_of_point(const Point& point)
+{
+  return "[" + json_of(CGAL::to_double(point.x())) + ", " + json_of(CGAL::to_double(point.y())) + ", "
+       + json_of(CGAL::to_double(point.z())) + "]";
+}
+
+// The pieces of a chain as paths of vertices. `ends_of` returns the two vertices of a halfedge by their indices.
+template <class Chain, class EndsOf>
+std::string json_of_chain(const Chain& chain, const EndsOf& ends_of)
+{
+  std::string result = "[";
+  for(std::size_t i = 0; i != chain.size(); ++i)
+  {
+    const auto [source, target] = ends_of(chain[i]);
+    const bool is_first = i == 0 || ends_of(chain[i - 1]).second != source;
+    if(is_first)
+      result += (i == 0 ? "[" : "], [") + std::to_string(source);
+    result += ", " + std::to_string(target);
+  }
+  return result + (chain.size() == 0 ? "]" : "]]");
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_IO_TEXT_H

@@ -1,0 +1,277 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_GRAPH_ON_MESH_H
+#define CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_GRAPH_ON_MESH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Contour.h>
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
+#include <CGAL/Reeb_graph/internal/complex/flatten.h>
+#include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
+#include <CGAL/Reeb_graph/internal/way_back/Vertex_places.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// A graph and the complex that its nodes are on: the way from the descriptors of nodes, arcs and vertices to numbers
+// and back. The graph may be any whose nodes are vertices of the complex. It refers to the graph.
+//
+// `ComplexWithField` is a Complex_with_field. A derived class knows what a contour is: it has a type Contour,
+// find_start(halfedge), and trace(arc, start, level).
+template <class ReebGraph, class Traits_, class VertexDescriptor, class ComplexWithField>
+class Graph_on_complex
+{
+public:
+  typedef ReebGraph Graph;
+  typedef Traits_ Traits;
+  typedef typename Traits::Scalar Scalar;
+  typedef Vertex_order<Scalar, typename Traits::Less_scalar> Order;
+  typedef decltype(ComplexWithField::complex) Complex;
+  typedef VertexDescriptor vertex_descriptor;
+  typedef typename boost::graph_traits<ReebGraph>::vertex_descriptor node_descriptor;
+  typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor;
+
+  // The order refers to the values.
+  Graph_on_complex(const Graph_on_complex&) = delete;
+  Graph_on_complex& operator=(const Graph_on_complex&) = delete;
+
+  const ReebGraph& graph() const { return graph_; }
+  const Complex& complex() const { return complex_->complex; }
+  const Order& order() const { return order_; }
+  auto arcs() const { return CGAL::make_range(edges(graph_)); }
+  const auto& chain(arc_descriptor arc) const { return graph_[arc].chain; }
+
+  // The numbers of vertices are less than that, but not all such numbers are those of vertices.
+  std::size_t end_of_vertices() const { return field().vertices.size(); }
+  const std::function<Vertex_index(vertex_descriptor)>& vertex_numbers() const { return field().numbers; }
+  Vertex_index number(vertex_descriptor v) const { return field().numbers(v); }
+  vertex_descriptor vertex(Vertex_index number) const { return field().vertices[number]; }
+  std::size_t position(Vertex_index number) const { return field().vertices.position(number); }
+  bool is_vertex(Vertex_index number, vertex_descriptor v) const
+  {
+    return number.number() < end_of_vertices() && field().vertices.contains(number) && vertex(number) == v;
+  }
+
+  // What Vertex_lists needs. It can outlive this object and the mesh.
+  auto list_vertices(const std::shared_ptr<const Vertex_places>& places, std::size_t number_of_places) const
+  {
+    return [complex = complex_, order = order_, places, number_of_places](auto& vertices, auto& begins) {
+      sort_vertices_by_place(complex->field.vertices, order, *places, number_of_places, vertices, begins);
+    };
+  }
+
+  Vertex_index node_vertex(node_descriptor node) const { return number(graph_[node].vertex); }
+  Vertex_index lower_vertex(arc_descriptor arc) const { return node_vertex(source(arc, graph_)); }
+  Vertex_index upper_vertex(arc_descriptor arc) const { return node_vertex(target(arc, graph_)); }
+
+  const Scalar& scalar(Vertex_index number) const { return field().values[number]; }
+  const Scalar_conversion<Traits>& conversion() const { return conversion_; }
+  double value(Vertex_index number) const { return conversion_.to_double(scalar(number)); }
+
+protected:
+  Graph_on_complex(const ReebGraph& graph, const Traits& traits, std::shared_ptr<const ComplexWithField> complex)
+    : graph_(graph),
+      complex_(std::move(complex)),
+      order_(field().values, traits.less_scalar_object()),
+      conversion_(traits)
+  {}
+
+  const decltype(ComplexWithField::field)& field() const { return complex_->field; }
+
+private:
+  const ReebGraph& graph_;
+  const std::shared_ptr<const ComplexWithField> complex_;
+  const Order order_;
+  const Scalar_conversion<Traits> conversion_;
+};
+
+// The place of a value on an ascending halfedge: 0 at its source, 1 at its target, in the middle if that is unclear.
+template <class GraphOnComplex, class HalfedgeDescriptor>
+double crossing_fraction(const GraphOnComplex& on_complex, const HalfedgeDescriptor& h, double value)
+{
+  return crossing_fraction(on_complex.value(on_complex.source_of(h)), on_complex.value(on_complex.target_of(h)), value);
+}
+
+// A graph and the flat surface that its nodes and chains are on: the way from descriptors to numbers and back. The
+// graph may be any whose nodes are vertices and whose chains are halfedges of the mesh. It refers to both. Contours are
+// sequences of halfedges.
+template <class FaceListGraph, class ReebGraph, class Traits>
+class Graph_on_mesh : public Graph_on_complex<ReebGraph,
+                                              Traits,
+                                              typename boost::graph_traits<FaceListGraph>::vertex_descriptor,
+                                              Flat_surface<FaceListGraph, typename Traits::Scalar>>
+{
+  typedef Flat_surface<FaceListGraph, typename Traits::Scalar> Surface;
+  typedef Graph_on_complex<ReebGraph, Traits, typename boost::graph_traits<FaceListGraph>::vertex_descriptor, Surface>
+    Base;
+
+public:
+  typedef FaceListGraph Mesh;
+  typedef typename Base::node_descriptor node_descriptor;
+  typedef typename Base::arc_descriptor arc_descriptor;
+  typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::graph_traits<FaceListGraph>::face_descriptor face_descriptor;
+  typedef Reeb_graph::Contour<arc_descriptor, halfedge_descriptor> Contour;
+  typedef Reeb_graph::Critical_set<Contour, halfedge_descriptor, face_descriptor> Critical_set;
+  using Base::complex;
+  using Base::end_of_vertices;
+  using Base::node_vertex;
+  using Base::number;
+  using Base::order;
+
+  template <class ScalarMap, class NamedParameters>
+  Graph_on_mesh(const FaceListGraph& mesh,
+                const ScalarMap& scalar_map,
+                const ReebGraph& graph,
+                const Traits& traits,
+                const NamedParameters& np,
+                const Progress& progress)
+    : Base(graph, traits, flatten_reported(mesh, scalar_map, traits, np, progress)),
+      mesh_(mesh)
+  {}
+
+  const FaceListGraph& mesh() const { return mesh_; }
+  bool has_vertices() const { return vertices(mesh_).first != vertices(mesh_).second; }
+
+  Vertex_index source_of(halfedge_descriptor h) const { return number(source(h, mesh_)); }
+  Vertex_index target_of(halfedge_descriptor h) const { return number(target(h, mesh_)); }
+
+  halfedge_descriptor halfedge(Halfedge_index number) const { return this->field().halfedges(mesh_, number); }
+
+  // Where to trace the contour from that crosses h: the number of the opposite of h, or that of h if only h has a
+  // triangle.
+  Halfedge_index find_start(halfedge_descriptor h) const
+  {
+    Halfedge_index found = this->field().halfedges.find(mesh_, h);
+    // Around the ends by turns, ever farther: the one of lower degree ends the search.
+    std::size_t most_steps = 8;
+    for(bool is_done = found != no_index; !is_done; most_steps *= 2)
+    {
+      const bool is_source_done = find_around(source_of(h), h, most_steps, found);
+      is_done = is_source_done || find_around(target_of(h), h, most_steps, found);
+    }
+    if(found == no_index)
+      throw Graph_mismatch_error();
+    const Halfedge_index across = halfedge(found) == h ? opposite_of(found) : found;
+    return complex().has_triangle(across) ? across : opposite_of(across);
+  }
+
+  template <class Level>
+  Contour trace(arc_descriptor arc, Halfedge_index start, const Level& level) const
+  {
+    Contour contour;
+    contour.arc = arc;
+    contour.value = level.value;
+    Plain_vector<Halfedge_index> crossed;
+    contour.is_closed = trace_oriented_contour(complex(), start, level.is_below, crossed);
+    contour.halfedges.reserve(crossed.size());
+    for(const Halfedge_index h : crossed)
+      contour.halfedges.push_back(halfedge(level.is_below(complex().target(h)) ? opposite_of(h) : h));
+    return contour;
+  }
+
+  Critical_set critical_set(node_descriptor node, std::vector<Contour> lower, std::vector<Contour> upper) const
+  {
+    return {std::move(lower), std::move(upper), star(node), border_loop(node)};
+  }
+
+  // The ends of a halfedge that may be one of another mesh.
+  Vertex_index checked_source(halfedge_descriptor h) const
+  {
+    if(!can_be_halfedge(mesh_, h))
+      throw Graph_mismatch_error();
+    const Vertex_index v = source_of(h);
+    if(v.number() >= end_of_vertices())
+      throw Graph_mismatch_error();
+    return v;
+  }
+  Vertex_index checked_target(halfedge_descriptor h) const { return checked_source(opposite(h, mesh_)); }
+
+private:
+  // The faces at a node, counterclockwise.
+  std::vector<face_descriptor> star(node_descriptor node) const
+  {
+    std::vector<face_descriptor> faces;
+    complex().for_each_halfedge_around(node_vertex(node),
+                                       [&](Halfedge_index number) { faces.push_back(face(halfedge(number), mesh_)); });
+    std::reverse(faces.begin(), faces.end());
+    return faces;
+  }
+
+  // The border loop at a node if all of it has the value of the node.
+  std::vector<halfedge_descriptor> border_loop(node_descriptor node) const
+  {
+    std::vector<halfedge_descriptor> loop;
+    const Vertex_index v = node_vertex(node);
+    if(!complex().is_on_border(v))
+      return loop;
+    const halfedge_descriptor first = halfedge(opposite_of(complex().first_halfedge(v)));
+    halfedge_descriptor h = first;
+    do
+    {
+      if(!order().are_tied(v, target_of(h)))
+        return {};
+      loop.push_back(h);
+      h = next(h, mesh_);
+    } while(h != first);
+    return loop;
+  }
+
+  // Looks for a halfedge or its opposite around a vertex. Returns whether it has been found, or is not there.
+  bool find_around(Vertex_index v, halfedge_descriptor h, std::size_t most_steps, Halfedge_index& found) const
+  {
+    std::size_t number_of_steps = 0;
+    complex().visit_edges_around(v, [&](Vertex_index, Halfedge_index halfedge_number) {
+      const halfedge_descriptor around = halfedge(halfedge_number);
+      if(around == h || around == opposite(h, mesh_))
+        found = halfedge_number;
+      return found != no_index || ++number_of_steps == most_steps;
+    });
+    return number_of_steps != most_steps;
+  }
+
+  template <class ScalarMap, class NamedParameters>
+  static std::shared_ptr<const Surface> flatten_reported(const FaceListGraph& mesh,
+                                                         const ScalarMap& scalar_map,
+                                                         const Traits& traits,
+                                                         const NamedParameters& np,
+                                                         const Progress& progress)
+  {
+    progress.report(0);
+    auto surface = share_flat<Sequential_tag>(mesh, scalar_map, traits, np);
+    progress.report(0.8);
+    return surface;
+  }
+
+  const FaceListGraph& mesh_;
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_GRAPH_ON_MESH_H

@@ -1,0 +1,298 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_VERTEX_PLACES_H
+#define CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_VERTEX_PLACES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/engine/Flat_graph.h>
+#include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
+#include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
+#include <CGAL/Reeb_graph/internal/way_back/Arc_spreading.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/options.h>
+
+#include <CGAL/Iterator_range.h>
+#include <CGAL/tags.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+typedef Indexed_vector<Vertex_index, Index> Vertex_places; // no_index where there is no vertex
+
+// The vertices of each place in ascending order. They are sorted when they are asked for, which takes longer than to
+// find the places.
+template <class VertexDescriptor>
+class Vertex_lists
+{
+public:
+  typedef Iterator_range<const VertexDescriptor*> Range;
+
+  // Writes the vertices by place, and where those of each place begin; and the end.
+  typedef std::function<void(std::vector<VertexDescriptor>& vertices, std::vector<std::size_t>& begins)> Make;
+
+  explicit Vertex_lists(Make make) : make_(std::move(make)) {}
+
+  Range operator()(std::size_t place) const
+  {
+    std::call_once(is_made_, [&] {
+      make_(vertices_, begins_);
+      make_ = nullptr;
+    });
+    return Range(vertices_.data() + begins_[place], vertices_.data() + begins_[place + 1]);
+  }
+
+private:
+  mutable std::once_flag is_made_;
+  mutable Make make_;
+  mutable std::vector<VertexDescriptor> vertices_;
+  mutable std::vector<std::size_t> begins_;
+};
+
+// Does what Vertex_lists needs: counts the vertices of each place, and sorts those of one place by the order.
+template <class VertexList, class Order, class VertexDescriptor>
+void sort_vertices_by_place(const VertexList& vertex_list,
+                            const Order& order,
+                            const Vertex_places& places,
+                            std::size_t number_of_places,
+                            std::vector<VertexDescriptor>& vertices,
+                            std::vector<std::size_t>& begins)
+{
+  begins.assign(number_of_places + 1, 0);
+  for(const Index place : places)
+  {
+    if(place != no_index)
+      ++begins[place + 1];
+  }
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  std::vector<typename Order::template Key<Vertex_index>> keys;
+  keys.resize(begins.back());
+  std::vector<std::size_t> next(begins);
+  for(const Vertex_index v : places.keys())
+  {
+    if(places[v] != no_index)
+      keys[next[places[v]]++] = order.key(v, v);
+  }
+  for(std::size_t place = 0; place != number_of_places; ++place)
+    internal::sort<Sequential_tag>(keys.begin() + begins[place], keys.begin() + begins[place + 1], order);
+  vertices.reserve(keys.size());
+  for(const auto& key : keys)
+    vertices.push_back(vertex_list[key.name]);
+}
+
+// Finds the arcs between critical vertices, and which of them each regular vertex is on: by spreading the arcs, or,
+// where they are short, by asking the sweeps of the default method.
+template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class ChosenNumberOfSlabs>
+Slab_arcs find_arcs_with_vertices(const Complex& complex,
+                                  const Order& order,
+                                  const Swept_vertices& critical_vertices,
+                                  ChosenMethod method,
+                                  ChosenNumberOfSlabs number_of_slabs,
+                                  Arc_of_vertex& arc_of_vertex,
+                                  const Stage_progress& progress)
+{
+  typedef Arc_spreading<Complex, Order> Spreading;
+  if(!Spreading::are_arcs_short(complex, critical_vertices))
+  {
+    Slab_arcs arcs =
+      find_arcs<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs, progress.part(0, 0.25));
+    Spreading spreading(complex, order, critical_vertices, arcs);
+    if(spreading.template find_arcs_of_vertices<ConcurrencyTag>(arc_of_vertex))
+      return arcs;
+  }
+  return find_arcs_of_vertices<ConcurrencyTag>(complex, order, critical_vertices, arc_of_vertex,
+                                               progress.part(0.25, 1));
+}
+
+// The place of each vertex in the exact graph, from the arcs between critical vertices and what they have been reduced
+// to.
+template <class Complex, class Order>
+class Vertex_place_finder
+{
+public:
+  Vertex_place_finder(const Complex& complex,
+                      const Order& order,
+                      const Swept_vertices& critical_vertices,
+                      const Slab_arcs& critical_arcs,
+                      const Arc_of_vertex& arc_of_vertex,
+                      const Flat_graph& graph,
+                      Ties ties)
+    : complex_(complex),
+      order_(order),
+      critical_vertices_(critical_vertices),
+      critical_arcs_(critical_arcs),
+      arc_of_vertex_(arc_of_vertex),
+      graph_(graph),
+      are_ties_contracted_(ties == Ties::CONTRACT)
+  {}
+
+  // The number of a node, or the number of nodes plus that of an arc.
+  template <class ConcurrencyTag>
+  Vertex_places find() const
+  {
+    checked_index(graph_.nodes.size() + graph_.arcs.size());
+    Vertex_places places(complex_.number_of_vertices(), no_index);
+    for(const Swept_index critical : critical_vertices_.indices())
+      places[critical_vertices_.vertex(critical)] = place_of_critical(critical);
+    for_each_block<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {
+      for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
+      {
+        if(places[vertex] == no_index && complex_.has_vertex(vertex))
+          places[vertex] = place_on_arc(vertex, arc_of_vertex_[vertex]);
+      }
+    });
+    return places;
+  }
+
+private:
+  Index place_of_critical(Swept_index critical) const
+  {
+    const Node_index node = graph_.node_of_critical[critical];
+    return node != no_index ? node.number()
+                            : place_of_arc(graph_.arc_of_critical[critical], critical_vertices_.vertex(critical));
+  }
+
+  // The place of a regular vertex on an arc between critical vertices. On a plateau, it is where the end of the arc is.
+  Index place_on_arc(Vertex_index vertex, Slab_arc_index critical_arc) const
+  {
+    if(critical_arc == no_index)
+      complex_.throw_contradiction_near(vertex);
+    if(are_ties_contracted_)
+    {
+      const Slab_arc& arc = critical_arcs_[critical_arc];
+      for(const Swept_index end : {arc.lower_vertex(), arc.upper_vertex()})
+      {
+        if(order_.are_tied(vertex, critical_vertices_.vertex(end)))
+          return place_of_critical(end);
+      }
+    }
+    return place_of_arc(graph_.arc_of_critical_arc[critical_arc], vertex);
+  }
+
+  Index place_of_arc(Arc_index arc, Vertex_index vertex) const
+  {
+    if(arc == no_index)
+      complex_.throw_contradiction_near(vertex);
+    return static_cast<Index>(graph_.nodes.size()) + arc.number();
+  }
+
+  const Complex& complex_;
+  const Order& order_;
+  const Swept_vertices& critical_vertices_;
+  const Slab_arcs& critical_arcs_;
+  const Arc_of_vertex& arc_of_vertex_;
+  const Flat_graph& graph_;
+  const bool are_ties_contracted_;
+};
+
+#define CGAL_REEB_GRAPH_FIND_ARCS_WITH_VERTICES(PREFIX, TAG, COMPLEX, SCALAR)                                          \
+  PREFIX template Slab_arcs find_arcs_with_vertices<TAG>(                                                              \
+    const COMPLEX&, const Natural_order<SCALAR>&, const Swept_vertices&, Default_method, Default_number_of_slabs,      \
+    Arc_of_vertex&, const Stage_progress&);
+CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_ARCS_WITH_VERTICES)
+
+// What the pipeline finds besides the graph if no places of vertices are wanted: nothing.
+struct No_vertex_places
+{
+  static constexpr bool are_wanted = false;
+
+  template <class ConcurrencyTag, class... Arguments>
+  void find(const Arguments&...) const
+  {}
+
+  template <class VertexList>
+  void write(const VertexList&) const
+  {}
+};
+
+// The places of all vertices, for a property map: their arcs are found with those of the graph.
+template <class PlaceMap>
+class Vertex_places_for_map
+{
+public:
+  static constexpr bool are_wanted = true;
+
+  explicit Vertex_places_for_map(const PlaceMap& map) : map_(map) {}
+
+  template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class ChosenNumberOfSlabs>
+  Slab_arcs find_arcs(const Complex& complex,
+                      const Order& order,
+                      const Swept_vertices& critical_vertices,
+                      ChosenMethod method,
+                      ChosenNumberOfSlabs number_of_slabs,
+                      const Stage_progress& progress)
+  {
+    return find_arcs_with_vertices<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs,
+                                                   arc_of_vertex_, progress);
+  }
+
+  template <class ConcurrencyTag, class Complex, class Order>
+  void find(const Complex& complex,
+            const Order& order,
+            const Swept_vertices& critical_vertices,
+            const Slab_arcs& critical_arcs,
+            const Flat_graph& graph,
+            Ties ties)
+  {
+    places_ = Vertex_place_finder(complex, order, critical_vertices, critical_arcs, arc_of_vertex_, graph, ties)
+                .template find<ConcurrencyTag>();
+    arc_of_vertex_ = Arc_of_vertex();
+  }
+
+  template <class VertexList>
+  void write(const VertexList& vertices) const
+  {
+    using boost::put; // for a pointer, whatever has been included before
+    typedef typename boost::property_traits<PlaceMap>::value_type Place;
+    for(const Vertex_index v : places_.keys())
+    {
+      if(places_[v] != no_index)
+        put(map_, vertices[v], static_cast<Place>(places_[v]));
+    }
+  }
+
+private:
+  const PlaceMap map_;
+  Arc_of_vertex arc_of_vertex_;
+  Vertex_places places_;
+};
+
+template <class NamedParameters>
+auto choose_places(const NamedParameters& np)
+{
+  const auto map = parameters::get_parameter(np, vertex_place_map);
+  if constexpr(is_given<decltype(map)>)
+    return Vertex_places_for_map(map);
+  else
+    return No_vertex_places();
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_VERTEX_PLACES_H

@@ -1,0 +1,296 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_CONTOUR_GEOMETRY_H
+#define CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_CONTOUR_GEOMETRY_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Contour.h>
+#include <CGAL/Reeb_graph/Soup_contour.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+typedef std::array<double, 3> Coordinates;
+
+template <class Point>
+Coordinates coordinates_of(const Point& point)
+{
+  return {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
+}
+
+template <class Point>
+Point make_point(const Coordinates& coordinates)
+{
+  typedef std::decay_t<decltype(std::declval<const Point&>().x())> Number;
+  return Point(Number(coordinates[0]), Number(coordinates[1]), Number(coordinates[2]));
+}
+
+inline Coordinates mix(double t, const Coordinates& a, const Coordinates& b)
+{
+  return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
+}
+
+inline double distance(const Coordinates& a, const Coordinates& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+inline double area(const Coordinates& a, const Coordinates& b, const Coordinates& c)
+{
+  const Coordinates u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+  return 0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+}
+
+// The centroid of curves, or of triangles: the mean of their points, each piece with the weight of its length or area,
+// so that it does not count into how many pieces they are split. Where all weights are 0, it is that of the first
+// point.
+class Centroid
+{
+public:
+  template <class Point>
+  void add_curve(const std::vector<Point>& points, bool is_closed)
+  {
+    for(std::size_t i = 0; i + 1 < points.size(); ++i)
+      add_segment(coordinates_of(points[i]), coordinates_of(points[i + 1]));
+    if(is_closed && !points.empty())
+      add_segment(coordinates_of(points.back()), coordinates_of(points.front()));
+    if(points.size() == 1)
+      add_segment(coordinates_of(points[0]), coordinates_of(points[0]));
+  }
+
+  void add_triangle(const Coordinates& a, const Coordinates& b, const Coordinates& c)
+  {
+    add_piece(a, {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3}, area(a, b, c));
+  }
+
+  bool is_of_length_zero() const { return !(length_ > 0); }
+
+  Coordinates operator()() const
+  {
+    return is_of_length_zero() ? first_ : mix(1, {}, {sum_[0] / length_, sum_[1] / length_, sum_[2] / length_});
+  }
+
+private:
+  void add_segment(const Coordinates& a, const Coordinates& b) { add_piece(a, mix(0.5, a, b), distance(a, b)); }
+
+  void add_piece(const Coordinates& first, const Coordinates& middle, double weight)
+  {
+    if(!has_first_)
+      first_ = first;
+    has_first_ = true;
+    length_ += weight;
+    for(std::size_t i = 0; i != 3; ++i)
+      sum_[i] += weight * middle[i];
+  }
+
+  bool has_first_ = false;
+  double length_ = 0;
+  Coordinates first_ = {}, sum_ = {};
+};
+
+// What an embedding asks of a contour, of any kind: one on a mesh, in triangles, or in tetrahedra.
+
+template <class Contour>
+struct Is_contour_on_mesh : std::false_type
+{
+};
+template <class Arc, class Halfedge>
+struct Is_contour_on_mesh<Contour<Arc, Halfedge>> : std::true_type
+{
+};
+
+// The edges that a contour crosses, one for each of its points.
+template <class Arc, class Halfedge>
+const std::vector<Halfedge>& crossed_edges(const Contour<Arc, Halfedge>& contour)
+{
+  return contour.halfedges;
+}
+template <class Arc>
+const auto& crossed_edges(const Crossed_edges<Arc>& contour)
+{
+  return contour.edges;
+}
+
+template <class Augmentation, class PointMap>
+auto points_of(const Augmentation& augmentation,
+               const typename Augmentation::Contour& contour,
+               const PointMap& point_map)
+{
+  std::vector<typename boost::property_traits<PointMap>::value_type> points;
+  points.reserve(crossed_edges(contour).size());
+  if constexpr(Is_contour_on_mesh<typename Augmentation::Contour>::value)
+    augmentation.points_of_contour(contour, std::back_inserter(points), parameters::vertex_point_map(point_map));
+  else
+    for(std::size_t i = 0; i != contour.edges.size(); ++i)
+      points.push_back(point_of_crossing(contour, i, [&](std::size_t v) { return get(point_map, v); }));
+  return points;
+}
+
+// ---- The centroid of a contour, to which each part of it counts by its length, or by its area in tetrahedra.
+
+template <class Arc, class Halfedge, class Point>
+void add_to_centroid(const Contour<Arc, Halfedge>& contour, const std::vector<Point>& points, Centroid& centroid)
+{
+  centroid.add_curve(points, contour.is_closed);
+}
+
+template <class Arc, class Point>
+void add_to_centroid(const Soup_contour<Arc>& contour, const std::vector<Point>& points, Centroid& centroid)
+{
+  for(const std::vector<std::size_t>& polyline : contour.polylines)
+  {
+    std::vector<Point> curve;
+    for(const std::size_t i : polyline)
+      curve.push_back(points[i]);
+    centroid.add_curve(curve, false);
+  }
+  if(contour.polylines.empty()) // a point of an edge without triangles
+    centroid.add_curve(points, false);
+}
+
+template <class Arc, class Point>
+void add_to_centroid(const Isosurface_patch<Arc>& contour, const std::vector<Point>& points, Centroid& centroid)
+{
+  for(const std::array<std::size_t, 3>& t : contour.triangles)
+    centroid.add_triangle(coordinates_of(points[t[0]]), coordinates_of(points[t[1]]), coordinates_of(points[t[2]]));
+  if(contour.triangles.empty())
+    centroid.add_curve(points, false);
+}
+
+// A point of the contour, off its ends.
+template <class Arc, class Halfedge, class Point>
+const Point& inner_point(const Contour<Arc, Halfedge>& contour, const std::vector<Point>& points)
+{
+  return points[contour.is_closed ? 0 : points.size() / 2];
+}
+template <class Arc, class Point>
+const Point& inner_point(const Crossed_edges<Arc>&, const std::vector<Point>& points)
+{
+  return points[0];
+}
+
+// ---- The way along a contour from its point `start` to one that is_end(i) tells of: the numbers of the points between
+// the two, or nothing if there is no way.
+
+typedef std::optional<std::vector<std::size_t>> Way_along_contour;
+
+// The shorter one of the two on a mesh.
+template <class Arc, class Halfedge, class Point, class IsEnd>
+Way_along_contour way_along(const Contour<Arc, Halfedge>& contour,
+                            const std::vector<Point>& points,
+                            std::size_t start,
+                            const IsEnd& is_end)
+{
+  const std::size_t size = points.size();
+  Way_along_contour shorter;
+  double least_length = std::numeric_limits<double>::infinity();
+  for(const bool is_forward : {true, false})
+  {
+    std::vector<std::size_t> way;
+    double length = 0;
+    for(std::size_t i = start, step = 1; step != size; ++step)
+    {
+      const std::size_t last = i;
+      if(i == (is_forward ? size - 1 : 0) && !contour.is_closed)
+        break;
+      i = (i + (is_forward ? 1 : size - 1)) % size;
+      length += distance(coordinates_of(points[last]), coordinates_of(points[i]));
+      if(is_end(i))
+      {
+        if(length < least_length)
+          shorter = way;
+        least_length = (std::min)(least_length, length);
+        break;
+      }
+      way.push_back(i);
+    }
+  }
+  return shorter;
+}
+
+// Calls visit(i, j) for the lines between points of a contour.
+template <class Arc, class Visit>
+void for_each_line(const Soup_contour<Arc>& contour, const Visit& visit)
+{
+  for(const std::vector<std::size_t>& polyline : contour.polylines)
+    for(std::size_t i = 1; i < polyline.size(); ++i)
+      visit(polyline[i - 1], polyline[i]);
+}
+
+template <class Arc, class Visit>
+void for_each_line(const Isosurface_patch<Arc>& contour, const Visit& visit)
+{
+  for(const std::array<std::size_t, 3>& t : contour.triangles)
+    for(std::size_t i = 0; i != 3; ++i)
+      visit(t[i], t[(i + 1) % 3]);
+}
+
+// One of fewest lines in triangles and in tetrahedra.
+template <template <class> class ContourOfArc, class Arc, class Point, class IsEnd>
+Way_along_contour way_along(const ContourOfArc<Arc>& contour,
+                            const std::vector<Point>& points,
+                            std::size_t start,
+                            const IsEnd& is_end)
+{
+  constexpr std::size_t nowhere = (std::numeric_limits<std::size_t>::max)();
+  std::vector<std::vector<std::size_t>> neighbors(points.size());
+  for_each_line(contour, [&](std::size_t i, std::size_t j) {
+    neighbors[i].push_back(j);
+    neighbors[j].push_back(i);
+  });
+  std::vector<std::size_t> from(points.size(), nowhere);
+  from[start] = start;
+  for(std::deque<std::size_t> queue = {start}; !queue.empty(); queue.pop_front())
+  {
+    const std::size_t i = queue.front();
+    if(is_end(i))
+    {
+      std::vector<std::size_t> way;
+      for(std::size_t j = from[i]; j != start; j = from[j])
+        way.push_back(j);
+      std::reverse(way.begin(), way.end());
+      return way;
+    }
+    for(const std::size_t neighbor : neighbors[i])
+    {
+      if(from[neighbor] != nowhere)
+        continue;
+      from[neighbor] = i;
+      queue.push_back(neighbor);
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_CONTOUR_GEOMETRY_H

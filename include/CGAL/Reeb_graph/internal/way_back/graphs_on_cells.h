@@ -1,0 +1,378 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_GRAPHS_ON_CELLS_H
+#define CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_GRAPHS_ON_CELLS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Soup_contour.h>
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
+#include <CGAL/Reeb_graph/internal/complex/flatten_soup.h>
+#include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
+#include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
+#include <CGAL/Reeb_graph/internal/way_back/cells.h>
+#include <CGAL/Reeb_graph/internal/way_back/flatten_cells.h>
+
+#include <boost/unordered_map.hpp>
+#include <boost/unordered_set.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// A component of a level set of a complex as a graph: a point on each crossed edge, and a line in each crossed
+// triangle.
+struct Level_set_component
+{
+  typedef std::array<Number, 2> Line; // the numbers of two points
+
+  std::vector<Edge_index> edges; // by the numbers of their points
+  std::vector<Line> lines;
+};
+
+// The component on the edge `start`. Points are numbered in the order in which a search finds them, breadth first.
+template <class IsBelow>
+Level_set_component find_level_set_component(const Simplicial_complex& complex,
+                                             Edge_index start,
+                                             const IsBelow& is_below)
+{
+  Level_set_component component;
+  boost::unordered_map<Number, Number> point_of_edge;
+  const auto find_point = [&](Edge_index edge) {
+    const auto inserted = point_of_edge.emplace(edge.number(), static_cast<Number>(component.edges.size()));
+    if(inserted.second)
+      component.edges.push_back(edge);
+    return inserted.first->second;
+  };
+  find_point(start);
+  for(Number point = 0; point != component.edges.size(); ++point)
+  {
+    const Edge_index edge = component.edges[point];
+    for_each_crossed_edge_beside(complex, edge, is_below, [&](Edge_index beside, Triangle_index) {
+      const Number other_point = find_point(beside);
+      if(point < other_point) // so that each line comes once
+        component.lines.push_back({point, other_point});
+    });
+  }
+  return component;
+}
+
+// Splits the lines of a component of a level set into polylines, which end where not exactly two lines meet.
+class Polyline_search
+{
+public:
+  typedef std::vector<std::size_t> Polyline; // the numbers of its points
+
+  explicit Polyline_search(const Level_set_component& component)
+    : lines_(component.lines),
+      first_of_points_(component.edges.size() + 1, 0),
+      lines_of_points_(2 * lines_.size()),
+      is_used_(lines_.size(), false)
+  {
+    for(const Line& line : lines_)
+      for(const Number point : line)
+        ++first_of_points_[point + 1];
+    std::partial_sum(first_of_points_.begin(), first_of_points_.end(), first_of_points_.begin());
+    std::vector<std::size_t> places(first_of_points_);
+    for(std::size_t line = 0; line != lines_.size(); ++line)
+      for(const Number point : lines_[line])
+        lines_of_points_[places[point]++] = line;
+  }
+
+  std::vector<std::size_t> branch_points() const
+  {
+    std::vector<std::size_t> result;
+    for(std::size_t point = 0; point != number_of_points(); ++point)
+    {
+      if(number_of_lines(point) > 2)
+        result.push_back(point);
+    }
+    return result;
+  }
+
+  // The polylines from branch points and points of the border, in the order of their first points, or the only one, if
+  // the component is a closed curve.
+  std::vector<Polyline> find_polylines()
+  {
+    std::vector<Polyline> result;
+    for(std::size_t point = 0; point != number_of_points(); ++point)
+    {
+      if(number_of_lines(point) != 2)
+        follow_lines(point, result);
+    }
+    if(result.empty() && !lines_.empty())
+      result.push_back(follow(0, lines_of_points_[0]));
+    return result;
+  }
+
+private:
+  typedef Level_set_component::Line Line;
+
+  std::size_t number_of_points() const { return first_of_points_.size() - 1; }
+  std::size_t number_of_lines(std::size_t point) const { return first_of_points_[point + 1] - first_of_points_[point]; }
+
+  void follow_lines(std::size_t point, std::vector<Polyline>& polylines)
+  {
+    for(std::size_t i = first_of_points_[point]; i != first_of_points_[point + 1]; ++i)
+    {
+      if(!is_used_[lines_of_points_[i]])
+        polylines.push_back(follow(point, lines_of_points_[i]));
+    }
+  }
+
+  Polyline follow(std::size_t first_point, std::size_t line)
+  {
+    Polyline polyline = {first_point};
+    for(;;)
+    {
+      is_used_[line] = true;
+      const std::size_t point = lines_[line][lines_[line][0] == polyline.back() ? 1 : 0];
+      polyline.push_back(point);
+      if(point == first_point || number_of_lines(point) != 2)
+        return polyline;
+      const std::size_t first = first_of_points_[point];
+      line = lines_of_points_[lines_of_points_[first] == line ? first + 1 : first];
+    }
+  }
+
+  const std::vector<Line>& lines_;
+  std::vector<std::size_t> first_of_points_; // in lines_of_points_; and the end
+  std::vector<std::size_t> lines_of_points_;
+  std::vector<bool> is_used_;
+};
+
+// A graph and the complex that its nodes and chains are on, whose vertices are numbers for the user, too. `CellList`
+// holds the triangles or tetrahedra as the user lists them. A derived class traces the contours.
+template <class ReebGraph, class Traits, class CellList, template <class> class ContourOfArc>
+class Graph_on_soup : public Graph_on_complex<ReebGraph, Traits, std::size_t, Flat_soup<typename Traits::Scalar>>
+{
+  typedef Graph_on_complex<ReebGraph, Traits, std::size_t, Flat_soup<typename Traits::Scalar>> Base;
+
+public:
+  typedef Simplicial_complex Mesh;
+  typedef typename Base::node_descriptor node_descriptor;
+  typedef typename Base::arc_descriptor arc_descriptor;
+  typedef std::pair<std::size_t, std::size_t> halfedge_descriptor;
+  typedef ContourOfArc<arc_descriptor> Contour;
+  typedef Soup_critical_set<Contour> Critical_set;
+  using Base::complex;
+
+  template <class PointsOrNumber, class Cells, class Scalars, class NamedParameters>
+  Graph_on_soup(const PointsOrNumber& points,
+                const Cells& cells,
+                const Scalars& scalars,
+                const ReebGraph& graph,
+                const Traits& traits,
+                const NamedParameters& np,
+                const Progress& progress)
+    : Base(graph, traits, flatten_reported(points, cells, scalars, traits, np, progress)),
+      cells_(this->end_of_vertices(), points, cells)
+  {}
+
+  // The edges of the complex are a mesh as far as chains need one.
+  const Mesh& mesh() const { return complex(); }
+  bool has_vertices() const { return this->end_of_vertices() != 0; }
+
+  Vertex_index source_of(const halfedge_descriptor& h) const { return this->number(h.first); }
+  Vertex_index target_of(const halfedge_descriptor& h) const { return this->number(h.second); }
+
+  // The ends of an edge that may be one of another complex.
+  Vertex_index checked_source(const halfedge_descriptor& h) const { return checked(source_of(h)); }
+  Vertex_index checked_target(const halfedge_descriptor& h) const { return checked(target_of(h)); }
+
+  Edge_index find_start(const halfedge_descriptor& h) const
+  {
+    const Halfedge_index halfedge = complex().find_halfedge(checked_source(h), checked_target(h));
+    if(halfedge == no_index)
+      throw Graph_mismatch_error();
+    return edge_of(halfedge);
+  }
+
+  Critical_set critical_set(node_descriptor node, std::vector<Contour> lower, std::vector<Contour> upper) const
+  {
+    return {std::move(lower), std::move(upper), cells_.at_vertex(this->node_vertex(node))};
+  }
+
+  const CellList& cells() const { return cells_; }
+
+protected:
+  // A contour that has the points on the crossed edges, and nothing between them.
+  template <class Level>
+  Contour make_points(arc_descriptor arc, const Level_set_component& component, const Level& level) const
+  {
+    Contour contour;
+    contour.arc = arc;
+    contour.value = level.value;
+    contour.edges.reserve(component.edges.size());
+    contour.fractions.reserve(component.edges.size());
+    for(const Edge_index edge : component.edges)
+    {
+      Vertex_index lower = complex().lower_end(edge), higher = complex().higher_end(edge);
+      if(!level.is_below(lower))
+        std::swap(lower, higher);
+      contour.edges.emplace_back(lower.number(), higher.number());
+      contour.fractions.push_back(crossing_fraction(this->value(lower), this->value(higher), level.value));
+    }
+    return contour;
+  }
+
+private:
+  static Vertex_index checked(Vertex_index vertex)
+  {
+    if(vertex == no_index)
+      throw Graph_mismatch_error();
+    return vertex;
+  }
+
+  template <class PointsOrNumber, class Cells, class Scalars, class NamedParameters>
+  static std::shared_ptr<const Flat_soup<typename Traits::Scalar>> flatten_reported(const PointsOrNumber& points,
+                                                                                    const Cells& cells,
+                                                                                    const Scalars& scalars,
+                                                                                    const Traits& traits,
+                                                                                    const NamedParameters& np,
+                                                                                    const Progress& progress)
+  {
+    progress.report(0);
+    auto soup = std::make_shared<const Flat_soup<typename Traits::Scalar>>(
+      flatten_cells<CellList::vertices_per_cell>(points, cells, scalars, traits, np));
+    progress.report(0.8);
+    return soup;
+  }
+
+  const CellList cells_;
+};
+
+// A graph on triangles, in which contours are polylines.
+template <class ReebGraph, class Traits>
+class Graph_on_triangles : public Graph_on_soup<ReebGraph, Traits, Cell_list, Soup_contour>
+{
+  typedef Graph_on_soup<ReebGraph, Traits, Cell_list, Soup_contour> Base;
+
+public:
+  using Base::Base;
+  using typename Base::arc_descriptor;
+  using typename Base::Contour;
+
+  template <class Level>
+  Contour trace(arc_descriptor arc, Edge_index start, const Level& level) const
+  {
+    const Level_set_component component = find_level_set_component(this->complex(), start, level.is_below);
+    Contour contour = this->make_points(arc, component, level);
+    Polyline_search search(component);
+    contour.polylines = search.find_polylines();
+    contour.branch_points = search.branch_points();
+    return contour;
+  }
+};
+
+// A graph on tetrahedra, in which contours are patches of triangles.
+template <class ReebGraph, class Traits>
+class Graph_on_tetrahedra : public Graph_on_soup<ReebGraph, Traits, Oriented_tetrahedra, Isosurface_patch>
+{
+  typedef Graph_on_soup<ReebGraph, Traits, Oriented_tetrahedra, Isosurface_patch> Base;
+  typedef Oriented_tetrahedra::Tetrahedron Tetrahedron;
+
+public:
+  using Base::Base;
+  using typename Base::arc_descriptor;
+  using typename Base::Contour;
+
+  template <class Level>
+  Contour trace(arc_descriptor arc, Edge_index start, const Level& level) const
+  {
+    Contour contour = this->make_points(arc, find_level_set_component(this->complex(), start, level.is_below), level);
+    Point_of_edge point_of_edge;
+    boost::unordered_set<std::size_t> lower_vertices;
+    std::vector<Vertex_index> lower_vertices_in_order;
+    for(std::size_t point = 0; point != contour.edges.size(); ++point)
+    {
+      point_of_edge.emplace(contour.edges[point], point);
+      if(lower_vertices.insert(contour.edges[point].first).second)
+        lower_vertices_in_order.push_back(Vertex_index(contour.edges[point].first));
+    }
+    for(const Vertex_index vertex : lower_vertices_in_order)
+    {
+      this->cells().for_each_at(vertex, [&](Number number) {
+        Tetrahedron tetrahedron = this->cells()[number];
+        const std::size_t number_of_lower = move_lower_to_front(tetrahedron, level.is_below);
+        // so that the tetrahedron comes once
+        const bool is_first = vertex == *std::min_element(tetrahedron.begin(), tetrahedron.begin() + number_of_lower);
+        if(number_of_lower != 4 && is_first && point_of_edge.count(edge(tetrahedron[0], tetrahedron[3])) != 0)
+          add_triangles(tetrahedron, number_of_lower, point_of_edge, contour);
+      });
+    }
+    Triangle_orientation::orient(contour.triangles);
+    return contour;
+  }
+
+private:
+  typedef std::pair<std::size_t, std::size_t> Edge;
+  typedef boost::unordered_map<Edge, std::size_t> Point_of_edge;
+
+  static Edge edge(Vertex_index lower, Vertex_index higher) { return {lower.number(), higher.number()}; }
+
+  // Moves the vertices below the level to the front by an even permutation, which keeps the orientation, and returns
+  // their number.
+  template <class IsBelow>
+  static std::size_t move_lower_to_front(Tetrahedron& t, const IsBelow& is_below)
+  {
+    std::size_t number_of_lower = 0;
+    bool is_odd = false;
+    for(std::size_t i = 0; i != 4; ++i)
+    {
+      if(!is_below(t[i]))
+        continue;
+      is_odd ^= i != number_of_lower;
+      std::swap(t[i], t[number_of_lower++]);
+    }
+    if(is_odd && number_of_lower >= 2)
+      std::swap(t[0], t[1]);
+    else if(is_odd)
+      std::swap(t[2], t[3]);
+    return number_of_lower;
+  }
+
+  // In a positive tetrahedron, the first three vertices appear counterclockwise from the last one.
+  static void add_triangles(const Tetrahedron& t,
+                            std::size_t number_of_lower,
+                            const Point_of_edge& point_of_edge,
+                            Contour& contour)
+  {
+    const auto point = [&](std::size_t lower, std::size_t higher) {
+      return point_of_edge.at(edge(t[lower], t[higher]));
+    };
+    switch(number_of_lower)
+    {
+    case 1: contour.triangles.push_back({point(0, 1), point(0, 2), point(0, 3)}); break;
+    case 2:
+      contour.triangles.push_back({point(0, 2), point(0, 3), point(1, 3)});
+      contour.triangles.push_back({point(0, 2), point(1, 3), point(1, 2)});
+      break;
+    default: contour.triangles.push_back({point(0, 3), point(1, 3), point(2, 3)});
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_GRAPHS_ON_CELLS_H

@@ -1,0 +1,287 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_PRUNE_GRAPH_H
+#define CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_PRUNE_GRAPH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/descriptors.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/simplification/Simplification.h>
+#include <CGAL/Reeb_graph/simplification/exceptions.h>
+#include <CGAL/Reeb_graph/simplification/internal/Leaf_pruning.h>
+#include <CGAL/Reeb_graph/simplification/internal/pairs.h>
+#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <memory>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The arcs that are left and in loops, or between two of these, sorted by their upper nodes.
+inline std::vector<Index> arcs_of_core(const Leaf_pruning& graph)
+{
+  struct Node
+  {
+    Index degree = 0;
+    Index arcs = 0; // the exclusive or of their numbers
+  };
+  std::vector<Node> nodes(graph.number_of_nodes());
+  std::vector<bool> is_in_core(graph.number_of_arcs(), false);
+  const auto toggle = [&](Index arc, Index change) {
+    is_in_core[arc] = !is_in_core[arc];
+    for(const Index node : {graph.arc(arc).lower, graph.arc(arc).upper})
+    {
+      nodes[node].degree += change;
+      nodes[node].arcs ^= arc;
+    }
+  };
+  for(Index arc = 0; arc != graph.number_of_arcs(); ++arc)
+  {
+    if(graph.is_left(graph.place_of_arc(arc)))
+      toggle(arc, 1);
+  }
+  for(Index leaf = 0; leaf != graph.number_of_nodes(); ++leaf)
+  {
+    Index node = leaf;
+    while(nodes[node].degree == 1)
+    {
+      const Index arc = nodes[node].arcs;
+      toggle(arc, static_cast<Index>(-1));
+      node = graph.arc(arc).lower == node ? graph.arc(arc).upper : graph.arc(arc).lower;
+    }
+  }
+  std::vector<Index> arcs;
+  for(Index arc = 0; arc != graph.number_of_arcs(); ++arc)
+  {
+    if(is_in_core[arc])
+      arcs.push_back(arc);
+  }
+  std::stable_sort(arcs.begin(), arcs.end(), [&](Index a, Index b) { return graph.arc(a).upper < graph.arc(b).upper; });
+  return arcs;
+}
+
+// By arc, its place in the order of lower nodes, from below, and then of upper nodes, from above.
+inline std::vector<Index> rank_arcs(const Leaf_pruning& graph, std::vector<Index> arcs)
+{
+  std::sort(arcs.begin(), arcs.end(), [&](Index a, Index b) {
+    return std::make_tuple(graph.arc(a).lower, graph.arc(b).upper, a)
+         < std::make_tuple(graph.arc(b).lower, graph.arc(a).upper, b);
+  });
+  std::vector<Index> ranks(graph.number_of_arcs(), no_index);
+  for(Index i = 0; i != arcs.size(); ++i)
+    ranks[arcs[i]] = i;
+  return ranks;
+}
+
+// Removes one side of each loop that `is_small(split saddle, join saddle)` names and that has a single arc on this
+// side. The arc is taken up by the lowest one of the other side. Returns whether there has been such a loop. As for
+// pairs, a forest is maximal by lower ends; as no other loop has passed the arc by then, the other loops keep their
+// nodes.
+template <class IsSmall>
+bool remove_small_loops(Leaf_pruning& graph, const IsSmall& is_small)
+{
+  bool is_changed = false;
+  const std::vector<Index> arcs = arcs_of_core(graph), ranks = rank_arcs(graph, arcs);
+  Highest_forest forest(checked_index(2 * std::size_t(graph.number_of_nodes())) / 2);
+  for(const Index arc : arcs)
+  {
+    const auto [lower, upper] = graph.arc(arc);
+    const auto cycle = forest.add({lower, upper, ranks[arc], arc});
+    if(cycle.leaving == no_index)
+      continue;
+    const auto [split, join] = graph.arc(cycle.leaving);
+    if(join != upper || !is_small(split, join))
+      continue;
+    const bool is_other_known = cycle.lowest_other != cycle.leaving;
+    const Index owner = is_other_known               ? graph.place_of_arc(cycle.lowest_other)
+                      : graph.out_degree(split) == 2 ? graph.place_of_arc(graph.other_arc_above(split, cycle.leaving))
+                                                     : split;
+    graph.remove_arc(cycle.leaving, owner);
+    is_changed = true;
+  }
+  return is_changed;
+}
+
+template <class ReebGraph>
+std::vector<Leaf_pruning::Arc> read_arcs(const ReebGraph& graph)
+{
+  std::vector<Leaf_pruning::Arc> arcs;
+  arcs.reserve(num_edges(graph));
+  checked_index(num_vertices(graph) + num_edges(graph));
+  for(auto range = edges(graph); range.first != range.second; ++range.first)
+  {
+    const auto lower = source(*range.first, graph), upper = target(*range.first, graph);
+    if(!(lower < upper))
+      throw Arc_direction_error();
+    arcs.push_back({static_cast<Index>(lower), static_cast<Index>(upper)});
+  }
+  return arcs;
+}
+
+template <class NamedParameters>
+std::vector<double> read_piece_weights(std::size_t number_of_pieces, const NamedParameters& np)
+{
+  const auto parameter = parameters::get_parameter(np, piece_weights);
+  std::vector<double> weights;
+  if constexpr(is_given<decltype(parameter)>)
+  {
+    weights.assign(std::begin(parameter), std::end(parameter));
+    if(weights.size() != number_of_pieces)
+      throw Piece_count_error(weights.size(), number_of_pieces);
+    if(std::any_of(weights.begin(), weights.end(), [](double weight) { return std::isnan(weight); }))
+      throw Measure_error("weight of a piece");
+  }
+  else
+    weights.assign(number_of_pieces, 0);
+  return weights;
+}
+
+template <class Branch, class NamedParameters>
+double measure_of_branch(const Branch& branch, const NamedParameters& np)
+{
+  const auto& measure = parameters::get_parameter(np, branch_measure);
+  if constexpr(is_given<decltype(measure)>)
+  {
+    const double size = measure(branch);
+    if(std::isnan(size))
+      throw Measure_error("measure of a branch");
+    return size;
+  }
+  else
+    return is_given<decltype(parameters::get_parameter(np, piece_weights))> ? branch.weight : branch.persistence;
+}
+
+// The graph without its small branches and, if asked for, loops; see simplify().
+template <class Branch, class ReebGraph, class NamedParameters>
+Leaf_pruning prune_graph(const ReebGraph& graph, double threshold, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  if(!(threshold >= 0))
+    throw Threshold_error("threshold of simplification");
+  const std::size_t leaves = choose_parameter(get_parameter(np, number_of_leaves), std::size_t(0));
+  const bool are_loops_cancelled = choose_parameter(get_parameter(np, cancel_loops), false);
+
+  Leaf_pruning pruned(static_cast<Index>(num_vertices(graph)), read_arcs(graph),
+                      read_piece_weights(num_vertices(graph) + num_edges(graph), np));
+  const std::vector<double> values = numbers_of_nodes(graph, np);
+  const auto difference = [&](Index lower, Index upper) { return persistence(values[lower], values[upper]); };
+  const auto measure = [&](const Leaf_arc& arc) {
+    const double size = persistence_of_leaf_arc(arc, difference);
+    return measure_of_branch(Branch{arc.leaf, arc.saddle, arc.is_minimum, size, arc.weight}, np);
+  };
+  const auto prune = [&] {
+    pruned(
+      measure, [](const Leaf_arc&) { return true; },
+      [&](double size) { return size < threshold || std::isinf(threshold); },
+      [&](Index number) { return number > leaves; });
+  };
+  prune();
+  const auto is_small = [&](Index split, Index join) { return difference(split, join) < threshold; };
+  while(are_loops_cancelled && remove_small_loops(pruned, is_small))
+    prune();
+  return pruned;
+}
+
+// The chains of arcs that have been joined, one behind the other; an arc that has stayed as it was keeps its chain.
+template <class ReebGraph>
+auto join_chains(const ReebGraph& graph,
+                 const std::vector<typename boost::graph_traits<ReebGraph>::edge_descriptor>& graph_arcs,
+                 const Leaf_pruning& pruned,
+                 const std::vector<Index>& arcs)
+{
+  typedef std::decay_t<decltype(graph[graph_arcs.front()].chain)> Chain;
+  const auto chain_of = [&](Index arc) -> const Chain& { return graph[graph_arcs[arc]].chain; };
+  std::vector<typename Chain::value_type> halfedges;
+  std::vector<std::pair<std::size_t, std::size_t>> parts; // by arc, of the halfedges; empty for one that has stayed
+  for(const Index arc : arcs)
+  {
+    std::size_t number_of_pieces = 0;
+    pruned.for_each_piece(arc, [&](Index) { ++number_of_pieces; });
+    const std::size_t begin = halfedges.size();
+    if(number_of_pieces > 1)
+      pruned.for_each_piece(
+        arc, [&](Index piece) { halfedges.insert(halfedges.end(), chain_of(piece).begin(), chain_of(piece).end()); });
+    parts.emplace_back(begin, halfedges.size());
+  }
+  const auto storage = std::make_shared<const std::vector<typename Chain::value_type>>(std::move(halfedges));
+  std::vector<Chain> chains;
+  for(std::size_t i = 0; i != arcs.size(); ++i)
+  {
+    const auto [begin, end] = parts[i];
+    chains.push_back(begin == end ? chain_of(arcs[i]) : Chain(storage, begin, end - begin));
+  }
+  return chains;
+}
+
+// Replaces the content of `simplified` by what is left of `graph`. Nodes keep their order; arcs are sorted by lower
+// node, upper node, and the first arc that they have been made of.
+template <class ReebGraph>
+Simplification<ReebGraph> write_simplified_graph(const ReebGraph& graph,
+                                                 const Leaf_pruning& pruned,
+                                                 ReebGraph& simplified)
+{
+  typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor;
+  const std::vector<arc_descriptor> graph_arcs(edges(graph).first, edges(graph).second);
+  std::vector<Index> arcs, new_places(pruned.number_of_nodes() + graph_arcs.size(), no_index);
+  for(Index arc = 0; arc != graph_arcs.size(); ++arc)
+  {
+    if(pruned.is_left(pruned.place_of_arc(arc)))
+      arcs.push_back(arc);
+  }
+  std::sort(arcs.begin(), arcs.end(), [&](Index a, Index b) {
+    return std::tie(pruned.arc(a).lower, pruned.arc(a).upper, a)
+         < std::tie(pruned.arc(b).lower, pruned.arc(b).upper, b);
+  });
+  auto chains = join_chains(graph, graph_arcs, pruned, arcs);
+
+  simplified.clear();
+  for(Index node = 0; node != pruned.number_of_nodes(); ++node)
+  {
+    if(pruned.is_left(node))
+      new_places[node] = static_cast<Index>(add_vertex(graph[node], simplified));
+  }
+  for(const Index arc : arcs)
+    add_edge(new_places[pruned.arc(arc).lower], new_places[pruned.arc(arc).upper], simplified);
+  const std::vector<arc_descriptor> new_arcs(edges(simplified).first, edges(simplified).second);
+  const auto number_of_new_nodes = static_cast<Index>(num_vertices(simplified));
+  for(std::size_t i = 0; i != arcs.size(); ++i)
+  {
+    simplified[new_arcs[i]].chain = std::move(chains[i]);
+    set_arc_index(simplified, new_arcs[i], i);
+    new_places[pruned.place_of_arc(arcs[i])] = static_cast<Index>(number_of_new_nodes + i);
+  }
+  const std::vector<Index> owners = pruned.find_owners();
+  for(Index place = 0; place != new_places.size(); ++place)
+  {
+    if(owners[place] != no_index)
+      new_places[place] = new_places[owners[place]];
+  }
+  return Simplification<ReebGraph>(pruned.number_of_nodes(), number_of_new_nodes, std::move(new_places), new_arcs);
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_PRUNE_GRAPH_H

@@ -1,0 +1,357 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_SIMPLIFIED_VALUES_H
+#define CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_SIMPLIFIED_VALUES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Flat_field.h>
+#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/base/union_find.h>
+#include <CGAL/Reeb_graph/internal/complex/flatten.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/simplification/exceptions.h>
+#include <CGAL/Reeb_graph/simplification/internal/Moved_pieces.h>
+#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
+#include <CGAL/Reeb_graph/simplification/internal/prune_graph.h>
+#include <CGAL/compute_reeb_graph.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// The part of the threshold, and of the range of the values, that vertices of one value are spread over at the most.
+inline constexpr int largest_spread_divisor = 1024;
+
+// The saddles of one value with which other vertices are tied where there has to be room for a piece.
+template <class Scalar>
+struct Tied_saddles
+{
+  std::set<Index> saddles;
+  Scalar largest_change; // keeps the changes in the pieces below the threshold
+};
+
+// These saddles, by value: those of pieces with a neighbor of the value of the saddle, as no number is between the two.
+// `saddles` are those of Moved_pieces.
+template <class Scalar>
+std::map<Scalar, Tied_saddles<Scalar>> find_tied_saddles(const scalar_fields::Weighted_graph& graph,
+                                                         const std::vector<Index>& saddles,
+                                                         const std::vector<Scalar>& values,
+                                                         Scalar threshold)
+{
+  std::map<Scalar, Tied_saddles<Scalar>> tied_saddles;
+  const auto add = [&](Index saddle) {
+    auto& tied = tied_saddles[values[saddle]];
+    tied.saddles.insert(saddle);
+    tied.largest_change = threshold / largest_spread_divisor;
+  };
+  const auto place = [&](Index v) { return saddles[v] == no_index ? v : saddles[v]; };
+  for(Index v = 0; v != values.size(); ++v)
+  {
+    if(saddles[v] == no_index)
+      continue;
+    for(const auto& neighbor : graph.neighbors(v))
+    {
+      if(place(neighbor.vertex) != saddles[v] && values[place(neighbor.vertex)] == values[saddles[v]])
+        add(saddles[v]);
+    }
+  }
+  for(Index v = 0; v != values.size() && !tied_saddles.empty(); ++v)
+  {
+    const auto tied = saddles[v] == no_index ? tied_saddles.end() : tied_saddles.find(values[saddles[v]]);
+    if(tied != tied_saddles.end())
+      tied->second.largest_change =
+        (std::min)(tied->second.largest_change, (threshold - std::abs(values[v] - tied->first)) / 2);
+  }
+  return tied_saddles;
+}
+
+// Tells these saddles apart from the vertices tied with them, by values between this one and the next larger one: those
+// of the value that come before the first saddle keep it, and those between two saddles have one value. The order of
+// all vertices, and so the graph, stays the same.
+template <class Complex, class Scalar>
+std::vector<Scalar> spread_ties(const Complex& complex,
+                                const std::vector<Scalar>& values,
+                                const std::map<Scalar, Tied_saddles<Scalar>>& tied_saddles)
+{
+  std::vector<Scalar> spread = values;
+  if(tied_saddles.empty())
+    return spread;
+  std::vector<Index> ascending;
+  for(const Vertex_index v : complex.vertices())
+  {
+    if(complex.has_vertex(v))
+      ascending.push_back(v.number());
+  }
+  std::stable_sort(ascending.begin(), ascending.end(), [&](Index u, Index v) { return values[u] < values[v]; });
+  const Scalar infinity = std::numeric_limits<Scalar>::infinity();
+  const Scalar lowest = values[ascending.front()], highest = values[ascending.back()];
+  const Scalar largest_spread =
+    lowest < highest ? part_of_difference(lowest, highest, largest_spread_divisor) : infinity;
+  for(const auto& [value, tied] : tied_saddles)
+  {
+    const auto begin = std::partition_point(ascending.begin(), ascending.end(),
+                                            [&, value = value](Index v) { return values[v] < value; });
+    const auto end =
+      std::partition_point(begin, ascending.end(), [&, value = value](Index v) { return !(value < values[v]); });
+    const Scalar next = end == ascending.end() ? infinity : values[*end];
+    const Scalar room = (std::min)({tied.largest_change, largest_spread, (next - value) / 2});
+    const auto size = static_cast<Scalar>(2 * tied.saddles.size() + 1);
+    std::size_t number_of_steps = 0;
+    for(auto it = begin; it != end; ++it)
+    {
+      const bool is_step = it != begin && (tied.saddles.count(*it) != 0 || tied.saddles.count(it[-1]) != 0);
+      number_of_steps += is_step ? 1 : 0;
+      if(number_of_steps != 0)
+        spread[*it] = value + room * (static_cast<Scalar>(number_of_steps) / size);
+      if((is_step && !(spread[it[-1]] < spread[*it])) || !(spread[*it] < next || number_of_steps == 0))
+        throw Perturbed_ties_error(complex.position(Vertex_index(*it)));
+    }
+  }
+  return spread;
+}
+
+// Puts the places of vertices where the numbers of these say. A property map.
+template <class Field>
+struct Places_by_number
+{
+  typedef typename decltype(Field::vertices)::vertex_descriptor key_type;
+  typedef Index value_type;
+  typedef void reference;
+  typedef boost::writable_property_map_tag category;
+
+  friend void put(const Places_by_number& map, const key_type& v, Index place)
+  {
+    (*map.places)[map.field->numbers(v).number()] = place;
+  }
+
+  const Field* field;
+  std::vector<Index>* places;
+};
+
+// By node, the number of its vertex.
+template <class Field, class ReebGraph>
+std::vector<Index> vertices_of_nodes(const Field& field, const ReebGraph& graph)
+{
+  std::vector<Index> result;
+  result.reserve(num_vertices(graph));
+  for(const auto node : CGAL::make_range(vertices(graph)))
+    result.push_back(field.numbers(graph[node].vertex).number());
+  return result;
+}
+
+// By vertex of a node, the distance to the next value of another node.
+template <class Scalar>
+std::vector<Scalar> rooms_of_nodes(const std::vector<Index>& nodes, const std::vector<Scalar>& values)
+{
+  std::vector<Scalar> rooms(values.size(), std::numeric_limits<Scalar>::infinity());
+  for(std::size_t node = 1; node < nodes.size(); ++node)
+  {
+    const Scalar room = values[nodes[node]] - values[nodes[node - 1]];
+    for(const Index v : {nodes[node - 1], nodes[node]})
+    {
+      if(room > 0)
+        rooms[v] = (std::min)(rooms[v], room);
+    }
+  }
+  return rooms;
+}
+
+// Whether a graph is the simplified one, if nodes are told by the place of their vertices, `place_of_node(node)`. A
+// node at which several saddles are in one vertex may have come apart into a tree of nodes in the same place.
+template <class ReebGraph, class SimplifiedGraph, class PlaceOfNode>
+bool is_simplified_graph(const ReebGraph& graph, const SimplifiedGraph& simplified, const PlaceOfNode& place_of_node)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> arcs, expected_arcs;
+  std::vector<bool> is_found(num_vertices(simplified), false);
+  for(std::size_t node = 0; node != num_vertices(graph); ++node)
+  {
+    const std::size_t place = place_of_node(node);
+    if(place >= num_vertices(simplified))
+      return false;
+    const bool is_minimum = in_degree(node, graph) == 0, is_maximum = out_degree(node, graph) == 0;
+    if((is_minimum && in_degree(place, simplified) != 0) || (is_maximum && out_degree(place, simplified) != 0))
+      return false;
+    is_found[place] = true;
+  }
+  std::size_t number_of_trees = num_vertices(graph);
+  std::vector<Index> trees(num_vertices(graph)); // by node, another one of its tree or, at the root, itself
+  std::iota(trees.begin(), trees.end(), Index(0));
+  const auto tree_of = [&](std::size_t node) {
+    return find_root(static_cast<Index>(node), [&](Index i) -> Index& { return trees[i]; });
+  };
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const std::size_t lower = place_of_node(source(arc, graph)), upper = place_of_node(target(arc, graph));
+    if(lower != upper)
+    {
+      arcs.emplace_back(lower, upper);
+      continue;
+    }
+    const Index a = tree_of(source(arc, graph)), b = tree_of(target(arc, graph));
+    if(a == b)
+      return false; // a loop
+    trees[a] = b;
+    --number_of_trees;
+  }
+  for(const auto arc : CGAL::make_range(edges(simplified)))
+    expected_arcs.emplace_back(source(arc, simplified), target(arc, simplified));
+  std::sort(arcs.begin(), arcs.end());
+  std::sort(expected_arcs.begin(), expected_arcs.end());
+  return number_of_trees == num_vertices(simplified) && arcs == expected_arcs
+      && std::find(is_found.begin(), is_found.end(), false) == is_found.end();
+}
+
+// With contracted ties, a removed piece is part of the plateau of its saddle. Nothing can be in the way: the contour of
+// the saddle and the piece are connected, and no other edge crosses another level than before.
+template <class ReebGraph, class Scalar>
+std::vector<Scalar> contracted_values(const ReebGraph& graph,
+                                      const std::vector<Index>& nodes_of_saddles,
+                                      std::vector<Scalar> values)
+{
+  for(std::size_t v = 0; v != values.size(); ++v)
+  {
+    if(nodes_of_saddles[v] != no_index)
+      values[v] = graph[nodes_of_saddles[v]].value;
+  }
+  return values;
+}
+
+// With perturbed ties, it is moved next to its saddle. `nodes` are the vertices of the nodes.
+template <class Complex, class Scalar>
+std::vector<Scalar> perturbed_values(const Complex& complex,
+                                     const std::vector<Index>& nodes,
+                                     std::vector<Index> saddles, // at first, nodes
+                                     const std::vector<Scalar>& values,
+                                     double threshold)
+{
+  for(Index& saddle : saddles)
+    saddle = saddle == no_index ? no_index : nodes[saddle];
+  const auto graph = scalar_fields::edge_graph(complex);
+  const std::vector<Scalar> spread =
+    spread_ties(complex, values, find_tied_saddles(graph, saddles, values, static_cast<Scalar>(threshold)));
+  const std::vector<Scalar> rooms = rooms_of_nodes(nodes, spread);
+  return Moved_pieces<Complex, Scalar>(complex, graph, saddles, rooms, spread, threshold).move();
+}
+
+#define CGAL_REEB_GRAPH_PERTURBED_VALUES(PREFIX, TAG, COMPLEX, SCALAR)                                                 \
+  PREFIX template std::vector<SCALAR> perturbed_values(const COMPLEX&, const std::vector<Index>&, std::vector<Index>,  \
+                                                       const std::vector<SCALAR>&, double);
+CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES_ONCE(CGAL_REEB_GRAPH_PERTURBED_VALUES)
+
+// The values of the simplified field, by number of the vertex; see simplify_field(). They are those of `flat_field`
+// then, if the graph has been computed again to see that it is the simplified one.
+template <class Branch, class Graph, class FlatField, class NamedParameters>
+auto simplified_values(FlatField& flat_field,
+                       double threshold,
+                       const NamedParameters& np,
+                       const Stage_progress& progress)
+{
+  typedef typename FlatField::value_type Scalar;
+  const auto& mesh = flat_field.mesh();
+  const auto& [complex, field] = *flat_field.flat_surface(mesh); // It stays, as long as nobody else has it.
+  typedef Places_by_number<std::decay_t<decltype(field)>> Place_map;
+  Graph graph;
+  std::vector<Index> places(field.values.size(), no_index);
+  compute_reeb_graph(
+    mesh, flat_field, graph,
+    parameters::vertex_place_map(Place_map{&field, &places}, np.callback(progress.part(0.1, 0.6).callback())));
+  const Leaf_pruning pruned = prune_graph<Branch>(graph, threshold, np);
+  const std::vector<Index> saddles_of_places = pruned.find_saddles();
+  std::vector<Index> saddles;
+  saddles.reserve(places.size());
+  for(const Index place : places)
+    saddles.push_back(place == no_index ? no_index : saddles_of_places[place]);
+  std::vector<Scalar> values(field.values.begin(), field.values.end());
+  if(parameters::choose_parameter(parameters::get_parameter(np, ties), Ties::PERTURB) == Ties::CONTRACT)
+    return contracted_values(graph, saddles, std::move(values));
+  if constexpr(std::is_floating_point_v<Scalar>)
+  {
+    Graph simplified, graph_of_moved;
+    const auto simplification = write_simplified_graph(graph, pruned, simplified);
+    values = perturbed_values(complex, vertices_of_nodes(field, graph), std::move(saddles), values, threshold);
+    progress(0.75);
+    flat_field.set_values(boost::make_function_property_map<typename FlatField::key_type>(
+      [&](const auto& v) { return values[field.numbers(v).number()]; }));
+    compute_reeb_graph(mesh, flat_field, graph_of_moved, parameters::callback(progress.part(0.75, 1).callback()));
+    const std::vector<Index> nodes = vertices_of_nodes(flat_field.flat_surface(mesh)->field, graph_of_moved);
+    const auto place_of_node = [&](std::size_t node) {
+      const Index place = places[nodes[node]];
+      return place < num_vertices(graph) ? simplification.index_of_node(place)
+                                         : simplification.index_of_arc(place - num_vertices(graph));
+    };
+    if(!is_simplified_graph(graph_of_moved, simplified, place_of_node))
+      throw Perturbed_ties_error("a removed piece has a border or a handle that makes a loop of its own");
+    return values;
+  }
+  else
+    throw Perturbed_ties_error("the values are no floating point numbers");
+}
+
+// Writes them, and returns the largest difference.
+template <class Branch, class Traits, class Mesh, class ScalarMap, class SimplifiedScalarMap, class NamedParameters>
+double write_simplified_field(const Mesh& mesh,
+                              const ScalarMap& scalar_map,
+                              double threshold,
+                              const SimplifiedScalarMap& simplified_scalar_map,
+                              const NamedParameters& np)
+{
+  const Progress progress(np);
+  progress.report(0);
+  auto flat_field = [&] {
+    if constexpr(Is_flat_field<ScalarMap, typename Traits::Scalar>::value)
+      return scalar_map;
+    else
+      return Flat_field<Mesh, typename Traits::Scalar>(mesh, scalar_map, np);
+  }();
+  const auto values =
+    simplified_values<Branch, typename Traits::Graph>(flat_field, threshold, np, Stage_progress(progress, 0, 0.98));
+  double largest_difference = 0;
+  const auto surface = flat_field.flat_surface(mesh);
+  for(const Vertex_index number : surface->complex.vertices())
+  {
+    if(!surface->complex.has_vertex(number))
+      continue;
+    const auto v = surface->field.vertices[number];
+    const auto& value = values[number.number()];
+    largest_difference =
+      (std::max)(largest_difference, persistence(CGAL::to_double(get(scalar_map, v)), CGAL::to_double(value)));
+    put(simplified_scalar_map, v, value);
+  }
+  progress.report_end();
+  return largest_difference;
+}
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_SIMPLIFIED_VALUES_H

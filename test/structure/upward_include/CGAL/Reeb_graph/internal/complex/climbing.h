@@ -1,0 +1,1 @@
+#include <CGAL/Reeb_graph/internal/engine/Slab.h>
