@@ -66,10 +66,11 @@ def harmonic(
         raise ValueError(f"weights are 'mean-value', 'cotangent', or 'uniform', not {weights!r}")
     if (minimum is None) != (maximum is None):
         raise ValueError("minimum and maximum go together")
-    settings: dict[str, Any] = {"weights": weights, "between_borders": bool(between_borders)}
+    settings: dict[str, Any] = {"weights": weights}
     if minimum is not None:
         settings["minimum"], settings["maximum"] = _vertex_numbers([minimum, maximum], "minimum and maximum")
-    return _field("harmonic", _arrays.take(triangles, points), threads, progress, **settings)
+    name = "harmonic-between-borders" if between_borders else "harmonic"
+    return _field(name, _arrays.take(triangles, points), threads, progress, **settings)
 
 
 def poisson(

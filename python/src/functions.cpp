@@ -61,7 +61,8 @@ Value_array field(const std::string& name,
     {
       if(name != "height")
         check_is_surface(mesh, "the field " + name);
-      compute_scalar_field(options, mesh.surface, map);
+      Work_report report;
+      compute_scalar_field(options, mesh.surface, map, report);
     }
     values.assign(map.begin(), map.end());
   });
@@ -174,8 +175,7 @@ void add_functions(py::module_& module)
     .def_readwrite("minimum", &Input_options::lowest_vertex)
     .def_readwrite("maximum", &Input_options::highest_vertex)
     .def_readwrite("sources", &Input_options::source_vertices)
-    .def_readwrite("direction", &Input_options::direction)
-    .def_readwrite("between_borders", &Input_options::are_borders_fixed);
+    .def_readwrite("direction", &Input_options::direction);
   py::class_<Cut_options>(module, "CutOptions")
     .def(py::init<>())
     .def_readwrite("persistence", &Cut_options::persistence)
