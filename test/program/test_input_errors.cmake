@@ -22,7 +22,7 @@ function(expect_errors_of_files name begin)
 endfunction()
 
 # the command line
-expect_error("a command is needed: compute, contour, curves, field, demo")
+expect_error("a command is needed: compute, contour, curves, field, handles, demo")
 expect_error("there is no command 'paint': compute" paint tetrahedron.off)
 expect_error("MESH" compute)
 expect_error("" compute tetrahedron.off)
@@ -206,7 +206,7 @@ expect_error_of_file(compressed.vtu "<VTKFile type=\"UnstructuredGrid\" compress
 expect_error("--mesh-out writes triangles, and the mesh has tetrahedra" compute field.vtk --field z --mesh-out mesh.ply)
 expect_error("contours in tetrahedra, which are surfaces, ends in .off" contour field.vtk --field z
              --level 0.5 --output contour.polylines.txt)
-expect_error("polylines ends in .polylines.txt" contour three_faces_at_an_edge.off --field z --level 0.5
+expect_error("contours ends in .polylines.txt, .vtp, .obj, or .json" contour three_faces_at_an_edge.off --field z --level 0.5
              --output contour.off)
 
 # scalars

@@ -33,7 +33,7 @@ foreach(threads 1 4)
     expect_success(compute ${mesh}.ply --scalars demo/scalars.txt --threads ${threads} --graph other_graph.dot)
     expect_same_file(graph.dot other_graph.dot)
   endforeach()
-  expect_error("with_more.ply:60911: there is more in the file" compute with_more.ply --field z --threads
+  expect_error("with_more.ply:63293: there is more in the file" compute with_more.ply --field z --threads
                ${threads})
 endforeach()
 
