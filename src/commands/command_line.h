@@ -34,8 +34,9 @@ inline void add_input_options(CLI::App& command, Input_options& options)
   add_file(command, "MESH", options.mesh_path, "Mesh: OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file")->required();
   command.add_flag("--triangulate", options.are_faces_triangulated, "Cut faces that are not triangles into triangles");
   begin_group(command, "Field");
-  add_file(command, "--scalars", options.scalars_path,
-           "The field: file of one number per line, in the vertex order of the mesh file, or CSV file, or NumPy's .npy");
+  add_file(
+    command, "--scalars", options.scalars_path,
+    "The field: file of one number per line, in the vertex order of the mesh file, or CSV file, or NumPy's .npy");
   command.add_option("--column", options.column,
                      "The column of the CSV file, by its name, or its number from 0, if there is more than one");
   add_whole_number(command, "--min", options.lowest_vertex,
