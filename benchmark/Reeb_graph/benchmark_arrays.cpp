@@ -43,7 +43,8 @@ std::size_t number_of_arcs(const std::vector<double>& scalars,
   if(!assemble_surface(soup, surface))
     return 0;
   const Scalar_map map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
-  std::copy(scalars.begin(), scalars.end(), map.begin());
+  for(const Surface::Vertex_index v : surface.vertices())
+    map[v] = scalars[v];
   return num_edges(compute_graph(surface, map, Graph_options()));
 }
 
