@@ -12,7 +12,7 @@ def check_equal(graph, folder, expected, places):
     assert graph.node_vertices.tolist() == [node["vertex"] for node in expected["nodes"]]
     assert graph.node_values.tolist() == [node["value"] for node in expected["nodes"]]
     assert graph.node_kinds.tolist() == [node["kind"] for node in expected["nodes"]]
-    assert graph.arcs.tolist() == [[arc["source"], arc["target"]] for arc in expected["arcs"]]
+    assert graph.arcs.tolist() == [[arc["source"], arc["target"]] for arc in expected["edges"]]
     assert np.array_equal(graph.vertex_places, places)
     pairs = graph.pairs()
     rows = (folder / "pairs.csv").read_text().splitlines()[1:]
@@ -45,7 +45,7 @@ def test_chains_as_the_program(tmp_path):
     meshes.write_off(tmp_path / "mesh.off", triangles, points)
     graph = reeb_graph.compute(triangles, points[:, 0], points=points)
     expected, _ = meshes.result_of_program(tmp_path, tmp_path / "mesh.off", points[:, 0])
-    for chain, arc in zip(graph.chains, expected["arcs"]):
+    for chain, arc in zip(graph.chains, expected["edges"]):
         assert chain.tolist() == np.concatenate(arc["chain"]).tolist()
 
 

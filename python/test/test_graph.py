@@ -35,7 +35,7 @@ def test_simplify_as_the_program(tmp_path, torus):
         simplified = graph.simplify(*arguments, **options)
         expected, places = meshes.result_of_program(tmp_path, tmp_path / "mesh.off", scalars, *of_program)
         assert simplified.node_vertices.tolist() == [node["vertex"] for node in expected["nodes"]]
-        assert simplified.arcs.tolist() == [[arc["source"], arc["target"]] for arc in expected["arcs"]]
+        assert simplified.arcs.tolist() == [[arc["source"], arc["target"]] for arc in expected["edges"]]
         assert np.array_equal(simplified.vertex_places, places)
         assert np.array_equal(simplified.simplify(0.1).arcs, graph.simplify(0.1).arcs)
 
