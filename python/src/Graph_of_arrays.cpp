@@ -343,7 +343,10 @@ void Graph_of_arrays::write(const std::filesystem::path& path, const File_option
     return write_pairs(path, *to_write(graph()), pairs());
   if(is_format_in_space(path))
     return write_in_space(path, options);
-  write_graph(path, *to_write(graph()), options.label);
+  std::vector<CGAL::Reeb_graph::Attribute> attributes;
+  if(is_surface() && has_arc_attributes(path))
+    attributes = attributes_of_arcs(*with_values(graph()), measure_rows());
+  write_graph(path, *to_write(graph()), options.label, {}, attributes);
 }
 
 std::string Graph_of_arrays::report() const

@@ -277,7 +277,9 @@ auto simplified_values(FlatField& flat_field,
 {
   typedef typename FlatField::value_type Scalar;
   const auto& mesh = flat_field.mesh();
-  const auto& [complex, field] = *flat_field.flat_surface(mesh); // It stays, as long as nobody else has it.
+  const auto& flat = *flat_field.flat_surface(mesh); // It stays, as long as nobody else has it.
+  const auto& complex = flat.complex;
+  const auto& field = flat.field;
   typedef Places_by_number<std::decay_t<decltype(field)>> Place_map;
   Graph graph;
   std::vector<Index> places(field.values.size(), no_index);
