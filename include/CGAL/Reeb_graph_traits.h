@@ -112,7 +112,8 @@ public:
   /// the property of an arc
   typedef Reeb_graph::Arc<halfedge_descriptor> Arc;
   /// the Reeb graph. Arcs are directed from the lower to the upper node, and can be parallel. They are stored in a way
-  /// that saves allocations; any other containers of Boost.Graph that allow parallel edges can be used as well.
+  /// that saves allocations. Any other containers of Boost.Graph that allow parallel edges can be used as well.
+  ///
   /// `get(boost::edge_index, graph)` is a property map from the arcs to their numbers, from 0, in the order of
   /// `edges(graph)`, as the functions that write a graph have set them; `graph[arc]` is the `Arc`.
 #ifdef DOXYGEN_RUNNING
