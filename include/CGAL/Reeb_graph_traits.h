@@ -57,7 +57,7 @@ template <class HalfedgeDescriptor>
 struct Arc
 {
   /// ascending halfedges from the vertex of the lower node to the first one that crosses the level just below
-  /// the upper node. With `Ties::CONTRACT` the chain begins at a vertex of the lower node, and in several pieces where
+  /// the upper node. With `Ties::CONTRACT` the chain begins at a vertex of the lower node. It has several pieces where
   /// the arc passes a plateau: each but the first begins at the vertex of the plateau from which the arc goes on.
   Halfedge_chain<HalfedgeDescriptor> chain;
 };

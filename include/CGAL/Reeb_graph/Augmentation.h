@@ -74,9 +74,8 @@ public:
   /// \param scalar_map the field that it has been computed of
   /// \param graph the graph
   /// \param np the named parameters that the graph has been computed with: `ties`, `keep_degree_two_nodes`,
-  ///        `vertex_index_map`, `face_index_map` and `geom_traits` count; `callback`, as for `compute_reeb_graph()`;
-  ///        and for a graph made by `simplify()`, what that has returned, as named parameter `simplification`, if
-  ///        vertices are to be located
+  ///        `vertex_index_map`, `face_index_map` and `geom_traits` count. `callback` is as for `compute_reeb_graph()`.
+  ///        To locate vertices in a graph made by `simplify()`, pass what that has returned as `simplification`
   ///
   /// \exception Graph_mismatch_error if a node is not one of this mesh and field, or an arc none that `ties` gives.
   ///            That all nodes and arcs are there is checked by `locate_vertices()` only.

@@ -38,9 +38,9 @@ namespace CGAL {
 /// The field is cut at levels into slabs, one for each rank, with about the same numbers of vertices. A triangle goes
 /// to every rank whose slab it meets. Each rank finds the arcs in its slab, as `compute_reeb_graph()` does in its own
 /// slabs. The two ranks at a level hold all that it crosses, so they find the same contours there, and name them alike
-/// without a word; along these, the slabs are glued, pairs of neighbors first, then pairs of pairs, up to all of them.
-/// At rank 0, arcs that pass vertices are joined, and the graph is written. The chains of the arcs are walked by the
-/// ranks in whose slabs they are, and handed on upwards.
+/// without a message. Along these, the slabs are glued, pairs of neighbors first, then pairs of pairs, up to all of
+/// them. At rank 0, arcs that pass vertices are joined, and the graph is written. The chains of the arcs are walked by
+/// the ranks in whose slabs they are, and handed on upwards.
 ///
 /// Triangles that meet many slabs are copied to many ranks, as on noise. If by a sample of the triangles they would
 /// meet more than two slabs on average, fewer slabs than ranks are used; `Reeb_graph::Distributed_slab` tells. Surfaces
