@@ -29,8 +29,8 @@ files = folder / "files"
 files.mkdir(parents=True, exist_ok=True)
 SCALE = 2  # drawn at twice the size, for smooth edges
 PORTRAIT, LANDSCAPE = (360, 520), (520, 300)
-PALETTE = [(86, 156, 214), (230, 145, 56), (106, 168, 79), (204, 65, 97), (142, 124, 195), (191, 173, 53), (69, 178, 178),
-           (166, 121, 82), (217, 128, 190), (120, 133, 150), (61, 107, 175), (150, 190, 60)]
+PALETTE = [(86, 156, 214), (230, 145, 56), (106, 168, 79), (204, 65, 97), (142, 124, 195), (191, 173, 53),
+           (69, 178, 178), (166, 121, 82), (217, 128, 190), (120, 133, 150), (61, 107, 175), (150, 190, 60)]
 
 
 def run(*arguments):
@@ -156,7 +156,8 @@ def read_off(path):
     words = path.read_text().split()
     number, number_of_faces = int(words[1]), int(words[2])
     points = numpy.array(words[4:4 + 3 * number], dtype=float).reshape(-1, 3)
-    return points, numpy.array(words[4 + 3 * number:4 + 3 * number + 4 * number_of_faces], dtype=int).reshape(-1, 4)[:, 1:]
+    corners = words[4 + 3 * number:4 + 3 * number + 4 * number_of_faces]
+    return points, numpy.array(corners, dtype=int).reshape(-1, 4)[:, 1:]
 
 
 def write_off(name, points, faces):
@@ -177,8 +178,8 @@ def cut_holes():
 
 
 def read_polylines(name):
-    rows = [numpy.array(line.split()[1:], dtype=float).reshape(-1, 3) for line in (files / name).read_text().splitlines()]
-    return [row for row in rows if len(row)]
+    lines = (files / name).read_text().splitlines()
+    return [numpy.array(line.split()[1:], dtype=float).reshape(-1, 3) for line in lines]
 
 
 def lines_of_json(name, kind):
@@ -279,6 +280,96 @@ def draw_reeb_graph_of_genus_3(name):
     picture.write(name)
 
 
+def make_knot(along=240, around=20):
+    """A tube around a trefoil, that stands upright."""
+    t = numpy.linspace(0, 2 * numpy.pi, along, endpoint=False)
+
+    def curve(t):
+        return numpy.stack([numpy.sin(t) + 2 * numpy.sin(2 * t), -numpy.sin(3 * t),
+                            numpy.cos(t) - 2 * numpy.cos(2 * t)], axis=1)
+
+    def unit(a):
+        return a / numpy.linalg.norm(a, axis=1, keepdims=True)
+
+    tangent = unit(curve(t + 1e-3) - curve(t - 1e-3))
+    normal = curve(t + 1e-3) + curve(t - 1e-3) - 2 * curve(t)
+    normal = unit(normal - (normal * tangent).sum(axis=1, keepdims=True) * tangent)
+    u = numpy.linspace(0, 2 * numpy.pi, around, endpoint=False)[None, :, None]
+    points = curve(t)[:, None] + 0.4 * (numpy.cos(u) * normal[:, None]
+                                         + numpy.sin(u) * numpy.cross(tangent, normal)[:, None])
+    i, j = (k.ravel() for k in numpy.meshgrid(numpy.arange(along), numpy.arange(around), indexing="ij"))
+    a, b = i * around + j, i * around + (j + 1) % around
+    c, d = (i + 1) % along * around + j, (i + 1) % along * around + (j + 1) % around
+    faces = numpy.concatenate([numpy.stack([a, d, b], 1), numpy.stack([a, c, d], 1)])
+    write_off("knot.off", points.reshape(-1, 3), faces)
+
+
+def add_noise(number=25):
+    """The scan with false handles: thin bridges between two of its triangles."""
+    points, faces = read_off(files / scan)
+    points, triangles = points.tolist(), faces.tolist()
+    corners = numpy.array(points)[faces]
+    middles = corners.mean(axis=1)
+    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= numpy.linalg.norm(normals, axis=1, keepdims=True)
+    random = numpy.random.default_rng(3)
+    used, removed = [], []
+    while len(removed) < 2 * number:
+        a = random.integers(len(faces))
+        distances = numpy.linalg.norm(middles - middles[a], axis=1)
+        candidates = numpy.flatnonzero((distances > 0.06) & (distances < 0.08) & (normals @ normals[a] > 0.9))
+        if len(candidates) == 0 or any(numpy.linalg.norm(middles[a] - m) < 0.16 for m in used):
+            continue
+        b = random.choice(candidates)
+        used.append((middles[a] + middles[b]) / 2)
+        removed += [a, b]
+        # The corners of b, the other way around, from the one that is nearest to the first corner of a.
+        end = faces[b][::-1]
+        end = min((numpy.roll(end, k) for k in range(3)),
+                  key=lambda order: numpy.linalg.norm(corners[a] - numpy.array(points)[order], axis=1).sum())
+        rings = [list(faces[a])]
+        for t in numpy.linspace(0, 1, 7)[1:-1]:
+            lift = 0.035 * numpy.sin(numpy.pi * t) * normals[a]
+            rings.append(list(range(len(points), len(points) + 3)))
+            points += [((1 - t) * corners[a][k] + t * numpy.array(points[end[k]]) + lift).tolist() for k in range(3)]
+        rings.append(list(end))
+        for low, high in zip(rings, rings[1:]):
+            for k in range(3):
+                m = (k + 1) % 3
+                triangles += [[low[k], low[m], high[m]], [low[k], high[m], high[k]]]
+    kept = [triangle for f, triangle in enumerate(triangles) if f not in set(removed)]
+    write_off("noise.off", numpy.array(points), numpy.array(kept))
+
+
+def draw_loops(mesh, name):
+    """The surface with handles in red, which shine through, and tunnels in blue."""
+    report = json.loads(subprocess.run([pathlib.Path(program).absolute(), "handles", mesh, "--json", "--loops",
+                                        "loops.polylines.txt"], cwd=files, check=True, capture_output=True).stdout)
+    points, faces = read_off(files / mesh)
+    picture = Picture(points)
+    picture.draw_surface(points, faces, numpy.full((len(faces), 3), 205.0))
+    for loop, polyline in zip(report["loops"], read_polylines("loops.polylines.txt")):
+        is_handle = loop["kind"] == "handle"
+        picture.draw_line(polyline, (200, 30, 30) if is_handle else (20, 90, 200), 2.5, 1e9 if is_handle else 4.0)
+    picture.write(name)
+
+
+def draw_handles_of_a_knot(name):
+    make_knot()
+    draw_loops("knot.off", name)
+
+
+def draw_noise(name):
+    add_noise()
+    draw_loops("noise.off", name)
+
+
+def draw_clean(name):
+    add_noise()
+    run("handles", "noise.off", "--remove-below", "0.12", "--output", "clean.off")
+    draw_loops("clean.off", name)
+
+
 def draw_page(name):
     """A picture of the page of the demo: its pieces, or the arc beside the bent arm and its contour."""
     from selenium import webdriver
@@ -312,6 +403,7 @@ figures = {
     "segmentation.png": draw_segmentation, "contours.png": draw_contours, "pants.png": draw_pants,
     "diagram.svg": draw_diagram, "paraview.png": draw_paraview, "own_field.png": draw_own_field,
     "simplified.svg": draw_simplified, "drawing.svg": draw_drawing, "cutting_system.png": draw_cutting_system,
-    "pants_decomposition.png": draw_pants_decomposition, "page_arcs.png": draw_page, "page_contour.png": draw_page}
+    "pants_decomposition.png": draw_pants_decomposition, "handles_of_a_knot.png": draw_handles_of_a_knot,
+    "noise.png": draw_noise, "clean.png": draw_clean, "page_arcs.png": draw_page, "page_contour.png": draw_page}
 for figure in wanted or figures:
     figures[figure](figure)
