@@ -1,3 +1,4 @@
+//! [includes]
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
@@ -16,6 +17,7 @@
 #include <string>
 #include <utility>
 #include <vector>
+//! [includes]
 
 //! [types]
 typedef CGAL::Simple_cartesian<double> Kernel;
