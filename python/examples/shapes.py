@@ -39,7 +39,7 @@ def draw(path, triangles, points, pieces, lines=(), to_viewer=(0, -0.6, 1), both
             text = f'<path d="M{x:g} {y:g}L{u:g} {v:g}" style="stroke-width:3"/>'
             shapes.append(((z + w) / 2 + 4, text))
     width, height = size[:2] * scale + 20
-    content = "\n".join(text for _, text in sorted(shapes))
+    content = "".join(text for _, text in sorted(shapes))
     head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}">'
     style = "<style>path{fill:currentColor;stroke:currentColor;stroke-width:.6;stroke-linecap:round}</style>"
     Path(path).write_text(f"{head}{style}\n{content}\n</svg>\n")
