@@ -112,7 +112,7 @@ void write_graph_file(const Curves_options& options, Mesh_graph& graph)
     const Graph_in_space graph_in_space =
       graph.embed(CGAL::Reeb_graph::Embedding_manner::BY_COST, arcs.empty() ? nullptr : &arcs);
     return write_graph_in_space(options.graph_path, graph.result(), graph_in_space,
-                                [&](std::ostream& stream) { graph.write_json(stream, graph_in_space); });
+                                [&](std::ostream& stream) { graph.write_json(stream, graph_in_space, 0); });
   }
   std::vector<CGAL::Reeb_graph::Attribute> attributes;
   if(!arcs.empty())
