@@ -33,26 +33,25 @@ class Mesh(NamedTuple):
     point_data: Any = {}
 
 
+def _numbers(array: Any, name: str, kinds: str = "iufb", what: str = "real numbers", largest: int = LARGEST_NUMBER) -> Any:
+    """Return an array of numbers of these kinds, of which there are not too many."""
+    array = np.asarray(array)
+    if array.dtype.kind not in kinds and array.size > 0:
+        raise TypeError(f"{name} has the dtype {array.dtype}; it has to be one of {what}")
+    if array.ndim > 0 and array.shape[0] > largest:
+        raise ValueError(f"{name} has {array.shape[0]} rows, at most {largest} are possible")
+    return array
+
+
 def indices(array: Any, columns: int, name: str) -> np.ndarray | None:
     """Return `array` as one of integers that the extension takes, with so many columns, or None if there are no rows."""
-    if array is None:
+    if array is None or np.shape(array) in ((0,), (0, columns)):
         return None
-    array = np.asarray(array)
-    if array.size == 0 and array.ndim <= 2:
-        if array.ndim == 2 and array.shape[0] > 0:
-            raise ValueError(f"{name} has the shape {array.shape}, it has to be (number, {columns})")
-        return None
-    if name == "triangles" and array.dtype.kind == "f":
-        raise TypeError(
-            f"triangles are integers, the numbers of their vertices; an array of {array.dtype} of the shape "
-            f"{array.shape} looks like points: these are handed over as points=, behind the triangles"
-        )
-    if array.dtype.kind not in "iu":
-        raise TypeError(f"{name} has the dtype {array.dtype}; it has to be one of integers, the numbers of vertices")
+    if name == "triangles" and np.asarray(array).dtype.kind == "f":
+        raise TypeError("triangles are integers; what is handed in looks like points, which come as points=, behind them")
+    array = _numbers(array, name, "iu", "integers, the numbers of vertices", LARGEST_NUMBER_OF_CELLS)
     if array.ndim != 2 or array.shape[1] != columns:
         raise ValueError(f"{name} has the shape {array.shape}; it has to be (number, {columns})")
-    if array.shape[0] > LARGEST_NUMBER_OF_CELLS:
-        raise ValueError(f"{name} has {array.shape[0]} rows, at most {LARGEST_NUMBER_OF_CELLS} are possible")
     return np.require(array, np.int64, ["C_CONTIGUOUS", "ALIGNED"])
 
 
@@ -60,17 +59,13 @@ def points_array(points: Any, number: int | None = None) -> np.ndarray | None:
     """Return `points` as C-contiguous doubles, three a row; two coordinates get 0 as third one."""
     if points is None:
         return None
-    points = np.asarray(points)
-    if points.dtype.kind not in "iufb" and points.size > 0:
-        raise TypeError(f"points has the dtype {points.dtype}; it has to be one of real numbers")
+    points = _numbers(points, "points")
     if points.size == 0 and points.ndim < 2:
         points = np.zeros((0, 3))
     if points.ndim != 2 or points.shape[1] not in (2, 3):
         raise ValueError(f"points has the shape {points.shape}; it has to be (number of vertices, 3)")
     if number is not None and points.shape[0] != number:
         raise ValueError(f"there are {points.shape[0]} points and {number} scalars; there has to be one of each per vertex")
-    if points.shape[0] > LARGEST_NUMBER:
-        raise ValueError(f"there are {points.shape[0]} points, at most {LARGEST_NUMBER} are possible")
     if points.shape[1] == 2:
         points = np.column_stack([points, np.zeros(len(points))])
     return np.ascontiguousarray(points, dtype=np.float64)
@@ -78,17 +73,12 @@ def points_array(points: Any, number: int | None = None) -> np.ndarray | None:
 
 def values_array(scalars: Any, name: str = "scalars") -> np.ndarray:
     """Return `scalars` as an array of one dimension of real numbers, in the byte order of the machine."""
-    masked = isinstance(scalars, np.ma.MaskedArray)
-    if masked and np.ma.getmaskarray(scalars).any():
+    if isinstance(scalars, np.ma.MaskedArray) and np.ma.getmaskarray(scalars).any():
         vertex = int(np.flatnonzero(np.ma.getmaskarray(scalars).ravel())[0])
         raise MeshError(f"vertex {vertex} has no value: it is masked", "vertex", vertex)
-    scalars = np.asarray(scalars)
-    if scalars.dtype.kind not in "iufb" and scalars.size > 0:
-        raise TypeError(f"{name} has the dtype {scalars.dtype}; it has to be one of real numbers")
+    scalars = _numbers(scalars, name)
     if scalars.ndim != 1:
         raise ValueError(f"{name} has the shape {scalars.shape}; it has to be (number of vertices,)")
-    if scalars.shape[0] > LARGEST_NUMBER:
-        raise ValueError(f"{name} has {scalars.shape[0]} values, at most {LARGEST_NUMBER} are possible")
     if scalars.dtype.kind == "b" or scalars.size == 0:
         return scalars.astype(np.uint8 if scalars.dtype.kind == "b" else np.float64)
     return scalars.astype(scalars.dtype.newbyteorder("="), copy=False)
