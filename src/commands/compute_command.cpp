@@ -14,12 +14,14 @@
 #include "computation/analysis.h"
 #include "computation/complex_counts.h"
 #include "computation/embedding.h"
+#include "computation/longest_loop.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/field_input.h"
 #include "input/input_error.h"
 #include "output/diagram_output.h"
 #include "output/graph_output.h"
+#include "output/loops_output.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
 #include "output/pairs_output.h"
@@ -44,8 +46,8 @@ bool is_graph_in_space(const Compute_options& options)
 std::vector<std::filesystem::path> output_files(const Compute_options& options)
 {
   std::vector<std::filesystem::path> paths = graph_files(options.graph_path);
-  paths.insert(paths.end(), {options.vertex_arcs_path, options.pairs_path, options.diagram_path, options.mesh_path,
-                             options.simplified_scalars_path, options.page_path});
+  paths.insert(paths.end(), {options.vertex_arcs_path, options.pairs_path, options.diagram_path, options.loop_path,
+                             options.mesh_path, options.simplified_scalars_path, options.page_path});
   return paths;
 }
 
@@ -57,8 +59,9 @@ void check(const Compute_options& options)
     check_pairs_format(options.pairs_path);
   if(!options.diagram_path.empty())
     check_diagram_format(options.diagram_path);
-  if(!options.page_path.empty())
-    check_page(options.page_path);
+  if(!options.loop_path.empty())
+    check_loops_format(options.loop_path);
+  check_page(options.page_path, options.up);
   if(!options.mesh_path.empty())
     check_mesh_format(options.mesh_path);
   check_outputs(output_files(options), input_files(options.input));
@@ -153,15 +156,16 @@ void write_page_file(const Compute_options& options,
                      const Surface& surface,
                      Scalar_map scalar_map,
                      double threshold,
+                     const std::vector<Polyline>& curves,
                      Report& report)
 {
   if(options.page_path.empty())
     return;
   const Stopwatch stopwatch;
-  write_page(options.page_path,
-             {surface, scalar_map, given, options.graph,
-              std::filesystem::path(options.input.mesh_path).filename().string(),
-              field_label(options.input, options.unit), options.simplification, threshold, options.up});
+  write_page(options.page_path, {surface, scalar_map, given, options.graph,
+                                 std::filesystem::path(options.input.mesh_path).filename().string(),
+                                 field_label(options.input, options.unit), options.simplification, threshold,
+                                 options.up, std::nullopt, curves});
   report.seconds.emplace_back("page", stopwatch.seconds());
 }
 
@@ -181,6 +185,19 @@ void write_simplified_field(const Compute_options& options,
   report.simplification->are_ties_contracted = field.are_ties_contracted;
   write_scalars(options.simplified_scalars_path, surface, simplified_map);
   report.seconds.emplace_back("simplified field", stopwatch.seconds());
+}
+
+// Returns the curves of the file.
+std::vector<Polyline> write_longest_loop(const Compute_options& options, Mesh_graph& graph, Report& report)
+{
+  if(options.loop_path.empty())
+    return {};
+  const Stopwatch stopwatch;
+  const Loops_of_surface loops = find_longest_loop(graph);
+  write_loops(options.loop_path, loops);
+  report.longest_loop = loops.rows.front();
+  report.seconds.emplace_back("longest loop", stopwatch.seconds());
+  return loops.polylines;
 }
 
 void write_report(const Compute_options& options, const Report& report)
@@ -219,11 +236,12 @@ void compute(const Compute_options& options, Mesh& mesh, Report& report)
   count_all(mesh, graph->given(), report);
   if(options.simplification.is_anything_removed())
     count_simplified(graph->result(), threshold, report);
+  const std::vector<Polyline> loops = write_longest_loop(options, *graph, report);
   write_simplified_field(options, surface, scalar_map, threshold, report);
   write_pairs_and_diagram(options, graph->given(), threshold, report);
   const std::vector<Arc_row> arcs = write_files_of_mesh(options, *graph, mesh, scalar_map, report);
   write_graph_file(options, graph->result(), arcs, report);
-  write_page_file(options, graph->given(), surface, scalar_map, threshold, report);
+  write_page_file(options, graph->given(), surface, scalar_map, threshold, loops, report);
   write_report(options, report);
 }
 

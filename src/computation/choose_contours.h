@@ -41,14 +41,6 @@ typename boost::graph_traits<AnyGraph>::edge_descriptor arc_of_number(const AnyG
   return *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(arc));
 }
 
-inline double length_of(const Polyline& points)
-{
-  double length = 0;
-  for(std::size_t i = 1; i < points.size(); ++i)
-    length += std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
-  return length;
-}
-
 inline void add_line(Polyline points, std::size_t arc, double value, bool is_closed, Contours& contours)
 {
   contours.lines.push_back({std::move(points), arc, value, 0, is_closed});

@@ -12,7 +12,10 @@
 #include "base/options.h"
 #include "base/surface.h"
 
+#include <CGAL/squared_distance_3.h>
+
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -39,6 +42,14 @@ struct Contour_line
   double length = 0;
   bool is_closed = false;
 };
+
+inline double length_of(const Polyline& points)
+{
+  double length = 0;
+  for(std::size_t i = 1; i < points.size(); ++i)
+    length += std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
+  return length;
+}
 
 // Parts of level sets: curves in triangles, or triangles in tetrahedra.
 struct Contours
