@@ -8,13 +8,14 @@
 
 #include "computation/longest_loop.h"
 
-#include "computation/contours.h"
 #include "computation/simplification.h"
 
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <vector>
@@ -124,7 +125,8 @@ Loops_of_surface find_longest_loop(Mesh_graph& mesh_graph)
   }
   Loop_row row;
   row.kind = "loop";
-  row.length = length_of(curve);
+  for(std::size_t i = 1; i < curve.size(); ++i)
+    row.length += std::sqrt(CGAL::squared_distance(curve[i - 1], curve[i]));
   row.persistence = CGAL::Reeb_graph::persistence(graph, *pair);
   return {{row}, {curve}};
 }
