@@ -32,6 +32,7 @@ struct Compute_options
   std::string vertex_arcs_path;
   std::string pairs_path;
   std::string diagram_path;
+  std::string loop_path;
   std::string simplified_scalars_path;
   std::string page_path;
   std::string up;   // of the page: x, y, z, -x, -y, -z, or as it finds it

@@ -64,8 +64,7 @@ void check_formats(const Curves_options& options)
     check_graph_format(options.graph_path);
   if(!options.mesh_path.empty())
     check_mesh_format(options.mesh_path);
-  if(!options.page_path.empty())
-    check_page(options.page_path);
+  check_page(options.page_path, options.up);
 }
 
 std::vector<std::filesystem::path> output_files(const Curves_options& options)
