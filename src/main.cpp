@@ -178,10 +178,19 @@ void add_handles_command(CLI::App& app, Handles_options& options)
     app.add_subcommand("handles", "Find the handles and the tunnels of a surface, each by a short loop around it");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
-  add_file(*command, "--loops", options.loops_path, "Write the loops to this file, .vtp, .obj, or .polylines.txt");
   command->add_flag("!--no-shortening", options.are_loops_shortened, "Leave the loops as they are found first");
+  begin_group(*command, "Removal");
+  add_real_number(*command, "--remove-below", options.size_to_remove,
+                  "Remove the handles and tunnels that are smaller: those with a loop shorter than this");
+  add_whole_number(*command, "--remove", options.number_to_remove, "Remove so many at most, the smallest ones");
+  begin_group(*command, "Output");
+  add_file(*command, "--loops", options.loops_path,
+           "Write the loops, of what is left, to this file, .vtp, .obj, or .polylines.txt");
+  add_file(*command, "--output", options.mesh_path, "Write the mesh without what is removed to this file, .off or .ply");
+  add_page_options(*command, options.page_path, options.unit, options.up);
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
+  add_example(*command, "reeb_graph handles scan.ply --remove-below 0.5 --output clean.ply");
   command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_handles(options); }); });
 }
 

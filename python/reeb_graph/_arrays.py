@@ -53,12 +53,7 @@ def indices(array: Any, columns: int, name: str) -> np.ndarray | None:
         raise ValueError(f"{name} has the shape {array.shape}; it has to be (number, {columns})")
     if array.shape[0] > LARGEST_NUMBER_OF_CELLS:
         raise ValueError(f"{name} has {array.shape[0]} rows, at most {LARGEST_NUMBER_OF_CELLS} are possible")
-    wanted = array.dtype.newbyteorder("=")
-    if wanted.itemsize < 4:
-        wanted = np.dtype(np.int32)
-    if wanted != array.dtype or not array.flags.aligned:
-        array = array.astype(wanted)
-    return array
+    return np.require(array, np.int64, ["C_CONTIGUOUS", "ALIGNED"])
 
 
 def points_array(points: Any, number: int | None = None) -> np.ndarray | None:
@@ -115,32 +110,36 @@ def are_doubles(values: np.ndarray) -> bool:
     return bool(np.all(doubles.astype(values.dtype) == values))
 
 
+def settled(values: np.ndarray) -> np.ndarray:
+    """Return values as contiguous doubles, read-only if nobody else can write them: the extension copies others."""
+    result = np.ascontiguousarray(values, dtype=np.float64)
+    if result is values:
+        owner: Any = values
+        while type(owner) is np.ndarray and not owner.flags.writeable:
+            owner = owner.base
+        if values.flags.writeable or owner is None or isinstance(owner, bytes):
+            return values
+        result = values.copy()
+    result.flags.writeable = False
+    return result
+
+
 def doubles(scalars: Any, name: str = "scalars") -> np.ndarray:
     """Return values as doubles; those that would change are refused."""
     values = values_array(scalars, name)
     if not are_doubles(values):
         raise ValueError(f"{name} has the dtype {values.dtype}, and values that no double has: this function computes with doubles")
-    return np.ascontiguousarray(values, dtype=np.float64)
+    return settled(values)
 
 
-def ranks(values: np.ndarray) -> np.ndarray:
-    """Return the rank of each value among the different ones, as a double."""
-    if values.dtype.kind == "f":
-        wrong = np.flatnonzero(np.isnan(values))
-        if len(wrong) > 0:
-            vertex = int(wrong[0])
-            raise MeshError(f"the scalar value of vertex {vertex} is not a number (NaN)", "vertex", vertex)
-    return np.unique(values, return_inverse=True)[1].reshape(-1).astype(np.float64)
-
-
-def _padded_faces(faces: np.ndarray) -> np.ndarray:
-    """Return the triangles of faces that are listed one behind the other, each after its number of vertices."""
-    faces = np.asarray(faces)
-    if faces.ndim == 2:
-        return faces
-    if len(faces) % 4 != 0 or np.any(faces[::4] != 3):
-        raise ValueError("not all faces of the mesh are triangles: triangulate it before, as triangulate() does")
-    return faces.reshape(-1, 4)[:, 1:]
+def _rows(cells: Any, size: int, what: str) -> np.ndarray:
+    """Return cells that are listed one behind the other, each after its number of vertices, as rows of `size` numbers."""
+    cells = np.asarray(cells)
+    if cells.ndim == 2:
+        return cells
+    if len(cells) % (size + 1) != 0 or np.any(cells[:: size + 1] != size):
+        raise ValueError(f"the mesh has {what}: triangulate it before, as triangulate() does")
+    return cells.reshape(-1, size + 1)[:, 1:]
 
 
 def _of_cells(cells: Any) -> dict[str, np.ndarray]:
@@ -178,39 +177,29 @@ def mesh_arrays(mesh: Any) -> Mesh:
     ValueError
         if there are other cells
     """
-    data = getattr(mesh, "point_data", None)
-    if data is None:
-        data = getattr(mesh, "vertex_attributes", {})
     if isinstance(mesh, Mesh):
         return mesh
+    data = getattr(mesh, "point_data", getattr(mesh, "vertex_attributes", {}))
     if hasattr(mesh, "points") and hasattr(mesh, "cells"):
         cells = _of_cells(mesh.cells if isinstance(mesh.cells, (list, tuple)) else mesh.cells_dict)
         return Mesh(cells.get("triangle"), np.asarray(mesh.points), cells.get("line"), cells.get("tetra"), data)
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
         return Mesh(np.asarray(mesh.faces), np.asarray(mesh.vertices), None, None, data)
     if hasattr(mesh, "points") and hasattr(mesh, "faces"):
-        lines = np.asarray(getattr(mesh, "lines", ()))
-        if len(lines) % 3 != 0 or np.any(lines[::3] != 2):
-            raise ValueError("the mesh has lines of more than two points")
-        edges = lines.reshape(-1, 3)[:, 1:]
-        return Mesh(_padded_faces(mesh.faces), np.asarray(mesh.points), edges, None, data)
+        lines = _rows(getattr(mesh, "lines", ()), 2, "lines of more than two points")
+        return Mesh(_rows(mesh.faces, 3, "faces that are no triangles"), np.asarray(mesh.points), lines, None, data)
     raise TypeError(
         f"a {type(mesh).__name__} is no array of triangles, and no mesh: it has neither vertices and faces, nor points and "
         "faces or cells"
     )
 
 
-def is_mesh(triangles: Any) -> bool:
-    return any(hasattr(triangles, name) for name in ("faces", "cells", "tetrahedra"))
-
-
 def take(triangles: Any, points: Any = None, edges: Any = None, tetrahedra: Any = None) -> Mesh:
     """Return the arrays of a mesh, which stands in the place of the triangles, or those that are given."""
-    if not is_mesh(triangles):
+    if not any(hasattr(triangles, name) for name in ("faces", "cells", "tetrahedra")):
         return Mesh(triangles, points, edges, tetrahedra)
-    mesh = mesh_arrays(triangles)
     given = {"points": points, "edges": edges, "tetrahedra": tetrahedra}
-    return mesh._replace(**{name: array for name, array in given.items() if array is not None})
+    return mesh_arrays(triangles)._replace(**{name: array for name, array in given.items() if array is not None})
 
 
 def scalars_of(mesh: Mesh, scalars: Any) -> Any:

@@ -185,10 +185,21 @@ struct Loop_row
   bool is_simple = true;
 };
 
+// A handle that was to be removed.
+struct Removal_row
+{
+  std::string kind; // of the loop along which the mesh has been cut, or would have been
+  double length = 0;
+  std::size_t component = 0;
+  bool is_removed = true;
+  std::string reason; // why not
+};
+
 struct Handles_report : Work_report
 {
-  std::string field;           // its name
-  std::vector<Loop_row> loops; // in the order of the file
+  std::string field;                               // its name
+  std::vector<Loop_row> loops;                     // in the order of the file
+  std::optional<std::vector<Removal_row>> removals; // if any were to be removed
 };
 
 } // namespace reeb_graph_program

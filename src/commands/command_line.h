@@ -173,8 +173,8 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
       "--embedding", set_embedding,
       "Where the arcs of a graph in space are: centroids of contours (centroids, the "
       "default), chains (on-surface), or straight lines (straight, the default for "
-      ".csv, where contours are very long, and for what is no oriented manifold surface), which leave nodes at their "
-      "vertices")
+      ".csv, where contours are very long, or where the mesh is no oriented manifold surface), which leave nodes at "
+      "their vertices")
     ->check(CLI::IsMember({"centroids", "on-surface", "straight"}));
   add_file(*command, "--mesh-out", options.mesh_path,
            "Write the mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex, "

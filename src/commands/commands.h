@@ -38,6 +38,8 @@ struct Compute_options
   std::string unit; // of the field, for what is drawn
   bool is_report_json = false;
   std::optional<bool> is_table_wanted; // by default that of a graph of few arcs
+  std::string title;                   // of the page, by default the name of the mesh file
+  double base = 0;                     // is added to the values of the field in files of graphs and pairs
 };
 
 struct Contour_options
@@ -77,7 +79,11 @@ struct Field_options
 struct Handles_options
 {
   Input_options input;
-  std::string loops_path; // empty if they are not written
+  std::string loops_path;                  // files are empty if they are not written
+  std::optional<double> size_to_remove;    // handles that are smaller are removed
+  std::optional<std::size_t> number_to_remove; // so many at most, the smallest ones
+  std::string mesh_path;                   // without the handles
+  std::string page_path, unit, up;
   bool are_loops_shortened = true;
   bool is_report_json = false;
   std::size_t number_of_threads = 0; // 0: one per core
@@ -88,7 +94,18 @@ struct Demo_options
   std::filesystem::path folder = "reeb_graph_demo";
 };
 
-// A part of run_compute(): finds the pairs of the given graph if they are asked for, and writes them.
+// Parts of run_compute(): throw std::runtime_error if what is asked for does not go together, or not with the mesh.
+void check(const Compute_options& options);
+void check_for_complex(const Compute_options& options, const Complex& complex);
+
+// A part of run_compute(): writes the files that are asked for, and completes the report.
+void write_results(const Compute_options& options,
+                   Mesh& mesh,
+                   Scalar_map scalar_map,
+                   Mesh_graph& graph,
+                   Report& report);
+
+// A part of that: finds the pairs of the given graph if they are asked for, and writes them.
 void write_pairs_and_diagram(const Compute_options& options,
                              const Graph& graph,
                              double threshold,

@@ -76,14 +76,6 @@ std::vector<std::filesystem::path> output_files(const Curves_options& options)
   return paths;
 }
 
-std::vector<Any_vertex_property> properties_to_keep(const Curves_options& options, Surface& surface)
-{
-  const bool is_any_kept =
-    std::filesystem::path(options.cut_mesh_path).extension() == ".ply" && is_ply_file(options.input.mesh_path);
-  return is_any_kept ? read_ply_vertex_properties(options.input.mesh_path, surface)
-                     : std::vector<Any_vertex_property>();
-}
-
 void write_cut_mesh(const std::filesystem::path& path, const Surface& surface, Patch_map patch_map)
 {
   if(path.extension() == ".ply")
@@ -120,7 +112,7 @@ void write_graph_file(const Curves_options& options, Mesh_graph& graph)
     const Graph_in_space graph_in_space =
       graph.embed(CGAL::Reeb_graph::Embedding_manner::BY_COST, arcs.empty() ? nullptr : &arcs);
     return write_graph_in_space(options.graph_path, graph.result(), graph_in_space,
-                                [&](std::ostream& stream) { graph.write_json(stream, graph_in_space); });
+                                [&](std::ostream& stream) { graph.write_json(stream, graph_in_space, 0); });
   }
   std::vector<CGAL::Reeb_graph::Attribute> attributes;
   if(!arcs.empty())
@@ -223,7 +215,7 @@ Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& op
     cut.persistence = std::numeric_limits<double>::denorm_min();
   try
   {
-    return cut_along_curves(surface, scalar_map, properties_to_keep(options, surface), cut, is_size_accepted);
+    return cut_along_curves(surface, scalar_map, properties_to_keep(options.input.mesh_path, options.cut_mesh_path, surface), cut, is_size_accepted);
   }
   catch(const CGAL::Reeb_graph::Face_count_error& error)
   {

@@ -494,6 +494,22 @@ void write_border_changes(std::ostream& out, const CGAL::Reeb_graph::Border_leve
       << changes.largest_change << '\n';
 }
 
+namespace {
+void write_removals(std::ostream& out, const std::vector<Removal_row>& removals)
+{
+  const auto removed = std::count_if(removals.begin(), removals.end(), [](const Removal_row& r) { return r.is_removed; });
+  out << "removed  " << count(static_cast<std::size_t>(removed), "handle or tunnel", "handles and tunnels") << '\n'
+      << std::defaultfloat << std::setprecision(6);
+  for(const Removal_row& row : removals)
+  {
+    if(!row.is_removed)
+      out << "refused  a " << row.kind << " of length " << row.length << " of component " << row.component << ": "
+          << row.reason << '\n';
+  }
+}
+
+} // namespace
+
 void write_text(std::ostream& out, const Handles_report& report)
 {
   const auto number_of = [&](const std::string& kind) {
@@ -503,6 +519,8 @@ void write_text(std::ostream& out, const Handles_report& report)
   out << "surface  " << count(number_of("handle"), "handle") << ", " << count(number_of("tunnel"), "tunnel") << ", "
       << count(number_of("hole"), "hole") << ", " << count(number_of("loop"), "loop") << " without inside\n";
   out << "field    " << report.field << '\n';
+  if(report.removals)
+    write_removals(out, *report.removals);
   if(report.loops.empty())
     return;
   out << "\n loop    kind  partner          length     persistence            area  component\n"
@@ -542,6 +560,16 @@ void write_json(std::ostream& out, const Handles_report& report)
     loop["component"] = row.component;
     loop["simple"] = row.is_simple;
     json["loops"].push_back(loop);
+  }
+  if(report.removals)
+  {
+    json["removals"] = nlohmann::ordered_json::array();
+    for(const Removal_row& row : *report.removals)
+      json["removals"].push_back({{"kind", row.kind},
+                                  {"length", json_number(row.length)},
+                                  {"component", row.component},
+                                  {"result", row.is_removed ? "removed" : "refused"},
+                                  {"reason", row.is_removed ? nlohmann::ordered_json() : row.reason}});
   }
   add_field_and_costs(json, report);
   out << json.dump(2) << '\n';

@@ -143,6 +143,16 @@ nlohmann::ordered_json page_curves(const std::vector<Polyline>& curves, const Pa
   return json;
 }
 
+nlohmann::ordered_json page_loops(const std::vector<Loop_row>& loops)
+{
+  auto json = nlohmann::ordered_json::array();
+  for(const Loop_row& loop : loops)
+    json.push_back({{"kind", loop.kind},
+                    {"length", loop.length},
+                    {"persistence", loop.persistence ? number_or_string(*loop.persistence) : nlohmann::ordered_json()}});
+  return json;
+}
+
 } // namespace
 
 nlohmann::ordered_json page_data(const Page_subject& subject)
@@ -171,6 +181,7 @@ nlohmann::ordered_json page_data(const Page_subject& subject)
   data["levels"] = page_levels(embedded, frame, value_scale);
   data["ticks"] = page_ticks(embedded.graph, data["levels"]);
   data["curves"] = page_curves(subject.curves, frame);
+  data["loops"] = page_loops(subject.loops);
   return data;
 }
 

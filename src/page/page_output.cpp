@@ -128,7 +128,7 @@ void write_page(const fs::path& path, const Page_request& request)
   const Simplified_graph& shown = smaller ? *smaller : wanted;
   const Augmentation augmentation = shown.augmentation(request.surface, request.scalar_map, request.graph_options);
   nlohmann::ordered_json data = page_data({augmentation, request.scalar_map, request.title, request.field_label,
-                                           request.up, request.patch_map, request.curves});
+                                           request.up, request.patch_map, request.curves, request.loops});
   data["graph"]["is_simplified"] = threshold.has_value();
   data["graph"]["arcs_of_input"] = num_edges(wanted.result());
   data["graph"]["threshold"] = threshold.value_or(0);

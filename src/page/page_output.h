@@ -39,6 +39,7 @@ struct Page_request
   std::string up = {};  // which way is up: x, y, z, -x, -y, -z, or as the page finds it
   std::optional<Patch_map> patch_map = std::nullopt;
   std::vector<Polyline> curves = {};
+  std::vector<Loop_row> loops = {};
 };
 
 // Writes a page that shows the simplified graph on its surface, in one file. A graph of more than 2000 arcs is
