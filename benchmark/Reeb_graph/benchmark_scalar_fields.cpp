@@ -13,8 +13,8 @@
 // Usage: benchmark_scalar_fields [NUMBER OF VERTICES] [REPETITIONS] [LARGEST NUMBER OF VERTICES]
 
 #include "base/peak_memory.h"
+#include "generated_surfaces.h"
 #include "generated_surfaces/build_mesh.h"
-#include "generated_surfaces/generated_surfaces.h"
 #include "measurements.h"
 
 #include <CGAL/Eigen_solver_traits.h>

@@ -10,7 +10,7 @@
 #define CGAL_REEB_GRAPH_BENCHMARK_COMPLEX_TABLE_H
 
 #include "Table.h"
-#include "generated_surfaces/generated_complexes.h"
+#include "generated_complexes.h"
 #include "inputs.h"
 #include "measurements.h"
 #include "tables.h"

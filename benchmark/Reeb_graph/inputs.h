@@ -11,10 +11,10 @@
 
 #include "meshes_as_they_come.h"
 
+#include "generated_surfaces.h"
 #include "generated_surfaces/build_mesh.h"
-#include "generated_surfaces/generated_surfaces.h"
-#include "generated_surfaces/random_meshes.h"
-#include "generated_surfaces/shuffle.h"
+#include "random_meshes.h"
+#include "shuffle.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

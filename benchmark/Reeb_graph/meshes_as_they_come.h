@@ -9,10 +9,10 @@
 #ifndef CGAL_REEB_GRAPH_BENCHMARK_MESHES_AS_THEY_COME_H
 #define CGAL_REEB_GRAPH_BENCHMARK_MESHES_AS_THEY_COME_H
 
+#include "generated_surfaces.h"
 #include "generated_surfaces/Triangle_soup.h"
-#include "generated_surfaces/generated_surfaces.h"
 #include "generated_surfaces/implicit_surface.h"
-#include "generated_surfaces/shuffle.h"
+#include "shuffle.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 

@@ -166,7 +166,8 @@ void write_border_changes(std::ostream& out, const CGAL::Reeb_graph::Border_leve
 namespace {
 void write_removals(std::ostream& out, const std::vector<Removal_row>& removals)
 {
-  const auto removed = std::count_if(removals.begin(), removals.end(), [](const Removal_row& r) { return r.is_removed; });
+  const auto removed =
+    std::count_if(removals.begin(), removals.end(), [](const Removal_row& r) { return r.is_removed; });
   out << "removed  " << count(static_cast<std::size_t>(removed), "handle or tunnel", "handles and tunnels") << '\n'
       << std::defaultfloat << std::setprecision(6);
   for(const Removal_row& row : removals)

@@ -9,10 +9,10 @@
 #include <boost/test/unit_test.hpp>
 
 #include "augmentation_checks.h"
-#include "generated_surfaces/mesh_builders.h"
-#include "generated_surfaces/random_meshes.h"
 #include "known_meshes.h"
+#include "mesh_builders.h"
 #include "random_fields.h"
+#include "random_meshes.h"
 
 #include <CGAL/Reeb_graph/index_maps.h>
 

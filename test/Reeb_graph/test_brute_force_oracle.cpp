@@ -10,12 +10,12 @@
 
 #include "brute_force_oracle.h"
 #include "complex_oracle.h"
-#include "generated_surfaces/generated_complexes.h"
-#include "generated_surfaces/random_meshes.h"
+#include "generated_complexes.h"
 #include "known_meshes.h"
 #include "quotient_oracle.h"
 #include "random_complexes.h"
 #include "random_fields.h"
+#include "random_meshes.h"
 
 #include <algorithm>
 #include <array>

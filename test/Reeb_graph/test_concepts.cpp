@@ -8,10 +8,10 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "generated_surfaces/mesh_builders.h"
-#include "generated_surfaces/random_meshes.h"
 #include "graph_checks.h"
+#include "mesh_builders.h"
 #include "random_fields.h"
+#include "random_meshes.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>

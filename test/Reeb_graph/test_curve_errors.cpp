@@ -10,7 +10,7 @@
 
 #include "curve_samples.h"
 #include "cut_mesh_checks.h"
-#include "generated_surfaces/mesh_builders.h"
+#include "mesh_builders.h"
 
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/cutting_system.h>

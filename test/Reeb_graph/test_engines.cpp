@@ -8,12 +8,12 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "generated_surfaces/mesh_builders.h"
-#include "generated_surfaces/random_meshes.h"
-#include "generated_surfaces/shuffle.h"
 #include "graph_checks.h"
 #include "known_meshes.h"
+#include "mesh_builders.h"
 #include "random_fields.h"
+#include "random_meshes.h"
+#include "shuffle.h"
 
 #include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/Contour_trees_engine.h>

@@ -8,9 +8,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "generated_surfaces/mesh_builders.h"
-#include "generated_surfaces/random_meshes.h"
 #include "graph_checks.h"
+#include "mesh_builders.h"
+#include "random_meshes.h"
 #include "throwing_traits.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>

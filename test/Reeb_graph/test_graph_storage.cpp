@@ -9,9 +9,9 @@
 // The graph type keeps its arcs in containers of its own. Whatever is done to a graph, one with the usual containers of
 // Boost.Graph is its oracle.
 
-#include "generated_surfaces/mesh_builders.h"
-#include "generated_surfaces/random_meshes.h"
 #include "graph_checks.h"
+#include "mesh_builders.h"
+#include "random_meshes.h"
 
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 

@@ -9,8 +9,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include "computed_fields.h"
-#include "generated_surfaces/mesh_builders.h"
-#include "generated_surfaces/random_meshes.h"
+#include "mesh_builders.h"
+#include "random_meshes.h"
 
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
 #include <CGAL/Reeb_graph/fields/internal/solve.h>

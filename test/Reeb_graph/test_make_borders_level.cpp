@@ -9,7 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "curve_samples.h"
-#include "generated_surfaces/mesh_builders.h"
+#include "mesh_builders.h"
 
 #include <CGAL/Quotient.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>

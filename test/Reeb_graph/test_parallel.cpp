@@ -9,8 +9,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include "computed_graphs.h"
-#include "generated_surfaces/generated_complexes.h"
-#include "generated_surfaces/shuffle.h"
+#include "generated_complexes.h"
+#include "shuffle.h"
 #include "throwing_traits.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>

@@ -30,8 +30,8 @@
 BOOST_AUTO_TEST_SUITE(test_remove_handles)
 
 using CGAL::Reeb_graph::Handle_removal;
-using CGAL::Reeb_graph::remove_handles;
 using CGAL::Reeb_graph::Removal_result;
+using CGAL::Reeb_graph::remove_handles;
 using generated_surfaces::make_mesh;
 using generated_surfaces::Triangle_soup;
 using handle_samples::dot;
@@ -92,8 +92,8 @@ std::vector<Handle_removal> remove_and_check(Mesh& mesh, double size)
 template <class Function>
 Triangle_soup implicit_surface(const Function& function, const Vector& half_size, double cell_size)
 {
-  return generated_surfaces::internal::Marching_tetrahedra(
-           function, {-half_size[0], -half_size[1], -half_size[2]}, half_size, cell_size)
+  return generated_surfaces::internal::Marching_tetrahedra(function, {-half_size[0], -half_size[1], -half_size[2]},
+                                                           half_size, cell_size)
     .take_surface();
 }
 
@@ -173,7 +173,8 @@ BOOST_AUTO_TEST_CASE(noise_goes_and_the_handle_of_the_figure_stays)
     for(const auto v : mesh.vertices())
     {
       const Vector p = {mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
-      const bool is_noise = std::any_of(rings.begin(), rings.end(), [&](const Ring& r) { return r.distance(p) < cell; });
+      const bool is_noise =
+        std::any_of(rings.begin(), rings.end(), [&](const Ring& r) { return r.distance(p) < cell; });
       BOOST_TEST((is_noise || std::abs(fat_ring(p)) < 3 * cell));
       BOOST_TEST((is_noise || v.idx() < given));
     }
@@ -316,8 +317,9 @@ BOOST_AUTO_TEST_CASE(bad_sizes_and_points_are_refused_and_it_can_be_cancelled)
                  }));
   BOOST_TEST(last == 1);
   copy = mesh;
-  BOOST_CHECK_THROW(remove_handles(copy, infinity, parameters::callback([](double fraction) { return fraction < 0.1; })),
-                    CGAL::Reeb_graph::Cancelled_error);
+  BOOST_CHECK_THROW(
+    remove_handles(copy, infinity, parameters::callback([](double fraction) { return fraction < 0.1; })),
+    CGAL::Reeb_graph::Cancelled_error);
   BOOST_TEST(copy.number_of_faces() == mesh.number_of_faces());
   Surface_mesh empty;
   BOOST_TEST(remove_handles(empty, infinity).empty());

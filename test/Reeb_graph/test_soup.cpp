@@ -7,11 +7,11 @@
 // Author(s)     : The Reeb_graph authors
 
 #include "complex_oracle.h"
-#include "generated_surfaces/mesh_builders.h"
-#include "generated_surfaces/random_meshes.h"
 #include "graph_checks.h"
+#include "mesh_builders.h"
 #include "random_complexes.h"
 #include "random_fields.h"
+#include "random_meshes.h"
 
 #include <CGAL/compute_reeb_graph_of_soup.h>
 

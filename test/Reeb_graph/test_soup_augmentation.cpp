@@ -10,9 +10,9 @@
 
 #include "Augmentation_check.h"
 #include "complex_oracle.h"
-#include "generated_surfaces/generated_complexes.h"
-#include "generated_surfaces/random_meshes.h"
+#include "generated_complexes.h"
 #include "random_complexes.h"
+#include "random_meshes.h"
 
 #include <CGAL/Reeb_graph/Soup_augmentation.h>
 #include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>

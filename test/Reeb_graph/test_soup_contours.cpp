@@ -9,10 +9,10 @@
 #include <boost/test/unit_test.hpp>
 
 #include "complex_oracle.h"
-#include "generated_surfaces/generated_complexes.h"
-#include "generated_surfaces/mesh_builders.h"
-#include "generated_surfaces/random_meshes.h"
+#include "generated_complexes.h"
+#include "mesh_builders.h"
 #include "random_complexes.h"
+#include "random_meshes.h"
 #include "soup_augmentation_checks.h"
 #include "soup_samples.h"
 

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "generated_surfaces/generated_complexes.h"
-#include "generated_surfaces/generated_surfaces.h"
+#include "generated_complexes.h"
+#include "generated_surfaces.h"
 #include "graph_checks.h"
 #include "random_complexes.h"
 

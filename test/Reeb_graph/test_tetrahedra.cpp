@@ -8,7 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "generated_surfaces/random_meshes.h"
+#include "random_meshes.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -9,7 +9,7 @@
 #ifndef REEB_GRAPH_TEST_RANKS_H
 #define REEB_GRAPH_TEST_RANKS_H
 
-#include "generated_surfaces/random_meshes.h"
+#include "random_meshes.h"
 
 #include <CGAL/Reeb_graph/distributed/compute_reeb_graph_distributed.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>

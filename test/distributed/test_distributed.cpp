@@ -11,9 +11,9 @@
 
 #include "ranks.h"
 
-#include "generated_surfaces/generated_surfaces.h"
-#include "generated_surfaces/mesh_builders.h"
+#include "generated_surfaces.h"
 #include "graph_checks.h"
+#include "mesh_builders.h"
 #include "random_fields.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>

@@ -6,7 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 #include "Table.h"
-#include "generated_surfaces/generated_complexes.h"
+#include "generated_complexes.h"
 
 #include <CGAL/Reeb_graph/Soup_augmentation.h>
 #include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>

@@ -10,8 +10,8 @@
 #define CGAL_REEB_GRAPH_TEST_GROWTH_SURFACES_H
 
 #include "base/surface.h"
-#include "generated_surfaces/generated_complexes.h"
-#include "generated_surfaces/generated_surfaces.h"
+#include "generated_complexes.h"
+#include "generated_surfaces.h"
 #include "input/Polygon_soup.h"
 #include "input/assemble_surface.h"
 

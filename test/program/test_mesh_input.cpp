@@ -6,11 +6,11 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "generated_surfaces/random_meshes.h"
 #include "input/assemble_surface.h"
 #include "input/binary_numbers.h"
 #include "input/mesh_formats.h"
 #include "input/text_blocks.h"
+#include "random_meshes.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 

@@ -8,7 +8,7 @@
 
 #include "mesh_files.h"
 
-#include "generated_surfaces/random_meshes.h"
+#include "random_meshes.h"
 
 #include <fcntl.h>
 #include <spawn.h>

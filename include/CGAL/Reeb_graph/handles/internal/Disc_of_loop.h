@@ -77,8 +77,8 @@ inline std::vector<std::array<std::size_t, 3>> triangulate_disc(const std::vecto
   std::vector<CGAL::Triple<int, int, int>> triangles;
   Polygon_mesh_processing::triangulate_hole_polyline(polyline, std::back_inserter(triangles));
   for(const auto& t : triangles)
-    result.push_back({static_cast<std::size_t>(t.first), static_cast<std::size_t>(t.second),
-                      static_cast<std::size_t>(t.third)});
+    result.push_back(
+      {static_cast<std::size_t>(t.first), static_cast<std::size_t>(t.second), static_cast<std::size_t>(t.third)});
   return result;
 }
 

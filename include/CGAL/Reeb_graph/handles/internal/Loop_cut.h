@@ -191,7 +191,8 @@ private:
   {
     placed_.clear();
     const std::size_t size = loop_.size();
-    std::map<halfedge_descriptor, std::pair<int, Disc_point>> copies; // by the halfedge that leads to a vertex in a face
+    std::map<halfedge_descriptor, std::pair<int, Disc_point>>
+      copies; // by the halfedge that leads to a vertex in a face
     std::array<std::vector<Disc_point>, 2> points;
     for(std::size_t side : {0, 1})
     {
@@ -216,8 +217,7 @@ private:
     add_disc(placed_, 2, points[1]);
   }
 
-  void place_face(halfedge_descriptor h,
-                  const std::map<halfedge_descriptor, std::pair<int, Disc_point>>& copies)
+  void place_face(halfedge_descriptor h, const std::map<halfedge_descriptor, std::pair<int, Disc_point>>& copies)
   {
     placed_.emplace_back();
     for(auto& corner : placed_.back().corners)

@@ -9,7 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_TEST_RANDOM_GRAPHS_H
 #define CGAL_REEB_GRAPH_TEST_RANDOM_GRAPHS_H
 
-#include "generated_surfaces/random_meshes.h"
+#include "random_meshes.h"
 
 #include <CGAL/Reeb_graph_traits.h>
 

@@ -9,9 +9,9 @@
 #ifndef CGAL_REEB_GRAPH_SRC_GENERATED_SURFACES_MESH_BUILDERS_H
 #define CGAL_REEB_GRAPH_SRC_GENERATED_SURFACES_MESH_BUILDERS_H
 
+#include "generated_surfaces.h"
 #include "generated_surfaces/build_mesh.h"
-#include "generated_surfaces/generated_surfaces.h"
-#include "generated_surfaces/random_meshes.h"
+#include "random_meshes.h"
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>

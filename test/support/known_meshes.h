@@ -9,7 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_TEST_KNOWN_MESHES_H
 #define CGAL_REEB_GRAPH_TEST_KNOWN_MESHES_H
 
-#include "generated_surfaces/random_meshes.h"
+#include "random_meshes.h"
 
 namespace known_meshes {
 // A torus whose vertices are their own field values. Just below vertex 4 there are two contours that cross edges with

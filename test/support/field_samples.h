@@ -10,8 +10,8 @@
 #define CGAL_REEB_GRAPH_TEST_FIELD_SAMPLES_H
 
 #include "field_checks.h"
-#include "generated_surfaces/mesh_builders.h"
-#include "generated_surfaces/random_meshes.h"
+#include "mesh_builders.h"
+#include "random_meshes.h"
 
 #include <CGAL/boost/graph/properties.h>
 

@@ -10,7 +10,7 @@
 #define CGAL_REEB_GRAPH_TEST_COMPUTED_FIELDS_H
 
 #include "field_checks.h"
-#include "generated_surfaces/mesh_builders.h"
+#include "mesh_builders.h"
 
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
 

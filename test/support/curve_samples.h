@@ -9,10 +9,10 @@
 #ifndef CGAL_REEB_GRAPH_TEST_CURVE_SAMPLES_H
 #define CGAL_REEB_GRAPH_TEST_CURVE_SAMPLES_H
 
-#include "generated_surfaces/mesh_builders.h"
-#include "generated_surfaces/random_meshes.h"
 #include "level_border_fields.h"
+#include "mesh_builders.h"
 #include "random_fields.h"
+#include "random_meshes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,8 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_TEST_FIELD_CHECKS_H
 #define CGAL_REEB_GRAPH_TEST_FIELD_CHECKS_H
 
-#include "generated_surfaces/mesh_builders.h"
-#include "generated_surfaces/random_meshes.h"
+#include "mesh_builders.h"
+#include "random_meshes.h"
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,7 @@
 #define CGAL_REEB_GRAPH_SRC_GENERATED_SURFACES_SHUFFLE_H
 
 #include "generated_surfaces/Triangle_soup.h"
-#include "generated_surfaces/random_meshes.h"
+#include "random_meshes.h"
 
 #include <cstddef>
 #include <numeric>

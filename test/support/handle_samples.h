@@ -9,9 +9,9 @@
 #ifndef CGAL_REEB_GRAPH_TEST_HANDLE_SAMPLES_H
 #define CGAL_REEB_GRAPH_TEST_HANDLE_SAMPLES_H
 
-#include "generated_surfaces/generated_surfaces.h"
+#include "generated_surfaces.h"
 #include "generated_surfaces/implicit_surface.h"
-#include "generated_surfaces/mesh_builders.h"
+#include "mesh_builders.h"
 
 #include <array>
 #include <cmath>

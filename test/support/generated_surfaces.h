@@ -9,8 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_SRC_GENERATED_SURFACES_GENERATED_SURFACES_H
 #define CGAL_REEB_GRAPH_SRC_GENERATED_SURFACES_GENERATED_SURFACES_H
 
-#include "generated_surfaces/Plate_mesher.h"
-#include "generated_surfaces/Rolled_out_plate.h"
+#include "Plate_mesher.h"
+#include "Rolled_out_plate.h"
 #include "generated_surfaces/Triangle_soup.h"
 
 #include <algorithm>

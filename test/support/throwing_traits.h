@@ -9,8 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_TEST_THROWING_TRAITS_H
 #define CGAL_REEB_GRAPH_TEST_THROWING_TRAITS_H
 
-#include "generated_surfaces/mesh_builders.h"
 #include "graph_checks.h"
+#include "mesh_builders.h"
 
 #include <CGAL/Reeb_graph_traits.h>
 

@@ -10,7 +10,7 @@
 #define CGAL_REEB_GRAPH_TEST_GRAPH_CHECKS_H
 
 #include "brute_force_oracle.h"
-#include "generated_surfaces/mesh_builders.h"
+#include "mesh_builders.h"
 
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph_traits.h>

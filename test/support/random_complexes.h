@@ -9,8 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_TEST_RANDOM_COMPLEXES_H
 #define CGAL_REEB_GRAPH_TEST_RANDOM_COMPLEXES_H
 
-#include "generated_surfaces/random_meshes.h"
 #include "random_fields.h"
+#include "random_meshes.h"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_TEST_RANDOM_FIELDS_H
 #define CGAL_REEB_GRAPH_TEST_RANDOM_FIELDS_H
 
-#include "generated_surfaces/random_meshes.h"
+#include "random_meshes.h"
 
 #include <cstddef>
 #include <limits>

@@ -9,10 +9,10 @@
 #ifndef CGAL_REEB_GRAPH_TEST_COMPUTED_GRAPHS_H
 #define CGAL_REEB_GRAPH_TEST_COMPUTED_GRAPHS_H
 
-#include "generated_surfaces/mesh_builders.h"
-#include "generated_surfaces/random_meshes.h"
 #include "graph_checks.h"
+#include "mesh_builders.h"
 #include "random_fields.h"
+#include "random_meshes.h"
 
 #include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/compute_reeb_graph.h>

@@ -10,7 +10,7 @@
 #define CGAL_REEB_GRAPH_TEST_TEST_HEADERS_H
 
 // What most of the tests begin with, to be precompiled. Tests include what they use nevertheless.
-#include "generated_surfaces/mesh_builders.h"
+#include "mesh_builders.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/compute_reeb_graph.h>

@@ -9,7 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_TEST_CUT_MESH_CHECKS_H
 #define CGAL_REEB_GRAPH_TEST_CUT_MESH_CHECKS_H
 
-#include "generated_surfaces/mesh_builders.h"
+#include "mesh_builders.h"
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/Refinement_visitor.h>

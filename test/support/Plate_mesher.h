@@ -9,7 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_GENERATED_SURFACES_PLATE_MESHER_H
 #define CGAL_REEB_GRAPH_SRC_GENERATED_SURFACES_PLATE_MESHER_H
 
-#include "generated_surfaces/Rolled_out_plate.h"
+#include "Rolled_out_plate.h"
 #include "generated_surfaces/Triangle_soup.h"
 
 #include <algorithm>
