@@ -235,11 +235,12 @@ void write_json(std::ostream& out, const Handles_report& report)
   {
     json["removals"] = nlohmann::ordered_json::array();
     for(const Removal_row& row : *report.removals)
-      json["removals"].push_back({{"kind", row.kind},
-                                  {"length", json_number(row.length)},
-                                  {"component", row.component},
-                                  {"result", row.is_removed ? "removed" : "refused"},
-                                  {"reason", row.is_removed ? nlohmann::ordered_json() : row.reason}});
+      json["removals"].push_back(
+        {{"kind", row.kind},
+         {"length", json_number(row.length)},
+         {"component", row.component},
+         {"result", row.is_removed ? "removed" : "refused"},
+         {"reason", row.is_removed ? nlohmann::ordered_json() : nlohmann::ordered_json(row.reason)}});
   }
   add_field_and_costs(json, report);
   out << json.dump(2) << '\n';

@@ -9,10 +9,16 @@
 
 #include "computation/nearest_place.h"
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -26,8 +32,14 @@ namespace reeb_graph_program {
 namespace {
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef std::vector<Kernel::Triangle_3> Triangles;
+#if CGAL_VERSION_NR >= 1060000000
+typedef CGAL::AABB_triangle_primitive_3<Kernel, Triangles::const_iterator> Primitive;
+typedef CGAL::AABB_traits_3<Kernel, Primitive> Tree_traits;
+#else
 typedef CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator> Primitive;
-typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> Tree;
+typedef CGAL::AABB_traits<Kernel, Primitive> Tree_traits;
+#endif
+typedef CGAL::AABB_tree<Tree_traits> Tree;
 
 double distance(const Point& p, const Point& q) { return std::sqrt((p - q).squared_length()); }
 
