@@ -186,7 +186,8 @@ void add_handles_command(CLI::App& app, Handles_options& options)
   begin_group(*command, "Output");
   add_file(*command, "--loops", options.loops_path,
            "Write the loops, of what is left, to this file, .vtp, .obj, or .polylines.txt");
-  add_file(*command, "--output", options.mesh_path, "Write the mesh without what is removed to this file, .off or .ply");
+  add_file(*command, "--output", options.mesh_path,
+           "Write the mesh without what is removed to this file, .off or .ply");
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);

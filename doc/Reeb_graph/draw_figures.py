@@ -4,7 +4,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-"""Draws the figures of README's wishes that are no pages, from what the program makes of the surface of its demo.
+"""Draws the figures of README's wishes that are no pages, and of handles, from what the program makes of the surface of its
+demo, and of surfaces that are generated here.
 
 Usage: draw_figures.py PROGRAM FOLDER. It needs NumPy. The files that are drawn stay in FOLDER/files.
 """
@@ -138,23 +139,105 @@ def draw_mesh(mesh, name, lines=(), opacity=1.0, plain=False, bias=4.0):
     picture.write(name)
 
 
-def cut_holes():
-    """The scan with holes: the surface without the top of the head, the soles, and the tips of what points up."""
-    lines = (files / "demo" / "surface.off").read_text().split("\n")
-    words = " ".join(lines).split()
+def read_off(name):
+    words = (files / name).read_text().split()
     number, number_of_faces = int(words[1]), int(words[2])
     points = numpy.array(words[4:4 + 3 * number], dtype=float).reshape(-1, 3)
-    faces = numpy.array(words[4 + 3 * number:4 + 3 * number + 4 * number_of_faces], dtype=int).reshape(-1, 4)
+    return points, numpy.array(words[4 + 3 * number:4 + 3 * number + 4 * number_of_faces], dtype=int).reshape(-1, 4)
+
+
+def write_off(name, points, triangles):
+    with open(files / name, "w") as file:
+        print(f"OFF\n{len(points)} {len(triangles)} 0", file=file)
+        print("\n".join(" ".join(map(repr, p)) for p in numpy.asarray(points).tolist()), file=file)
+        print("\n".join("3 " + " ".join(map(str, f)) for f in numpy.asarray(triangles).tolist()), file=file)
+
+
+def cut_holes():
+    """The scan with holes: the surface without the top of the head, the soles, and the tips of what points up."""
+    points, faces = read_off(scan)
+    number = len(points)
     low, high = points[:, 2].min(), points[:, 2].max()
     height = (points[faces[:, 1:]][:, :, 2].mean(axis=1) - low) / (high - low)
     faces = faces[(height > 0.02) & (height < 0.97)]
     used = numpy.unique(faces[:, 1:])
     numbers = numpy.full(number, -1)
     numbers[used] = numpy.arange(len(used))
-    with open(files / "holes.off", "w") as file:
-        print(f"OFF\n{len(used)} {len(faces)} 0", file=file)
-        print("\n".join(" ".join(map(repr, p)) for p in points[used].tolist()), file=file)
-        print("\n".join("3 " + " ".join(map(str, f)) for f in numbers[faces[:, 1:]].tolist()), file=file)
+    write_off("holes.off", points[used], numbers[faces[:, 1:]])
+
+
+def make_knot(along=240, around=20):
+    """A tube around a trefoil, that stands upright."""
+    t = numpy.linspace(0, 2 * numpy.pi, along, endpoint=False)
+
+    def curve(t):
+        return numpy.stack([numpy.sin(t) + 2 * numpy.sin(2 * t), -numpy.sin(3 * t),
+                            numpy.cos(t) - 2 * numpy.cos(2 * t)], axis=1)
+
+    def unit(a):
+        return a / numpy.linalg.norm(a, axis=1, keepdims=True)
+
+    tangent = unit(curve(t + 1e-3) - curve(t - 1e-3))
+    normal = curve(t + 1e-3) + curve(t - 1e-3) - 2 * curve(t)
+    normal = unit(normal - (normal * tangent).sum(axis=1, keepdims=True) * tangent)
+    u = numpy.linspace(0, 2 * numpy.pi, around, endpoint=False)[None, :, None]
+    points = curve(t)[:, None] + 0.4 * (numpy.cos(u) * normal[:, None]
+                                         + numpy.sin(u) * numpy.cross(tangent, normal)[:, None])
+    i, j = (k.ravel() for k in numpy.meshgrid(numpy.arange(along), numpy.arange(around), indexing="ij"))
+    a, b = i * around + j, i * around + (j + 1) % around
+    c, d = (i + 1) % along * around + j, (i + 1) % along * around + (j + 1) % around
+    write_off("knot.off", points.reshape(-1, 3), numpy.concatenate([numpy.stack([a, d, b], 1), numpy.stack([a, c, d], 1)]))
+
+
+def add_noise(number=25):
+    """The scan with false handles: thin bridges between two of its triangles."""
+    points, faces = read_off(scan)
+    faces = faces[:, 1:]
+    points, triangles = points.tolist(), faces.tolist()
+    corners = numpy.array(points)[faces]
+    middles = corners.mean(axis=1)
+    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= numpy.linalg.norm(normals, axis=1, keepdims=True)
+    random = numpy.random.default_rng(3)
+    used, removed = [], []
+    while len(removed) < 2 * number:
+        a = random.integers(len(faces))
+        distances = numpy.linalg.norm(middles - middles[a], axis=1)
+        candidates = numpy.flatnonzero((distances > 0.06) & (distances < 0.08) & (normals @ normals[a] > 0.9))
+        if len(candidates) == 0 or any(numpy.linalg.norm(middles[a] - m) < 0.16 for m in used):
+            continue
+        b = random.choice(candidates)
+        used.append((middles[a] + middles[b]) / 2)
+        removed += [a, b]
+        # The corners of b, the other way around, from the one that is nearest to the first corner of a.
+        end = faces[b][::-1]
+        end = min((numpy.roll(end, k) for k in range(3)),
+                  key=lambda order: numpy.linalg.norm(corners[a] - numpy.array(points)[order], axis=1).sum())
+        rings = [list(faces[a])]
+        for t in numpy.linspace(0, 1, 7)[1:-1]:
+            lift = 0.035 * numpy.sin(numpy.pi * t) * normals[a]
+            rings.append(list(range(len(points), len(points) + 3)))
+            points += [((1 - t) * corners[a][k] + t * numpy.array(points[end[k]]) + lift).tolist() for k in range(3)]
+        rings.append(list(end))
+        for low, high in zip(rings, rings[1:]):
+            for k in range(3):
+                m = (k + 1) % 3
+                triangles += [[low[k], low[m], high[m]], [low[k], high[m], high[k]]]
+    write_off("noise.off", points, [t for f, t in enumerate(triangles) if f not in set(removed)])
+
+
+def draw_loops(mesh, name):
+    """The surface with handles in red, which shine through, and tunnels in blue."""
+    report = json.loads(subprocess.run([pathlib.Path(program).absolute(), "handles", mesh, "--json", "--loops",
+                                        "loops.polylines.txt"], cwd=files, check=True, capture_output=True).stdout)
+    points, faces = read_off(mesh)
+    picture = Picture(points)
+    picture.draw_surface(points, faces[:, 1:], numpy.full((len(faces), 3), 205.0))
+    for loop, line in zip(report["loops"], (files / "loops.polylines.txt").read_text().splitlines()):
+        polyline = numpy.array(line.split()[1:], dtype=float).reshape(-1, 3)
+        is_handle = loop["kind"] == "handle"
+        picture.draw_line(polyline, (200, 30, 30) if is_handle else (20, 90, 200), 2.5, 1e9 if is_handle else 4.0)
+    picture.write(name)
 
 
 run("demo", "--out", "demo")
@@ -163,6 +246,11 @@ run("compute", scan, "--field", "geodesic", "--simplify", "auto", "--graph", "li
 run("curves", scan, "--field", "geodesic", "--type", "branch", "--simplify", "auto", "--mesh-out", "pieces.ply")
 run("contour", scan, "--field", "geodesic", "--simplify", "auto", "--t", "0.5", "--output", "contours.json")
 cut_holes()
+make_knot()
+add_noise()
+run("handles", "noise.off", "--remove-below", "0.12", "--output", "clean.off")
+for mesh, name in ("knot.off", "handles_of_a_knot.png"), ("noise.off", "noise.png"), ("clean.off", "clean.png"):
+    draw_loops(mesh, name)
 run("curves", "holes.off", "--type", "pants", "--mesh-out", "pants.ply")
 run("compute", scan, "--field", "z", "--pairs", "pairs.csv", "--diagram", "diagram.svg")
 run("compute", scan, "--field", "z", "--graph", "graph.json", "--mesh-out", "mesh.ply")

@@ -197,8 +197,8 @@ struct Removal_row
 
 struct Handles_report : Work_report
 {
-  std::string field;                               // its name
-  std::vector<Loop_row> loops;                     // in the order of the file
+  std::string field;                                // its name
+  std::vector<Loop_row> loops;                      // in the order of the file
   std::optional<std::vector<Removal_row>> removals; // if any were to be removed
 };
 

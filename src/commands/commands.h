@@ -77,10 +77,10 @@ struct Field_options
 struct Handles_options
 {
   Input_options input;
-  std::string loops_path;                  // files are empty if they are not written
-  std::optional<double> size_to_remove;    // handles that are smaller are removed
+  std::string loops_path;                      // files are empty if they are not written
+  std::optional<double> size_to_remove;        // handles that are smaller are removed
   std::optional<std::size_t> number_to_remove; // so many at most, the smallest ones
-  std::string mesh_path;                   // without the handles
+  std::string mesh_path;                       // without the handles
   std::string page_path, unit, up;
   bool are_loops_shortened = true;
   bool is_report_json = false;

@@ -215,7 +215,9 @@ Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& op
     cut.persistence = std::numeric_limits<double>::denorm_min();
   try
   {
-    return cut_along_curves(surface, scalar_map, properties_to_keep(options.input.mesh_path, options.cut_mesh_path, surface), cut, is_size_accepted);
+    return cut_along_curves(surface, scalar_map,
+                            properties_to_keep(options.input.mesh_path, options.cut_mesh_path, surface), cut,
+                            is_size_accepted);
   }
   catch(const CGAL::Reeb_graph::Face_count_error& error)
   {

@@ -497,7 +497,8 @@ void write_border_changes(std::ostream& out, const CGAL::Reeb_graph::Border_leve
 namespace {
 void write_removals(std::ostream& out, const std::vector<Removal_row>& removals)
 {
-  const auto removed = std::count_if(removals.begin(), removals.end(), [](const Removal_row& r) { return r.is_removed; });
+  const auto removed =
+    std::count_if(removals.begin(), removals.end(), [](const Removal_row& r) { return r.is_removed; });
   out << "removed  " << count(static_cast<std::size_t>(removed), "handle or tunnel", "handles and tunnels") << '\n'
       << std::defaultfloat << std::setprecision(6);
   for(const Removal_row& row : removals)
@@ -565,11 +566,12 @@ void write_json(std::ostream& out, const Handles_report& report)
   {
     json["removals"] = nlohmann::ordered_json::array();
     for(const Removal_row& row : *report.removals)
-      json["removals"].push_back({{"kind", row.kind},
-                                  {"length", json_number(row.length)},
-                                  {"component", row.component},
-                                  {"result", row.is_removed ? "removed" : "refused"},
-                                  {"reason", row.is_removed ? nlohmann::ordered_json() : row.reason}});
+      json["removals"].push_back(
+        {{"kind", row.kind},
+         {"length", json_number(row.length)},
+         {"component", row.component},
+         {"result", row.is_removed ? "removed" : "refused"},
+         {"reason", row.is_removed ? nlohmann::ordered_json() : nlohmann::ordered_json(row.reason)}});
   }
   add_field_and_costs(json, report);
   out << json.dump(2) << '\n';

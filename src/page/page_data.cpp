@@ -147,9 +147,10 @@ nlohmann::ordered_json page_loops(const std::vector<Loop_row>& loops)
 {
   auto json = nlohmann::ordered_json::array();
   for(const Loop_row& loop : loops)
-    json.push_back({{"kind", loop.kind},
-                    {"length", loop.length},
-                    {"persistence", loop.persistence ? number_or_string(*loop.persistence) : nlohmann::ordered_json()}});
+    json.push_back(
+      {{"kind", loop.kind},
+       {"length", loop.length},
+       {"persistence", loop.persistence ? number_or_string(*loop.persistence) : nlohmann::ordered_json()}});
   return json;
 }
 

@@ -231,9 +231,8 @@ Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGra
   if(choose_parameter(get_parameter(np, internal::check_self_intersections), true))
     found->refuse_self_intersections(found->self_intersections());
   const bool are_short = choose_parameter(get_parameter(np, internal::shorten_loops), true);
-  auto loops =
-    found->make_loops(are_short ? std::numeric_limits<double>::infinity() : 0, (std::numeric_limits<std::size_t>::max)(),
-                      internal::Stage_progress(progress, 0.2, 1));
+  auto loops = found->make_loops(are_short ? std::numeric_limits<double>::infinity() : 0,
+                                 (std::numeric_limits<std::size_t>::max)(), internal::Stage_progress(progress, 0.2, 1));
   internal::set_persistences(
     reeb_loops, [&](const auto h) { return closing->number(h); }, loops);
   progress.report_end();

@@ -115,13 +115,13 @@ std::vector<Handle_removal> remove_handles(MutableFaceGraph& mesh,
     const internal::Progress progress(np);
     progress.report(0);
     internal::check_input(mesh, boost::static_property_map<double, vertex_descriptor>(0), parameters::default_values());
-    const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                            get_property_map(vertex_point, mesh));
-    auto visitor_parameter = choose_parameter<Default_refinement_visitor<MutableFaceGraph>>(
-      get_parameter(np, internal_np::visitor));
+    const auto point_map =
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, mesh));
+    auto visitor_parameter =
+      choose_parameter<Default_refinement_visitor<MutableFaceGraph>>(get_parameter(np, internal_np::visitor));
     auto& visitor = internal::unwrap_reference(visitor_parameter);
-    internal::Handle_remover<MutableFaceGraph, std::decay_t<decltype(point_map)>, std::decay_t<decltype(visitor)>> remove(
-      mesh, point_map, visitor);
+    internal::Handle_remover<MutableFaceGraph, std::decay_t<decltype(point_map)>, std::decay_t<decltype(visitor)>>
+      remove(mesh, point_map, visitor);
     const auto result = remove(
       size, choose_parameter(get_parameter(np, internal::number_of_handles), (std::numeric_limits<std::size_t>::max)()),
       choose_parameter(get_parameter(np, internal::check_self_intersections), true), progress);
