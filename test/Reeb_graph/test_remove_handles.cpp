@@ -144,7 +144,7 @@ std::vector<Ring> noise(std::size_t number, std::size_t seed)
       return dot(offset, offset) < 0.4 * 0.4;
     };
     if(std::none_of(rings.begin(), rings.end(), is_near))
-      rings.push_back({center, axis, 0.12, 0.065});
+      rings.push_back({center, axis, 0.12, 0.06});
   }
   return rings;
 }
@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(noise_goes_and_the_handle_of_the_figure_stays)
   const std::size_t number = 50, seed = 20261124;
   BOOST_TEST_CONTEXT("seed " << seed)
   {
-    const double cell = 0.045;
+    const double cell = 0.04;
     const std::vector<Ring> rings = noise(number, seed);
     const auto function = [&](const Vector& p) {
       double value = fat_ring(p);
