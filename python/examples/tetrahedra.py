@@ -2,6 +2,7 @@
 
 import numpy as np
 import reeb_graph
+import shapes
 
 n = 12
 numbers = np.arange((n + 1) ** 3).reshape(n + 1, n + 1, n + 1)
@@ -17,4 +18,8 @@ graph = reeb_graph.compute(None, field, tetrahedra=tetrahedra, points=points).si
 print(graph)
 for contour in graph.contours_of_arcs(0.5):
     print(f"arc {contour.arc}: at {contour.value:.3f} a surface of {len(contour.triangles)} triangles")
-graph.write("tetrahedra.svg", name="nearness")
+contours = graph.contours_of_arcs(0.6)
+corners = np.concatenate([contour[contour.triangles] for contour in contours])  # three points for each triangle
+pieces = np.repeat([contour.arc for contour in contours], [len(contour.triangles) for contour in contours])
+shapes.draw("tetrahedra.svg", np.arange(3 * len(pieces)).reshape(-1, 3), corners.reshape(-1, 3), pieces, both_sides=True)
+graph.write("tetrahedra_graph.svg", name="nearness")

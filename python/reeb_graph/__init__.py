@@ -16,41 +16,12 @@ except ImportError as error:
 
 from ._arrays import Mesh, mesh_arrays
 from ._errors import MeshError, NumberError, StoppedError
-from ._functions import (
-    Cut,
-    branches,
-    cutting_system,
-    geodesic,
-    harmonic,
-    height,
-    make_borders_level,
-    pants,
-    poisson,
-    unit_gradient,
-)
+from ._functions import Cut, branches, cutting_system, geodesic, harmonic, height, make_borders_level, pants, poisson
+from ._functions import unit_gradient
 from ._graph import ReebGraph, compute
 from ._results import Contour, CriticalSet, Embedding
 
 __version__ = _core.__version__
-__all__ = [
-    "Contour",
-    "CriticalSet",
-    "Cut",
-    "Embedding",
-    "Mesh",
-    "MeshError",
-    "NumberError",
-    "ReebGraph",
-    "StoppedError",
-    "branches",
-    "compute",
-    "cutting_system",
-    "geodesic",
-    "harmonic",
-    "height",
-    "make_borders_level",
-    "mesh_arrays",
-    "pants",
-    "poisson",
-    "unit_gradient",
-]
+__all__ = ["Contour", "CriticalSet", "Cut", "Embedding", "Mesh", "MeshError", "NumberError", "ReebGraph", "StoppedError"]
+__all__ += ["branches", "compute", "cutting_system", "geodesic", "harmonic", "height", "make_borders_level"]
+__all__ += ["mesh_arrays", "pants", "poisson", "unit_gradient"]

@@ -33,49 +33,39 @@ class Mesh(NamedTuple):
     point_data: Any = {}
 
 
+def _numbers(array: Any, name: str, kinds: str = "iufb", what: str = "real numbers", largest: int = LARGEST_NUMBER) -> Any:
+    """Return an array of numbers of these kinds, of which there are not too many."""
+    array = np.asarray(array)
+    if array.dtype.kind not in kinds and array.size > 0:
+        raise TypeError(f"{name} has the dtype {array.dtype}; it has to be one of {what}")
+    if array.ndim > 0 and array.shape[0] > largest:
+        raise ValueError(f"{name} has {array.shape[0]} rows, at most {largest} are possible")
+    return array
+
+
 def indices(array: Any, columns: int, name: str) -> np.ndarray | None:
     """Return `array` as one of integers that the extension takes, with so many columns, or None if there are no rows."""
-    if array is None:
+    if array is None or np.shape(array) in ((0,), (0, columns)):
         return None
-    array = np.asarray(array)
-    if array.size == 0 and array.ndim <= 2:
-        if array.ndim == 2 and array.shape[0] > 0:
-            raise ValueError(f"{name} has the shape {array.shape}, it has to be (number, {columns})")
-        return None
-    if name == "triangles" and array.dtype.kind == "f":
-        raise TypeError(
-            f"triangles are integers, the numbers of their vertices; an array of {array.dtype} of the shape "
-            f"{array.shape} looks like points: these are handed over as points=, behind the triangles"
-        )
-    if array.dtype.kind not in "iu":
-        raise TypeError(f"{name} has the dtype {array.dtype}; it has to be one of integers, the numbers of vertices")
+    if name == "triangles" and np.asarray(array).dtype.kind == "f":
+        raise TypeError("triangles are integers; what is handed in looks like points, which come as points=, behind them")
+    array = _numbers(array, name, "iu", "integers, the numbers of vertices", LARGEST_NUMBER_OF_CELLS)
     if array.ndim != 2 or array.shape[1] != columns:
         raise ValueError(f"{name} has the shape {array.shape}; it has to be (number, {columns})")
-    if array.shape[0] > LARGEST_NUMBER_OF_CELLS:
-        raise ValueError(f"{name} has {array.shape[0]} rows, at most {LARGEST_NUMBER_OF_CELLS} are possible")
-    wanted = array.dtype.newbyteorder("=")
-    if wanted.itemsize < 4:
-        wanted = np.dtype(np.int32)
-    if wanted != array.dtype or not array.flags.aligned:
-        array = array.astype(wanted)
-    return array
+    return np.require(array, np.int64, ["C_CONTIGUOUS", "ALIGNED"])
 
 
 def points_array(points: Any, number: int | None = None) -> np.ndarray | None:
     """Return `points` as C-contiguous doubles, three a row; two coordinates get 0 as third one."""
     if points is None:
         return None
-    points = np.asarray(points)
-    if points.dtype.kind not in "iufb" and points.size > 0:
-        raise TypeError(f"points has the dtype {points.dtype}; it has to be one of real numbers")
+    points = _numbers(points, "points")
     if points.size == 0 and points.ndim < 2:
         points = np.zeros((0, 3))
     if points.ndim != 2 or points.shape[1] not in (2, 3):
         raise ValueError(f"points has the shape {points.shape}; it has to be (number of vertices, 3)")
     if number is not None and points.shape[0] != number:
         raise ValueError(f"there are {points.shape[0]} points and {number} scalars; there has to be one of each per vertex")
-    if points.shape[0] > LARGEST_NUMBER:
-        raise ValueError(f"there are {points.shape[0]} points, at most {LARGEST_NUMBER} are possible")
     if points.shape[1] == 2:
         points = np.column_stack([points, np.zeros(len(points))])
     return np.ascontiguousarray(points, dtype=np.float64)
@@ -83,17 +73,12 @@ def points_array(points: Any, number: int | None = None) -> np.ndarray | None:
 
 def values_array(scalars: Any, name: str = "scalars") -> np.ndarray:
     """Return `scalars` as an array of one dimension of real numbers, in the byte order of the machine."""
-    masked = isinstance(scalars, np.ma.MaskedArray)
-    if masked and np.ma.getmaskarray(scalars).any():
+    if isinstance(scalars, np.ma.MaskedArray) and np.ma.getmaskarray(scalars).any():
         vertex = int(np.flatnonzero(np.ma.getmaskarray(scalars).ravel())[0])
         raise MeshError(f"vertex {vertex} has no value: it is masked", "vertex", vertex)
-    scalars = np.asarray(scalars)
-    if scalars.dtype.kind not in "iufb" and scalars.size > 0:
-        raise TypeError(f"{name} has the dtype {scalars.dtype}; it has to be one of real numbers")
+    scalars = _numbers(scalars, name)
     if scalars.ndim != 1:
         raise ValueError(f"{name} has the shape {scalars.shape}; it has to be (number of vertices,)")
-    if scalars.shape[0] > LARGEST_NUMBER:
-        raise ValueError(f"{name} has {scalars.shape[0]} values, at most {LARGEST_NUMBER} are possible")
     if scalars.dtype.kind == "b" or scalars.size == 0:
         return scalars.astype(np.uint8 if scalars.dtype.kind == "b" else np.float64)
     return scalars.astype(scalars.dtype.newbyteorder("="), copy=False)
@@ -115,32 +100,36 @@ def are_doubles(values: np.ndarray) -> bool:
     return bool(np.all(doubles.astype(values.dtype) == values))
 
 
+def settled(values: np.ndarray) -> np.ndarray:
+    """Return values as contiguous doubles, read-only if nobody else can write them: the extension copies others."""
+    result = np.ascontiguousarray(values, dtype=np.float64)
+    if result is values:
+        owner: Any = values
+        while type(owner) is np.ndarray and not owner.flags.writeable:
+            owner = owner.base
+        if values.flags.writeable or owner is None or isinstance(owner, bytes):
+            return values
+        result = values.copy()
+    result.flags.writeable = False
+    return result
+
+
 def doubles(scalars: Any, name: str = "scalars") -> np.ndarray:
     """Return values as doubles; those that would change are refused."""
     values = values_array(scalars, name)
     if not are_doubles(values):
         raise ValueError(f"{name} has the dtype {values.dtype}, and values that no double has: this function computes with doubles")
-    return np.ascontiguousarray(values, dtype=np.float64)
+    return settled(values)
 
 
-def ranks(values: np.ndarray) -> np.ndarray:
-    """Return the rank of each value among the different ones, as a double."""
-    if values.dtype.kind == "f":
-        wrong = np.flatnonzero(np.isnan(values))
-        if len(wrong) > 0:
-            vertex = int(wrong[0])
-            raise MeshError(f"the scalar value of vertex {vertex} is not a number (NaN)", "vertex", vertex)
-    return np.unique(values, return_inverse=True)[1].reshape(-1).astype(np.float64)
-
-
-def _padded_faces(faces: np.ndarray) -> np.ndarray:
-    """Return the triangles of faces that are listed one behind the other, each after its number of vertices."""
-    faces = np.asarray(faces)
-    if faces.ndim == 2:
-        return faces
-    if len(faces) % 4 != 0 or np.any(faces[::4] != 3):
-        raise ValueError("not all faces of the mesh are triangles: triangulate it before, as triangulate() does")
-    return faces.reshape(-1, 4)[:, 1:]
+def _rows(cells: Any, size: int, what: str) -> np.ndarray:
+    """Return cells that are listed one behind the other, each after its number of vertices, as rows of `size` numbers."""
+    cells = np.asarray(cells)
+    if cells.ndim == 2:
+        return cells
+    if len(cells) % (size + 1) != 0 or np.any(cells[:: size + 1] != size):
+        raise ValueError(f"the mesh has {what}: triangulate it before, as triangulate() does")
+    return cells.reshape(-1, size + 1)[:, 1:]
 
 
 def _of_cells(cells: Any) -> dict[str, np.ndarray]:
@@ -178,39 +167,29 @@ def mesh_arrays(mesh: Any) -> Mesh:
     ValueError
         if there are other cells
     """
-    data = getattr(mesh, "point_data", None)
-    if data is None:
-        data = getattr(mesh, "vertex_attributes", {})
     if isinstance(mesh, Mesh):
         return mesh
+    data = getattr(mesh, "point_data", getattr(mesh, "vertex_attributes", {}))
     if hasattr(mesh, "points") and hasattr(mesh, "cells"):
         cells = _of_cells(mesh.cells if isinstance(mesh.cells, (list, tuple)) else mesh.cells_dict)
         return Mesh(cells.get("triangle"), np.asarray(mesh.points), cells.get("line"), cells.get("tetra"), data)
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
         return Mesh(np.asarray(mesh.faces), np.asarray(mesh.vertices), None, None, data)
     if hasattr(mesh, "points") and hasattr(mesh, "faces"):
-        lines = np.asarray(getattr(mesh, "lines", ()))
-        if len(lines) % 3 != 0 or np.any(lines[::3] != 2):
-            raise ValueError("the mesh has lines of more than two points")
-        edges = lines.reshape(-1, 3)[:, 1:]
-        return Mesh(_padded_faces(mesh.faces), np.asarray(mesh.points), edges, None, data)
+        lines = _rows(getattr(mesh, "lines", ()), 2, "lines of more than two points")
+        return Mesh(_rows(mesh.faces, 3, "faces that are no triangles"), np.asarray(mesh.points), lines, None, data)
     raise TypeError(
         f"a {type(mesh).__name__} is no array of triangles, and no mesh: it has neither vertices and faces, nor points and "
         "faces or cells"
     )
 
 
-def is_mesh(triangles: Any) -> bool:
-    return any(hasattr(triangles, name) for name in ("faces", "cells", "tetrahedra"))
-
-
 def take(triangles: Any, points: Any = None, edges: Any = None, tetrahedra: Any = None) -> Mesh:
     """Return the arrays of a mesh, which stands in the place of the triangles, or those that are given."""
-    if not is_mesh(triangles):
+    if not any(hasattr(triangles, name) for name in ("faces", "cells", "tetrahedra")):
         return Mesh(triangles, points, edges, tetrahedra)
-    mesh = mesh_arrays(triangles)
     given = {"points": points, "edges": edges, "tetrahedra": tetrahedra}
-    return mesh._replace(**{name: array for name, array in given.items() if array is not None})
+    return mesh_arrays(triangles)._replace(**{name: array for name, array in given.items() if array is not None})
 
 
 def scalars_of(mesh: Mesh, scalars: Any) -> Any:

@@ -18,6 +18,7 @@ class MeshError(ValueError):
     triangle: int | None = None
     edge: int | None = None
     tetrahedron: int | None = None
+    face = property(lambda self: self.triangle)
 
     def __init__(self, message: str, item: str | None = None, number: int | None = None) -> None:
         super().__init__(message, item, number)
@@ -26,10 +27,6 @@ class MeshError(ValueError):
 
     def __str__(self) -> str:
         return str(self.args[0])
-
-    @property
-    def face(self) -> int | None:
-        return self.triangle
 
 
 class NumberError(IndexError, ValueError):

@@ -1,4 +1,4 @@
-"""The values of a field, and what stands for them."""
+"""The values of a field, and the doubles that stand for them."""
 
 from __future__ import annotations
 
@@ -8,66 +8,85 @@ from typing import Any
 import numpy as np
 
 from . import _arrays
+from ._errors import MeshError
 
 
 class Field:
-    """The field as it was handed in, and what the extension has instead where no double has its values."""
+    """The field as it was handed in, and `doubles`, which have its order.
+
+    Values that no double has are kept. Their doubles are the differences to `base`, the least value, moved apart by the
+    least that doubles can where two values would become one: `places` for the ascending values `levels`. In an order that
+    is not that of the values, the doubles are ranks, and there are no levels.
+    """
 
     def __init__(self, scalars: Any, order: Any) -> None:
         values = _arrays.values_array(scalars)
-        self.size = len(values)
-        self.dtype = values.dtype
-        self.values: np.ndarray | None = None  # only if there are ranks
-        self.ranks: np.ndarray | None = None
-        self.levels: np.ndarray | None = None  # the value of each rank, if they ascend
-        self.base: Any = 0  # what has been taken off doubles, for which there are ranks
+        self.size, self.dtype = len(values), values.dtype
+        self.values: np.ndarray | None = None
+        self.levels: np.ndarray | None = None
+        self.base: Any = 0
         if order is None and _arrays.are_doubles(values):
-            self.doubles = np.ascontiguousarray(values, dtype=np.float64)
+            self.doubles = _arrays.settled(values)
             return
-        self.values = values.copy()
-        self.base = self._find_base()
-        with np.errstate(over="ignore"):
-            if values.dtype.kind in "iu":  # differences are exact in numbers that wrap
-                self.doubles = (self.values.astype(np.uint64) - np.array(self.base).astype(np.uint64)).astype(np.float64)
-            else:
-                self.doubles = (self.values - self.base).astype(np.float64)
-        self.ranks = _arrays.ranks(self.values if order is None else _arrays.values_array(order, "order"))
-        if len(self.ranks) != len(self.values):
-            raise ValueError(f"order has {len(self.ranks)} ranks for {len(self.values)} scalars")
-        if len(self.ranks) > 0:
-            self._find_levels()
-
-    def _find_base(self) -> Any:
-        """Return what is taken off the values, so that doubles have their differences."""
-        if _arrays.are_doubles(self.values) or not np.isfinite(self.values).all():
-            return self.dtype.type(0)
-        return self.values.min()
-
-    def _find_levels(self) -> None:
-        ranks = self.ranks.astype(np.int64)
-        levels = np.empty(ranks.max() + 1, dtype=self.dtype)
+        self.values = _checked(values.copy())
+        deciding = self.values if order is None else _checked(_arrays.values_array(order, "order"))
+        ranks = np.unique(deciding, return_inverse=True)[1].reshape(-1)
+        if len(ranks) != self.size:
+            raise ValueError(f"order has {len(ranks)} ranks for {self.size} scalars")
+        levels = np.empty(ranks.max(initial=-1) + 1, dtype=self.dtype)
         levels[ranks] = self.values
-        if np.all(levels[ranks] == self.values) and np.all(levels[1:] >= levels[:-1]):
-            self.levels = levels
+        if np.array_equal(levels[ranks], self.values) and np.all(levels[1:] >= levels[:-1]):
+            if not _arrays.are_doubles(levels) and np.isfinite(levels).all():
+                self.base = levels[0]
+            self.places = _moved_apart(self._differences(levels))
+            if not np.isnan(self.places).any():
+                self.levels = levels
+        self.doubles = _arrays.settled(ranks if self.levels is None else self.places[ranks])
 
-    def rank_of(self, value: Any) -> int:
-        """Return the highest rank whose value is at most `value`; -1 if there is none."""
+    def _differences(self, levels: np.ndarray) -> np.ndarray:
+        if self.dtype.kind in "iu":  # they are exact in numbers that wrap
+            return (levels.astype(np.uint64) - np.array(self.base).astype(np.uint64)).astype(np.float64)
+        with np.errstate(over="ignore"):
+            return (levels - self.base).astype(np.float64)
+
+    def place(self, level: Any) -> float:
+        """Return the double of the level just above the last value that is at most `level`."""
+        if self.values is None:
+            return float(level)
         if self.levels is None:
             raise ValueError("the order that was given is not that of the scalars: there are no levels of values")
-        if self.dtype.kind in "iu" and np.isfinite(float(value)):
+        level = int(level) if isinstance(level, np.integer) else level
+        value = level
+        if self.dtype.kind in "iu" and math.isfinite(level):
             limits = np.iinfo(self.dtype)
-            if math.floor(value) < limits.min:
-                return -1
-            value = self.dtype.type(min(math.floor(value), limits.max))
-        return int(np.searchsorted(self.levels, value, side="right")) - 1
+            value = min(math.floor(level), int(limits.max))
+            if value < limits.min:
+                return -math.inf
+            value = self.dtype.type(value)
+        rank = int(np.searchsorted(self.levels, value, side="right")) - 1
+        if rank < 0:
+            return -math.inf
+        upper = self.places[rank + 1] if rank + 1 < len(self.places) else math.inf
+        return min(max(float(level - self.offset), self.places[rank]), np.nextafter(upper, -math.inf))
 
-    def without_base(self, value: Any) -> float:
-        if isinstance(value, np.integer):
-            value = int(value)
-        return float(value - (int(self.base) if self.dtype.kind in "iu" else self.base))
+    @property
+    def offset(self) -> Any:
+        """The base as a number of Python if it is an integer."""
+        return int(self.base) if self.dtype.kind in "iu" else self.base
 
-    def value_between(self, lower: Any, upper: Any, t: float) -> Any:
-        """Return the value at the place `t`; integers are exact as long as the difference is one of double."""
-        if self.dtype.kind == "f":
-            return lower + self.dtype.type(t) * (upper - lower)
-        return int(lower) + int(t * (int(upper) - int(lower)))
+
+def _checked(values: np.ndarray) -> np.ndarray:
+    if values.dtype.kind == "f" and np.isnan(values).any():
+        vertex = int(np.flatnonzero(np.isnan(values))[0])
+        raise MeshError(f"the scalar value of vertex {vertex} is not a number (NaN)", "vertex", vertex)
+    return values
+
+
+def _moved_apart(doubles: np.ndarray) -> np.ndarray:
+    """Return ascending doubles, of which no two are the same; NaN where there are too few of them."""
+    bits = (doubles + 0.0).view(np.int64)
+    least = np.iinfo(np.int64).min
+    numbers = np.where(bits < 0, least - bits, bits)  # of the doubles, ascending
+    steps = np.arange(len(numbers))
+    numbers = np.maximum.accumulate(numbers - steps) + steps
+    return np.where(numbers < 0, least - numbers, numbers).view(np.float64)

@@ -21,18 +21,20 @@ def _vertex_numbers(numbers: Any, name: str) -> list[int]:
     return [int(number) for number in array]
 
 
-def _field(
-    name: str, mesh: _arrays.Mesh, threads: int | None, progress: Progress, scalars: Any = None, **settings: Any
-) -> np.ndarray:
+def _run(function: Any, mesh: _arrays.Mesh, number: Any, arguments: Any, threads: Any, progress: Any, name: str) -> Any:
+    arrays, threads = _arrays.to_core(mesh, number), _arrays.threads_number(threads)
+    return function(arrays, *arguments, threads, progress_function(progress, name))
+
+
+def _field(name: str, mesh: _arrays.Mesh, threads: Any, progress: Any, scalars: Any = None, **settings: Any) -> np.ndarray:
     if mesh.points is None:
         raise ValueError(f"the field {name} needs points: they come behind the triangles")
     options = _core.FieldOptions()
-    for key, value in settings.items():
+    for key, value in {"field": name, **settings}.items():
         setattr(options, key, value)
     scalars = None if scalars is None else _arrays.doubles(_arrays.scalars_of(mesh, scalars))
-    arrays = _arrays.to_core(mesh, None if scalars is None else len(scalars))
-    function = progress_function(progress, name)
-    return _core.field(name, arrays, len(mesh.points), options, scalars, function, _arrays.threads_number(threads))
+    number = len(mesh.points) if scalars is None else len(scalars)
+    return _run(_core.field, mesh, number, (number, options, scalars), threads, progress, name)
 
 
 def harmonic(
@@ -157,8 +159,7 @@ def make_borders_level(
     """
     mesh = _arrays.take(triangles, points)
     values = _arrays.doubles(_arrays.scalars_of(mesh, scalars))
-    arrays, function = _arrays.to_core(mesh, len(values)), progress_function(progress, "borders")
-    return _core.make_borders_level(arrays, values, function, _arrays.threads_number(threads))
+    return _run(_core.make_borders_level, mesh, len(values), (values,), threads, progress, "borders")
 
 
 @dataclass(frozen=True)
@@ -198,19 +199,20 @@ def _columns(arrays: Mapping[str, np.ndarray], number: int) -> list[np.ndarray]:
     for name, array in arrays.items():
         if array.ndim == 0 or len(array) != number:
             raise ValueError(f"the vertex array {name!r} has the shape {array.shape} for {number} vertices")
-        width = int(np.prod(array.shape[1:], dtype=np.int64))
-        columns += [_arrays.doubles(c, f"the vertex array {name!r}") for c in array.reshape(number, width).T]
+        columns += [_arrays.doubles(c, f"the vertex array {name!r}") for c in array.reshape(number, _width(array)).T]
     return columns
 
 
+def _width(array: np.ndarray) -> int:
+    return int(np.prod(array.shape[1:], dtype=np.int64))
+
+
 def _arrays_of_columns(given: Mapping[str, np.ndarray], columns: list[np.ndarray]) -> dict[str, np.ndarray]:
-    result, first = {}, 0
+    result = {}
     for name, array in given.items():
-        width = int(np.prod(array.shape[1:], dtype=np.int64))
-        table = np.stack(columns[first : first + width], axis=-1)
+        table = np.stack([columns.pop(0) for _ in range(_width(array))], axis=-1)
         table = np.rint(table) if array.dtype.kind in "iub" else table
         result[name] = table.reshape(-1, *array.shape[1:]).astype(array.dtype)
-        first += width
     return result
 
 
@@ -229,18 +231,15 @@ def _cut(
     values = _arrays.doubles(_arrays.scalars_of(mesh, scalars))
     given = {name: np.asarray(array) for name, array in (vertex_arrays or {}).items()}
     options = _core.CutOptions()
-    options.cut_open = bool(cut_open)
+    options.type, options.cut_open = kind, bool(cut_open)
     options.borders = _core.Borders.level if borders == "level" else _core.Borders.make_level
     for name, threshold in thresholds.items():
         if threshold is not None and not threshold >= 0:
             raise ValueError(f"{name} must not be negative or NaN, as {threshold} is")
         setattr(options, name, threshold)
-    found = _core.cut(
-        kind, _arrays.to_core(mesh, len(values)), values, _columns(given, len(values)), options, max_triangles or 0,
-        progress_function(progress, "cut"), _arrays.threads_number(threads),
-    )
-    found["vertex_arrays"] = _arrays_of_columns(given, found.pop("arrays"))
-    return Cut(**found)
+    arguments = (values, _columns(given, len(values)), options, max_triangles or 2**62)
+    *found, columns = _run(_core.cut, mesh, len(values), arguments, threads, progress, "cut")
+    return Cut(*found, _arrays_of_columns(given, columns))
 
 
 def cutting_system(triangles: Any, scalars: Any, points: Any = None, **options: Any) -> Cut:

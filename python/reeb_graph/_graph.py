@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import operator
 import os
 import tempfile
@@ -58,12 +59,13 @@ class ReebGraph:
         self._core = core
         self._field = field
         self._threads = threads
+        self._has_points = False
         self._options: dict[str, Any] = {}  # of compute()
         self._simplification: dict[str, Any] = {}
-        self.node_vertices, values, kinds = core.nodes()
+        self.node_vertices, values, kinds = self._run("nodes")
         self.node_values = values.astype(field.dtype) if field.values is None else field.values[self.node_vertices]
         self.node_kinds = KINDS[kinds]
-        self.arcs = core.arcs()
+        self.arcs = self._run("arcs")
         for array in (self.node_vertices, self.node_values, self.node_kinds, self.arcs):
             array.flags.writeable = False
 
@@ -71,7 +73,7 @@ class ReebGraph:
 
     @cached_property
     def vertex_places(self) -> np.ndarray:
-        places = self._run(self._core.places)
+        places = self._run("places")
         places.flags.writeable = False
         return places
 
@@ -82,43 +84,26 @@ class ReebGraph:
 
     @cached_property
     def chains(self) -> list[np.ndarray]:
-        return self._core.chains()
+        return self._run("chains")
 
-    @property
-    def is_surface(self) -> bool:
-        return self._core.is_surface
-
-    @property
-    def n_nodes(self) -> int:
-        return len(self.node_vertices)
-
-    @property
-    def n_arcs(self) -> int:
-        return len(self.arcs)
-
-    @property
-    def n_loops(self) -> int:
-        return self.n_arcs + self.n_components - self.n_nodes
-
-    @property
-    def n_leaves(self) -> int:
-        return len(self.leaves())
+    is_surface = property(lambda self: self._core.is_surface)
+    n_vertices = property(lambda self: self._field.size)
+    n_nodes = property(lambda self: len(self.node_vertices))
+    n_arcs = property(lambda self: len(self.arcs))
+    n_leaves = property(lambda self: len(self.leaves()))
+    n_loops = property(lambda self: self.n_arcs + self.n_components - self.n_nodes)
 
     @cached_property
     def n_components(self) -> int:
         return int(self.components().max(initial=-1)) + 1
 
-    @property
-    def n_vertices(self) -> int:
-        return self._field.size
-
     @cached_property
     def counts(self) -> dict[str, Any]:
-        return json.loads(self._run(self._core.report))
+        return json.loads(self._run("write", _core.Files()))
 
     def components(self) -> np.ndarray:
         """Return the number of the connected component of each node."""
-        return self._core.components()
+        return self._run("components")
 
     def leaves(self) -> np.ndarray:
         """Return the nodes at which one arc ends, ascending."""
@@ -126,7 +111,7 @@ class ReebGraph:
 
     def loops(self) -> list[np.ndarray]:
         """Return independent loops, each as an array of arcs in the order in which they follow each other."""
-        return self._core.loops()
+        return self._run("loops")
 
     def pairs(self) -> np.recarray:
         """Find the pairs of extended persistence.
@@ -138,34 +123,23 @@ class ReebGraph:
             `upper_node`, `lower_value`, `upper_value`, `persistence`, and as GUDHI has them `dimension`, `birth`, and
             `death`: saddles with maxima, and loops, have dimension 1, and are born at their upper node.
         """
-        lower, upper, kinds = self._core.pairs()
+        lower, upper, kinds = self._run("pairs")
         low, high = self.node_values[lower], self.node_values[upper]
         is_upper = np.isin(kinds, ["saddle-maximum", "loop"])
         with np.errstate(invalid="ignore"):
             persistence = np.where(low == high, 0, np.maximum(low, high) - np.minimum(low, high)).astype(np.float64)
         columns = {
-            "kind": np.array(kinds, dtype="U15"),
-            "lower_node": lower,
-            "upper_node": upper,
-            "lower_value": low,
-            "upper_value": high,
-            "persistence": persistence,
-            "dimension": is_upper.astype(np.int64),
-            "birth": np.where(is_upper, high, low),
-            "death": np.where(is_upper, low, high),
+            "kind": np.array(kinds, dtype="U15"), "lower_node": lower, "upper_node": upper, "lower_value": low,
+            "upper_value": high, "persistence": persistence, "dimension": is_upper.astype(np.int64),
+            "birth": np.where(is_upper, high, low), "death": np.where(is_upper, low, high),
         }
         return np.rec.fromarrays(list(columns.values()), names=list(columns))
 
     # ---- simplification
 
     def simplify(
-        self,
-        threshold: float | str | None = None,
-        *,
-        percent: float | None = None,
-        leaves: int | None = None,
-        cancel_loops: bool = False,
-        progress: Progress = None,
+        self, threshold: float | str | None = None, *, percent: float | None = None, leaves: int | None = None,
+        cancel_loops: bool = False, progress: Progress = None,
     ) -> ReebGraph:
         """Remove branches of little persistence.
 
@@ -174,7 +148,8 @@ class ReebGraph:
         Parameters
         ----------
         threshold : float or str, optional
-            What is less persistent is removed, in units of the field, or as `'5%'`.
+            What is less persistent is removed, in units of the field, or as `'5%'`; `'auto'` is the threshold that the
+            graph suggests: below the widest gap of persistences.
         percent : float, optional
             The same in percent of the range of the field.
         leaves : int, optional
@@ -189,29 +164,22 @@ class ReebGraph:
         ReebGraph
             The simplified graph, which leads back to the mesh as this one does.
         """
-        if isinstance(threshold, str):
-            if not threshold.strip().endswith("%") or percent is not None:
-                raise ValueError(f"the threshold has to be a number, or one with %, not {threshold!r}")
+        given = {"threshold": threshold, "percent": percent, "leaves": leaves, "cancel_loops": cancel_loops}
+        if isinstance(threshold, str) and threshold.strip().endswith("%") and percent is None:
             threshold, percent = None, float(threshold.strip()[:-1])
         if threshold is not None and percent is not None:
             raise ValueError("threshold and percent do not go together")
-        if threshold is None and percent is None and leaves is None:
-            raise ValueError("a threshold, a percentage, or a number of leaves is needed")
-        if cancel_loops and threshold is None and percent is None:
-            raise ValueError("cancel_loops goes with a threshold or a percentage only")
-        number = None if threshold is None and percent is None else float(percent if threshold is None else threshold)
-        if number is not None and not number >= 0:
+        number = threshold if percent is None else percent
+        if number is None and (leaves is None or cancel_loops):
+            raise ValueError("a threshold or a percentage is needed, or without cancel_loops a number of leaves")
+        if number != "auto" and number is not None and not float(number) >= 0:
             raise ValueError(f"the threshold must not be negative or NaN, as {number} is")
         if leaves is not None and operator.index(leaves) < 0:
             raise ValueError(f"the number of leaves must not be negative, as {leaves} is")
-        core = self._core.simplify(
-            number, percent is not None, leaves, bool(cancel_loops), progress_function(progress, "simplify")
-        )
+        number = None if number is None else math.nan if number == "auto" else float(number)
+        core = self._run("simplify", number, percent is not None, leaves, bool(cancel_loops), progress=progress)
         simplified = ReebGraph(core, self._field, self._threads)
-        simplified._options = self._options
-        simplified._simplification = {
-            "threshold": threshold, "percent": percent, "leaves": leaves, "cancel_loops": cancel_loops
-        }
+        simplified._has_points, simplified._options, simplified._simplification = self._has_points, self._options, given
         return simplified
 
     def simplified_scalars(self, *, progress: Progress = None) -> np.ndarray:
@@ -230,12 +198,12 @@ class ReebGraph:
         ValueError
             if the mesh is no surface, loops have been cancelled, or the scalars are ranked
         """
-        if self._field.values is not None:
-            if self._simplification:
-                raise ValueError("there is no simplified field of scalars that are ranked, as they are no doubles")
-            return self._field.values.copy()
-        scalars, are_ties_contracted = self._run(self._core.simplified_scalars, progress=progress)
-        if are_ties_contracted:
+        if not self._simplification:
+            return self._run("mesh_arrays")[-1] if self._field.values is None else self._field.values.copy()
+        if not self.is_surface or self._field.values is not None or self._simplification["cancel_loops"]:
+            raise ValueError("only simplified graphs of surfaces and of doubles, with all their loops, have such a field")
+        scalars, are_ties_contracted = self._run("simplified_scalars", progress=progress)
+        if are_ties_contracted[0]:
             warnings.warn("the simplified field has its graph with ties='contract' only", stacklevel=2)
         return scalars
 
@@ -255,47 +223,35 @@ class ReebGraph:
         Contour
             An array of points that tells more, see there.
         """
-        arc = self._number(arc, self.n_arcs, "arc")
-        self._need_points("a contour")
-        t = float(t)
-        if self._field.levels is None or not 0 < t < 1:
-            return self._contour(self._run(self._core.contour_at_parameter, arc, t))
-        lower, upper = self.node_vertices[self.arcs[arc]]
-        lowest, highest = int(self._field.ranks[lower]), int(self._field.ranks[upper])
-        if lowest == highest:
-            return self._contour(self._run(self._core.contour_at_parameter, arc, t))
-        value = self._field.value_between(self._field.values[lower], self._field.values[upper], t)
-        rank = min(max(self._field.rank_of(value), lowest), highest - 1)
-        return self._contour(self._run(self._core.contour_at_level, arc, rank, self._field.without_base(value)))
+        return self._contours(self._number(arc, self.n_arcs, "arc"), float(t), None)[0]
 
     def contours(self, level: float) -> list[Contour]:
         """Trace all contours at a level: those just above the last vertex whose scalar is at most `level`."""
-        self._need_points("a contour")
         if np.isnan(level):
             raise ValueError("the level is not a number (NaN)")
-        if self._field.values is None:
-            return self._contours(self._run(self._core.contours_at_level, float(level), None))
-        rank = self._field.rank_of(level)
-        return self._contours(self._run(self._core.contours_at_level, rank, self._field.without_base(level)))
+        return self._contours(None, None, self._field.place(level))
 
     def contours_of_arcs(self, t: float = 0.5) -> list[Contour]:
         """Trace the contour of each arc at the place `t` between its nodes."""
-        return [self.contour(arc, t) for arc in range(self.n_arcs)]
+        return self._contours(None, float(t), None)
 
     def critical_set(self, node: int) -> CriticalSet:
         """Return what a node stands for: the contours that meet there, and more."""
         self._need_points("a critical set")
-        found = self._run(self._core.critical_set, self._number(node, self.n_nodes, "node"))
-        lower, upper = self._contours(found["lower_contours"]), self._contours(found["upper_contours"])
-        return CriticalSet(lower, upper, found["star"], found["border_loop"])
+        lower, upper, star, loop = self._run("critical_set", self._number(node, self.n_nodes, "node"))
+        return CriticalSet([self._contour(c) for c in lower], [self._contour(c) for c in upper], star, loop)
 
     def lengths(self) -> np.ndarray:
         """Measure the length of each arc along its chain, up to the level of its upper node."""
-        return self._measures[0].copy()
+        return self._measure("length")
 
     def areas(self) -> np.ndarray:
-        """Measure the area of the surface that belongs to each arc."""
-        return self._measures[1].copy()
+        """Measure the area of the triangles that belongs to each arc. In tetrahedra, arcs have `volumes` instead."""
+        return self._measure("area")
+
+    def volumes(self) -> np.ndarray:
+        """Measure the volume of the tetrahedra that belongs to each arc."""
+        return self._measure("volume")
 
     def embed(self, manner: str | None = None, *, progress: Progress = None) -> Embedding:
         """Put the graph into space.
@@ -305,39 +261,43 @@ class ReebGraph:
         manner : {'centroids', 'on-surface', 'straight'}, optional
             Through the centroids of contours, ascending on the surface, or straight from node to node. By default the
             first one, or the last one where contours are very long, or the mesh is no surface.
+
+        Returns
+        -------
+        Embedding
         """
         self._need_points("an embedding")
-        found = self._run(self._core.embed, _manner(manner), progress=progress)
-        found["manner"] = found["manner"].name.replace("_", "-")
-        return Embedding(**found)
+        by_default = _core.Manner.by_cost if self.is_surface else _core.Manner.straight
+        found, points, polylines, values = self._run("embed", _manner(manner) or by_default, progress=progress)
+        base = float(self._field.base)
+        name = _core.Manner(int(found[0])).name.replace("_", "-")
+        return Embedding(name, points, polylines, [numbers + base for numbers in values])
 
     # ---- files and other packages
 
     def write(
-        self,
-        path: str | os.PathLike[str],
-        *,
-        title: str = "Reeb graph",
-        name: str = "scalars",
-        unit: str = "",
-        embedding: str | None = None,
-        progress: Progress = None,
+        self, path: str | os.PathLike[str], *, what: str | None = None, title: str = "Reeb graph", name: str = "scalars",
+        unit: str = "", embedding: str | None = None, progress: Progress = None,
     ) -> None:
         """Write a file; the end of its name tells which one.
 
         `.graphml`, `.dot`, `.svg`, and in space `.vtp`, `.obj`, `.polylines.txt`, `.json`, and `.csv`, which stands for
         the tables `.nodes.csv` and `.arcs.csv`: the graph; `.html`: a page that shows it with the surface; `.ply`: the
-        surface with the arc of each vertex, and colours; `.pers`: the pairs, as GUDHI has them.
+        surface with the arc of each vertex, and colours; `.pers`: the pairs before it was simplified, as GUDHI has them.
 
         Parameters
         ----------
         path : path
+        what : {'graph', 'page', 'mesh', 'pairs', 'diagram', 'vertex_arcs', 'simplified_scalars'}, optional
+            What is written, if that is not what the end of the name stands for. The formats are those of the program.
         title : str
             The title of a page.
         name, unit : str
             What drawings call the field, and what it is measured in.
         embedding : {'centroids', 'on-surface', 'straight'}, optional
             Where arcs are in space, as for `embed`.
+        progress : callable or bool, optional
+            As for `compute`.
 
         Raises
         ------
@@ -345,13 +305,27 @@ class ReebGraph:
             if there is no such format, or it needs points, or a surface
         OSError
             if the file cannot be written
+
+        Notes
+        -----
+        Of integers that no double has, pages, drawings, and meshes show the differences to the least one; the name of
+        the field tells so. Other files have the doubles next to the values.
         """
         path = Path(path)
-        if path.name.endswith((".vtp", ".obj", ".polylines.txt", ".json", ".csv", ".html", ".ply")):
+        what = what or {".html": "page", ".ply": "mesh", ".pers": "pairs"}.get(path.suffix, "graph")
+        in_space = path.name.endswith((".vtp", ".obj", ".polylines.txt", ".json", ".csv"))
+        if what in ("page", "mesh") or (what == "graph" and in_space):
             self._need_points(path.suffix)
-        self._core.write(
-            path, title, name, unit, _manner(embedding), self._threads, progress_function(progress, path.name)
-        )
+        files = _core.Files()
+        if what not in ("graph", "page", "mesh", "pairs", "diagram", "vertex_arcs", "simplified_scalars"):
+            raise ValueError(f"there is no {what!r} to write")
+        setattr(files, what, os.fsencode(path))
+        base = self._field.base
+        is_seen = what in ("page", "mesh", "diagram") or path.suffix == ".svg"
+        files.base = 0 if is_seen else float(base)
+        files.name = f"{name} - {base}" if is_seen and base != 0 else name
+        files.title, files.unit, files.embedding = title, unit, _manner(embedding)
+        self._run("write", files, progress=progress)
 
     def show(self, **options: Any) -> Path:
         """Show the page in the browser. Returns its file, a temporary one. `options` are those of `write`."""
@@ -373,22 +347,21 @@ class ReebGraph:
         """Return the graph as a `networkx.MultiGraph`, or as a `MultiDiGraph` whose arcs ascend.
 
         Nodes are the numbers of nodes, with the attributes `vertex`, `value`, `kind`, and `point`; the key of an arc is
-        its number, and its attributes are `index`, `lower_value`, `upper_value`, and on a surface with points
-        `persistence`, `length`, `area`, `vertices`.
+        its number, and its attributes are `index`, `lower_value`, `upper_value`, and with points `persistence`, `length`,
+        `area` or in tetrahedra `volume`, and `vertices`, how many belong to it.
         """
         import networkx
 
         graph = networkx.MultiDiGraph() if directed else networkx.MultiGraph()
-        points = self._core.embed(_core.Manner.straight, self._threads, None)["node_points"] if self._has_points else None
+        points = self._run("embed", _core.Manner.straight)[1].tolist() if self._has_points else []
         values = self.node_values.tolist()
         for node, vertex in enumerate(self.node_vertices.tolist()):
             graph.add_node(node, vertex=vertex, value=values[node], kind=str(self.node_kinds[node]))
-            if points is not None:
-                graph.nodes[node]["point"] = tuple(points[node].tolist())
-        names = ("length", "area", "persistence", "vertices")
-        measures = [m.tolist() for m in self._measures] if self._has_points and self.is_surface else []
+            if points:
+                graph.nodes[node]["point"] = tuple(points[node])
+        measures = {name: column.tolist() for name, column in self._measures.items()} if self._has_points else {}
         for arc, (lower, upper) in enumerate(self.arcs.tolist()):
-            attributes = {name: column[arc] for name, column in zip(names, measures)}
+            attributes = {name: column[arc] for name, column in measures.items()}
             attributes.update(index=arc, lower_value=values[lower], upper_value=values[upper])
             graph.add_edge(lower, upper, key=arc, **attributes)
         return graph
@@ -401,9 +374,10 @@ class ReebGraph:
         sizes = [len(polyline) for polyline in embedding.arc_polylines]
         starts = np.cumsum([0, *sizes])
         lines = [np.r_[size, start : start + size] for size, start in zip(sizes, starts)]
-        graph = pyvista.PolyData()
-        graph.points = np.concatenate([*embedding.arc_polylines, np.zeros((0, 3))])
-        graph.lines = np.concatenate([*lines, np.zeros(0, dtype=np.int64)]).astype(np.int64)
+        graph = pyvista.PolyData(
+            np.concatenate([*embedding.arc_polylines, np.zeros((0, 3))]),
+            lines=np.concatenate([*lines, np.zeros(0, dtype=np.int64)]).astype(np.int64),
+        )
         graph.cell_data["arc"] = np.arange(self.n_arcs)
         graph.point_data["scalars"] = np.concatenate([*embedding.arc_values, np.zeros(0)])
         return graph
@@ -430,16 +404,15 @@ class ReebGraph:
         return self.__copy__()  # nothing of it changes
 
     def __reduce__(self) -> tuple[Any, ...]:
-        triangles, points, edges, tetrahedra, scalars = self._core.mesh_arrays()
+        triangles, points, edges, tetrahedra, scalars = self._run("mesh_arrays")
         values = scalars.astype(self._field.dtype) if self._field.values is None else self._field.values
         arrays = {"points": points if self._has_points else None, "edges": edges, "tetrahedra": tetrahedra}
-        arguments = {**arrays, "order": self._field.ranks, **self._options}
-        return _rebuild, (triangles, values, arguments, self._simplification)
+        return _rebuild, (triangles, values, {**arrays, **self._options}, self._simplification)
 
     # ---- what the methods share
 
-    def _run(self, function: Any, *arguments: Any, progress: Progress = None) -> Any:
-        return function(*arguments, self._threads, progress_function(progress, function.__name__))
+    def _run(self, name: str, *arguments: Any, progress: Progress = None) -> Any:
+        return getattr(self._core, name)(*arguments, self._threads, progress_function(progress, name))
 
     def _text(self, ending: str, **options: Any) -> str:
         with tempfile.TemporaryDirectory() as folder:
@@ -447,16 +420,15 @@ class ReebGraph:
             self.write(path, **options)
             return path.read_text(encoding="utf-8")
 
-    @property
-    def _has_points(self) -> bool:
-        return self._core.has_points
-
     @cached_property
-    def _measures(self) -> tuple[np.ndarray, ...]:
+    def _measures(self) -> dict[str, np.ndarray]:
         self._need_points("a length or an area")
-        if not self.is_surface:
-            raise ValueError("the measures of arcs need an oriented manifold surface, which the mesh is not")
-        return self._run(self._core.measures)
+        return dict(zip(*self._run("measures")))
+
+    def _measure(self, name: str) -> np.ndarray:
+        if name not in self._measures:
+            raise ValueError(f"an arc has no {name} there, only {', '.join(self._measures)}")
+        return self._measures[name].copy()
 
     def _need_points(self, what: str) -> None:
         if not self._has_points:
@@ -469,16 +441,16 @@ class ReebGraph:
             raise NumberError(f"there is no {name} {number}: the graph has {count}, numbered from 0")
         return number
 
-    def _contours(self, found: list[dict[str, Any]]) -> list[Contour]:
-        return [self._contour(contour) for contour in found]
+    def _contours(self, arc: int | None, t: float | None, level: float | None) -> list[Contour]:
+        self._need_points("a contour")
+        return [self._contour(contour) for contour in self._run("contours", arc, t, level)]
 
     def _contour(self, found: dict[str, Any]) -> Contour:
         points = found.pop("points")
         if self.is_surface and found["closed"]:
             points = np.concatenate([points, points[:1]])
         contour = points.view(Contour)
-        for name, value in found.items():
-            setattr(contour, name, value)
+        contour.__dict__.update(found, value=found["value"] + float(self._field.base))
         return contour
 
 
@@ -497,17 +469,8 @@ def _rebuild(triangles: Any, scalars: Any, arguments: dict[str, Any], simplifica
 
 
 def compute(
-    triangles: Any,
-    scalars: Any,
-    *,
-    points: Any = None,
-    edges: Any = None,
-    tetrahedra: Any = None,
-    order: Any = None,
-    ties: str = "perturb",
-    keep_degree_2: bool = False,
-    threads: int | None = None,
-    progress: Progress = None,
+    triangles: Any, scalars: Any, *, points: Any = None, edges: Any = None, tetrahedra: Any = None, order: Any = None,
+    ties: str = "perturb", keep_degree_2: bool = False, threads: int | None = None, progress: Progress = None,
 ) -> ReebGraph:
     """Compute the Reeb graph of a scalar field on a mesh.
 
@@ -527,7 +490,8 @@ def compute(
         Edges that are on no triangle.
     tetrahedra : (l, 4) array of integers, optional
     order : (n,) array, optional
-        The ranks of the vertices, which decide instead of the scalars.
+        The ranks of the vertices, which decide instead of the scalars. Where scalars do not ascend with them, thresholds,
+        places on arcs, and files are in units of ranks.
     ties : {'perturb', 'contract'}
         Vertices of equal value are ordered by their numbers, or arcs of length zero are contracted.
     keep_degree_2 : bool
@@ -557,7 +521,8 @@ def compute(
     The method: M. Hajij, P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, and contour trees
     of the surface cut along contours that close loops (J. Tierny and others, 2009). Near-linear in time for any field.
 
-    The interpreter's lock is released meanwhile. The arrays are copied before.
+    The interpreter's lock is released meanwhile. What another thread could write is copied before: indices, points, and
+    scalars, but for contiguous ones of float64 that are read-only as all arrays that they are a view of.
 
     Examples
     --------
@@ -569,19 +534,15 @@ def compute(
     if ties not in ("perturb", "contract"):
         raise ValueError(f"ties is 'perturb' or 'contract', not {ties!r}")
     mesh = _arrays.take(triangles, points, edges, tetrahedra)
+    order = None if order is None else np.array(order)
     field = Field(_arrays.scalars_of(mesh, scalars), order)
     number = _arrays.threads_number(threads)
     core = _core.compute(
-        _arrays.to_core(mesh, len(field.doubles)),
-        field.doubles if field.ranks is None else field.ranks,
-        None if field.ranks is None else field.doubles,
-        float(field.base),
-        ties == "contract",
-        bool(keep_degree_2),
-        number,
+        _arrays.to_core(mesh, field.size), field.doubles, ties == "contract", bool(keep_degree_2), number,
         progress_function(progress, "Reeb graph"),
     )
-    field.doubles = None  # the extension has a copy
+    field.doubles = None  # the extension has them
     graph = ReebGraph(core, field, number)
-    graph._options = {"ties": ties, "keep_degree_2": keep_degree_2, "threads": threads}
+    graph._has_points = mesh.points is not None
+    graph._options = {"order": order, "ties": ties, "keep_degree_2": keep_degree_2, "threads": threads}
     return graph

@@ -28,6 +28,8 @@ class Contour(np.ndarray):
         The lines as numbers of points.
     triangles : (l, 3) array of int
         The triangles, of a contour in tetrahedra.
+    points : (n, 3) array of float
+        The points as a plain array.
     """
 
     arc: int
@@ -36,11 +38,7 @@ class Contour(np.ndarray):
     edges: np.ndarray
     polylines: list[np.ndarray]
     triangles: np.ndarray
-
-    @property
-    def points(self) -> np.ndarray:
-        """The points as a plain array."""
-        return np.asarray(self)
+    points = property(np.asarray)
 
 
 @dataclass(frozen=True)
@@ -52,7 +50,8 @@ class CriticalSet:
     lower_contours, upper_contours : list of Contour
         For each arc below and above, its contour beside the node.
     star : array of int
-        The triangles, or tetrahedra, at the vertex of the node.
+        The triangles, or tetrahedra, at the vertex of the node. Where both are in a mesh, it has the faces of all
+        tetrahedra behind its triangles, four for each.
     border_loop : array of int
         The vertices of the border loop that the node collapses; most often empty.
     """
@@ -84,16 +83,12 @@ class Embedding:
     arc_values: list[np.ndarray]
 
 
-class Page:
-    """A page in a frame, which notebooks show."""
+class Page(str):
+    """A page in a frame, which notebooks show: the HTML of the frame."""
 
-    def __init__(self, text: str, width: str | int, height: int) -> None:
-        self._frame = (
-            f'<iframe srcdoc="{html.escape(text)}" width="{width}" height="{height}" style="border: 0"></iframe>'
-        )
+    def __new__(cls, text: str, width: str | int, height: int) -> Page:
+        frame = f'<iframe srcdoc="{html.escape(text)}" width="{width}" height="{height}" style="border: 0"></iframe>'
+        return super().__new__(cls, frame)
 
     def _repr_html_(self) -> str:
-        return self._frame
-
-    def __str__(self) -> str:
-        return self._frame
+        return str(self)

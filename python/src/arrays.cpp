@@ -8,12 +8,11 @@
 
 #include "arrays.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace reeb_graph_python {
 namespace {
-using reeb_graph_program::Corner;
-
 void check_different(const Corner* row, std::size_t columns, const char* item, std::size_t i)
 {
   for(std::size_t a = 0; a + 1 < columns; ++a)
@@ -22,21 +21,29 @@ void check_different(const Corner* row, std::size_t columns, const char* item, s
         throw Item_error(item, i, "has vertex " + std::to_string(row[a]) + " at two of its corners");
 }
 
-// Each number is read once only, as another thread may change it.
-template <class Integer>
-void copy_numbers(const py::array& array, const char* item, std::size_t number_of_vertices, Corner* out)
+// `allocate` is called with the number of rows, and returns where they are to be written. Each number is read once only,
+// as another thread may change it.
+template <class Allocate>
+void copy_indices(const py::object& object,
+                  const char* item,
+                  std::size_t columns,
+                  std::size_t number_of_vertices,
+                  const Allocate& allocate)
 {
-  const auto* const base = static_cast<const char*>(array.data());
-  const auto rows = static_cast<std::size_t>(array.shape(0)), columns = static_cast<std::size_t>(array.shape(1));
-  const py::ssize_t row_stride = array.strides(0), column_stride = array.strides(1);
+  if(object.is_none())
+    return;
+  const auto array = py::cast<py::array_t<std::int64_t, py::array::c_style>>(object);
+  if(array.ndim() != 2 || static_cast<std::size_t>(array.shape(1)) != columns)
+    throw std::invalid_argument("an array has not the columns it should have");
+  const auto rows = static_cast<std::size_t>(array.shape(0));
+  const volatile std::int64_t* in = array.data();
+  Corner* out = allocate(rows);
   for(std::size_t i = 0; i < rows; ++i, out += columns)
   {
-    const char* const row = base + static_cast<py::ssize_t>(i) * row_stride;
     for(std::size_t j = 0; j < columns; ++j)
     {
-      const Integer v = *reinterpret_cast<const volatile Integer*>(row + static_cast<py::ssize_t>(j) * column_stride);
-      // negative ones are large ones
-      if(static_cast<std::uint64_t>(v) >= number_of_vertices)
+      const std::int64_t v = *in++;
+      if(static_cast<std::uint64_t>(v) >= number_of_vertices) // negative ones are large ones
         throw Item_error(item, i,
                          "has the vertex " + std::to_string(v) + ", but there are " + std::to_string(number_of_vertices)
                            + " vertices, numbered from 0");
@@ -44,31 +51,6 @@ void copy_numbers(const py::array& array, const char* item, std::size_t number_o
     }
     check_different(out, columns, item, i);
   }
-}
-
-// `allocate` is called with the number of rows, and returns where they are to be written.
-template <class Allocate>
-void copy_indices(const py::object& object,
-                  const char* item,
-                  py::ssize_t columns,
-                  std::size_t number_of_vertices,
-                  const Allocate& allocate)
-{
-  if(object.is_none())
-    return;
-  const auto array = py::cast<py::array>(object);
-  if(array.ndim() != 2 || array.shape(1) != columns)
-    throw std::invalid_argument("an array has not the columns it should have");
-  Corner* const out = allocate(static_cast<std::size_t>(array.shape(0)));
-  const bool is_signed = array.dtype().kind() == 'i';
-  if(array.itemsize() == 8)
-    is_signed ? copy_numbers<std::int64_t>(array, item, number_of_vertices, out)
-              : copy_numbers<std::uint64_t>(array, item, number_of_vertices, out);
-  else if(array.itemsize() == 4)
-    is_signed ? copy_numbers<std::int32_t>(array, item, number_of_vertices, out)
-              : copy_numbers<std::uint32_t>(array, item, number_of_vertices, out);
-  else
-    throw std::invalid_argument("an array of indices is not one of 32 or 64 bits");
 }
 
 template <std::size_t n>
@@ -111,36 +93,58 @@ Polygon_soup copy_arrays(const Mesh_arrays& arrays, std::size_t number_of_vertic
   return soup;
 }
 
-std::vector<double> copy_values(const Value_array& values)
+Values::Values(const Value_array& array) : size_(static_cast<std::size_t>(array.size()))
 {
-  if(values.ndim() != 1)
+  if(array.ndim() != 1)
     throw std::invalid_argument("the array of values is not one-dimensional");
-  const auto unchecked = values.unchecked<1>();
-  std::vector<double> result(static_cast<std::size_t>(values.shape(0)));
-  for(std::size_t i = 0; i < result.size(); ++i)
-    result[i] = unchecked(static_cast<py::ssize_t>(i));
-  return result;
+  if(array.writeable())
+  {
+    const auto copy = std::make_shared<std::vector<double>>(array.data(), array.data() + size_);
+    data_ = copy->data();
+    owner_ = copy;
+    return;
+  }
+  data_ = array.data();
+  owner_.reset(new py::object(array), [](const py::object* object) { // in any thread
+    const py::gil_scoped_acquire acquired;
+    delete object;
+  });
 }
 
-Value_array array_of(const std::vector<double>& numbers)
+Scalar_map Values::add_to(Surface& surface, const std::string& name) const
 {
-  return Value_array(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+  Scalar_map map = surface.add_property_map<Surface::Vertex_index, double>(name).first;
+  if(size_ > 0)
+    std::copy_n(data_, size_, &map[Surface::Vertex_index(0)]);
+  return map;
 }
 
-Index_array array_of(const std::vector<std::size_t>& numbers)
+std::vector<std::array<std::uint32_t, 3>> triangles_of(const Mesh& mesh)
 {
-  Index_array result(static_cast<py::ssize_t>(numbers.size()));
-  std::copy(numbers.begin(), numbers.end(), result.mutable_data());
-  return result;
+  if(mesh.complex)
+    return mesh.complex->triangles;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for(const Surface::Face_index f : mesh.surface.faces())
+  {
+    const Surface::Halfedge_index h = mesh.surface.halfedge(f);
+    triangles.push_back({mesh.surface.source(h), mesh.surface.target(h), mesh.surface.target(mesh.surface.next(h))});
+  }
+  return triangles;
 }
 
-Value_array array_of(const std::vector<Point>& points)
+std::vector<Point> points_of(const Surface& surface) { return {surface.points().begin(), surface.points().end()}; }
+
+py::object to_object(const Contour& contour)
 {
-  Value_array result({points.size(), std::size_t(3)});
-  double* out = result.mutable_data();
-  for(const Point& p : points)
-    out = std::copy_n(p.cartesian_begin(), 3, out);
-  return result;
+  return py::dict(py::arg("arc") = contour.arc, py::arg("value") = contour.value, py::arg("closed") = contour.is_closed,
+                  py::arg("edges") = to_object(contour.edges), py::arg("points") = to_object(contour.points),
+                  py::arg("polylines") = to_object(contour.polylines),
+                  py::arg("triangles") = to_object(contour.triangles));
+}
+
+py::object to_object(const Critical_set& set)
+{
+  return to_object(std::make_tuple(set.lower_contours, set.upper_contours, set.star, set.border_loop));
 }
 
 } // namespace reeb_graph_python

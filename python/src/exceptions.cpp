@@ -6,8 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "functions.h"
-
+#include "arrays.h"
 #include "run.h"
 
 #include "output/output_file.h"
@@ -17,30 +16,22 @@
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 
 #include <exception>
-#include <stdexcept>
-#include <string>
 #include <system_error>
 
 namespace reeb_graph_python {
 namespace {
-namespace errors = CGAL::Reeb_graph;
-
-// Sets the error of Python: MeshError, with the number of an item as an attribute.
-void set_mesh_error(const char* message, const std::string& item, std::size_t number)
+// Sets an error of Python of the package's own: MeshError has the number of an item as an attribute.
+template <class... Arguments>
+void set_error(const char* name, const Arguments&... arguments)
 {
-  const py::object type = py::module_::import("reeb_graph._errors").attr("MeshError");
-  PyErr_SetObject(type.ptr(), type(message, item, number).ptr());
-}
-
-void set_stopped(const char* message)
-{
-  const py::object type = py::module_::import("reeb_graph._errors").attr("StoppedError");
-  PyErr_SetObject(type.ptr(), type(message).ptr());
+  const py::object type = py::module_::import("reeb_graph._errors").attr(name);
+  PyErr_SetObject(type.ptr(), type(arguments...).ptr());
 }
 
 // The more special ones first.
 void translate(std::exception_ptr error)
 {
+  namespace errors = CGAL::Reeb_graph;
   try
   {
     if(error)
@@ -48,33 +39,33 @@ void translate(std::exception_ptr error)
   }
   catch(const Stopped_error& e)
   {
-    set_stopped(e.what());
+    set_error("StoppedError", e.what());
   }
   catch(const errors::Cancelled_error& e)
   {
-    set_stopped(e.what());
+    set_error("StoppedError", e.what());
   }
   catch(const Item_error& e)
   {
-    set_mesh_error(e.what(), e.item(), e.number());
+    set_error("MeshError", e.what(), e.item, e.number);
   }
   catch(const errors::Vertex_error& e)
   {
-    set_mesh_error(e.what(), "vertex", e.vertex());
+    set_error("MeshError", e.what(), "vertex", e.vertex());
   }
   catch(const errors::Face_error& e)
   {
-    set_mesh_error(e.what(), "triangle", e.face());
+    set_error("MeshError", e.what(), "triangle", e.face());
   }
   catch(const errors::Degenerate_edge_error& e)
   {
-    set_mesh_error(e.what(), "edge", e.edge());
+    set_error("MeshError", e.what(), "edge", e.edge());
   }
   catch(const std::system_error& e)
   {
     PyErr_SetString(PyExc_OSError, e.what());
   }
-  catch(const reeb_graph_program::Output_error& e)
+  catch(const Output_error& e)
   {
     PyErr_SetString(PyExc_OSError, e.what());
   }

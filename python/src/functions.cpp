@@ -6,11 +6,10 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "functions.h"
-
-#include "Input.h"
+#include "arrays.h"
 #include "run.h"
 
+#include "computation/complex_counts.h"
 #include "computation/curves.h"
 #include "computation/distances_along_edges.h"
 #include "computation/scalar_fields.h"
@@ -19,158 +18,110 @@
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 
-#include <pybind11/stl.h>
-
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
-#include <vector>
+#include <variant>
 
 namespace reeb_graph_python {
 namespace {
-// The mesh of a function that works on surfaces.
-Surface make_surface(const Polygon_soup& soup, const std::string& what)
+std::vector<double> values_of(const Scalar_map& map) { return {map.begin(), map.end()}; }
+
+// Throws std::invalid_argument unless the mesh is an oriented manifold surface.
+Mesh make_surface(const Polygon_soup& soup, const std::string& what)
 {
   Mesh mesh = make_mesh(soup, "the mesh");
-  check_is_surface(mesh, what);
-  return std::move(mesh.surface);
+  if(mesh.complex)
+    throw std::invalid_argument(what + " needs an oriented manifold surface; " + describe_obstacle(*mesh.complex));
+  return mesh;
 }
 
 // The field of this name, with options as the program has them; for unit gradients, of the scalars if there are any.
-Value_array field(const std::string& name,
-                  const Mesh_arrays& arrays,
-                  std::size_t number_of_vertices,
-                  const Input_options& given_options,
-                  const std::optional<Value_array>& scalars,
-                  const py::object& progress,
-                  std::size_t threads)
+py::object field(const Mesh_arrays& arrays,
+                 std::size_t number_of_vertices,
+                 Input_options options,
+                 const std::optional<Value_array>& scalars,
+                 std::size_t threads,
+                 const py::object& progress)
 {
-  Input_options options = given_options;
-  options.field = name;
   options.scalars_path = scalars ? "scalars" : "";
   const Polygon_soup soup = copy_arrays(arrays, number_of_vertices);
-  const std::vector<double> given = scalars ? copy_values(*scalars) : std::vector<double>(number_of_vertices);
+  const Values given = scalars ? Values(*scalars) : Values();
   std::vector<double> values;
   run(progress, threads, [&] {
     check_field_options(options);
-    Mesh mesh = make_mesh(soup, "the mesh");
-    const Scalar_map map = add_scalar_map(mesh.surface, "v:scalar", given);
-    if(mesh.complex && name == "geodesic")
+    const bool is_for_complexes = options.field == "geodesic" || options.field == "height";
+    Mesh mesh = is_for_complexes ? make_mesh(soup, "the mesh") : make_surface(soup, "the field " + options.field);
+    const Scalar_map map = given.add_to(mesh.surface, "v:scalar");
+    Work_report report;
+    if(mesh.complex && options.field == "geodesic")
       compute_distances_along_edges(mesh, options.source_vertices, map);
     else
-    {
-      if(name != "height")
-        check_is_surface(mesh, "the field " + name);
-      Work_report report;
       compute_scalar_field(options, mesh.surface, map, report);
-    }
-    values.assign(map.begin(), map.end());
+    values = values_of(map);
   });
-  return array_of(values);
+  return to_object(values);
 }
 
-Value_array make_borders_level(const Mesh_arrays& arrays,
-                               const Value_array& scalars,
-                               const py::object& progress,
-                               std::size_t threads)
+py::object make_borders_level(const Mesh_arrays& arrays,
+                              const Value_array& scalars,
+                              std::size_t threads,
+                              const py::object& progress)
 {
-  std::vector<double> values = copy_values(scalars);
-  const Polygon_soup soup = copy_arrays(arrays, values.size());
+  const Values given(scalars);
+  const Polygon_soup soup = copy_arrays(arrays, given.size());
+  std::vector<double> values;
   run(progress, threads, [&] {
-    Surface surface = make_surface(soup, "make_borders_level()");
-    const Scalar_map map = add_scalar_map(surface, "v:scalar", values);
-    CGAL::Reeb_graph::make_borders_level(surface, map);
-    values.assign(map.begin(), map.end());
+    Mesh mesh = make_surface(soup, "make_borders_level()");
+    const Scalar_map map = given.add_to(mesh.surface, "v:scalar");
+    CGAL::Reeb_graph::make_borders_level(mesh.surface, map);
+    values = values_of(map);
   });
-  return array_of(values);
+  return to_object(values);
 }
 
-struct Cut
+// Points, triangles, their patches, curves, scalars, and vertex arrays of what has been cut.
+py::object cut(const Mesh_arrays& arrays,
+               const Value_array& scalars,
+               const std::vector<Value_array>& vertex_arrays,
+               const Cut_options& options,
+               std::size_t largest_number_of_faces,
+               std::size_t threads,
+               const py::object& progress)
 {
-  Surface surface;
-  Scalar_map scalar_map;
-  std::vector<Vertex_property<double>> properties;
-  Cut_result result;
-};
-
-void cut_surface(Cut& cut,
-                 const Polygon_soup& soup,
-                 const std::vector<double>& scalars,
-                 const std::vector<std::vector<double>>& arrays,
-                 const Cut_options& options,
-                 std::size_t largest_number_of_faces)
-{
-  cut.surface = make_surface(soup, "cutting");
-  cut.scalar_map = add_scalar_map(cut.surface, "v:scalar", scalars);
-  std::vector<Any_vertex_property> properties;
-  for(const std::vector<double>& array : arrays)
-  {
-    cut.properties.push_back(add_scalar_map(cut.surface, "v:array" + std::to_string(cut.properties.size()), array));
-    properties.emplace_back(cut.properties.back());
-  }
-  cut.result = cut_along_curves(cut.surface, cut.scalar_map, properties, options, [&](std::size_t number_of_faces) {
-    return number_of_faces <= largest_number_of_faces;
-  });
-}
-
-py::dict describe(const Cut& cut)
-{
-  const Surface& surface = cut.surface;
-  const auto values_of = [](const Vertex_property<double>& map) {
-    return array_of(std::vector<double>(map.begin(), map.end()));
-  };
+  const Values given(scalars);
+  const Polygon_soup soup = copy_arrays(arrays, given.size());
+  const std::vector<Values> columns(vertex_arrays.begin(), vertex_arrays.end());
   Mesh mesh;
-  mesh.surface = surface;
-  py::list curves, arrays;
-  for(const Polyline& polyline : cut.result.polylines)
-    curves.append(array_of(polyline));
-  for(const Vertex_property<double>& map : cut.properties)
-    arrays.append(values_of(map));
-  std::vector<std::size_t> patches;
-  for(const Surface::Face_index f : surface.faces())
-    patches.push_back(static_cast<std::size_t>(cut.result.patch_map[f]));
-  py::dict result;
-  result["points"] = array_of(std::vector<Point>(surface.points().begin(), surface.points().end()));
-  result["triangles"] = array_of(triangles_of(mesh));
-  result["patches"] = array_of(patches);
-  result["curves"] = curves;
-  result["scalars"] = values_of(cut.scalar_map);
-  result["arrays"] = arrays;
-  return result;
-}
-
-py::dict cut(Curves_type type,
-             const Mesh_arrays& arrays,
-             const Value_array& scalars,
-             const std::vector<Value_array>& vertex_arrays,
-             Cut_options options,
-             std::size_t largest_number_of_faces,
-             const py::object& progress,
-             std::size_t threads)
-{
-  options.type = type;
-  const std::vector<double> values = copy_values(scalars);
-  const Polygon_soup soup = copy_arrays(arrays, values.size());
-  std::vector<std::vector<double>> properties;
-  for(const Value_array& array : vertex_arrays)
-    properties.push_back(copy_values(array));
-  Cut result;
+  Scalar_map map;
+  std::vector<Any_vertex_property> properties;
+  Cut_result result;
   run(progress, threads, [&] {
-    cut_surface(result, soup, values, properties, options,
-                largest_number_of_faces > 0 ? largest_number_of_faces : std::numeric_limits<std::size_t>::max());
+    mesh = make_surface(soup, "cutting");
+    map = given.add_to(mesh.surface, "v:scalar");
+    for(const Values& column : columns)
+      properties.emplace_back(column.add_to(mesh.surface, "v:array" + std::to_string(properties.size())));
+    result = cut_along_curves(mesh.surface, map, properties, options,
+                              [&](std::size_t number_of_faces) { return number_of_faces <= largest_number_of_faces; });
   });
-  return describe(result);
+  std::vector<std::size_t> patches;
+  for(const Surface::Face_index f : mesh.surface.faces())
+    patches.push_back(static_cast<std::size_t>(result.patch_map[f]));
+  std::vector<std::vector<double>> columns_of_result;
+  for(const Any_vertex_property& property : properties)
+    columns_of_result.push_back(values_of(std::get<Scalar_map>(property)));
+  return to_object(std::make_tuple(points_of(mesh.surface), triangles_of(mesh), patches, result.polylines,
+                                   values_of(map), columns_of_result));
 }
 
 } // namespace
 
 void add_functions(py::module_& module)
 {
-  py::class_<Mesh_arrays>(module, "MeshArrays")
-    .def(py::init<py::object, py::object, py::object, py::object>(), py::arg("triangles") = py::none(),
-         py::arg("points") = py::none(), py::arg("edges") = py::none(), py::arg("tetrahedra") = py::none());
   py::class_<Input_options>(module, "FieldOptions")
     .def(py::init<>())
+    .def_readwrite("field", &Input_options::field)
     .def_readwrite("weights", &Input_options::weights)
     .def_readwrite("minimum", &Input_options::lowest_vertex)
     .def_readwrite("maximum", &Input_options::highest_vertex)
@@ -178,6 +129,7 @@ void add_functions(py::module_& module)
     .def_readwrite("direction", &Input_options::direction);
   py::class_<Cut_options>(module, "CutOptions")
     .def(py::init<>())
+    .def_readwrite("type", &Cut_options::type)
     .def_readwrite("persistence", &Cut_options::persistence)
     .def_readwrite("area", &Cut_options::area)
     .def_readwrite("cut_open", &Cut_options::is_cut_open)

@@ -6,39 +6,59 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "Graph_of_arrays.h"
 #include "arrays.h"
-#include "functions.h"
 #include "run.h"
 
-#include <pybind11/stl.h>
+#include "commands/commands.h"
+#include "computation/Mesh_graph.h"
+#include "computation/simplification.h"
+#include "computation/simplified_field.h"
+#include "input/mesh_input.h"
+#include "output/report_output.h"
+
+#include <CGAL/Reeb_graph/graph_topology.h>
+
+#include <boost/property_map/property_map.hpp>
+
 #include <pybind11/stl/filesystem.h>
 
+#include <cmath>
+#include <iterator>
 #include <memory>
+#include <mutex>
 #include <optional>
-#include <string>
-#include <utility>
-#include <vector>
+#include <sstream>
+#include <tuple>
+#include <variant>
 
 // The module reeb_graph._core, on which the Python of the package reeb_graph stands: numbers and arrays only.
 namespace reeb_graph_python {
 namespace {
-using CGAL::Reeb_graph::Embedding_manner;
-typedef std::shared_ptr<const Graph_of_arrays> Graph_pointer;
+typedef std::vector<std::size_t> Numbers;
 
-py::list list_of(const std::vector<std::vector<std::size_t>>& lists)
+struct Input
 {
-  py::list result;
-  for(const std::vector<std::size_t>& numbers : lists)
-    result.append(array_of(numbers));
-  return result;
-}
+  Mesh mesh;
+  Scalar_map scalar_map;
+  std::mutex mutex;
+};
 
-// With ranks as scalars, `values` are what they are the ranks of, less `base`.
+// A graph, as it has been computed or simplified. Who uses it holds the mutex of the input: what is found on demand is
+// kept, and the mesh gets more maps.
+struct Graph_of_arrays
+{
+  std::shared_ptr<Input> input = std::make_shared<Input>();
+  Graph_options options;
+  Simplification_options simplification;
+  Report report; // of computing it
+  std::unique_ptr<Mesh_graph> mesh_graph;
+
+  const Graph& graph() const { return mesh_graph->result(); }
+};
+typedef std::shared_ptr<Graph_of_arrays> Graph_pointer;
+
 Graph_pointer compute(const Mesh_arrays& arrays,
                       const Value_array& scalars,
-                      const std::optional<Value_array>& values,
-                      double base,
                       bool are_ties_contracted,
                       bool are_degree_two_nodes_kept,
                       std::size_t threads,
@@ -46,206 +66,244 @@ Graph_pointer compute(const Mesh_arrays& arrays,
 {
   struct Work
   {
-    std::vector<double> scalars, values;
+    Values scalars;
     Polygon_soup soup;
-    std::shared_ptr<Input> input = std::make_shared<Input>();
-    Graph_options options;
-    Graph_pointer graph;
+    Graph_pointer graph = std::make_shared<Graph_of_arrays>();
   };
   const auto work = std::make_shared<Work>();
-  work->scalars = copy_values(scalars);
-  if(values)
-    work->values = copy_values(*values);
+  work->scalars = Values(scalars);
   work->soup = copy_arrays(arrays, work->scalars.size());
-  work->input->base = base;
-  work->input->has_points = !arrays.points.is_none();
-  work->options.ties = are_ties_contracted ? CGAL::Reeb_graph::Ties::CONTRACT : CGAL::Reeb_graph::Ties::PERTURB;
-  work->options.are_degree_two_nodes_kept = are_degree_two_nodes_kept;
+  Graph_options& options = work->graph->options;
+  options.ties = are_ties_contracted ? CGAL::Reeb_graph::Ties::CONTRACT : CGAL::Reeb_graph::Ties::PERTURB;
+  options.are_degree_two_nodes_kept = are_degree_two_nodes_kept;
   run(
     progress, threads,
     [work] {
-      make_input(*work->input, work->soup, work->scalars, work->values);
+      Graph_of_arrays& graph = *work->graph;
+      Input& input = *graph.input;
+      input.mesh = make_mesh(work->soup, "the mesh");
       work->soup = Polygon_soup();
-      work->graph = std::make_shared<const Graph_of_arrays>(work->input, work->options);
+      input.scalar_map = work->scalars.add_to(input.mesh.surface, "v:scalar");
+      work->scalars = Values();
+      graph.mesh_graph = compute_mesh_graph(input.mesh, input.scalar_map, graph.options, {}, 0, graph.report);
     },
     true);
   return work->graph;
 }
 
-// The graph with an option of the program: a threshold in units of the field or in percent, or a number of leaves.
-Graph_pointer simplify(const Graph_of_arrays& graph,
+// A function that does `work` on the graph without the interpreter's lock, and makes an object of the result.
+template <class Result, class... Arguments>
+auto running(Result (*work)(Graph_of_arrays&, Arguments...))
+{
+  return [work](Graph_of_arrays& graph, Arguments... arguments, std::size_t threads, const py::object& progress) {
+    std::optional<Result> result;
+    run(progress, threads, [&] {
+      const std::lock_guard lock(graph.input->mutex);
+      result.emplace(work(graph, arguments...));
+    });
+    if constexpr(std::is_same_v<Result, Graph_pointer>)
+      return *result;
+    else
+      return to_object(*result);
+  };
+}
+
+// With an option of the program: a threshold in units of the field or in percent, NaN for the one that the graph
+// suggests, or a number of leaves.
+Graph_pointer simplify(Graph_of_arrays& graph,
                        std::optional<double> threshold,
                        bool is_percentage,
                        std::optional<std::size_t> leaves,
-                       bool are_loops_cancelled,
-                       const py::object& progress)
+                       bool are_loops_cancelled)
 {
-  Simplification_options options;
+  const auto result = std::make_shared<Graph_of_arrays>();
+  result->input = graph.input;
+  result->options = graph.options;
+  result->report = graph.report;
   if(threshold)
-    options.threshold = Threshold{*threshold, is_percentage};
-  options.number_of_leaves = leaves;
-  options.are_loops_cancelled = are_loops_cancelled;
-  Graph_pointer simplified;
-  run(progress, 0, [&] { simplified = std::make_shared<const Graph_of_arrays>(graph, options); });
-  return simplified;
+    result->simplification.threshold = Threshold{*threshold, is_percentage, std::isnan(*threshold)};
+  result->simplification.number_of_leaves = leaves;
+  result->simplification.are_loops_cancelled = are_loops_cancelled;
+  result->mesh_graph = graph.mesh_graph->simplify(
+    result->simplification,
+    threshold_in_units(result->simplification, graph.input->mesh.surface, graph.input->scalar_map));
+  return result;
 }
 
-py::tuple nodes(const Graph_of_arrays& given)
+std::tuple<Numbers, std::vector<double>, Numbers> nodes(Graph_of_arrays& given)
 {
   const Graph& graph = given.graph();
-  std::vector<std::size_t> vertex_numbers, kinds;
-  std::vector<double> values;
+  std::tuple<Numbers, std::vector<double>, Numbers> result;
   for(const auto node : CGAL::make_range(vertices(graph)))
   {
-    vertex_numbers.push_back(graph[node].vertex);
-    values.push_back(graph[node].value);
-    kinds.push_back(static_cast<std::size_t>(graph[node].kind));
+    std::get<0>(result).push_back(graph[node].vertex);
+    std::get<1>(result).push_back(graph[node].value);
+    std::get<2>(result).push_back(static_cast<std::size_t>(graph[node].kind));
   }
-  return py::make_tuple(array_of(vertex_numbers), array_of(values), array_of(kinds));
+  return result;
 }
 
-Index_array arcs(const Graph_of_arrays& given)
+std::vector<std::array<std::size_t, 2>> arcs(Graph_of_arrays& given)
 {
   std::vector<std::array<std::size_t, 2>> ends;
   for(const auto arc : CGAL::make_range(edges(given.graph())))
     ends.push_back({source(arc, given.graph()), target(arc, given.graph())});
-  return array_of(ends);
+  return ends;
 }
 
-py::tuple pairs(const Graph_of_arrays& given)
+std::tuple<Numbers, Numbers, std::vector<std::string>> pairs(Graph_of_arrays& given)
 {
-  std::vector<std::size_t> lower, upper;
-  std::vector<std::string> kinds;
-  for(const Persistence_pair& pair : given.pairs())
+  std::tuple<Numbers, Numbers, std::vector<std::string>> result;
+  for(const Persistence_pair& pair : find_persistence_pairs(given.graph()))
   {
-    lower.push_back(pair.lower_node);
-    upper.push_back(pair.upper_node);
-    kinds.push_back(to_string(pair.kind));
+    std::get<0>(result).push_back(pair.lower_node);
+    std::get<1>(result).push_back(pair.upper_node);
+    std::get<2>(result).push_back(to_string(pair.kind));
   }
-  return py::make_tuple(array_of(lower), array_of(upper), kinds);
-}
-
-py::dict dict_of(const Contour_of_arrays& contour)
-{
-  py::dict result;
-  result["arc"] = contour.arc;
-  result["value"] = contour.value;
-  result["closed"] = contour.is_closed;
-  result["edges"] = array_of(contour.edges);
-  result["points"] = array_of(contour.points);
-  result["polylines"] = list_of(contour.polylines);
-  result["triangles"] = array_of(contour.triangles);
   return result;
 }
 
-py::list list_of(const std::vector<Contour_of_arrays>& contours)
+std::vector<Numbers> loops(Graph_of_arrays& given)
 {
-  py::list result;
-  for(const Contour_of_arrays& contour : contours)
-    result.append(dict_of(contour));
+  std::vector<std::vector<boost::graph_traits<Graph>::edge_descriptor>> loops;
+  CGAL::Reeb_graph::cycle_basis(given.graph(), std::back_inserter(loops));
+  std::vector<Numbers> numbers;
+  for(const auto& loop : loops)
+  {
+    numbers.emplace_back();
+    for(const auto arc : loop)
+      numbers.back().push_back(get(boost::edge_index, given.graph(), arc));
+  }
+  return numbers;
+}
+
+Numbers components(Graph_of_arrays& given)
+{
+  Numbers components(num_vertices(given.graph()));
+  CGAL::Reeb_graph::number_components(
+    given.graph(),
+    boost::make_iterator_property_map(components.begin(), boost::typed_identity_property_map<std::size_t>()));
+  return components;
+}
+
+// Those at the place `t` of all arcs, or of one, or at a level.
+std::vector<Contour> contours(Graph_of_arrays& graph,
+                              std::optional<std::size_t> arc,
+                              std::optional<double> t,
+                              std::optional<double> level)
+{
+  Contour_choice choice;
+  choice.arc = arc;
+  choice.t = t;
+  if(level)
+    choice.levels = {*level};
+  choice.may_be_none = true;
+  return graph.mesh_graph->find_contours(choice);
+}
+
+// The names of the measures of arcs, and a column for each.
+std::tuple<std::vector<std::string>, std::vector<std::vector<double>>> measures(Graph_of_arrays& graph)
+{
+  std::tuple<std::vector<std::string>, std::vector<std::vector<double>>> result;
+  for(const CGAL::Reeb_graph::Attribute& attribute :
+      attributes_of_arcs(graph.graph(), graph.mesh_graph->measure_arcs()))
+  {
+    std::get<0>(result).push_back(attribute.name);
+    std::visit([&](const auto& values) { std::get<1>(result).emplace_back(values.begin(), values.end()); },
+               attribute.numbers);
+  }
   return result;
 }
 
-py::dict dict_of(const Critical_set_of_arrays& set)
+typedef CGAL::Reeb_graph::Embedding_manner Manner;
+
+std::tuple<Numbers, std::vector<Point>, std::vector<Polyline>, std::vector<std::vector<double>>> embed(
+  Graph_of_arrays& graph,
+  Manner manner)
 {
-  py::dict result;
-  result["lower_contours"] = list_of(set.lower_contours);
-  result["upper_contours"] = list_of(set.upper_contours);
-  result["star"] = array_of(set.star);
-  result["border_loop"] = array_of(set.border_loop);
-  return result;
+  const auto embedding = graph.mesh_graph->embed(manner, nullptr).embedding;
+  return {
+    {static_cast<std::size_t>(embedding.manner)}, embedding.node_points, embedding.arc_polylines, embedding.arc_values};
 }
 
-py::dict dict_of(const Graph_in_space& graph)
+// A field that has the graph, and whether ties were contracted for it, though not asked for.
+std::tuple<std::vector<double>, Numbers> simplified_scalars(Graph_of_arrays& graph)
 {
-  py::dict result;
-  py::list polylines, values;
-  for(const Polyline& polyline : graph.embedding.arc_polylines)
-    polylines.append(array_of(polyline));
-  for(const std::vector<double>& numbers : graph.embedding.arc_values)
-    values.append(array_of(numbers));
-  result["manner"] = graph.embedding.manner;
-  result["node_points"] = array_of(graph.embedding.node_points);
-  result["arc_polylines"] = polylines;
-  result["arc_values"] = values;
-  return result;
+  Surface& surface = graph.input->mesh.surface;
+  const Scalar_map map = surface.add_property_map<Surface::Vertex_index, double>("v:simplified").first;
+  const Simplified_field field = compute_simplified_field(surface, graph.input->scalar_map, graph.simplification,
+                                                          graph.mesh_graph->threshold(), graph.options.ties, map);
+  return {std::vector<double>(map.begin(), map.end()), Numbers(1, field.are_ties_contracted ? 1 : 0)};
 }
 
-py::tuple tuple_of(const Arc_measures& measures)
+// Writes the files that are asked for, and returns the report of the program as JSON.
+std::string write(Graph_of_arrays& graph, Compute_options options)
 {
-  return py::make_tuple(array_of(measures.lengths), array_of(measures.areas), array_of(measures.persistences),
-                        array_of(measures.numbers_of_vertices));
+  Input& input = *graph.input;
+  options.input.mesh_path = "the mesh";
+  options.graph = graph.options;
+  options.simplification = graph.simplification;
+  options.is_table_wanted = false;
+  check(options);
+  if(input.mesh.complex)
+    check_for_complex(options, *input.mesh.complex);
+  Report report = graph.report;
+  write_results(options, input.mesh, input.scalar_map, *graph.mesh_graph, report);
+  std::ostringstream stream;
+  write_json(stream, report);
+  return stream.str();
 }
 
-py::tuple mesh_arrays(const Graph_of_arrays& graph)
+auto mesh_arrays(Graph_of_arrays& graph)
 {
-  const Input& input = graph.input();
-  const Mesh& mesh = input.mesh;
-  const Complex none;
-  const Complex& complex = mesh.complex ? *mesh.complex : none;
-  return py::make_tuple(array_of(triangles_of(mesh)),
-                        array_of(std::vector<Point>(mesh.surface.points().begin(), mesh.surface.points().end())),
-                        array_of(complex.edges), array_of(complex.tetrahedra),
-                        array_of(std::vector<double>(input.scalar_map.begin(), input.scalar_map.end())));
-}
-
-// A function that does `work`, which returns what can be made an object without it, and takes `progress` at the end.
-template <class Result, class... Arguments>
-auto running(Result (Graph_of_arrays::*work)(Arguments...) const)
-{
-  return [work](const Graph_of_arrays& graph, std::decay_t<Arguments>... arguments, std::size_t threads,
-                const py::object& progress) {
-    std::optional<Result> result;
-    run(progress, threads, [&] { result.emplace((graph.*work)(arguments...)); });
-    return std::move(*result);
-  };
-}
-
-// The same, with a function that makes an object of the result.
-template <class Result, class... Arguments, class Make>
-auto running(Result (Graph_of_arrays::*work)(Arguments...) const, Make make)
-{
-  return [work = running(work), make](const Graph_of_arrays& graph, std::decay_t<Arguments>... arguments,
-                                      std::size_t threads, const py::object& progress) {
-    return make(work(graph, arguments..., threads, progress));
-  };
+  const Mesh& mesh = graph.input->mesh;
+  const Complex complex = mesh.complex.value_or(Complex());
+  const Scalar_map map = graph.input->scalar_map;
+  return std::make_tuple(triangles_of(mesh), points_of(mesh.surface), complex.edges, complex.tetrahedra,
+                         std::vector<double>(map.begin(), map.end()));
 }
 
 void add_graph(py::module_& module)
 {
-  const auto to_array = [](const auto& result) { return array_of(result); };
-  const auto to_list = [](const auto& result) { return list_of(result); };
-  const auto to_dict = [](const auto& result) { return dict_of(result); };
   typedef Graph_of_arrays G;
-  py::class_<G, std::shared_ptr<G>>(module, "Graph")
-    .def_property_readonly("is_surface", &G::is_surface)
-    .def_property_readonly("has_points", [](const G& graph) { return graph.input().has_points; })
-    .def_property_readonly("is_ranked", [](const G& graph) { return graph.input().is_ranked(); })
-    .def("nodes", &nodes)
-    .def("arcs", &arcs)
-    .def("pairs", &pairs)
-    .def("chains", [to_list](const G& graph) { return to_list(graph.chains()); })
-    .def("loops", [to_list](const G& graph) { return to_list(graph.loops()); })
-    .def("components", [to_array](const G& graph) { return to_array(graph.components()); })
-    .def("mesh_arrays", &mesh_arrays)
-    .def("simplify", &simplify)
-    .def("report", running(&G::report))
-    .def("places", running(&G::places, to_array))
-    .def("contour_at_parameter", running(&G::contour_at_parameter, to_dict))
-    .def("contour_at_level", running(&G::contour_at_level, to_dict))
-    .def("contours_at_level", running(&G::contours_at_level, to_list))
-    .def("critical_set", running(&G::critical_set, to_dict))
-    .def("measures", running(&G::measures, [](const Arc_measures& measures) { return tuple_of(measures); }))
-    .def("embed", running(&G::embed, to_dict))
-    .def("simplified_scalars", running(&G::simplified_scalars,
-                                       [](const std::pair<std::vector<double>, bool>& result) {
-                                         return py::make_tuple(array_of(result.first), result.second);
-                                       }))
-    .def("write", [](const G& graph, const std::filesystem::path& path, const std::string& title,
-                     const std::string& name, const std::string& unit, std::optional<Embedding_manner> manner,
-                     std::size_t threads, const py::object& progress) {
-      run(progress, threads, [&] { graph.write(path, {{name, unit}, title, manner}); });
-    });
+  py::enum_<Manner>(module, "Manner")
+    .value("centroids", Manner::CENTROIDS)
+    .value("on_surface", Manner::ON_SURFACE)
+    .value("straight", Manner::STRAIGHT)
+    .value("by_cost", Manner::BY_COST);
+  py::class_<Compute_options> options(module, "Files");
+  options.def(py::init<>())
+    .def_readwrite("graph", &Compute_options::graph_path)
+    .def_readwrite("page", &Compute_options::page_path)
+    .def_readwrite("mesh", &Compute_options::mesh_path)
+    .def_readwrite("pairs", &Compute_options::pairs_path)
+    .def_readwrite("diagram", &Compute_options::diagram_path)
+    .def_readwrite("vertex_arcs", &Compute_options::vertex_arcs_path)
+    .def_readwrite("simplified_scalars", &Compute_options::simplified_scalars_path)
+    .def_readwrite("embedding", &Compute_options::embedding_manner)
+    .def_readwrite("title", &Compute_options::title)
+    .def_readwrite("unit", &Compute_options::unit)
+    .def_readwrite("base", &Compute_options::base)
+    .def_property(
+      "name", [](const Compute_options& o) { return o.input.field; },
+      [](Compute_options& o, const std::string& name) { o.input.field = name; });
+  py::class_<G, Graph_pointer>(module, "Graph")
+    .def_property_readonly("is_surface", [](const G& g) { return !g.input->mesh.complex; })
+    .def("nodes", running(&nodes))
+    .def("arcs", running(&arcs))
+    .def("pairs", running(&pairs))
+    .def("chains", running(+[](G& g) { return g.mesh_graph->chains(); }))
+    .def("loops", running(&loops))
+    .def("components", running(&components))
+    .def("mesh_arrays", running(&mesh_arrays))
+    .def("simplify", running(&simplify))
+    .def("places", running(+[](G& g) { return g.mesh_graph->places(); }))
+    .def("contours", running(&contours))
+    .def("critical_set", running(+[](G& g, std::size_t node) { return g.mesh_graph->critical_set(node); }))
+    .def("measures", running(&measures))
+    .def("embed", running(&embed))
+    .def("simplified_scalars", running(&simplified_scalars))
+    .def("write", running(&write));
 }
 
 } // namespace
@@ -254,15 +312,12 @@ void add_graph(py::module_& module)
 PYBIND11_MODULE(_core, module)
 {
   namespace py = pybind11;
-  using CGAL::Reeb_graph::Embedding_manner;
-  reeb_graph_python::translate_exceptions();
-  py::enum_<Embedding_manner>(module, "Manner")
-    .value("centroids", Embedding_manner::CENTROIDS)
-    .value("on_surface", Embedding_manner::ON_SURFACE)
-    .value("straight", Embedding_manner::STRAIGHT);
-  reeb_graph_python::add_functions(module);
-  reeb_graph_python::add_graph(module);
-  module.def("compute", &reeb_graph_python::compute);
-  py::module_::import("atexit").attr("register")(py::cpp_function(&reeb_graph_python::wait_for_stopped_work));
+  using namespace reeb_graph_python; // NOLINT(google-build-using-namespace)
+  translate_exceptions();
+  py::class_<Mesh_arrays>(module, "MeshArrays").def(py::init<py::object, py::object, py::object, py::object>());
+  add_functions(module);
+  add_graph(module);
+  module.def("compute", &compute);
+  py::module_::import("atexit").attr("register")(py::cpp_function(&wait_for_stopped_work));
   module.attr("__version__") = REEB_GRAPH_VERSION;
 }

@@ -1,11 +1,13 @@
 """compute() against the program, on all kinds of meshes, and with arrays of all kinds."""
 
 import itertools
+import json
 
 import meshes
 import numpy as np
 import pytest
 import reeb_graph
+from reeb_graph import _arrays
 
 
 def check_equal(graph, folder, expected, places):
@@ -28,9 +30,10 @@ def check_equal(graph, folder, expected, places):
 def test_surfaces_as_the_program(tmp_path, name, triangles, points):
     random = np.random.default_rng(1)
     meshes.write_off(tmp_path / "mesh.off", triangles, points)
-    for (_, scalars), ties, keep in itertools.product(
-        meshes.fields(random, points), ("perturb", "contract"), (False, True)
-    ):
+    choices = [("perturb", False), ("contract", False), ("perturb", True), ("contract", True)]
+    for (field, scalars), (ties, keep) in itertools.product(meshes.fields(random, points), choices):
+        if field != "ties" and keep:
+            continue  # ties have the most critical vertices that are no nodes
         graph = reeb_graph.compute(triangles, scalars, points=points, ties=ties, keep_degree_2=keep)
         assert graph.is_surface
         options = ["--ties", ties] + ["--keep-degree-2"] * keep
@@ -104,7 +107,7 @@ def test_dtypes_and_memory_orders():
     assert reeb_graph.compute(triangles, scalars > 7).n_nodes > 0
 
 
-def test_integers_that_no_double_has():
+def test_integers_that_no_double_has(tmp_path):
     triangles, points = meshes.grid(8, 7, True, True)
     ranks = np.random.default_rng(4).permutation(len(points))
     expected = reeb_graph.compute(triangles, ranks, points=points)
@@ -125,8 +128,67 @@ def test_integers_that_no_double_has():
         assert np.array_equal(contour.edges, same_contour.edges)
         assert np.array_equal(graph.vertex_places, expected.vertex_places)
         assert len(graph.embed().arc_polylines) == graph.n_arcs
+        values = graph.embed().arc_values[0]
+        assert np.all(np.abs(values - base) <= 2000) and abs(contour.value - base) <= 2000
+        for ending in (".json", ".graphml", ".csv"):  # the doubles next to the values
+            graph.write(tmp_path / f"graph{ending}")
+        written = json.loads((tmp_path / "graph.json").read_text())
+        assert [node["value"] for node in written["nodes"]] == graph.node_values.astype(float).tolist()
+        assert repr(float(base))[:10] in (tmp_path / "graph.nodes.csv").read_text()
+        graph.write(tmp_path / "graph.svg", name="time")
+        assert f"time - {scalars.min()}" in (tmp_path / "graph.svg").read_text()
     tied = np.full(len(points), 2**62 + 1)
     assert reeb_graph.compute(triangles, tied, ties="contract").n_nodes == 1
+
+
+def test_values_closer_than_doubles():
+    """The range is so large that differences of neighbours are lost in doubles."""
+    triangles, points = meshes.grid(8, 7, True, True)
+    random = np.random.default_rng(6)
+    ranks = random.permutation(len(points))
+    far = np.array([(-1) ** int(r < 28) * 2**62 + int(r) for r in ranks])
+    fine = np.longdouble(1) / 3 + ranks * np.finfo("g").eps
+    for scalars in (far, fine):
+        expected = reeb_graph.compute(triangles, ranks, points=points)
+        for ties in ("perturb", "contract"):
+            graph = reeb_graph.compute(triangles, scalars, points=points, ties=ties)
+            assert same(graph, expected) and np.array_equal(graph.node_values, scalars[graph.node_vertices])
+            assert np.array_equal(graph.vertex_places, expected.vertex_places)
+        for rank in (0, 20, 27, 28, 40):
+            level = scalars[ranks == rank][0]
+            assert [c.arc for c in graph.contours(level)] == [c.arc for c in expected.contours(rank)]
+    assert graph.contours(scalars.max()) == [] and graph.contours(-np.inf) == []
+
+
+def test_random_fields_of_large_integers():
+    triangles, points = meshes.grid(5, 6, True, True)
+    for seed in range(40):
+        random = np.random.default_rng(seed)
+        ranks = random.integers(0, 20, len(points))
+        steps = np.cumsum(random.choice([1, 3, 2**20, 2**55], 20))
+        scalars = np.uint64(2**60) + steps.astype(np.uint64)[ranks]
+        for ties in ("perturb", "contract"):
+            graph = reeb_graph.compute(triangles, scalars, ties=ties)
+            assert same(graph, reeb_graph.compute(triangles, ranks, ties=ties))
+            assert same(graph, reeb_graph.compute(triangles, np.zeros(len(points)), order=ranks, ties=ties))
+
+
+def test_what_is_copied():
+    triangles, points = meshes.grid(8, 7, True, True)
+    scalars = points[:, 0].copy()
+    view = scalars[:]
+    view.flags.writeable = False
+    assert _arrays.settled(scalars) is scalars and _arrays.settled(view) is not view  # scalars can change it
+    scalars.flags.writeable = False
+    assert _arrays.settled(scalars) is scalars and _arrays.settled(view) is view
+    assert not _arrays.settled(points[:, 0]).flags.writeable
+    frozen = np.frombuffer(scalars.tobytes())
+    assert _arrays.settled(frozen) is frozen
+    graphs = [reeb_graph.compute(triangles, given) for given in (points[:, 0], scalars, view, frozen)]
+    assert all(same(graph, graphs[0]) for graph in graphs)
+    field = np.arange(len(points), dtype=float)
+    reeb_graph.compute(triangles, field)
+    field[0] = 5  # it can be written as before
 
 
 def test_order_decides():

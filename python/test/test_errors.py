@@ -1,9 +1,11 @@
 """Wrong arguments are errors of Python, and nothing ends the interpreter."""
 
+import shutil
 import subprocess
 import sys
 import threading
 import time
+import types
 from pathlib import Path
 
 import meshes
@@ -146,6 +148,29 @@ def test_progress():
         reeb_graph.compute(triangles, scalars, progress=lambda fraction: 1 / 0)
 
 
+@pytest.mark.parametrize("has_tqdm", [False, True])
+def test_progress_shown(monkeypatch, capsys, has_tqdm):
+    class Bar:
+        def __init__(self, total, desc, bar_format):
+            self.n, self.total, self.is_closed = 0, total, False
+            bars.append(self)
+
+        def update(self, number):
+            self.n += number
+
+        def close(self):
+            self.is_closed = True
+
+    bars = []
+    monkeypatch.setitem(sys.modules, "tqdm", types.ModuleType("tqdm") if has_tqdm else None)
+    monkeypatch.setitem(sys.modules, "tqdm.auto", types.SimpleNamespace(tqdm=Bar) if has_tqdm else None)
+    reeb_graph.compute(TRIANGLES, SCALARS, progress=True)
+    if has_tqdm:
+        assert [(bar.n, bar.is_closed) for bar in bars] == [(100, True)] and capsys.readouterr().err == ""
+    else:
+        assert capsys.readouterr().err.endswith("100 %\n")
+
+
 def test_arrays_that_change_meanwhile():
     triangles, points = meshes.grid(250, 250, True, True)
     scalars = points[:, 0].copy()
@@ -205,6 +230,13 @@ except KeyboardInterrupt:
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=Path(__file__).parent)
     assert done.returncode == 0, done.stderr
     assert float(done.stdout) < 3  # within a second, where the machine is not busy
+
+
+def test_import_without_the_extension(tmp_path):
+    shutil.copytree(Path(reeb_graph.__file__).parent, tmp_path / "reeb_graph", ignore=shutil.ignore_patterns("_core*"))
+    code = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import reeb_graph"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert done.returncode != 0 and "--target reeb_graph_python" in done.stderr and "pip install ." in done.stderr
 
 
 def test_import_is_quick():

@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import sys
 import types
 from pathlib import Path
 
@@ -194,7 +195,57 @@ def test_networkx(torus):
 def test_pyvista(torus):
     pyvista = pytest.importorskip("pyvista")
     mesh = torus[3].to_pyvista()
-    assert isinstance(mesh, pyvista.PolyData) and mesh.n_lines == torus[3].n_arcs
+    assert isinstance(mesh, pyvista.PolyData) and mesh.n_cells == torus[3].n_arcs
+
+
+def test_pyvista_by_a_stand_in(monkeypatch, torus):
+    class PolyData:
+        def __init__(self, points, lines):
+            self.points, self.lines, self.cell_data, self.point_data = points, lines, {}, {}
+
+    monkeypatch.setitem(sys.modules, "pyvista", types.SimpleNamespace(PolyData=PolyData))
+    graph = torus[3]
+    mesh, embedding = graph.to_pyvista("straight"), graph.embed("straight")
+    assert mesh.lines.tolist() == np.column_stack([np.full(graph.n_arcs, 2), np.arange(2 * graph.n_arcs).reshape(-1, 2)]).ravel().tolist()
+    assert np.array_equal(mesh.points, np.concatenate(embedding.arc_polylines))
+    assert len(mesh.point_data["scalars"]) == len(mesh.points) and len(mesh.cell_data["arc"]) == graph.n_arcs
+
+
+@pytest.mark.parametrize("kind", ["soup", "tetrahedra", "both"])
+def test_complexes_have_measures_and_embeddings(tmp_path, kind):
+    tetrahedra, corners = meshes.tetrahedra_of_cubes(3)
+    fan = np.array([[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+    points = np.array([[0, 0, 0], [0, 0, 1], [1, 0, 2], [-1, 0, 2], [0, 1, 2.0]])
+    graph = {
+        "soup": lambda: reeb_graph.compute(fan, points[:, 2], points=points),
+        "tetrahedra": lambda: reeb_graph.compute(None, corners[:, 0], points=corners, tetrahedra=tetrahedra),
+        "both": lambda: reeb_graph.compute(fan, corners[:, 0], points=corners, tetrahedra=tetrahedra[5:]),
+    }[kind]()
+    assert not graph.is_surface and graph.lengths().max() > 0  # arcs between equal values have none
+    if kind == "tetrahedra":
+        assert np.isclose(graph.volumes().sum(), 27)
+        with pytest.raises(ValueError, match="volume"):
+            graph.areas()
+    else:
+        assert graph.areas().sum() > 0
+    for manner in ("centroids", "on-surface", "straight"):
+        embedding = graph.embed(manner)
+        assert embedding.manner == manner and len(embedding.arc_polylines) == graph.n_arcs
+    assert all("length" in data for *_, data in graph.to_networkx().edges(data=True))
+    graph.write(tmp_path / "graph.vtp", embedding="centroids")
+    with pytest.raises(ValueError, match="surface"):
+        graph.write(tmp_path / "page.html")
+
+
+def test_all_that_can_be_written(tmp_path, torus):
+    simplified = torus[3].simplify("auto")
+    for what, name in (("diagram", "d.svg"), ("pairs", "p.csv"), ("vertex_arcs", "arcs.npy"), ("mesh", "mesh.vtp"),
+                       ("simplified_scalars", "s.npy")):
+        simplified.write(tmp_path / name, what=what)
+    assert np.array_equal(np.load(tmp_path / "arcs.npy"), simplified.vertex_places)
+    assert np.array_equal(np.load(tmp_path / "s.npy"), simplified.simplified_scalars())
+    with pytest.raises(ValueError, match="no 'x'"):
+        simplified.write(tmp_path / "x.svg", what="x")
 
 
 def test_meshes_of_other_packages(torus):

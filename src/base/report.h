@@ -130,6 +130,18 @@ struct Work_report
   }
 };
 
+// A loop of the list of the command handles, or of the graph.
+struct Loop_row
+{
+  std::string kind;                   // handle, tunnel, hole, or loop
+  std::optional<std::size_t> partner; // its number
+  double length = 0;
+  std::optional<double> persistence; // of a pair
+  std::optional<double> area;        // of the disc that fills it, where one does
+  std::size_t component = 0;
+  bool is_simple = true;
+};
+
 // What a rank of MPI did.
 struct Rank_report
 {
@@ -160,6 +172,7 @@ struct Report : Work_report
   std::vector<CGAL::Reeb_graph::Simplification_threshold> thresholds; // that matter for the given graph
   std::optional<CGAL::Reeb_graph::Embedding_manner> embedding_manner; // of a graph in space
   std::optional<std::vector<Arc_row>> arc_table;                      // of the simplified graph if there is one
+  std::optional<Loop_row> longest_loop;                               // the same
 };
 
 // What the mesh was cut into.
@@ -171,18 +184,6 @@ struct Curves_report : Work_report
   std::size_t patches = 0;
   CGAL::Reeb_graph::Border_level_changes border_changes; // of the field
   bool are_ties_contracted = false;                      // of the simplified field
-};
-
-// A loop of the list of the command handles.
-struct Loop_row
-{
-  std::string kind;                   // handle, tunnel, hole, or loop
-  std::optional<std::size_t> partner; // its number
-  double length = 0;
-  std::optional<double> persistence; // of a pair
-  std::optional<double> area;        // of the disc that fills it, where one does
-  std::size_t component = 0;
-  bool is_simple = true;
 };
 
 // A handle that was to be removed.

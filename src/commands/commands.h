@@ -32,12 +32,15 @@ struct Compute_options
   std::string vertex_arcs_path;
   std::string pairs_path;
   std::string diagram_path;
+  std::string loop_path;
   std::string simplified_scalars_path;
   std::string page_path;
   std::string up;   // of the page: x, y, z, -x, -y, -z, or as it finds it
   std::string unit; // of the field, for what is drawn
   bool is_report_json = false;
   std::optional<bool> is_table_wanted; // by default that of a graph of few arcs
+  std::string title;                   // of the page, by default the name of the mesh file
+  double base = 0;                     // is added to the values of the field in files of graphs and pairs
 };
 
 struct Contour_options
@@ -92,7 +95,18 @@ struct Demo_options
   std::filesystem::path folder = "reeb_graph_demo";
 };
 
-// A part of run_compute(): finds the pairs of the given graph if they are asked for, and writes them.
+// Parts of run_compute(): throw std::runtime_error if what is asked for does not go together, or not with the mesh.
+void check(const Compute_options& options);
+void check_for_complex(const Compute_options& options, const Complex& complex);
+
+// A part of run_compute(): writes the files that are asked for, and completes the report.
+void write_results(const Compute_options& options,
+                   Mesh& mesh,
+                   Scalar_map scalar_map,
+                   Mesh_graph& graph,
+                   Report& report);
+
+// A part of that: finds the pairs of the given graph if they are asked for, and writes them.
 void write_pairs_and_diagram(const Compute_options& options,
                              const Graph& graph,
                              double threshold,

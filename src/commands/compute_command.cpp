@@ -14,12 +14,14 @@
 #include "computation/analysis.h"
 #include "computation/complex_counts.h"
 #include "computation/embedding.h"
+#include "computation/longest_loop.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/field_input.h"
 #include "input/input_error.h"
 #include "output/diagram_output.h"
 #include "output/graph_output.h"
+#include "output/loops_output.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
 #include "output/pairs_output.h"
@@ -44,33 +46,15 @@ bool is_graph_in_space(const Compute_options& options)
 std::vector<std::filesystem::path> output_files(const Compute_options& options)
 {
   std::vector<std::filesystem::path> paths = graph_files(options.graph_path);
-  paths.insert(paths.end(), {options.vertex_arcs_path, options.pairs_path, options.diagram_path, options.mesh_path,
-                             options.simplified_scalars_path, options.page_path});
+  paths.insert(paths.end(), {options.vertex_arcs_path, options.pairs_path, options.diagram_path, options.loop_path,
+                             options.mesh_path, options.simplified_scalars_path, options.page_path});
   return paths;
 }
 
-void check(const Compute_options& options)
+void add_base(double base, std::vector<double>& values)
 {
-  if(!options.graph_path.empty())
-    check_graph_format(options.graph_path);
-  if(!options.pairs_path.empty())
-    check_pairs_format(options.pairs_path);
-  if(!options.diagram_path.empty())
-    check_diagram_format(options.diagram_path);
-  if(!options.page_path.empty())
-    check_page(options.page_path);
-  if(!options.mesh_path.empty())
-    check_mesh_format(options.mesh_path);
-  check_outputs(output_files(options), input_files(options.input));
-  if(options.embedding_manner && !is_graph_in_space(options))
-    throw std::runtime_error("--embedding goes with --graph and a format in space only: .vtp, .obj, .polylines.txt, "
-                             ".json, or .csv");
-  check_simplification_options(options.simplification);
-  if(options.simplified_scalars_path.empty())
-    return;
-  if(!options.simplification.is_anything_removed())
-    throw std::runtime_error("--simplified-scalars goes with --simplify or --leaves only");
-  check_simplification_of_field(options.simplification);
+  for(double& value : values)
+    value += base;
 }
 
 Graph_in_space embed_and_time(const Compute_options& options,
@@ -85,6 +69,9 @@ Graph_in_space embed_and_time(const Compute_options& options,
                               ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
                               : CGAL::Reeb_graph::Embedding_manner::BY_COST;
   Graph_in_space result = graph.embed(options.embedding_manner.value_or(default_manner), arcs);
+  add_base(options.base, result.embedding.node_values);
+  for(std::vector<double>& values : result.embedding.arc_values)
+    add_base(options.base, values);
   report.embedding_manner = result.embedding.manner;
   report.seconds.emplace_back("embed", stopwatch.seconds());
   return result;
@@ -126,9 +113,10 @@ std::vector<Arc_row> write_files_of_mesh(const Compute_options& options,
     write_vertex_arcs(options.vertex_arcs_path, graph.places(), number_of_nodes);
   if(!options.mesh_path.empty())
     write_mesh(options.mesh_path, mesh, {scalar_map, graph.places(), number_of_nodes, std::nullopt});
+  std::optional<Graph> copy;
   if(graph_in_space)
-    write_graph_in_space(options.graph_path, graph.result(), *graph_in_space,
-                         [&](std::ostream& stream) { graph.write_json(stream, *graph_in_space); });
+    write_graph_in_space(options.graph_path, with_base(graph.result(), options.base, copy), *graph_in_space,
+                         [&](std::ostream& stream) { graph.write_json(stream, *graph_in_space, options.base); });
   report.add_seconds("output", output_stopwatch.seconds());
   return arcs;
 }
@@ -144,7 +132,9 @@ void write_graph_file(const Compute_options& options,
   std::vector<CGAL::Reeb_graph::Attribute> attributes;
   if(has_arc_attributes(options.graph_path) && arcs.size() == num_edges(graph))
     attributes = attributes_of_arcs(graph, arcs);
-  write_graph(options.graph_path, graph, field_label(options.input, options.unit), {}, attributes);
+  std::optional<Graph> copy;
+  write_graph(options.graph_path, with_base(graph, options.base, copy), field_label(options.input, options.unit), {},
+              attributes);
   report.add_seconds("output", stopwatch.seconds());
 }
 
@@ -153,15 +143,18 @@ void write_page_file(const Compute_options& options,
                      const Surface& surface,
                      Scalar_map scalar_map,
                      double threshold,
+                     const Loops_of_surface& loops,
                      Report& report)
 {
   if(options.page_path.empty())
     return;
   const Stopwatch stopwatch;
-  write_page(options.page_path,
-             {surface, scalar_map, given, options.graph,
-              std::filesystem::path(options.input.mesh_path).filename().string(),
-              field_label(options.input, options.unit), options.simplification, threshold, options.up});
+  write_page(
+    options.page_path,
+    {surface, scalar_map, given, options.graph,
+     options.title.empty() ? std::filesystem::path(options.input.mesh_path).filename().string() : options.title,
+     field_label(options.input, options.unit), options.simplification, threshold, options.up, std::nullopt,
+     loops.polylines, loops.rows});
   report.seconds.emplace_back("page", stopwatch.seconds());
 }
 
@@ -183,6 +176,19 @@ void write_simplified_field(const Compute_options& options,
   report.seconds.emplace_back("simplified field", stopwatch.seconds());
 }
 
+// Returns what the file has.
+Loops_of_surface write_longest_loop(const Compute_options& options, Mesh_graph& graph, Report& report)
+{
+  if(options.loop_path.empty())
+    return {};
+  const Stopwatch stopwatch;
+  const Loops_of_surface loops = find_longest_loop(graph);
+  write_loops(options.loop_path, loops);
+  report.longest_loop = loops.rows.front();
+  report.seconds.emplace_back("longest loop", stopwatch.seconds());
+  return loops;
+}
+
 void write_report(const Compute_options& options, const Report& report)
 {
   std::ostream& stream = report_stream(output_files(options));
@@ -190,6 +196,33 @@ void write_report(const Compute_options& options, const Report& report)
     write_json(stream, report);
   else
     write_text(stream, report);
+}
+
+} // namespace
+
+void check(const Compute_options& options)
+{
+  if(!options.graph_path.empty())
+    check_graph_format(options.graph_path);
+  if(!options.pairs_path.empty())
+    check_pairs_format(options.pairs_path);
+  if(!options.diagram_path.empty())
+    check_diagram_format(options.diagram_path);
+  if(!options.loop_path.empty())
+    check_loops_format(options.loop_path);
+  check_page(options.page_path, options.up);
+  if(!options.mesh_path.empty())
+    check_mesh_format(options.mesh_path);
+  check_outputs(output_files(options), input_files(options.input));
+  if(options.embedding_manner && !is_graph_in_space(options))
+    throw std::runtime_error("--embedding goes with --graph and a format in space only: .vtp, .obj, .polylines.txt, "
+                             ".json, or .csv");
+  check_simplification_options(options.simplification);
+  if(options.simplified_scalars_path.empty())
+    return;
+  if(!options.simplification.is_anything_removed())
+    throw std::runtime_error("--simplified-scalars goes with --simplify or --leaves only");
+  check_simplification_of_field(options.simplification);
 }
 
 // What is for surfaces only. PLY and VTP files of meshes hold no tetrahedra.
@@ -207,27 +240,19 @@ void check_for_complex(const Compute_options& options, const Complex& complex)
                                                "--vertex-arcs writes where each vertex belongs");
 }
 
-void compute(const Compute_options& options, Mesh& mesh, Report& report)
+void write_results(const Compute_options& options, Mesh& mesh, Scalar_map scalar_map, Mesh_graph& graph, Report& report)
 {
-  if(mesh.complex)
-    check_for_complex(options, *mesh.complex);
-  Surface& surface = mesh.surface;
-  const Scalar_map scalar_map = add_field(options.input, mesh, report);
-  const auto graph = compute_mesh_graph(mesh, scalar_map, options.graph, options.simplification,
-                                        threshold_in_units(options.simplification, surface, scalar_map), report);
-  const double threshold = graph->threshold();
-  count_all(mesh, graph->given(), report);
+  const double threshold = graph.threshold();
+  count_all(mesh, graph.given(), report);
   if(options.simplification.is_anything_removed())
-    count_simplified(graph->result(), threshold, report);
-  write_simplified_field(options, surface, scalar_map, threshold, report);
-  write_pairs_and_diagram(options, graph->given(), threshold, report);
-  const std::vector<Arc_row> arcs = write_files_of_mesh(options, *graph, mesh, scalar_map, report);
-  write_graph_file(options, graph->result(), arcs, report);
-  write_page_file(options, graph->given(), surface, scalar_map, threshold, report);
-  write_report(options, report);
+    count_simplified(graph.result(), threshold, report);
+  const Loops_of_surface loops = write_longest_loop(options, graph, report);
+  write_simplified_field(options, mesh.surface, scalar_map, threshold, report);
+  write_pairs_and_diagram(options, graph.given(), threshold, report);
+  const std::vector<Arc_row> arcs = write_files_of_mesh(options, graph, mesh, scalar_map, report);
+  write_graph_file(options, graph.result(), arcs, report);
+  write_page_file(options, graph.given(), mesh.surface, scalar_map, threshold, loops, report);
 }
-
-} // namespace
 
 void write_pairs_and_diagram(const Compute_options& options,
                              const Graph& graph,
@@ -243,8 +268,9 @@ void write_pairs_and_diagram(const Compute_options& options,
   const Stopwatch stopwatch;
   const std::vector<Persistence_pair> pairs = find_persistence_pairs(graph);
   report.seconds.emplace_back("pairs", stopwatch.seconds());
+  std::optional<Graph> copy;
   if(!options.pairs_path.empty())
-    write_pairs(options.pairs_path, graph, pairs, vertex_numbers);
+    write_pairs(options.pairs_path, with_base(graph, options.base, copy), pairs, vertex_numbers);
   if(!options.diagram_path.empty())
     write_diagram(options.diagram_path, graph, pairs,
                   options.simplification.threshold ? std::optional<double>(threshold) : std::nullopt);
@@ -255,7 +281,13 @@ void run_compute(const Compute_options& options)
   check(options);
   Report report;
   Mesh mesh = read_mesh(options.input, report);
-  compute(options, mesh, report);
+  if(mesh.complex)
+    check_for_complex(options, *mesh.complex);
+  const Scalar_map scalar_map = add_field(options.input, mesh, report);
+  const auto graph = compute_mesh_graph(mesh, scalar_map, options.graph, options.simplification,
+                                        threshold_in_units(options.simplification, mesh.surface, scalar_map), report);
+  write_results(options, mesh, scalar_map, *graph, report);
+  write_report(options, report);
 }
 
 } // namespace reeb_graph_program

@@ -49,12 +49,12 @@ void run_contour(const Contour_options& options)
   const Scalar_map scalar_map = add_field(options.input, mesh, report);
   const Contour_choice& choice = options.choice;
   Report graph_report;
-  const Contours contours =
+  const std::vector<Contour> contours =
     compute_mesh_graph(mesh, scalar_map, choice.graph, choice.simplification,
                        threshold_in_units(choice.simplification, mesh.surface, scalar_map), graph_report)
       ->find_contours(choice);
   write_contours(options.output_path, contours, has_tetrahedra);
-  report.contours = contours.number;
+  report.contours = contours.size();
   std::ostream& stream = report_stream({options.output_path});
   if(options.is_report_json)
     write_json(stream, report);

@@ -64,8 +64,7 @@ void check_formats(const Curves_options& options)
     check_graph_format(options.graph_path);
   if(!options.mesh_path.empty())
     check_mesh_format(options.mesh_path);
-  if(!options.page_path.empty())
-    check_page(options.page_path);
+  check_page(options.page_path, options.up);
 }
 
 std::vector<std::filesystem::path> output_files(const Curves_options& options)
@@ -112,7 +111,7 @@ void write_graph_file(const Curves_options& options, Mesh_graph& graph)
     const Graph_in_space graph_in_space =
       graph.embed(CGAL::Reeb_graph::Embedding_manner::BY_COST, arcs.empty() ? nullptr : &arcs);
     return write_graph_in_space(options.graph_path, graph.result(), graph_in_space,
-                                [&](std::ostream& stream) { graph.write_json(stream, graph_in_space); });
+                                [&](std::ostream& stream) { graph.write_json(stream, graph_in_space, 0); });
   }
   std::vector<CGAL::Reeb_graph::Attribute> attributes;
   if(!arcs.empty())

@@ -44,8 +44,7 @@ std::vector<std::filesystem::path> check_options(const Handles_options& options)
 {
   if(!options.loops_path.empty())
     check_loops_format(options.loops_path);
-  if(!options.page_path.empty())
-    check_page(options.page_path);
+  check_page(options.page_path, options.up);
   if(options.size_to_remove && !(*options.size_to_remove >= 0))
     throw std::runtime_error("--remove-below must not be negative or NaN");
   const bool is_any_removed = options.size_to_remove || options.number_to_remove;

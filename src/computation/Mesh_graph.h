@@ -37,8 +37,14 @@ public:
   // What --simplify has been.
   virtual double threshold() const = 0;
 
-  // What follows is that of the result. Vertices are located when one of the next two functions is called, if they have
-  // not been before.
+  // The given graph with other options of simplification. Both share it, and both need the mesh.
+  virtual std::unique_ptr<Mesh_graph> simplify(const Simplification_options& simplification,
+                                               double threshold) const = 0;
+
+  // What follows is that of the result. The vertices of the chain of each arc, ascending.
+  virtual std::vector<std::vector<std::size_t>> chains() const = 0;
+
+  // Vertices are located when one of the next two functions is called, if they have not been before.
   virtual void locate_vertices() = 0;
 
   // The place of each vertex, numbered as in the graph files.
@@ -50,11 +56,12 @@ public:
   // Without rows of arcs, there are no measures.
   virtual Graph_in_space embed(CGAL::Reeb_graph::Embedding_manner manner, const std::vector<Arc_row>* arcs) = 0;
 
-  // Writes the graph in space with its chains.
-  virtual void write_json(std::ostream& stream, const Graph_in_space& graph_in_space) = 0;
+  // Writes the graph in space with its chains, and with the values that with_base() gives it.
+  virtual void write_json(std::ostream& stream, const Graph_in_space& graph_in_space, double base) = 0;
 
   // Throws std::runtime_error if there is no such arc, no contour, or none at one of the levels: no arc is alive there.
-  virtual Contours find_contours(const Contour_choice& choice) = 0;
+  virtual std::vector<Contour> find_contours(const Contour_choice& choice) = 0;
+  virtual Critical_set critical_set(std::size_t node) = 0;
 };
 
 // Computes the graph, and adds what it took to the report. The mesh has to outlive the result.

@@ -22,6 +22,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace reeb_graph_program {
 // Computes the Reeb graph by compute(np), and adds what it took to the report.
@@ -51,20 +53,52 @@ public:
                 Report& report)
     : kind_(mesh, scalar_map),
       options_(options),
-      given_(compute_and_time(options, report, [&](const auto& np) { return kind_.compute(np); }))
+      given_(std::make_shared<const Any_graph>(
+        compute_and_time(options, report, [&](const auto& np) { return kind_.compute(np); })))
   {
     const Stopwatch stopwatch;
-    simplified_.emplace(given_, simplification, threshold);
+    simplified_.emplace(*given_, simplification, threshold);
     if(simplification.is_anything_removed())
       report.seconds.emplace_back("simplify", stopwatch.seconds());
   }
 
-  const Graph& given() const override { return kind_.on_surface(given_, given_on_surface_); }
+  Mesh_graph_of(const Mesh_graph_of& other, const Simplification_options& simplification, double threshold)
+    : kind_(other.kind_),
+      options_(other.options_),
+      given_(other.given_)
+  {
+    simplified_.emplace(*given_, simplification, threshold);
+  }
+
+  std::unique_ptr<Mesh_graph> simplify(const Simplification_options& simplification, double threshold) const override
+  {
+    return std::make_unique<Mesh_graph_of>(*this, simplification, threshold);
+  }
+
+  const Graph& given() const override { return kind_.on_surface(*given_, given_on_surface_); }
   const Graph& result() const override
   {
     return simplified_->simplification() ? kind_.on_surface(simplified_->result(), result_on_surface_) : given();
   }
   double threshold() const override { return simplified_->threshold(); }
+
+  std::vector<std::vector<std::size_t>> chains() const override
+  {
+    std::vector<std::vector<std::size_t>> chains;
+    const Any_graph& graph = simplified_->result();
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      std::vector<std::size_t>& vertices = chains.emplace_back();
+      for(const auto& edge : graph[arc].chain)
+      {
+        const std::pair<std::size_t, std::size_t> ends = kind_.ends(edge);
+        if(vertices.empty() || vertices.back() != ends.first) // where it passes a plateau, it can go on elsewhere
+          vertices.push_back(ends.first);
+        vertices.push_back(ends.second);
+      }
+    }
+    return chains;
+  }
 
   void locate_vertices() override
   {
@@ -99,25 +133,41 @@ public:
     return graph_in_space;
   }
 
-  void write_json(std::ostream& stream, const Graph_in_space& graph_in_space) override
+  void write_json(std::ostream& stream, const Graph_in_space& graph_in_space, double base) override
   {
-    CGAL::Reeb_graph::write_json(stream, augmentation().mesh(), augmentation().graph(), graph_in_space.embedding,
-                                 kind_.vertex_numbers(),
+    std::optional<Any_graph> copy;
+    CGAL::Reeb_graph::write_json(stream, augmentation().mesh(), with_base(augmentation().graph(), base, copy),
+                                 graph_in_space.embedding, kind_.vertex_numbers(),
                                  CGAL::parameters::arc_attributes(graph_in_space.arc_attributes));
   }
 
-  Contours find_contours(const Contour_choice& choice) override
+  std::vector<Contour> find_contours(const Contour_choice& choice) override
   {
-    const Any_augmentation& a = augmentation();
-    const auto add = [&](const auto& contour, Contours& contours) {
-      kind_.add(a, contour, contours);
-      ++contours.number;
-    };
-    return choose_contours(a, add, kind_.scalar_map(), choice,
-                           [&](const Point& point) { return kind_.nearest_place(point); });
+    return choose_contours(
+      augmentation(), [this](const auto& contour) { return convert(contour); }, kind_.scalar_map(), choice,
+      [this](const Point& point) { return kind_.nearest_place(point); });
+  }
+
+  Critical_set critical_set(std::size_t node) override
+  {
+    const auto set = augmentation().critical_set(node);
+    Critical_set result = {{}, {}, {set.star.begin(), set.star.end()}, kind_.border_loop(set)};
+    for(const auto& contour : set.lower_contours)
+      result.lower_contours.push_back(convert(contour));
+    for(const auto& contour : set.upper_contours)
+      result.upper_contours.push_back(convert(contour));
+    return result;
   }
 
 private:
+  Contour convert(const typename Any_augmentation::Contour& contour)
+  {
+    Contour result = kind_.contour(augmentation(), contour);
+    result.arc = get(boost::edge_index, augmentation().graph(), contour.arc);
+    result.value = contour.value;
+    return result;
+  }
+
   const Any_augmentation& augmentation()
   {
     if(augmentation_)
@@ -128,13 +178,13 @@ private:
       augmentation_ =
         kind_.augment(simplified_->result(), np.simplification(*simplification).callback(std::ref(progress_bar)));
     else
-      augmentation_ = kind_.augment(given_, np.callback(std::ref(progress_bar)));
+      augmentation_ = kind_.augment(*given_, np.callback(std::ref(progress_bar)));
     return *augmentation_;
   }
 
   const Kind kind_;
   const Graph_options options_;
-  const Any_graph given_;
+  const std::shared_ptr<const Any_graph> given_;
   std::optional<Simplified_graph_of<Any_graph>> simplified_;
   mutable std::optional<Graph> given_on_surface_, result_on_surface_;
   std::unique_ptr<const Any_augmentation> augmentation_;

@@ -12,7 +12,6 @@
 #include "computation/Mesh_graph_of.h"
 #include "computation/analysis.h"
 
-#include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/compute_reeb_graph.h>
@@ -20,8 +19,11 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
@@ -63,10 +65,34 @@ public:
     return reeb_graph_program::measure_arcs(surface_, scalar_map_, augmentation.graph(), locations);
   }
 
-  void add(const Augmentation& augmentation, const Augmentation::Contour& contour, Contours& contours) const
+  std::pair<std::size_t, std::size_t> ends(Surface::Halfedge_index h) const
   {
-    add_line(CGAL::Reeb_graph::polyline_of_contour(surface_, augmentation, contour),
-             get(boost::edge_index, augmentation.graph(), contour.arc), contour.value, contour.is_closed, contours);
+    return {surface_.source(h), surface_.target(h)};
+  }
+
+  Contour contour(const Augmentation& augmentation, const Augmentation::Contour& contour) const
+  {
+    Contour result;
+    result.is_closed = contour.is_closed;
+    std::vector<std::size_t>& line = result.polylines.emplace_back();
+    for(const Surface::Halfedge_index h : contour.halfedges)
+    {
+      line.push_back(line.size());
+      result.edges.push_back({surface_.source(h), surface_.target(h)});
+    }
+    if(contour.is_closed)
+      line.push_back(0);
+    augmentation.points_of_contour(contour, std::back_inserter(result.points));
+    return result;
+  }
+
+  template <class CriticalSet>
+  std::vector<std::size_t> border_loop(const CriticalSet& set) const
+  {
+    std::vector<std::size_t> vertices;
+    for(const Surface::Halfedge_index h : set.border_loop)
+      vertices.push_back(surface_.target(h));
+    return vertices;
   }
 
   Scalar_map scalar_map() const { return scalar_map_; }

@@ -52,6 +52,18 @@ std::vector<Arc_row> rows_of_arcs(const AnyGraph& graph,
   return rows;
 }
 
+// The graph with values to which `base` is added, in `copy` if need be.
+template <class AnyGraph>
+const AnyGraph& with_base(const AnyGraph& graph, double base, std::optional<AnyGraph>& copy)
+{
+  if(base == 0)
+    return graph;
+  copy = graph;
+  for(const auto node : CGAL::make_range(vertices(*copy)))
+    (*copy)[node].value += base;
+  return *copy;
+}
+
 template <class VertexRange, class AnyVertexLocations>
 std::vector<std::size_t> places_of(const VertexRange& vertices, const AnyVertexLocations& locations)
 {

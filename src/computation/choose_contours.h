@@ -27,9 +27,10 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
-// The contours of a choice, for surfaces and for complexes. add(contour, contours) draws a contour of the augmentation
-// as lines or as triangles, and counts it.
+// The contours of a choice, for surfaces and for complexes. convert(contour) makes a contour of the augmentation one of
+// numbers and points.
 namespace reeb_graph_program {
 // Throws std::runtime_error if there is no such arc.
 template <class AnyGraph>
@@ -39,20 +40,6 @@ typename boost::graph_traits<AnyGraph>::edge_descriptor arc_of_number(const AnyG
     throw std::runtime_error("there is no arc " + std::to_string(arc) + ": the graph has "
                              + std::to_string(num_edges(graph)) + ", numbered from 0");
   return *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(arc));
-}
-
-inline double length_of(const Polyline& points)
-{
-  double length = 0;
-  for(std::size_t i = 1; i < points.size(); ++i)
-    length += std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
-  return length;
-}
-
-inline void add_line(Polyline points, std::size_t arc, double value, bool is_closed, Contours& contours)
-{
-  contours.lines.push_back({std::move(points), arc, value, 0, is_closed});
-  contours.lines.back().length = length_of(contours.lines.back().points);
 }
 
 // N levels between the least and the greatest value, which they cut into N + 1 equal steps.
@@ -72,24 +59,27 @@ inline std::vector<double> equal_steps(std::size_t number_of_levels, Scalar_map 
   return levels;
 }
 
-inline double squared_distance(const Point& point, const Contours& contours)
+inline double squared_distance(const Point& point, const Contour& contour)
 {
   double least = std::numeric_limits<double>::infinity();
   const auto visit = [&](const std::array<Point, 3>& triangle) {
     least = (std::min)(least, CGAL::squared_distance(point, nearest_point(point, triangle)));
   };
-  for(const Contour_line& line : contours.lines)
-    for(std::size_t i = 0; i < line.points.size(); ++i)
-      visit({line.points[i == 0 ? 0 : i - 1], line.points[i], line.points[i]});
-  for(const auto& [a, b, c] : contours.triangles)
-    visit({contours.points[a], contours.points[b], contours.points[c]});
+  const std::vector<Point>& points = contour.points;
+  for(const std::vector<std::size_t>& line : contour.polylines)
+    for(std::size_t i = 0; i < line.size(); ++i)
+      visit({points[line[i == 0 ? 0 : i - 1]], points[line[i]], points[line[i]]});
+  for(const auto& [a, b, c] : contour.triangles)
+    visit({points[a], points[b], points[c]});
   return least;
 }
 
-template <class AnyAugmentation, class Add>
-Contours nearest_contour(const AnyAugmentation& augmentation, const Add& add, const Nearest_place& place)
+template <class AnyAugmentation, class Convert>
+std::vector<Contour> nearest_contour(const AnyAugmentation& augmentation,
+                                     const Convert& convert,
+                                     const Nearest_place& place)
 {
-  Contours nearest;
+  std::vector<Contour> nearest;
   if(!place.is_found())
     return nearest;
   // Where the place is the highest one of its cell, the level just above it can be elsewhere.
@@ -100,56 +90,58 @@ Contours nearest_contour(const AnyAugmentation& augmentation, const Add& add, co
   for(const double level : levels)
     for(const auto& contour : augmentation.template contours_at_value<CGAL::Parallel_if_available_tag>(level))
     {
-      Contours candidate;
-      add(contour, candidate);
+      Contour candidate = convert(contour);
       const double distance = squared_distance(place.place(), candidate);
       if(!(distance < least))
         continue;
       least = distance;
-      nearest = std::move(candidate);
+      nearest = {std::move(candidate)};
     }
   return nearest;
 }
 
-template <class AnyAugmentation, class Add>
-void add_level(const AnyAugmentation& augmentation, const Add& add, double level, Contours& contours)
+template <class AnyAugmentation, class Convert>
+void add_level(const AnyAugmentation& augmentation,
+               const Convert& convert,
+               double level,
+               std::vector<Contour>& contours)
 {
   for(const auto& contour : augmentation.template contours_at_value<CGAL::Parallel_if_available_tag>(level))
-    add(contour, contours);
+    contours.push_back(convert(contour));
 }
 
 // `find_place` finds the place on the mesh that is nearest to a point.
-template <class AnyAugmentation, class Add, class FindPlace>
-Contours choose_contours(const AnyAugmentation& augmentation,
-                         const Add& add,
-                         Scalar_map scalar_map,
-                         const Contour_choice& choice,
-                         const FindPlace& find_place)
+template <class AnyAugmentation, class Convert, class FindPlace>
+std::vector<Contour> choose_contours(const AnyAugmentation& augmentation,
+                                     const Convert& convert,
+                                     Scalar_map scalar_map,
+                                     const Contour_choice& choice,
+                                     const FindPlace& find_place)
 {
   const auto& graph = augmentation.graph();
-  Contours contours;
+  std::vector<Contour> contours;
   if(choice.point)
-    contours = nearest_contour(augmentation, add, find_place(*choice.point));
+    contours = nearest_contour(augmentation, convert, find_place(*choice.point));
   else if(choice.arc)
-    add(augmentation.contour(arc_of_number(graph, *choice.arc), *choice.t), contours);
+    contours.push_back(convert(augmentation.contour(arc_of_number(graph, *choice.arc), *choice.t)));
   else if(choice.t)
     for(const auto arc : CGAL::make_range(edges(graph)))
-      add(augmentation.contour(arc, *choice.t), contours);
+      contours.push_back(convert(augmentation.contour(arc, *choice.t)));
   else if(choice.number_of_levels)
     for(const double level : equal_steps(*choice.number_of_levels, scalar_map))
-      add_level(augmentation, add, level, contours);
+      add_level(augmentation, convert, level, contours);
   for(const double level : choice.levels)
   {
-    const std::size_t number = contours.number;
-    add_level(augmentation, add, level, contours);
-    if(contours.number == number)
+    const std::size_t number = contours.size();
+    add_level(augmentation, convert, level, contours);
+    if(contours.size() == number && !choice.may_be_none)
     {
       std::ostringstream message;
       message << "there is no contour at the level " << level;
       throw std::runtime_error(message.str());
     }
   }
-  if(contours.number == 0)
+  if(contours.empty() && !choice.may_be_none)
     throw std::runtime_error(choice.point ? "there is no contour near the point"
                              : choice.t   ? "there is no contour: the graph has no arc"
                                           : "there is no contour at these levels");

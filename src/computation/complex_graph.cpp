@@ -68,6 +68,16 @@ public:
     return CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(augmentation, points(), np);
   }
 
+  const std::pair<std::size_t, std::size_t>& ends(const std::pair<std::size_t, std::size_t>& edge) const
+  {
+    return edge;
+  }
+  template <class CriticalSet>
+  std::vector<std::size_t> border_loop(const CriticalSet&) const
+  {
+    return {};
+  }
+
   Scalar_map scalar_map() const { return scalar_map_; }
 
   Nearest_place nearest_place(const Point& point) const
@@ -95,6 +105,16 @@ protected:
   auto with_edges(const NamedParameters& np) const
   {
     return CGAL::parameters::edges(std::cref(complex().edges), np);
+  }
+
+  template <class AnyAugmentation>
+  Contour crossings(const AnyAugmentation& augmentation, const typename AnyAugmentation::Contour& contour) const
+  {
+    Contour result;
+    for(const auto& [lower, upper] : contour.edges)
+      result.edges.push_back({lower, upper});
+    augmentation.points_of_contour(contour, std::back_inserter(result.points), points());
+    return result;
   }
 
   // Calls function(triangles). Where tetrahedra and other triangles are together, the faces of all tetrahedra are
@@ -149,20 +169,16 @@ public:
                         CGAL::Reeb_graph::arc_areas(augmentation, points(), locations));
   }
 
-  void add(const Augmentation& augmentation, const Augmentation::Contour& contour, Contours& contours) const
+  Contour contour(const Augmentation& augmentation, const Augmentation::Contour& contour) const
   {
-    const std::size_t arc = get(boost::edge_index, augmentation.graph(), contour.arc);
-    std::vector<Point> points_of_contour;
-    augmentation.points_of_contour(contour, std::back_inserter(points_of_contour), points());
-    for(const std::vector<std::size_t>& numbers : contour.polylines)
-    {
-      Polyline line;
-      for(const std::size_t i : numbers)
-        line.push_back(points_of_contour[i]);
-      add_line(line, arc, contour.value, numbers.size() > 1 && numbers.front() == numbers.back(), contours);
-    }
-    if(contour.polylines.empty()) // a point of an edge without triangles
-      add_line(points_of_contour, arc, contour.value, false, contours);
+    Contour result = crossings(augmentation, contour);
+    result.polylines = contour.polylines;
+    if(contour.polylines.empty())
+      result.polylines = {{0}}; // the point of an edge without triangles
+    const std::vector<std::size_t>& line = result.polylines[0];
+    result.is_closed =
+      result.polylines.size() == 1 && line.size() > 1 && line.front() == line.back() && contour.branch_points.empty();
+    return result;
   }
 };
 
@@ -200,12 +216,11 @@ public:
     return rows;
   }
 
-  void add(const Augmentation& augmentation, const Augmentation::Contour& patch, Contours& contours) const
+  Contour contour(const Augmentation& augmentation, const Augmentation::Contour& patch) const
   {
-    const std::size_t first = contours.points.size();
-    augmentation.points_of_contour(patch, std::back_inserter(contours.points), points());
-    for(const std::array<std::size_t, 3>& t : patch.triangles)
-      contours.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    Contour result = crossings(augmentation, patch);
+    result.triangles = patch.triangles;
+    return result;
   }
 };
 

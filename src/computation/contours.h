@@ -28,25 +28,28 @@ struct Contour_choice
   std::vector<double> levels;                  // each has to have a contour
   std::optional<std::size_t> number_of_levels; // that cut the range of the field into equal steps
   std::optional<Point> point;
+  bool may_be_none = false; // else it is an error if there is no contour
 };
 
-// A line of a contour.
-struct Contour_line
+// A contour of a surface or of a complex. Each point is on the edge of the same number, and that leads from its lower to
+// its higher vertex.
+struct Contour
 {
-  Polyline points;
-  std::size_t arc = 0; // by its number
-  double value = 0;    // of the level
-  double length = 0;
-  bool is_closed = false;
-};
-
-// Parts of level sets: curves in triangles, or triangles in tetrahedra.
-struct Contours
-{
-  std::size_t number = 0;
-  std::vector<Contour_line> lines; // on surfaces one for each contour
+  std::size_t arc = 0;    // by its number
+  double value = 0;       // of the level
+  bool is_closed = false; // whether it is one closed line
+  std::vector<std::array<std::size_t, 2>> edges;
   std::vector<Point> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<std::vector<std::size_t>> polylines;   // of points; if one is closed, its first point is its last one too
+  std::vector<std::array<std::size_t, 3>> triangles; // of points: in tetrahedra, instead of polylines
+};
+
+// What a node stands for.
+struct Critical_set
+{
+  std::vector<Contour> lower_contours, upper_contours; // one for each arc
+  std::vector<std::size_t> star;                       // the faces or tetrahedra at the vertex
+  std::vector<std::size_t> border_loop;                // the vertices of the border that is in the level of the node
 };
 
 } // namespace reeb_graph_program

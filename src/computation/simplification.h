@@ -62,9 +62,6 @@ public:
 
   double threshold() const { return threshold_; } // which is no NaN
 
-  // The simplified graph, whose nodes may be given other values of the same order.
-  AnyGraph& simplified() { return simplified_; }
-
   // Where the nodes and arcs of the given graph are in the simplified one.
   const std::optional<CGAL::Reeb_graph::Simplification<AnyGraph>>& simplification() const { return simplification_; }
 

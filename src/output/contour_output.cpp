@@ -14,16 +14,61 @@
 #include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/internal/io/Vtp_document.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
+#include <CGAL/squared_distance_3.h>
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
 namespace {
 constexpr int all_digits = std::numeric_limits<double>::max_digits10;
+
+// A line of a contour; a point alone where that is on an edge without triangles.
+struct Contour_line
+{
+  Polyline points;
+  std::size_t arc = 0;
+  double value = 0;
+  double length = 0;
+  bool is_closed = false;
+};
+
+std::vector<Contour_line> lines_of(const std::vector<Contour>& contours)
+{
+  std::vector<Contour_line> lines;
+  for(const Contour& contour : contours)
+    for(const std::vector<std::size_t>& numbers : contour.polylines)
+    {
+      Contour_line line = {{}, contour.arc, contour.value, 0, numbers.size() > 1 && numbers.front() == numbers.back()};
+      for(const std::size_t i : numbers)
+      {
+        if(!line.points.empty())
+          line.length += std::sqrt(CGAL::squared_distance(line.points.back(), contour.points[i]));
+        line.points.push_back(contour.points[i]);
+      }
+      lines.push_back(std::move(line));
+    }
+  return lines;
+}
+
+void write_off(std::ostream& stream, const std::vector<Contour>& contours)
+{
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for(const Contour& contour : contours)
+  {
+    for(const auto& [a, b, c] : contour.triangles)
+      triangles.push_back({points.size() + a, points.size() + b, points.size() + c});
+    points.insert(points.end(), contour.points.begin(), contour.points.end());
+  }
+  CGAL::IO::write_OFF(stream, points, triangles, CGAL::parameters::stream_precision(all_digits));
+}
 
 // The number of points of a line if the first one is not repeated.
 std::size_t number_of_points(const Contour_line& line) { return line.points.size() - (line.is_closed ? 1 : 0); }
@@ -125,21 +170,21 @@ void check_contour_format(const std::string& path, bool are_contours_surfaces)
     ending_of(path, "contours", {".polylines.txt", ".vtp", ".obj", ".json"});
 }
 
-void write_contours(const std::string& path, const Contours& contours, bool are_contours_surfaces)
+void write_contours(const std::string& path, const std::vector<Contour>& contours, bool are_contours_surfaces)
 {
   write_file(path, [&](std::ostream& stream) {
     if(are_contours_surfaces)
-      return static_cast<void>(CGAL::IO::write_OFF(stream, contours.points, contours.triangles,
-                                                   CGAL::parameters::stream_precision(all_digits)));
+      return write_off(stream, contours);
+    const std::vector<Contour_line> lines = lines_of(contours);
     const std::string ending = ending_of(path, "contours", {".polylines.txt", ".vtp", ".obj", ".json"});
     if(ending == ".vtp")
-      write_vtp(stream, contours.lines);
+      write_vtp(stream, lines);
     else if(ending == ".obj")
-      write_obj(stream, contours.lines);
+      write_obj(stream, lines);
     else if(ending == ".json")
-      write_json(stream, contours.lines);
+      write_json(stream, lines);
     else
-      CGAL::Reeb_graph::write_polylines(stream, polylines_of(contours.lines));
+      CGAL::Reeb_graph::write_polylines(stream, polylines_of(lines));
   });
 }
 

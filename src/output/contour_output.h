@@ -23,7 +23,7 @@ void check_contour_format(const std::string& path, bool are_contours_surfaces);
 
 // Lines with their arcs, values and lengths, and whether they are closed, for which .polylines.txt has no room; or
 // triangles, .off.
-void write_contours(const std::string& path, const Contours& contours, bool are_contours_surfaces);
+void write_contours(const std::string& path, const std::vector<Contour>& contours, bool are_contours_surfaces);
 
 } // namespace reeb_graph_program
 

@@ -103,8 +103,12 @@ std::string_view write_up_to(std::ostream& stream,
 
 bool is_page_available() { return !page_template().empty(); }
 
-void check_page(const fs::path& path)
+void check_page(const fs::path& path, const std::string& up)
 {
+  if(path.empty() && !up.empty())
+    throw std::runtime_error("--up goes with --html only");
+  if(path.empty())
+    return;
   if(!is_page_available())
     throw std::runtime_error(
       "this program has been built without the page: install three.js, Debian's package libjs-three, or name its "

@@ -22,8 +22,9 @@ namespace reeb_graph_program {
 // Whether the program has been built with the page.
 bool is_page_available();
 
-// Throws std::runtime_error, which tells how to get the page, if there is none, or if the path is no .html file.
-void check_page(const std::filesystem::path& path);
+// Throws std::runtime_error, which tells how to get the page, if there is none, if the path is no .html file, or if
+// there is no path but a direction that would be up.
+void check_page(const std::filesystem::path& path, const std::string& up);
 
 // What a page is written of.
 struct Page_request

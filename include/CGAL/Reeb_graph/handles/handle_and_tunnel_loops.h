@@ -157,7 +157,7 @@ private:
 ///
 /// Without shortening, it takes \f$ O(n + g^3 + k \log^2 k + c) \f$ time, where \f$ n \f$ is the number of vertices and
 /// faces, \f$ k \f$ the number of edges on the loops of a tree, and \f$ c \f$ the number of their crossings as they are
-/// seen in one direction, besides that of the Reeb graph. The shortening takes some tens of searches for each loop, of
+/// seen in one direction. The time of the Reeb graph comes on top. The shortening takes some tens of searches for each loop, of
 /// which each sees the part of the surface that is nearer than half the length of that loop.
 ///
 /// The idea to combine loops by linking numbers is that of T. K. Dey, F. Fan, Y. Wang, *An Efficient Computation of
