@@ -30,8 +30,8 @@ function setUpControls(page) {
     setUpLoops(page);
 }
 
-// A list of what is on the surface: what its entry is pointed at or chosen for lights up. A row has a number, a color, a
-// name, cells, and what a click does besides.
+// A list of what is on the surface: what its entry is pointed at or chosen for lights up. A row has a number, a color,
+// a name, cells, and what a click does besides.
 function setUpList(heading, columns, rows, light) {
   element("patches").hidden = false;
   element("patches_heading").textContent = heading;

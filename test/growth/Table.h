@@ -110,6 +110,7 @@ private:
 void measure_graphs(Table& table);
 void measure_fields(Table& table);
 void measure_curves(Table& table);
+void measure_handles(Table& table);
 void measure_complexes(Table& table);
 
 } // namespace growth

@@ -36,6 +36,8 @@ commands.update({
                          "c.polylines.txt"], near_linear),
     "contour --arc": (["contour", "{mesh}", "--scalars", "{values}", "--arc", "0", "--t", "0.5", "--output",
                        "c.polylines.txt"], near_linear),
+    "handles": (["handles", "{mesh}", "--scalars", "{values}", "--no-shortening", "--loops", "l.polylines.txt"],
+                near_linear),
     "field height": (["field", "{mesh}", "--type", "height", "--output", "f.txt"], near_linear),
 })
 for field in ("harmonic", "poisson", "unit-gradient", "geodesic"):

@@ -429,6 +429,24 @@ def test_patches_and_curves():
     assert "mm" in browser.find_element(By.ID, "color_bar").text
 
 
+def test_loops():
+    """What handles shows: a list of loops, the shortest first, of which each lights up when it is pointed at."""
+    run("handles", "torus.off", "--html", "loops.html")
+    load("loops.html")
+    assert [loop["kind"] for loop in data_of_page()["loops"]] == ["handle", "tunnel"]
+    rows = browser.find_elements(By.CSS_SELECTOR, "#patches_list tr")
+    assert len(rows) == 2 and "2 loops" in browser.find_element(By.ID, "patches_heading").text
+    lengths = [float(row.find_elements(By.TAG_NAME, "td")[0].text) for row in rows]
+    assert lengths == sorted(lengths)
+    before = picture()
+    ActionChains(browser).move_to_element(rows[0]).perform()
+    first = picture()
+    ActionChains(browser).move_to_element(rows[1]).perform()
+    assert difference(before, first) > 50 and difference(first, picture()) > 50
+    ActionChains(browser).move_to_element(browser.find_element(By.ID, "title")).perform()
+    assert difference(before, picture()) == 0
+
+
 def test_cut_scan():
     """What curves shows of a surface with holes: pieces, of which the list leads to each, curves, arcs, and up."""
     holes = [(0, 0, 1), (1, 0, 0.2), (-1, 0.3, 0), (0, 1, -0.3), (0.2, -1, -0.5)]
@@ -524,7 +542,7 @@ def test_all():
         test(data)
         assert_no_complaint(test.__name__)
         print(f"ok: {test.__name__}")
-    for test in [test_patches_and_curves, test_cut_scan, test_least_surfaces, test_large_surface]:
+    for test in [test_patches_and_curves, test_loops, test_cut_scan, test_least_surfaces, test_large_surface]:
         test()
         assert_no_complaint(test.__name__)
         print(f"ok: {test.__name__}")

@@ -87,6 +87,11 @@ foreach(open "" --cut-open)
   expect_page(page genus_3.off mesh=cut.off patches=patches.txt curves=curves.polylines.txt curves.length=6)
 endforeach()
 
+# handles and tunnels
+expect_success(handles ${genus_3} --field x --loops loops.polylines.txt --html page.html)
+expect_page(page genus_3.off mesh=${genus_3} curves=loops.polylines.txt curves.length=6 loops.length=6
+            "loops.0.kind=\"handle\"" "loops.5.kind=\"tunnel\"" "field.name=\"x\"")
+
 # a graph of more arcs than a page shows
 set(noisy_plane "import random
 random.seed(1)

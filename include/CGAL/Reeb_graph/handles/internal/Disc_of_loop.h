@@ -11,6 +11,11 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+// Algorithms of Boost.Graph that look up get() for pointers as they are defined: they come first, as triangulate_hole.h of
+// CGAL 6 includes compressed_sparse_row_graph.hpp, whose boost::detail::get() would hide that function from them.
+#include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/graph/kruskal_min_spanning_tree.hpp>
+
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
@@ -68,14 +73,19 @@ Disc_kernel::Triangle_3 face_triangle(typename boost::graph_traits<Mesh>::face_d
 inline constexpr std::size_t largest_loop_of_disc = 1000;
 
 // A disc of triangles with little area that spans a closed polyline, by positions of its points. Empty if there
-// is none, or if the polyline has less than 3 or more than 1000 points.
-inline std::vector<std::array<std::size_t, 3>> triangulate_disc(const std::vector<Disc_point>& polyline)
+// is none, or if the polyline has less than 3 or more than 1000 points. `third_points`, if there are any, are those of the
+// triangles that its segments have on one side: the disc avoids to fold back on these.
+inline std::vector<std::array<std::size_t, 3>> triangulate_disc(const std::vector<Disc_point>& polyline,
+                                                                const std::vector<Disc_point>& third_points = {})
 {
   std::vector<std::array<std::size_t, 3>> result;
   if(polyline.size() < 3 || polyline.size() > largest_loop_of_disc)
     return result;
   std::vector<CGAL::Triple<int, int, int>> triangles;
-  Polygon_mesh_processing::triangulate_hole_polyline(polyline, std::back_inserter(triangles));
+  if(third_points.empty())
+    Polygon_mesh_processing::triangulate_hole_polyline(polyline, std::back_inserter(triangles));
+  else
+    Polygon_mesh_processing::triangulate_hole_polyline(polyline, third_points, std::back_inserter(triangles));
   for(const auto& t : triangles)
     result.push_back(
       {static_cast<std::size_t>(t.first), static_cast<std::size_t>(t.second), static_cast<std::size_t>(t.third)});

@@ -25,6 +25,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <set>
@@ -161,12 +162,61 @@ private:
       row.result = loop.is_simple ? Removal_result::PASSES_HOLE : Removal_result::CROSSES_ITSELF;
       halfedges.clear();
     }
-    plans_.push_back({Cut(mesh_, point_map_, std::move(halfedges)), row, {}});
+    plans_.push_back({plan_cut(std::move(halfedges)), row, {}});
     Plan& plan = plans_.back();
     if(row.result == Removal_result::REMOVED && plan.cut.disc().empty())
       plan.row.result = Removal_result::NO_DISC;
     else if(row.result == Removal_result::REMOVED && plan.cut.placed().empty())
       plan.row.result = Removal_result::INTERSECTS;
+  }
+
+  // Plans the cut along a loop, or along one near by, if the faces around the loop are in the way of its disc.
+  Cut plan_cut(std::vector<halfedge_descriptor> loop) const
+  {
+    Cut cut(mesh_, point_map_, loop);
+    if(!cut.placed().empty())
+      return cut;
+    std::array<std::vector<halfedge_descriptor>, 2> beside = {loop, reversed(loop)};
+    for(int step = 0; step != 3; ++step)
+      for(auto& side : beside)
+      {
+        side = reversed(loop_beside(side));
+        Cut other(mesh_, point_map_, side);
+        if(!other.placed().empty())
+          return other;
+      }
+    return cut;
+  }
+
+  std::vector<halfedge_descriptor> reversed(const std::vector<halfedge_descriptor>& loop) const
+  {
+    std::vector<halfedge_descriptor> result;
+    for(auto h = loop.rbegin(); h != loop.rend(); ++h)
+      result.push_back(opposite(*h, mesh_));
+    return result;
+  }
+
+  // What bounds the faces that a loop has on its left, on their other side; empty if it passes a vertex twice, one of the
+  // loop, or one of a border.
+  std::vector<halfedge_descriptor> loop_beside(const std::vector<halfedge_descriptor>& loop) const
+  {
+    std::vector<halfedge_descriptor> result;
+    std::set<typename boost::graph_traits<Mesh>::vertex_descriptor> passed;
+    const auto turned = [&](halfedge_descriptor h) { return opposite(prev(h, mesh_), mesh_); };
+    bool is_simple = true;
+    for(const halfedge_descriptor h : loop)
+      is_simple = passed.insert(source(h, mesh_)).second && is_simple;
+    for(std::size_t k = loop.size(); k != 0; --k)
+    {
+      const halfedge_descriptor back = opposite(loop[k == 1 ? loop.size() - 1 : k - 2], mesh_);
+      for(halfedge_descriptor h = turned(loop[k - 1]); h != back && turned(h) != back; h = turned(h))
+      {
+        result.push_back(next(h, mesh_));
+        is_simple =
+          is_simple && passed.insert(target(h, mesh_)).second && !CGAL::is_border(target(h, mesh_), mesh_).has_value();
+      }
+    }
+    return is_simple ? result : std::vector<halfedge_descriptor>();
   }
 
   // Finds what the discs, and the faces as they will be, intersect: faces of the mesh that do not change, and each other.

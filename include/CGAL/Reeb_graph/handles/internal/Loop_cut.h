@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <set>
@@ -98,25 +99,20 @@ public:
       point_map_(point_map),
       loop_(std::move(loop))
   {
-    std::vector<Disc_point> polyline;
+    std::vector<Disc_point> polyline, left, right;
     for(const halfedge_descriptor h : loop_)
     {
       passed_.insert(source(h, mesh));
       polyline.push_back(point(source(h, mesh)));
+      left.push_back(point(target(next(h, mesh), mesh)));
+      right.push_back(point(target(next(opposite(h, mesh), mesh), mesh)));
     }
-    disc_triangles_ = triangulate_disc(polyline);
-    for(auto& t : disc_triangles_)
-      std::sort(t.begin(), t.end());
-    if(disc_triangles_.empty())
-      return;
-    add_disc(disc_, 0, polyline);
-    for(const double step : {0.25, 0.05})
+    for(const auto& third_points : {std::vector<Disc_point>(), left, right})
     {
-      place(step);
-      if(fits_itself())
+      span_disc(polyline, third_points);
+      if(find_place())
         return;
     }
-    placed_.clear();
   }
 
   const std::vector<halfedge_descriptor>& loop() const { return loop_; }
@@ -175,6 +171,32 @@ private:
 
   Disc_point point(vertex_descriptor v) const { return disc_point(v, point_map_); }
 
+  void span_disc(const std::vector<Disc_point>& polyline, const std::vector<Disc_point>& third_points)
+  {
+    disc_.clear();
+    disc_triangles_ = triangulate_disc(polyline, third_points);
+    for(auto& t : disc_triangles_)
+      std::sort(t.begin(), t.end());
+    add_disc(disc_, 0, polyline);
+    find_normals(polyline);
+  }
+
+  // Moves the copies until nothing intersects; false if nothing helps, or if there is no disc.
+  bool find_place()
+  {
+    if(disc_.empty())
+      return false;
+    for(const bool is_along_normals : {false, true})
+      for(const double step : {0.25, 0.05, 0.01})
+      {
+        place(step, is_along_normals);
+        if(fits_itself())
+          return true;
+      }
+    placed_.clear();
+    return false;
+  }
+
   // The disc between copies of the vertices of the loop.
   void add_disc(std::vector<Triangle>& triangles, int copy, const std::vector<Disc_point>& points) const
   {
@@ -186,8 +208,45 @@ private:
     }
   }
 
-  // Moves the copies by this part of the way to the mean of their neighbors.
-  void place(double step)
+  // For each vertex of the loop, the sum of the normals of the disc around it, divided by that of their lengths, and times
+  // the length of the halfedge that leaves the vertex. They point to the left of the loop, if it is seen as a ring around
+  // a tube.
+  void find_normals(const std::vector<Disc_point>& polyline)
+  {
+    normals_.assign(loop_.size(), CGAL::NULL_VECTOR);
+    std::vector<double> lengths(loop_.size(), 0);
+    for(const auto& t : disc_triangles_)
+    {
+      const auto normal = CGAL::cross_product(polyline[t[1]] - polyline[t[0]], polyline[t[2]] - polyline[t[0]]);
+      for(const std::size_t k : t)
+      {
+        normals_[k] = normals_[k] + normal;
+        lengths[k] += std::sqrt(normal.squared_length());
+      }
+    }
+    const double sign = points_left() ? 1 : -1;
+    for(std::size_t k = 0; k != loop_.size(); ++k)
+    {
+      const double edge = std::sqrt(CGAL::squared_distance(polyline[k], polyline[(k + 1) % loop_.size()]));
+      normals_[k] = normals_[k] * (lengths[k] > 0 ? sign * edge / lengths[k] : 0);
+    }
+  }
+
+  // Whether the normals of the disc point to the left of most of the loop.
+  bool points_left() const
+  {
+    double sum = 0;
+    for(std::size_t k = 0; k != loop_.size(); ++k)
+    {
+      const Disc_point left = point(target(next(loop_[k], mesh_), mesh_));
+      const Disc_point right = point(target(next(opposite(loop_[k], mesh_), mesh_), mesh_));
+      sum += normals_[k] * (left - right) > 0 ? 1 : -1;
+    }
+    return sum > 0;
+  }
+
+  // Moves the copies by this part of the way to the mean of their neighbors, or of a normal.
+  void place(double step, bool is_along_normals)
   {
     placed_.clear();
     const std::size_t size = loop_.size();
@@ -201,7 +260,8 @@ private:
       {
         const halfedge_descriptor back = opposite(loop_[(k + size - 1) % size], mesh_);
         const halfedge_descriptor begin = side == 0 ? loop_[k] : back, end = side == 0 ? back : loop_[k];
-        moved_[side].push_back(moved(begin, end, step));
+        moved_[side].push_back(is_along_normals ? moved(begin, (side == 0 ? step : -step) * normals_[k])
+                                                : moved(begin, step * way_to_neighbors(begin, end)));
         points[side].push_back(to_disc_point(moved_[side].back()));
         for(halfedge_descriptor h = begin; h != end; h = turned(h))
           copies.emplace(prev(h, mesh_), std::make_pair(static_cast<int>(side) + 1, points[side].back()));
@@ -234,23 +294,20 @@ private:
 
   halfedge_descriptor turned(halfedge_descriptor h) const { return opposite(prev(h, mesh_), mesh_); }
 
-  // The place of the source of two halfedges, moved to the mean of the neighbors between them, counterclockwise.
-  Point moved(halfedge_descriptor begin, halfedge_descriptor end, double step) const
+  // From the source of two halfedges to the mean of the neighbors between them, counterclockwise.
+  Disc_kernel::Vector_3 way_to_neighbors(halfedge_descriptor begin, halfedge_descriptor end) const
   {
-    const Disc_point p = point(source(begin, mesh_));
-    double x = 0, y = 0, z = 0;
+    Disc_kernel::Vector_3 sum = CGAL::NULL_VECTOR;
     int number = 0;
     for(halfedge_descriptor h = turned(begin); h != end; h = turned(h), ++number)
-    {
-      const Disc_point q = point(target(h, mesh_));
-      x += q.x() - p.x();
-      y += q.y() - p.y();
-      z += q.z() - p.z();
-    }
-    if(number == 0)
-      return get(point_map_, source(begin, mesh_));
-    step /= number;
-    return Point(p.x() + step * x, p.y() + step * y, p.z() + step * z);
+      sum = sum + (point(target(h, mesh_)) - point(source(begin, mesh_)));
+    return number == 0 ? sum : sum / number;
+  }
+
+  Point moved(halfedge_descriptor h, const Disc_kernel::Vector_3& way) const
+  {
+    const Disc_point p = point(source(h, mesh_)) + way;
+    return Point(p.x(), p.y(), p.z());
   }
 
   static Disc_point to_disc_point(const Point& p)
@@ -326,6 +383,7 @@ private:
   std::vector<halfedge_descriptor> loop_;
   std::set<vertex_descriptor> passed_;
   std::vector<std::array<std::size_t, 3>> disc_triangles_; // by positions in the loop
+  std::vector<Disc_kernel::Vector_3> normals_;             // of the disc
   std::vector<Triangle> disc_, placed_;
   std::array<std::vector<Point>, 2> moved_; // the vertices of the loop, on its left and on its right
 };
