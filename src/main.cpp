@@ -10,17 +10,21 @@
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "commands/completion.h"
+#include "commands/help.h"
 #include "output/output_file.h"
 
 #include <CGAL/version.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,6 +37,7 @@ using reeb_graph_program::add_graph_file;
 using reeb_graph_program::add_graph_options;
 using reeb_graph_program::add_input_options;
 using reeb_graph_program::add_json_option;
+using reeb_graph_program::add_list_of_fields;
 using reeb_graph_program::add_page_options;
 using reeb_graph_program::add_real_number;
 using reeb_graph_program::add_simplification_options;
@@ -81,8 +86,10 @@ void add_contour_command(CLI::App& app, Contour_options& options)
   add_whole_number(*command, "--levels", choice.number_of_levels,
                    "All those at this many values, which cut the range of the field into equal steps", {1});
   const auto set_point = [&choice](const std::vector<std::string>& texts) {
-    choice.point = Point(parse_real_number("--closest", texts[0]), parse_real_number("--closest", texts[1]),
-                         parse_real_number("--closest", texts[2]));
+    std::array<double, 3> coordinates;
+    std::transform(texts.begin(), texts.end(), coordinates.begin(),
+                   [](const std::string& text) { return parse_real_number("--closest", text); });
+    choice.point = Point(coordinates[0], coordinates[1], coordinates[2]);
   };
   command
     ->add_option_function<std::vector<std::string>>(
@@ -96,15 +103,14 @@ void add_contour_command(CLI::App& app, Contour_options& options)
            "each, and whether it is closed; or .off for those in tetrahedra")
     ->required();
   add_json_option(*command, options.is_report_json);
-  add_example(*command, "reeb_graph contour scan.ply --field harmonic --simplify 5% --t 0.5 --output contours.vtp");
+  add_example(*command, "reeb_graph contour scan.ply --field geodesic --simplify auto --t 0.5 --output contours.vtp");
   command->callback(
     [&options] { run_with_threads(options.choice.graph.number_of_threads, [&options] { run_contour(options); }); });
 }
 
 void add_curves_command(CLI::App& app, Curves_options& options)
 {
-  CLI::App* command =
-    app.add_subcommand("curves", "Cut the mesh along a cutting system, into pairs of pants, or into branches");
+  CLI::App* command = app.add_subcommand("curves", "Cut a mesh to genus 0, into pairs of pants, or into branches");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input,
                    "; by default harmonic-between-borders if the mesh has borders, else harmonic");
@@ -161,7 +167,8 @@ void add_field_command(CLI::App& app, Field_options& options)
 {
   CLI::App* command = app.add_subcommand("field", "Write a scalar field, one number per line");
   add_input_options(*command, options.input);
-  command->add_option("--type", options.input.field, "The field: " + computed_fields + "; or height")
+  add_list_of_fields(*command, "--type", computed_fields);
+  command->add_option("--type", options.input.field, "The field: one of the list at the end")
     ->check(CLI::IsMember({"harmonic", "harmonic-between-borders", "poisson", "unit-gradient", "geodesic", "height"}))
     ->required();
   add_threads_option(*command, options.number_of_threads);
@@ -175,13 +182,22 @@ void add_field_command(CLI::App& app, Field_options& options)
 void add_handles_command(CLI::App& app, Handles_options& options)
 {
   CLI::App* command =
-    app.add_subcommand("handles", "Find the handles and the tunnels of a surface, each by a short loop around it");
+    app.add_subcommand("handles", "Find handles and tunnels of a surface, each by a short loop around it");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
-  add_file(*command, "--loops", options.loops_path, "Write the loops to this file, .vtp, .obj, or .polylines.txt");
   command->add_flag("!--no-shortening", options.are_loops_shortened, "Leave the loops as they are found first");
+  begin_group(*command, "Removal");
+  add_real_number(*command, "--remove-below", options.size_to_remove,
+                  "Remove the handles and tunnels that are smaller: those with a loop shorter than this");
+  add_whole_number(*command, "--remove", options.number_to_remove, "Remove so many at most, the smallest ones");
+  begin_group(*command, "Output");
+  add_file(*command, "--loops", options.loops_path,
+           "Write the loops, of what is left, to this file, .vtp, .obj, or .polylines.txt");
+  add_file(*command, "--output", options.mesh_path, "Write the mesh without what is removed to this file, .off or .ply");
+  add_page_options(*command, options.page_path, options.unit, options.up);
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
+  add_example(*command, "reeb_graph handles scan.ply --remove-below 0.5 --output clean.ply");
   command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_handles(options); }); });
 }
 
@@ -220,6 +236,7 @@ int main(int argc, char** argv)
 {
   std::signal(SIGXFSZ, SIG_IGN); // A file that may not grow is an error, as a full disk is.
   CLI::App app("Exact Reeb graphs of scalar fields on triangle meshes", "reeb_graph");
+  app.formatter(std::make_shared<reeb_graph_program::Help_formatter>());
   app.require_subcommand(1);
   app.set_version_flag("--version", "reeb_graph " REEB_GRAPH_VERSION " (CGAL " CGAL_VERSION_STR ")");
   Compute_options compute_options;

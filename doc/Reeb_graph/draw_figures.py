@@ -4,9 +4,12 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-"""Draws the figures of README's wishes that are no pages, from what the program makes of the surface of its demo.
+"""Draws the figures of README and manual from what the program makes of the surface of its demo and of the examples.
 
-Usage: draw_figures.py PROGRAM FOLDER. It needs NumPy. The files that are drawn stay in FOLDER/files.
+Usage: draw_figures.py PROGRAM FOLDER [NAME...], all figures or those whose file names are given; FOLDER is fig/ beside
+this script for the manual. It needs NumPy, and for the figures of the page Chromium and Selenium. The files that are
+drawn stay in a folder for them, FOLDER/files, to be deleted. The three schemes, torus.svg, link_sectors.svg and
+chain.svg, are their own sources; python/examples/ draws the figures of the page on Python.
 """
 
 import json
@@ -15,22 +18,27 @@ import shutil
 import struct
 import subprocess
 import sys
+import time
 import zlib
 
 import numpy
 
-program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+program, folder, wanted = sys.argv[1], pathlib.Path(sys.argv[2]).absolute(), sys.argv[3:]
+data = pathlib.Path(__file__).resolve().parents[2] / "examples" / "Reeb_graph" / "data"
 files = folder / "files"
 files.mkdir(parents=True, exist_ok=True)
-WIDTH, HEIGHT, SCALE = 360, 520, 2  # drawn at twice the size, for smooth edges
+SCALE = 2  # drawn at twice the size, for smooth edges
+PORTRAIT, LANDSCAPE = (360, 520), (520, 300)
+PALETTE = [(86, 156, 214), (230, 145, 56), (106, 168, 79), (204, 65, 97), (142, 124, 195), (191, 173, 53),
+           (69, 178, 178), (166, 121, 82), (217, 128, 190), (120, 133, 150), (61, 107, 175), (150, 190, 60)]
 
 
 def run(*arguments):
     subprocess.run([pathlib.Path(program).absolute(), *arguments], cwd=files, check=True, stdout=subprocess.DEVNULL)
 
 
-def read_ply(name):
-    """The points, colours of vertices or faces, and triangles of a binary file of triangles."""
+def read_ply(name, by_arc=False):
+    """The points, colours of vertices or faces, and triangles of a binary file of triangles; or colours of arcs."""
     header, body = (files / name).read_bytes().split(b"end_header\n", 1)
     types = {"double": "<f8", "float": "<f4", "int": "<i4", "uint": "<u4", "uchar": "u1"}
     elements = []
@@ -49,6 +57,9 @@ def read_ply(name):
         body = body[number * dtype.itemsize:]
     vertices, faces = tables["vertex"], tables["face"]
     points = numpy.stack([vertices[c] for c in "xyz"], axis=1).astype(float)
+    if by_arc:
+        colours = numpy.array(PALETTE, dtype=float)[vertices["arc"] % len(PALETTE)]
+        return points, faces["corners"].astype(int), colours[faces["corners"]][:, 0]
     coloured = faces if "red" in faces.dtype.names else vertices
     colours = numpy.stack([coloured[c] for c in ("red", "green", "blue")], axis=1).astype(float)
     corners = faces["corners"].astype(int)
@@ -58,19 +69,20 @@ def read_ply(name):
 class Picture:
     """A surface and lines, seen from the front, with a buffer of depths."""
 
-    def __init__(self, points):
-        self.size = numpy.array([WIDTH * SCALE, HEIGHT * SCALE])
+    def __init__(self, points, size=PORTRAIT, view="figure"):
+        self.size, self.view = numpy.array(size) * SCALE, view
         turned = self.turn(points)
         low, high = turned[:, :2].min(axis=0), turned[:, :2].max(axis=0)
         self.middle, self.zoom = (low + high) / 2, 0.94 * (self.size / (high - low)).min()
         self.image = numpy.full((self.size[1], self.size[0], 3), 255.0)
         self.depth = numpy.full((self.size[1], self.size[0]), numpy.inf)
 
-    @staticmethod
-    def turn(points):
+    def turn(self, points):
         """To the right, down, and away from the eye."""
         p = numpy.asarray(points, dtype=float)
-        angle = 0.35
+        if self.view == "above":  # along z, a little from the front
+            return numpy.stack([p[:, 0], -0.9 * p[:, 1] - 0.44 * p[:, 2], 0.44 * p[:, 1] - 0.9 * p[:, 2]], axis=1)
+        angle = 0 if self.view == "front" else 0.35
         across = p[:, 0] * numpy.cos(angle) + p[:, 1] * numpy.sin(angle)
         away = p[:, 1] * numpy.cos(angle) - p[:, 0] * numpy.sin(angle)
         return numpy.stack([across, -p[:, 2], away], axis=1)
@@ -118,62 +130,286 @@ class Picture:
                 self.image[part][disk & (z - bias * SCALE < self.depth[part])] = colour
 
     def write(self, name):
-        small = self.image.reshape(HEIGHT, SCALE, WIDTH, SCALE, 3).mean(axis=(1, 3)).astype(numpy.uint8)
+        width, height = self.size // SCALE
+        small = self.image.reshape(height, SCALE, width, SCALE, 3).mean(axis=(1, 3)).astype(numpy.uint8)
         rows = b"".join(b"\0" + row.tobytes() for row in small)
 
         def chunk(kind, data):
             return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
         (folder / name).write_bytes(
-            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", WIDTH, HEIGHT, 8, 2, 0, 0, 0))
+            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
             + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
 
 
-def draw_mesh(mesh, name, lines=(), opacity=1.0, plain=False, bias=4.0):
-    points, corners, colours = read_ply(mesh)
-    picture = Picture(points)
+def draw_mesh(mesh, name, lines=(), opacity=1.0, plain=False, bias=4.0, by_arc=False, **view):
+    points, corners, colours = read_ply(mesh, by_arc)
+    picture = Picture(points, **view)
     picture.draw_surface(points, corners, numpy.full_like(colours, 205) if plain else colours, opacity)
     for line in lines:
         picture.draw_line(line, (200, 30, 30), 3, bias)
     picture.write(name)
 
 
-def cut_holes():
-    """The scan with holes: the surface without the top of the head, the soles, and the tips of what points up."""
-    lines = (files / "demo" / "surface.off").read_text().split("\n")
-    words = " ".join(lines).split()
+def read_off(path):
+    """The points and triangles of a file without comments."""
+    words = path.read_text().split()
     number, number_of_faces = int(words[1]), int(words[2])
     points = numpy.array(words[4:4 + 3 * number], dtype=float).reshape(-1, 3)
-    faces = numpy.array(words[4 + 3 * number:4 + 3 * number + 4 * number_of_faces], dtype=int).reshape(-1, 4)
+    corners = words[4 + 3 * number:4 + 3 * number + 4 * number_of_faces]
+    return points, numpy.array(corners, dtype=int).reshape(-1, 4)[:, 1:]
+
+
+def write_off(name, points, faces):
+    with open(files / name, "w") as file:
+        print(f"OFF\n{len(points)} {len(faces)} 0", file=file)
+        print("\n".join(" ".join(map(repr, p)) for p in points.tolist()), file=file)
+        print("\n".join("3 " + " ".join(map(str, f)) for f in faces.tolist()), file=file)
+
+
+def cut_holes():
+    """The scan with holes: the surface without the top of the head, the soles, and the tips of what points up."""
+    points, faces = read_off(files / scan)
     low, high = points[:, 2].min(), points[:, 2].max()
-    height = (points[faces[:, 1:]][:, :, 2].mean(axis=1) - low) / (high - low)
+    height = (points[faces][:, :, 2].mean(axis=1) - low) / (high - low)
     faces = faces[(height > 0.02) & (height < 0.97)]
-    used = numpy.unique(faces[:, 1:])
-    numbers = numpy.full(number, -1)
-    numbers[used] = numpy.arange(len(used))
-    with open(files / "holes.off", "w") as file:
-        print(f"OFF\n{len(used)} {len(faces)} 0", file=file)
-        print("\n".join(" ".join(map(repr, p)) for p in points[used].tolist()), file=file)
-        print("\n".join("3 " + " ".join(map(str, f)) for f in numbers[faces[:, 1:]].tolist()), file=file)
+    used, numbers = numpy.unique(faces, return_inverse=True)
+    write_off("holes.off", points[used], numbers.reshape(-1, 3))
+
+
+def read_polylines(name):
+    lines = (files / name).read_text().splitlines()
+    return [numpy.array(line.split()[1:], dtype=float).reshape(-1, 3) for line in lines]
+
+
+def lines_of_json(name, kind):
+    return [entry["polyline"] for entry in json.loads((files / name).read_text())[kind]]
+
+
+def draw_limbs(name):
+    run("compute", scan, "--field", "geodesic", "--simplify", "auto", "--graph", name)
+    shutil.copy(files / name, folder / name)
+
+
+def draw_segments(name):
+    run("compute", scan, "--field", "geodesic", "--simplify", "auto", "--mesh-out", "segments.ply")
+    draw_mesh("segments.ply", name, by_arc=True)
+
+
+def draw_segmentation(name):
+    run("curves", scan, "--field", "geodesic", "--type", "branch", "--simplify", "auto", "--mesh-out", "pieces.ply")
+    draw_mesh("pieces.ply", name)
+
+
+def draw_contours(name):
+    run("contour", scan, "--field", "geodesic", "--simplify", "auto", "--t", "0.5", "--output", "contours.json")
+    run("compute", scan, "--field", "geodesic", "--mesh-out", "mesh.ply")
+    draw_mesh("mesh.ply", name, lines_of_json("contours.json", "contours"), plain=True)
+
+
+def draw_pants(name):
+    cut_holes()
+    run("curves", "holes.off", "--type", "pants", "--mesh-out", "pants.ply")
+    draw_mesh("pants.ply", name)
+
+
+def draw_diagram(name):
+    run("compute", scan, "--field", "z", "--pairs", "pairs.csv", "--diagram", name)
+    shutil.copy(files / name, folder / name)
+
+
+def draw_longest_loop(name):
+    run("compute", scan, "--field", "z", "--longest-loop", "loop.polylines.txt", "--mesh-out", "mesh.ply")
+    draw_mesh("mesh.ply", name, read_polylines("loop.polylines.txt"), opacity=0.45, bias=1e9)
+
+
+def draw_paraview(name):
+    run("compute", scan, "--field", "z", "--graph", "graph.json", "--mesh-out", "mesh.ply")
+    draw_mesh("mesh.ply", name, lines_of_json("graph.json", "edges"), opacity=0.45, bias=1e9)
+
+
+def draw_own_field(name):
+    """A field that the program does not have: the distance from an axis."""
+    points, _ = read_off(files / scan)
+    numpy.savetxt(files / "field.txt", numpy.hypot(points[:, 0], points[:, 1]))
+    run("compute", scan, "--scalars", "field.txt", "--mesh-out", "own_field.ply")
+    draw_mesh("own_field.ply", name)
+
+
+def draw_simplified(name):
+    points, _ = read_off(files / scan)
+    noise = numpy.random.default_rng(1).uniform(-1, 1, len(points)) * 0.01 * numpy.ptp(points[:, 2])
+    numpy.savetxt(files / "noise.txt", points[:, 2] + noise)
+    run("compute", scan, "--scalars", "noise.txt", "--simplify", "auto", "--graph", name)
+    shutil.copy(files / name, folder / name)
+
+
+def draw_drawing(name):
+    shutil.copy(files / "demo" / "graph.svg", folder / name)
+
+
+def draw_cutting_system(name):
+    run("curves", data / "double_torus.off", "--field", "x", "--type", "cutting-system", "--curves",
+        "system.polylines.txt", "--mesh-out", "system.ply")
+    draw_mesh("system.ply", name, read_polylines("system.polylines.txt"), plain=True, size=LANDSCAPE, view="above")
+
+
+def draw_pants_decomposition(name):
+    run("curves", data / "double_torus.off", "--field", "x", "--type", "pants", "--curves", "double.polylines.txt",
+        "--mesh-out", "double.ply")
+    draw_mesh("double.ply", name, read_polylines("double.polylines.txt"), size=LANDSCAPE, view="above")
+
+
+def draw_reeb_graph_of_genus_3(name):
+    """The surface and its level sets, and beside it the graph, which is put there by its embedding."""
+    points, faces = read_off(data / "genus_3.off")
+    angle = 1.15
+    turned = numpy.stack([points[:, 0] * numpy.cos(angle) - points[:, 1] * numpy.sin(angle), points[:, 2],
+                          points[:, 0] * numpy.sin(angle) + points[:, 1] * numpy.cos(angle)], axis=1)
+    write_off("tilted.off", turned, faces)
+    run("compute", "tilted.off", "--field", "z", "--graph", "tilted.json", "--mesh-out", "tilted.ply")
+    run("contour", "tilted.off", "--field", "z", "--levels", "23", "--output", "levels.json")
+    points, corners, colours = read_ply("tilted.ply")
+    away = numpy.array([1.15 * numpy.ptp(points[:, 0]), 0, 0])
+    picture = Picture(numpy.concatenate([points, points + away]), (720, 560), view="front")
+    picture.draw_surface(points, corners, colours)
+    for line in lines_of_json("levels.json", "contours"):
+        picture.draw_line(line, (90, 90, 90), 1.2, 4.0)
+    graph = json.loads((files / "tilted.json").read_text())
+    for arc in graph["edges"]:
+        picture.draw_line(numpy.array(arc["polyline"]) + away, (69, 90, 100), 4, 1e9)
+    for node in graph["nodes"]:
+        colour = {"minimum": (21, 101, 192), "maximum": (216, 67, 21)}.get(node["kind"], (251, 192, 45))
+        for place in (numpy.array(node["point"]), numpy.array(node["point"]) + away):
+            picture.draw_line([place, place + 1e-6], colour, 13, 1e9)
+    picture.write(name)
+
+
+def make_knot(along=240, around=20):
+    """A tube around a trefoil, that stands upright."""
+    t = numpy.linspace(0, 2 * numpy.pi, along, endpoint=False)
+
+    def curve(t):
+        return numpy.stack([numpy.sin(t) + 2 * numpy.sin(2 * t), -numpy.sin(3 * t),
+                            numpy.cos(t) - 2 * numpy.cos(2 * t)], axis=1)
+
+    def unit(a):
+        return a / numpy.linalg.norm(a, axis=1, keepdims=True)
+
+    tangent = unit(curve(t + 1e-3) - curve(t - 1e-3))
+    normal = curve(t + 1e-3) + curve(t - 1e-3) - 2 * curve(t)
+    normal = unit(normal - (normal * tangent).sum(axis=1, keepdims=True) * tangent)
+    u = numpy.linspace(0, 2 * numpy.pi, around, endpoint=False)[None, :, None]
+    points = curve(t)[:, None] + 0.4 * (numpy.cos(u) * normal[:, None]
+                                         + numpy.sin(u) * numpy.cross(tangent, normal)[:, None])
+    i, j = (k.ravel() for k in numpy.meshgrid(numpy.arange(along), numpy.arange(around), indexing="ij"))
+    a, b = i * around + j, i * around + (j + 1) % around
+    c, d = (i + 1) % along * around + j, (i + 1) % along * around + (j + 1) % around
+    faces = numpy.concatenate([numpy.stack([a, d, b], 1), numpy.stack([a, c, d], 1)])
+    write_off("knot.off", points.reshape(-1, 3), faces)
+
+
+def add_noise(number=25):
+    """The scan with false handles: thin bridges between two of its triangles."""
+    points, faces = read_off(files / scan)
+    points, triangles = points.tolist(), faces.tolist()
+    corners = numpy.array(points)[faces]
+    middles = corners.mean(axis=1)
+    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= numpy.linalg.norm(normals, axis=1, keepdims=True)
+    random = numpy.random.default_rng(3)
+    used, removed = [], []
+    while len(removed) < 2 * number:
+        a = random.integers(len(faces))
+        distances = numpy.linalg.norm(middles - middles[a], axis=1)
+        candidates = numpy.flatnonzero((distances > 0.06) & (distances < 0.08) & (normals @ normals[a] > 0.9))
+        if len(candidates) == 0 or any(numpy.linalg.norm(middles[a] - m) < 0.16 for m in used):
+            continue
+        b = random.choice(candidates)
+        used.append((middles[a] + middles[b]) / 2)
+        removed += [a, b]
+        # The corners of b, the other way around, from the one that is nearest to the first corner of a.
+        end = faces[b][::-1]
+        end = min((numpy.roll(end, k) for k in range(3)),
+                  key=lambda order: numpy.linalg.norm(corners[a] - numpy.array(points)[order], axis=1).sum())
+        rings = [list(faces[a])]
+        for t in numpy.linspace(0, 1, 7)[1:-1]:
+            lift = 0.035 * numpy.sin(numpy.pi * t) * normals[a]
+            rings.append(list(range(len(points), len(points) + 3)))
+            points += [((1 - t) * corners[a][k] + t * numpy.array(points[end[k]]) + lift).tolist() for k in range(3)]
+        rings.append(list(end))
+        for low, high in zip(rings, rings[1:]):
+            for k in range(3):
+                m = (k + 1) % 3
+                triangles += [[low[k], low[m], high[m]], [low[k], high[m], high[k]]]
+    kept = [triangle for f, triangle in enumerate(triangles) if f not in set(removed)]
+    write_off("noise.off", numpy.array(points), numpy.array(kept))
+
+
+def draw_loops(mesh, name):
+    """The surface with handles in red, which shine through, and tunnels in blue."""
+    report = json.loads(subprocess.run([pathlib.Path(program).absolute(), "handles", mesh, "--json", "--loops",
+                                        "loops.polylines.txt"], cwd=files, check=True, capture_output=True).stdout)
+    points, faces = read_off(files / mesh)
+    picture = Picture(points)
+    picture.draw_surface(points, faces, numpy.full((len(faces), 3), 205.0))
+    for loop, polyline in zip(report["loops"], read_polylines("loops.polylines.txt")):
+        is_handle = loop["kind"] == "handle"
+        picture.draw_line(polyline, (200, 30, 30) if is_handle else (20, 90, 200), 2.5, 1e9 if is_handle else 4.0)
+    picture.write(name)
+
+
+def draw_handles_of_a_knot(name):
+    make_knot()
+    draw_loops("knot.off", name)
+
+
+def draw_noise(name):
+    add_noise()
+    draw_loops("noise.off", name)
+
+
+def draw_clean(name):
+    add_noise()
+    run("handles", "noise.off", "--remove-below", "0.12", "--output", "clean.off")
+    draw_loops("clean.off", name)
+
+
+def draw_page(name):
+    """A picture of the page of the demo: its pieces, or the arc beside the bent arm and its contour."""
+    from selenium import webdriver
+    options = webdriver.ChromeOptions()
+    for argument in ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--use-gl=angle",
+                     "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]:
+        options.add_argument(argument)
+    browser = webdriver.Chrome(options=options)
+    try:
+        browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                {"width": 1200, "height": 740, "deviceScaleFactor": 1, "mobile": False})
+        browser.get((files / "demo" / "page.html").as_uri())
+        if name == "page_arcs.png":
+            browser.execute_script("document.querySelector('input[name=coloring][value=arcs]').click()")
+        else:
+            x, y = browser.execute_script("return window.reebGraphPage.whereInDrawing(4, 0.5)")
+            for kind, buttons in (("mouseMoved", 0), ("mousePressed", 1), ("mouseReleased", 0)):
+                browser.execute_cdp_cmd("Input.dispatchMouseEvent", {
+                    "type": kind, "x": x, "y": y, "clickCount": 1,
+                    "button": "none" if kind == "mouseMoved" else "left", "buttons": buttons})
+        time.sleep(2)
+        browser.save_screenshot(str(folder / name))
+    finally:
+        browser.quit()
 
 
 run("demo", "--out", "demo")
 scan = "demo/surface.off"
-run("compute", scan, "--field", "geodesic", "--simplify", "auto", "--graph", "limbs.svg")
-run("curves", scan, "--field", "geodesic", "--type", "branch", "--simplify", "auto", "--mesh-out", "pieces.ply")
-run("contour", scan, "--field", "geodesic", "--simplify", "auto", "--t", "0.5", "--output", "contours.json")
-cut_holes()
-run("curves", "holes.off", "--type", "pants", "--mesh-out", "pants.ply")
-run("compute", scan, "--field", "z", "--pairs", "pairs.csv", "--diagram", "diagram.svg")
-run("compute", scan, "--field", "z", "--graph", "graph.json", "--mesh-out", "mesh.ply")
-run("field", scan, "--type", "poisson", "--output", "field.txt")
-run("compute", scan, "--scalars", "field.txt", "--mesh-out", "own_field.ply")
-for drawing in ("limbs.svg", "diagram.svg"):
-    shutil.copy(files / drawing, folder / drawing)
-draw_mesh("pieces.ply", "segmentation.png")
-draw_mesh("pants.ply", "pants.png")
-contours = json.loads((files / "contours.json").read_text())["contours"]
-draw_mesh("mesh.ply", "contours.png", [contour["polyline"] for contour in contours], plain=True)
-arcs = json.loads((files / "graph.json").read_text())["edges"]
-draw_mesh("mesh.ply", "paraview.png", [arc["polyline"] for arc in arcs], opacity=0.45, bias=1e9)
-draw_mesh("own_field.ply", "own_field.png")
+figures = {
+    "reeb_graph_of_genus_3.png": draw_reeb_graph_of_genus_3, "limbs.svg": draw_limbs, "segments.png": draw_segments,
+    "segmentation.png": draw_segmentation, "contours.png": draw_contours, "pants.png": draw_pants,
+    "diagram.svg": draw_diagram, "longest_loop.png": draw_longest_loop, "paraview.png": draw_paraview,
+    "own_field.png": draw_own_field, "simplified.svg": draw_simplified, "drawing.svg": draw_drawing,
+    "cutting_system.png": draw_cutting_system,
+    "pants_decomposition.png": draw_pants_decomposition, "handles_of_a_knot.png": draw_handles_of_a_knot,
+    "noise.png": draw_noise, "clean.png": draw_clean, "page_arcs.png": draw_page, "page_contour.png": draw_page}
+for figure in wanted or figures:
+    figures[figure](figure)

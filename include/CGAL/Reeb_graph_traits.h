@@ -57,7 +57,7 @@ template <class HalfedgeDescriptor>
 struct Arc
 {
   /// ascending halfedges from the vertex of the lower node to the first one that crosses the level just below
-  /// the upper node. With `Ties::CONTRACT` the chain begins at a vertex of the lower node, and in several pieces where
+  /// the upper node. With `Ties::CONTRACT` the chain begins at a vertex of the lower node. It has several pieces where
   /// the arc passes a plateau: each but the first begins at the vertex of the plateau from which the arc goes on.
   Halfedge_chain<HalfedgeDescriptor> chain;
 };
@@ -112,7 +112,8 @@ public:
   /// the property of an arc
   typedef Reeb_graph::Arc<halfedge_descriptor> Arc;
   /// the Reeb graph. Arcs are directed from the lower to the upper node, and can be parallel. They are stored in a way
-  /// that saves allocations; any other containers of Boost.Graph that allow parallel edges can be used as well.
+  /// that saves allocations. Any other containers of Boost.Graph that allow parallel edges can be used as well.
+  ///
   /// `get(boost::edge_index, graph)` is a property map from the arcs to their numbers, from 0, in the order of
   /// `edges(graph)`, as the functions that write a graph have set them; `graph[arc]` is the `Arc`.
 #ifdef DOXYGEN_RUNNING

@@ -186,8 +186,8 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///                       property map}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_index_map}
-///     \cgalParamDescription{the same for faces. A `CGAL::Surface_mesh` needs neither of the two; they are only
-///                           checked.}
+///     \cgalParamDescription{a property map of that kind for the faces. A `CGAL::Surface_mesh` needs neither of the
+///                           two; they are only checked.}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptors as key type and an integer type as
 ///                    value type}
 ///     \cgalParamDefault{as for vertices}

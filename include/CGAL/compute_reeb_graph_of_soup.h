@@ -42,7 +42,7 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
 /// \brief computes the augmented Reeb graph of a scalar field on any set of triangles and edges.
 ///
 /// The soup need not be a surface: any number of triangles can meet at an edge, and any number of fans of triangles at
-/// a vertex; it need not be orientable; edges and vertices may be on no triangle. The field is linear on each triangle.
+/// a vertex. It need not be orientable. Edges and vertices may be on no triangle. The field is linear on each triangle.
 /// A vertex is known by its index, and triangles by those of their vertices; if one is listed twice, it counts once.
 /// Nothing is asked of the points, only how many they are.
 ///
@@ -84,7 +84,7 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
 /// complex once, so many slabs cost more than the default, which is one.
 ///
 /// Let there be \f$ n \f$ vertices, edges and triangles, and let \f$ l \f$ be the number of edges that are crossed by
-/// the contours that close loops, of which there are at most as many as the first Betti number of the complex. By
+/// the contours that close loops. There are at most as many of these as the first Betti number of the complex. By
 /// default, this takes \f$ O(n \log n + l \log l) \f$ steps of a union-find, and \f$ O(n + l) \f$ memory. On parts that
 /// are simply connected, or closed surfaces that can be oriented, the first summand is \f$ n + c \log c \f$ for
 /// \f$ c \f$ critical vertices.

@@ -130,6 +130,18 @@ struct Work_report
   }
 };
 
+// A loop of the list of the command handles, or of the graph.
+struct Loop_row
+{
+  std::string kind;                   // handle, tunnel, hole, or loop
+  std::optional<std::size_t> partner; // its number
+  double length = 0;
+  std::optional<double> persistence; // of a pair
+  std::optional<double> area;        // of the disc that fills it, where one does
+  std::size_t component = 0;
+  bool is_simple = true;
+};
+
 // What a rank of MPI did.
 struct Rank_report
 {
@@ -160,6 +172,7 @@ struct Report : Work_report
   std::vector<CGAL::Reeb_graph::Simplification_threshold> thresholds; // that matter for the given graph
   std::optional<CGAL::Reeb_graph::Embedding_manner> embedding_manner; // of a graph in space
   std::optional<std::vector<Arc_row>> arc_table;                      // of the simplified graph if there is one
+  std::optional<Loop_row> longest_loop;                               // the same
 };
 
 // What the mesh was cut into.
@@ -173,22 +186,21 @@ struct Curves_report : Work_report
   bool are_ties_contracted = false;                      // of the simplified field
 };
 
-// A loop of the list of the command handles.
-struct Loop_row
+// A handle that was to be removed.
+struct Removal_row
 {
-  std::string kind;                   // handle, tunnel, hole, or loop
-  std::optional<std::size_t> partner; // its number
+  std::string kind; // of the loop along which the mesh has been cut, or would have been
   double length = 0;
-  std::optional<double> persistence; // of a pair
-  std::optional<double> area;        // of the disc that fills it, where one does
   std::size_t component = 0;
-  bool is_simple = true;
+  bool is_removed = true;
+  std::string reason; // why not
 };
 
 struct Handles_report : Work_report
 {
-  std::string field;           // its name
-  std::vector<Loop_row> loops; // in the order of the file
+  std::string field;                                // its name
+  std::vector<Loop_row> loops;                      // in the order of the file
+  std::optional<std::vector<Removal_row>> removals; // if any were to be removed
 };
 
 } // namespace reeb_graph_program

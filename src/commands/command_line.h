@@ -11,6 +11,7 @@
 
 #include "base/threads.h"
 #include "commands/commands.h"
+#include "commands/help.h"
 #include "commands/option_values.h"
 #include "input/threshold_input.h"
 
@@ -22,12 +23,6 @@
 
 // The options that commands and programs share.
 namespace reeb_graph_program {
-// Puts the options that are added next under this heading of the help.
-inline void begin_group(CLI::App& command, const std::string& name) { command.option_defaults()->group(name); }
-
-// Ends the help of a command with an example.
-inline void add_example(CLI::App& command, const std::string& example) { command.footer("Example:\n  " + example); }
-
 inline void add_input_options(CLI::App& command, Input_options& options)
 {
   begin_group(command, "Input");
@@ -58,21 +53,11 @@ inline void add_input_options(CLI::App& command, Input_options& options)
     ->expected(3);
 }
 
-// What --field and --type have in common.
-inline const std::string computed_fields =
-  "harmonic, 0 at the vertex --min and 1 at --max, or 0 and 1 at two vertices of each component that are far apart; "
-  "harmonic-between-borders, 0 on the border of the first vertex and 1 on the other borders of the component, or at a "
-  "vertex far from its only one; poisson, by mean curvature; geodesic, the distance from vertices; unit-gradient, of "
-  "the "
-  "file --scalars, else of harmonic";
-
 inline void add_field_option(CLI::App& command, Input_options& options, const std::string& default_field = "")
 {
-  command
-    .add_option("--field", options.field,
-                "The field: a coordinate x, y, or z; height; " + computed_fields
-                  + "; or the name of a property of the vertices of a PLY, VTK, or VTU file" + default_field)
+  command.add_option("--field", options.field, "The field: one of the list at the end" + default_field)
     ->check(is_not_empty());
+  add_list_of_fields(command, "--field", coordinate_fields + computed_fields + fields_of_files);
 }
 
 inline void add_page_options(CLI::App& command, std::string& page_path, std::string& unit, std::string& up)
@@ -156,7 +141,7 @@ inline void add_graph_file(CLI::App& command, std::string& path)
 inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
 {
   CLI::App* command =
-    app.add_subcommand("compute", "Compute the Reeb graph of a scalar field on a mesh of triangles or tetrahedra");
+    app.add_subcommand("compute", "Compute the Reeb graph of a field on a mesh of triangles or tetrahedra");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
   add_graph_options(*command, options.graph);
@@ -173,8 +158,8 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
       "--embedding", set_embedding,
       "Where the arcs of a graph in space are: centroids of contours (centroids, the "
       "default), chains (on-surface), or straight lines (straight, the default for "
-      ".csv, where contours are very long, and for what is no oriented manifold surface), which leave nodes at their "
-      "vertices")
+      ".csv, where contours are very long, or where the mesh is no oriented manifold surface), which leave nodes at "
+      "their vertices")
     ->check(CLI::IsMember({"centroids", "on-surface", "straight"}));
   add_file(*command, "--mesh-out", options.mesh_path,
            "Write the mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex, "
@@ -185,6 +170,9 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
   add_file(*command, "--pairs", options.pairs_path,
            "Write the pairs of extended persistence of the given graph to this file, .csv, or .pers for GUDHI");
   add_file(*command, "--diagram", options.diagram_path, "Draw the persistence diagram of the given graph, .svg");
+  add_file(*command, "--longest-loop", options.loop_path,
+           "Write the most persistent loop of the graph to this file, as a closed curve on the surface: .vtp, .obj, or "
+           ".polylines.txt; --html shows it as well");
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_file(*command, "--simplified-scalars", options.simplified_scalars_path,
            "With --simplify or --leaves: write a field that has the simplified graph to this file; .npy for NumPy");
@@ -197,8 +185,7 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
       "--no-table", [&options] { options.is_table_wanted = false; }, "Print no such table")
     ->excludes(table);
   add_json_option(*command, options.is_report_json);
-  add_example(*command,
-              "reeb_graph compute scan.ply --field harmonic --simplify 5% --graph graph.svg --html page.html");
+  add_example(*command, "reeb_graph compute scan.ply --field geodesic --simplify auto --html page.html");
   return command;
 }
 

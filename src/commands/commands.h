@@ -32,6 +32,7 @@ struct Compute_options
   std::string vertex_arcs_path;
   std::string pairs_path;
   std::string diagram_path;
+  std::string loop_path;
   std::string simplified_scalars_path;
   std::string page_path;
   std::string up;   // of the page: x, y, z, -x, -y, -z, or as it finds it
@@ -79,7 +80,11 @@ struct Field_options
 struct Handles_options
 {
   Input_options input;
-  std::string loops_path; // empty if they are not written
+  std::string loops_path;                  // files are empty if they are not written
+  std::optional<double> size_to_remove;    // handles that are smaller are removed
+  std::optional<std::size_t> number_to_remove; // so many at most, the smallest ones
+  std::string mesh_path;                   // without the handles
+  std::string page_path, unit, up;
   bool are_loops_shortened = true;
   bool is_report_json = false;
   std::size_t number_of_threads = 0; // 0: one per core

@@ -14,12 +14,14 @@
 #include "computation/analysis.h"
 #include "computation/complex_counts.h"
 #include "computation/embedding.h"
+#include "computation/longest_loop.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/field_input.h"
 #include "input/input_error.h"
 #include "output/diagram_output.h"
 #include "output/graph_output.h"
+#include "output/loops_output.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
 #include "output/pairs_output.h"
@@ -44,8 +46,8 @@ bool is_graph_in_space(const Compute_options& options)
 std::vector<std::filesystem::path> output_files(const Compute_options& options)
 {
   std::vector<std::filesystem::path> paths = graph_files(options.graph_path);
-  paths.insert(paths.end(), {options.vertex_arcs_path, options.pairs_path, options.diagram_path, options.mesh_path,
-                             options.simplified_scalars_path, options.page_path});
+  paths.insert(paths.end(), {options.vertex_arcs_path, options.pairs_path, options.diagram_path, options.loop_path,
+                             options.mesh_path, options.simplified_scalars_path, options.page_path});
   return paths;
 }
 
@@ -141,6 +143,7 @@ void write_page_file(const Compute_options& options,
                      const Surface& surface,
                      Scalar_map scalar_map,
                      double threshold,
+                     const Loops_of_surface& loops,
                      Report& report)
 {
   if(options.page_path.empty())
@@ -150,7 +153,8 @@ void write_page_file(const Compute_options& options,
     options.page_path,
     {surface, scalar_map, given, options.graph,
      options.title.empty() ? std::filesystem::path(options.input.mesh_path).filename().string() : options.title,
-     field_label(options.input, options.unit), options.simplification, threshold, options.up});
+     field_label(options.input, options.unit), options.simplification, threshold, options.up, std::nullopt,
+     loops.polylines, loops.rows});
   report.seconds.emplace_back("page", stopwatch.seconds());
 }
 
@@ -172,6 +176,19 @@ void write_simplified_field(const Compute_options& options,
   report.seconds.emplace_back("simplified field", stopwatch.seconds());
 }
 
+// Returns what the file has.
+Loops_of_surface write_longest_loop(const Compute_options& options, Mesh_graph& graph, Report& report)
+{
+  if(options.loop_path.empty())
+    return {};
+  const Stopwatch stopwatch;
+  const Loops_of_surface loops = find_longest_loop(graph);
+  write_loops(options.loop_path, loops);
+  report.longest_loop = loops.rows.front();
+  report.seconds.emplace_back("longest loop", stopwatch.seconds());
+  return loops;
+}
+
 void write_report(const Compute_options& options, const Report& report)
 {
   std::ostream& stream = report_stream(output_files(options));
@@ -191,8 +208,9 @@ void check(const Compute_options& options)
     check_pairs_format(options.pairs_path);
   if(!options.diagram_path.empty())
     check_diagram_format(options.diagram_path);
-  if(!options.page_path.empty())
-    check_page(options.page_path);
+  if(!options.loop_path.empty())
+    check_loops_format(options.loop_path);
+  check_page(options.page_path, options.up);
   if(!options.mesh_path.empty())
     check_mesh_format(options.mesh_path);
   check_outputs(output_files(options), input_files(options.input));
@@ -228,11 +246,12 @@ void write_results(const Compute_options& options, Mesh& mesh, Scalar_map scalar
   count_all(mesh, graph.given(), report);
   if(options.simplification.is_anything_removed())
     count_simplified(graph.result(), threshold, report);
+  const Loops_of_surface loops = write_longest_loop(options, graph, report);
   write_simplified_field(options, mesh.surface, scalar_map, threshold, report);
   write_pairs_and_diagram(options, graph.given(), threshold, report);
   const std::vector<Arc_row> arcs = write_files_of_mesh(options, graph, mesh, scalar_map, report);
   write_graph_file(options, graph.result(), arcs, report);
-  write_page_file(options, graph.given(), mesh.surface, scalar_map, threshold, report);
+  write_page_file(options, graph.given(), mesh.surface, scalar_map, threshold, loops, report);
 }
 
 void write_pairs_and_diagram(const Compute_options& options,

@@ -64,8 +64,7 @@ void check_formats(const Curves_options& options)
     check_graph_format(options.graph_path);
   if(!options.mesh_path.empty())
     check_mesh_format(options.mesh_path);
-  if(!options.page_path.empty())
-    check_page(options.page_path);
+  check_page(options.page_path, options.up);
 }
 
 std::vector<std::filesystem::path> output_files(const Curves_options& options)
@@ -74,14 +73,6 @@ std::vector<std::filesystem::path> output_files(const Curves_options& options)
   paths.insert(paths.end(), {options.curves_path, options.cut_mesh_path, options.patches_path, options.mesh_path,
                              options.page_path});
   return paths;
-}
-
-std::vector<Any_vertex_property> properties_to_keep(const Curves_options& options, Surface& surface)
-{
-  const bool is_any_kept =
-    std::filesystem::path(options.cut_mesh_path).extension() == ".ply" && is_ply_file(options.input.mesh_path);
-  return is_any_kept ? read_ply_vertex_properties(options.input.mesh_path, surface)
-                     : std::vector<Any_vertex_property>();
 }
 
 void write_cut_mesh(const std::filesystem::path& path, const Surface& surface, Patch_map patch_map)
@@ -223,7 +214,7 @@ Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& op
     cut.persistence = std::numeric_limits<double>::denorm_min();
   try
   {
-    return cut_along_curves(surface, scalar_map, properties_to_keep(options, surface), cut, is_size_accepted);
+    return cut_along_curves(surface, scalar_map, properties_to_keep(options.input.mesh_path, options.cut_mesh_path, surface), cut, is_size_accepted);
   }
   catch(const CGAL::Reeb_graph::Face_count_error& error)
   {

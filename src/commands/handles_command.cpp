@@ -8,13 +8,22 @@
 
 #include "base/stopwatch.h"
 #include "commands/commands.h"
+#include "computation/augmentation.h"
 #include "computation/handles.h"
 #include "input/field_input.h"
+#include "input/mesh_formats.h"
 #include "output/loops_output.h"
+#include "output/mesh_output.h"
 #include "output/output_file.h"
 #include "output/report_output.h"
+#include "page/page_output.h"
 
-#include <ostream>
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
@@ -31,13 +40,59 @@ Scalar_map add_field_or_height(Input_options input, Surface& surface, Handles_re
   return scalar_map;
 }
 
+std::vector<std::filesystem::path> check_options(const Handles_options& options)
+{
+  if(!options.loops_path.empty())
+    check_loops_format(options.loops_path);
+  check_page(options.page_path, options.up);
+  if(options.size_to_remove && !(*options.size_to_remove >= 0))
+    throw std::runtime_error("--remove-below must not be negative or NaN");
+  const bool is_any_removed = options.size_to_remove || options.number_to_remove;
+  if(!options.mesh_path.empty())
+    ending_of(options.mesh_path, "a mesh", {".off", ".ply"});
+  if(is_any_removed == options.mesh_path.empty())
+    throw std::runtime_error(is_any_removed ? "--remove-below and --remove go with --output"
+                                            : "--output goes with --remove-below or --remove");
+  const std::vector<std::filesystem::path> outputs = {options.loops_path, options.mesh_path, options.page_path};
+  check_outputs(outputs, input_files(options.input));
+  return outputs;
+}
+
+void remove(const Handles_options& options, Surface& surface, Scalar_map scalar_map, Handles_report& report)
+{
+  const Stopwatch stopwatch;
+  report.removals =
+    remove_handles(surface, scalar_map, properties_to_keep(options.input.mesh_path, options.mesh_path, surface),
+                   options.size_to_remove.value_or(std::numeric_limits<double>::infinity()),
+                   options.number_to_remove.value_or((std::numeric_limits<std::size_t>::max)()));
+  report.add_seconds("removal", stopwatch.seconds());
+}
+
+// The page shows the Reeb graph of the field with the loops.
+void write_page_of_loops(const Handles_options& options,
+                         const Surface& surface,
+                         Scalar_map scalar_map,
+                         const Loops_of_surface& loops,
+                         const std::string& field)
+{
+  const Graph graph = compute_graph(surface, scalar_map, Graph_options());
+  Page_request request = {surface,
+                          scalar_map,
+                          graph,
+                          Graph_options(),
+                          std::filesystem::path(options.input.mesh_path).filename().string(),
+                          {field, options.unit}};
+  request.up = options.up;
+  request.curves = loops.polylines;
+  request.loops = loops.rows;
+  write_page(options.page_path, request);
+}
+
 } // namespace
 
 void run_handles(const Handles_options& options)
 {
-  if(!options.loops_path.empty())
-    check_loops_format(options.loops_path);
-  check_outputs({options.loops_path}, input_files(options.input));
+  const std::vector<std::filesystem::path> outputs = check_options(options);
   Handles_report report;
   Input_options input = options.input;
   if(input.field.empty() && input.scalars_path.empty())
@@ -46,21 +101,25 @@ void run_handles(const Handles_options& options)
   const Stopwatch field_stopwatch;
   const Scalar_map scalar_map = add_field_or_height(options.input, surface, report);
   report.add_seconds("field", field_stopwatch.seconds());
+  if(!options.mesh_path.empty())
+    remove(options, surface, scalar_map, report);
   const Stopwatch stopwatch;
   const Loops_of_surface loops = find_loops(surface, scalar_map, options.are_loops_shortened);
   report.add_seconds("handles", stopwatch.seconds());
   report.loops = loops.rows;
+  const Stopwatch output_stopwatch;
+  if(!options.mesh_path.empty())
+    write_surface(options.mesh_path, surface);
   if(!options.loops_path.empty())
-  {
-    const Stopwatch output_stopwatch;
     write_loops(options.loops_path, loops);
+  if(!options.page_path.empty())
+    write_page_of_loops(options, surface, scalar_map, loops, report.field);
+  if(!options.mesh_path.empty() || !options.loops_path.empty() || !options.page_path.empty())
     report.add_seconds("output", output_stopwatch.seconds());
-  }
-  std::ostream& stream = report_stream({options.loops_path});
   if(options.is_report_json)
-    write_json(stream, report);
+    write_json(report_stream(outputs), report);
   else
-    write_text(stream, report);
+    write_text(report_stream(outputs), report);
 }
 
 } // namespace reeb_graph_program

@@ -11,14 +11,17 @@
 #include "base/progress_bar.h"
 
 #include <CGAL/Reeb_graph/IO/polylines.h>
+#include <CGAL/Reeb_graph/curves/Interpolating_visitor.h>
 #include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
 #include <CGAL/Reeb_graph/handles/handle_and_tunnel_loops.h>
+#include <CGAL/Reeb_graph/handles/remove_handles.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <variant>
 
 namespace reeb_graph_program {
 namespace {
@@ -46,6 +49,28 @@ void write_coordinate(const Surface& surface, Scalar_map scalar_map, int coordin
 }
 
 } // namespace
+
+std::vector<Removal_row> remove_handles(Surface& surface,
+                                        Scalar_map scalar_map,
+                                        const std::vector<Any_vertex_property>& properties,
+                                        double size,
+                                        std::size_t number)
+{
+  CGAL::Reeb_graph::Interpolating_visitor<Surface> visitor;
+  visitor.add_vertex_map(scalar_map);
+  for(const Any_vertex_property& property : properties)
+    std::visit([&](const auto& map) { visitor.add_vertex_map(map); }, property);
+  Progress_bar progress_bar("removal");
+  std::vector<Removal_row> result;
+  for(const auto& handle : CGAL::Reeb_graph::remove_handles(
+        surface, size, CGAL::parameters::number_of_handles(number).visitor(visitor).callback(std::ref(progress_bar))))
+  {
+    const bool is_removed = handle.result == CGAL::Reeb_graph::Removal_result::REMOVED;
+    result.push_back({to_string(handle.kind), handle.length, handle.component, is_removed,
+                      is_removed ? std::string() : to_string(handle.result)});
+  }
+  return result;
+}
 
 Loops_of_surface find_loops(const Surface& surface, Scalar_map scalar_map, bool are_shortened)
 {

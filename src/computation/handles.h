@@ -12,6 +12,7 @@
 #include "base/report.h"
 #include "base/surface.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,13 @@ struct Loops_of_surface
   std::vector<Loop_row> rows;
   std::vector<Polyline> polylines; // in the same order
 };
+
+// Removes the handles that are smaller than a size, at most so many, the smallest ones. Properties are carried over.
+std::vector<Removal_row> remove_handles(Surface& surface,
+                                        Scalar_map scalar_map,
+                                        const std::vector<Any_vertex_property>& properties,
+                                        double size,
+                                        std::size_t number);
 
 // Handles, tunnels, holes, and loops of what has no inside.
 Loops_of_surface find_loops(const Surface& surface, Scalar_map scalar_map, bool are_shortened);

@@ -11,6 +11,7 @@
 
 #include "input/Polygon_soup.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,11 @@ Polygon_soup read_ply(const std::string& path, const std::string& vertex_propert
 // The numbers that a PLY file has for each vertex besides its point, as properties of the surface that has been read
 // from it. The field, which is named scalar, is none of them.
 std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& path, Surface& surface);
+
+// The same if this file and the one that is going to be written are PLY files; or else none.
+std::vector<Any_vertex_property> properties_to_keep(const std::string& path,
+                                                    const std::filesystem::path& output,
+                                                    Surface& surface);
 // STL, ASCII or binary. Corners at the same point are one vertex.
 Polygon_soup read_stl(const std::string& path);
 // TS of GOCAD: the triangles of its surfaces.

@@ -8,10 +8,12 @@
 
 #include "input/File_contents.h"
 #include "input/mesh_formats.h"
+#include "input/mesh_input.h"
 #include "input/ply_data.h"
 #include "input/ply_header.h"
 #include "input/text_input.h"
 
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <string>
@@ -87,6 +89,14 @@ std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& p
     break;
   }
   return properties;
+}
+
+std::vector<Any_vertex_property> properties_to_keep(const std::string& path,
+                                                    const std::filesystem::path& output,
+                                                    Surface& surface)
+{
+  const bool is_any_kept = output.extension() == ".ply" && is_ply_file(path);
+  return is_any_kept ? read_ply_vertex_properties(path, surface) : std::vector<Any_vertex_property>();
 }
 
 } // namespace reeb_graph_program

@@ -24,6 +24,7 @@
 
 #include <CGAL/Reeb_graph/distributed/compute_reeb_graph_distributed.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
+#include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 
 #include <boost/mpi/collectives.hpp>
 #include <boost/range/irange.hpp>
@@ -67,10 +68,11 @@ std::vector<std::filesystem::path> output_files(const Compute_options& options)
 void check_left_out(const Compute_options& options)
 {
   const std::string surface = "it needs the whole surface in one memory, as the program reeb_graph has it";
-  const std::pair<bool, const char*> given[] = {{!options.page_path.empty(), "--html"},
+  const std::pair<bool, const char*> given[] = {{!options.page_path.empty() || !options.up.empty(), "--html"},
                                                 {!options.mesh_path.empty(), "--mesh-out"},
                                                 {!options.vertex_arcs_path.empty(), "--vertex-arcs"},
                                                 {!options.simplified_scalars_path.empty(), "--simplified-scalars"},
+                                                {!options.loop_path.empty(), "--longest-loop"},
                                                 {options.is_table_wanted.value_or(false), "--table"},
                                                 {options.input.are_faces_triangulated, "--triangulate"},
                                                 {options.input.lowest_vertex.has_value(), "--min"},
@@ -263,7 +265,13 @@ void write_results(const Compute_options& options,
     write_graph_in_space(options.graph_path, simplified.result(), graph_in_space, {}); // which is no JSON
   }
   else
-    write_graph(options.graph_path, simplified.result(), label(options), numbers);
+  {
+    // lengths, areas, and numbers of vertices would need the surface
+    std::vector<CGAL::Reeb_graph::Attribute> attributes;
+    if(has_arc_attributes(options.graph_path))
+      attributes.push_back({"persistence", CGAL::Reeb_graph::arc_persistences(simplified.result())});
+    write_graph(options.graph_path, simplified.result(), label(options), numbers, attributes);
+  }
   report.add_seconds("output", stopwatch.seconds());
 }
 

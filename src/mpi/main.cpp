@@ -23,16 +23,22 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <string>
 
 namespace {
+using reeb_graph_program::add_example;
 using reeb_graph_program::add_file;
+using reeb_graph_program::add_list_of_fields;
 using reeb_graph_program::add_whole_number;
 using reeb_graph_program::Communicator;
 using reeb_graph_program::Compute_on_ranks_options;
+using reeb_graph_program::coordinate_fields;
+using reeb_graph_program::fields_of_files;
 using reeb_graph_program::Generate_options;
 using reeb_graph_program::Generation_options;
+using reeb_graph_program::height_field;
 
 void add_generation_options(CLI::App& command, Generation_options& options)
 {
@@ -50,6 +56,8 @@ void add_compute_on_ranks_command(CLI::App& app, Compute_on_ranks_options& optio
            "Instead of MESH: a closed surface that the ranks make, genus-0, genus-1, ..., with the field x, "
            "y, z, height, smooth, or noise");
   add_generation_options(*command, options.generation);
+  add_list_of_fields(*command, "--field", coordinate_fields + height_field + fields_of_files);
+  add_example(*command, "mpirun -n 4 reeb_graph_mpi compute scan.ply --field z --simplify auto --graph graph.graphml");
 }
 
 void add_generate_command(CLI::App& app, Generate_options& options)
@@ -110,6 +118,7 @@ bool is_help_printed(CLI::App& app, int argc, char** argv, const Communicator& c
 int run(int argc, char** argv, const Communicator& communicator, const Communicator& meeting)
 {
   CLI::App app("Exact Reeb graphs of scalar fields on surfaces that the ranks of MPI share", "reeb_graph_mpi");
+  app.formatter(std::make_shared<reeb_graph_program::Help_formatter>());
   app.require_subcommand(1);
   app.set_version_flag("--version", "reeb_graph_mpi " REEB_GRAPH_VERSION " (CGAL " CGAL_VERSION_STR ")");
   Compute_on_ranks_options compute_options;

@@ -161,9 +161,9 @@ void write_labels(std::ostream& stream,
   order.resize((std::min)(order.size(), most_labels));
   typedef std::array<double, 4> Text_box; // left, top, right, bottom
   std::vector<Text_box> occupied;
-  for(const auto& [negative, i] : order) // the points themselves
+  for(const Persistence_pair& pair : pairs) // the points themselves
   {
-    const double x = scale.x(graph[pairs[i].lower_node].value), y = scale.y(graph[pairs[i].upper_node].value);
+    const double x = scale.x(graph[pair.lower_node].value), y = scale.y(graph[pair.upper_node].value);
     occupied.push_back({x - 4, y - 4, x + 4, y + 4});
   }
   const auto is_free = [&](const Text_box& box) {

@@ -182,6 +182,8 @@ CGAL::Reeb_graph::Attribute attribute(const std::string& name, const std::vector
 
 void write_surface(const std::filesystem::path& path, const Surface& surface)
 {
+  if(path.extension() == ".ply")
+    return write_binary_ply(path, surface);
   write_file(path, [&](std::ostream& stream) {
     const int precision = std::numeric_limits<double>::max_digits10;
     CGAL::IO::write_OFF(stream, surface, CGAL::parameters::stream_precision(precision));

@@ -18,7 +18,7 @@
 #include <vector>
 
 namespace reeb_graph_program {
-// The mesh in the OFF format, with all digits of the coordinates.
+// The mesh in the OFF format, with all digits of the coordinates, or with its properties if the file is a .ply one.
 void write_surface(const std::filesystem::path& path, const Surface& surface);
 
 // One number per line in the order of the vertices, with all digits; .npy as NumPy has it.

@@ -9,6 +9,7 @@
 #include "output/report_output.h"
 
 #include "base/peak_memory.h"
+#include "output/report_parts.h"
 
 #include <nlohmann/json.hpp>
 
@@ -21,257 +22,6 @@
 
 namespace reeb_graph_program {
 namespace {
-std::string count(std::size_t number, const std::string& singular, const std::string& plural)
-{
-  return std::to_string(number) + " " + (number == 1 ? singular : plural);
-}
-
-std::string count(std::size_t number, const std::string& singular) { return count(number, singular, singular + "s"); }
-
-std::string count_saddles(const CGAL::Reeb_graph::Critical_vertex_counts& counts)
-{
-  std::size_t total = 0;
-  std::string by_multiplicity;
-  for(const auto& [multiplicity, number] : counts.saddles)
-  {
-    total += number;
-    if(multiplicity > 1)
-      by_multiplicity += (by_multiplicity.empty() ? "" : ", ") + std::to_string(number) + " of multiplicity "
-                       + std::to_string(multiplicity);
-  }
-  return count(total, "saddle") + (by_multiplicity.empty() ? "" : " (" + by_multiplicity + ")");
-}
-
-std::string count_parts(const Graph_counts& graph)
-{
-  return count(graph.nodes, "node") + ", " + count(graph.arcs, "arc") + ", " + count(graph.loops, "loop")
-       + (graph.arcs_of_length_zero > 0 ? ", " + count(graph.arcs_of_length_zero, "arc") + " of length zero" : "");
-}
-
-void write_counts(std::ostream& out, const Surface_counts& surface)
-{
-  out << "surface  " << count(surface.vertices, "vertex", "vertices") << ", " << count(surface.edges, "edge") << ", "
-      << count(surface.faces, "face") << "\n         " << count(surface.components, "component") << ", "
-      << count(surface.border_loops, "border loop") << ", Euler characteristic " << surface.euler_characteristic;
-  if(surface.genus)
-    out << ", genus " << *surface.genus;
-}
-
-void write_counts(std::ostream& out, const Complex_counts& complex)
-{
-  out << "complex  " << count(complex.vertices, "vertex", "vertices") << ", " << count(complex.edges, "edge") << ", "
-      << count(complex.triangles, "triangle");
-  if(complex.tetrahedra > 0)
-    out << ", " << count(complex.tetrahedra, "tetrahedron", "tetrahedra");
-  out << "\n         " << count(complex.components, "component") << ", Euler characteristic "
-      << complex.euler_characteristic();
-  if(const auto& edge = complex.first_edge_without_triangles)
-    out << "\n         " << count(complex.edges_without_triangles, "edge") << " on no triangle, the first one, "
-        << "of the vertices " << edge->first << " and " << edge->second;
-  if(complex.first_duplicate_face)
-    out << "\n         "
-        << count(complex.duplicate_faces, "face that repeats an earlier one", "faces that repeat earlier ones")
-        << ", the first one, face " << *complex.first_duplicate_face;
-  if(const auto& edge = complex.first_edge_of_many_faces)
-    out << "\n         " << count(complex.edges_of_many_faces, "edge")
-        << " with more than two triangles, the first one, "
-        << "of the vertices " << edge->u << " and " << edge->v << ", with " << edge->faces;
-  if(const auto& vertex = complex.first_vertex_of_several_fans)
-    out << "\n         " << count(complex.vertices_of_several_fans, "vertex", "vertices")
-        << " whose triangles form several fans, the first one, vertex " << vertex->vertex << ", with " << vertex->fans;
-  if(const auto& edge = complex.first_edge_without_orientation)
-    out << "\n         not orientable, which shows at the edge of the vertices " << edge->first << " and "
-        << edge->second;
-}
-
-// A number, or null, which also stands for infinity.
-nlohmann::ordered_json json_number(const std::optional<double>& number)
-{
-  return number && std::isfinite(*number) ? nlohmann::ordered_json(*number) : nlohmann::ordered_json();
-}
-
-nlohmann::ordered_json json_of(const Surface_counts& surface)
-{
-  nlohmann::ordered_json json;
-  json["vertices"] = surface.vertices;
-  json["edges"] = surface.edges;
-  json["faces"] = surface.faces;
-  json["components"] = surface.components;
-  json["border_loops"] = surface.border_loops;
-  json["euler_characteristic"] = surface.euler_characteristic;
-  json["genus"] = nullptr;
-  if(surface.genus)
-    json["genus"] = *surface.genus;
-  json["complex"] = nullptr;
-  return json;
-}
-
-nlohmann::ordered_json json_of(const Complex_counts& complex)
-{
-  nlohmann::ordered_json json;
-  json["vertices"] = complex.vertices;
-  json["edges"] = complex.edges;
-  json["faces"] = complex.triangles;
-  json["components"] = complex.components;
-  json["border_loops"] = nullptr;
-  json["euler_characteristic"] = complex.euler_characteristic();
-  json["genus"] = nullptr;
-  const auto number_of_places = [&](std::size_t number) { // which are not counted where there are tetrahedra
-    return complex.tetrahedra == 0 ? nlohmann::ordered_json(number) : nlohmann::ordered_json();
-  };
-  nlohmann::ordered_json& places = json["complex"];
-  places["tetrahedra"] = complex.tetrahedra;
-  places["edges_without_faces"] = complex.edges_without_triangles;
-  places["first_edge_without_faces"] = nullptr;
-  if(const auto& edge = complex.first_edge_without_triangles)
-    places["first_edge_without_faces"] = {edge->first, edge->second};
-  places["duplicate_faces"] = complex.duplicate_faces;
-  places["first_duplicate_face"] = nullptr;
-  if(complex.first_duplicate_face)
-    places["first_duplicate_face"] = *complex.first_duplicate_face;
-  places["edges_of_many_faces"] = number_of_places(complex.edges_of_many_faces);
-  places["first_edge_of_many_faces"] = nullptr;
-  if(const auto& edge = complex.first_edge_of_many_faces)
-    places["first_edge_of_many_faces"] = {{"vertices", {edge->u, edge->v}}, {"faces", edge->faces}};
-  places["vertices_of_several_fans"] = number_of_places(complex.vertices_of_several_fans);
-  places["first_vertex_of_several_fans"] = nullptr;
-  if(const auto& vertex = complex.first_vertex_of_several_fans)
-    places["first_vertex_of_several_fans"] = {{"vertex", vertex->vertex}, {"fans", vertex->fans}};
-  places["first_edge_without_orientation"] = nullptr;
-  if(const auto& edge = complex.first_edge_without_orientation)
-    places["first_edge_without_orientation"] = {edge->first, edge->second};
-  return json;
-}
-
-// As the option --embedding calls it.
-std::string name_of(CGAL::Reeb_graph::Embedding_manner manner)
-{
-  using CGAL::Reeb_graph::Embedding_manner;
-  return manner == Embedding_manner::ON_SURFACE ? "on-surface"
-       : manner == Embedding_manner::STRAIGHT   ? "straight"
-                                                : "centroids";
-}
-
-nlohmann::ordered_json json_of(const Simplification_counts& simplification)
-{
-  nlohmann::ordered_json json;
-  json["threshold"] = json_number(simplification.threshold);
-  json["nodes"] = simplification.graph.nodes;
-  json["arcs"] = simplification.graph.arcs;
-  json["loops"] = simplification.graph.loops;
-  json["arcs_of_length_zero"] = simplification.graph.arcs_of_length_zero;
-  json["largest_change"] = json_number(simplification.largest_change);
-  json["ties_contracted"] = simplification.are_ties_contracted;
-  return json;
-}
-
-nlohmann::ordered_json json_of(const CGAL::Reeb_graph::Simplification_threshold& threshold)
-{
-  nlohmann::ordered_json json;
-  json["threshold"] = json_number(threshold.threshold);
-  json["gap"] = json_number(threshold.gap);
-  json["nodes"] = threshold.nodes;
-  json["leaves"] = threshold.leaves;
-  json["loops"] = threshold.loops;
-  json["suggested"] = threshold.is_suggested;
-  return json;
-}
-
-nlohmann::ordered_json json_of(const Arc_row& row, std::size_t arc)
-{
-  nlohmann::ordered_json json;
-  json["arc"] = arc;
-  json["from"] = row.lower_node;
-  json["to"] = row.upper_node;
-  json["lower_value"] = json_number(row.lower_value);
-  json["upper_value"] = json_number(row.upper_value);
-  json["length"] = json_number(row.length);
-  json[row.volume ? "volume" : "area"] = json_number(row.volume.value_or(row.area));
-  json["vertices"] = row.vertices;
-  return json;
-}
-
-// What a person can choose for --simplify, or leave to `auto`.
-void write_thresholds(std::ostream& out, const std::vector<CGAL::Reeb_graph::Simplification_threshold>& thresholds)
-{
-  out << std::defaultfloat << std::setprecision(3);
-  for(const auto& threshold : thresholds)
-    out << "\n         --simplify " << threshold.threshold << " gives " << count(threshold.nodes, "node") << ", "
-        << count(threshold.leaves, "leaf", "leaves") << ", " << count(threshold.loops, "loop")
-        << (threshold.is_suggested ? ", and so does auto" : "");
-}
-
-void write_table(std::ostream& out, const std::vector<Arc_row>& rows)
-{
-  out << "\n  arc   from     to        from value          to value          length          "
-      << (!rows.empty() && rows[0].volume ? "volume" : "  area") << "  vertices\n"
-      << std::defaultfloat << std::setprecision(6);
-  for(std::size_t arc = 0; arc < rows.size(); ++arc)
-  {
-    const Arc_row& row = rows[arc];
-    out << std::setw(5) << arc << std::setw(7) << row.lower_node << std::setw(7) << row.upper_node << std::setw(18)
-        << row.lower_value << std::setw(18) << row.upper_value << std::setw(16) << row.length << std::setw(16)
-        << row.volume.value_or(row.area) << std::setw(10) << row.vertices << '\n';
-  }
-}
-
-std::size_t largest_peak_memory_bytes(const Ranks_report& report)
-{
-  std::size_t largest = 0;
-  for(const Rank_report& rank : report.ranks)
-    largest = std::max(largest, rank.peak_memory_bytes);
-  return largest;
-}
-
-// The sum over all ranks, step by step.
-std::vector<std::pair<std::string, double>> cpu_seconds(const Ranks_report& report)
-{
-  Work_report sums;
-  for(const Rank_report& rank : report.ranks)
-    for(const auto& [step, seconds] : rank.cpu_seconds)
-      sums.add_seconds(step, seconds);
-  return sums.seconds;
-}
-
-nlohmann::ordered_json json_of_steps(const std::vector<std::pair<std::string, double>>& steps)
-{
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for(const auto& [step, seconds] : steps)
-    json[step] = seconds;
-  return json;
-}
-
-void add_ranks(nlohmann::ordered_json& json, const Ranks_report& report)
-{
-  json["ranks"] = report.ranks.size();
-  json["slabs"] = report.slabs;
-  json["slabs_per_triangle"] = json_number(report.slabs_per_triangle);
-  json["cpu_seconds"] = json_of_steps(cpu_seconds(report));
-  json["per_rank"] = nlohmann::ordered_json::array();
-  for(const Rank_report& rank : report.ranks)
-  {
-    nlohmann::ordered_json row;
-    row["vertices"] = rank.vertices;
-    row["triangles"] = rank.triangles;
-    row["copies"] = rank.copies;
-    row["bytes_sent"] = rank.bytes_sent;
-    row["cpu_seconds"] = json_of_steps(rank.cpu_seconds);
-    row["peak_memory_bytes"] = rank.peak_memory_bytes;
-    json["per_rank"].push_back(row);
-  }
-}
-
-void write_ranks(std::ostream& out, const Ranks_report& report)
-{
-  out << "ranks    " << report.ranks.size() << " on " << count(report.slabs, "slab");
-  if(report.slabs < report.ranks.size())
-    out << ": with one for each rank, a triangle would meet " << std::fixed << std::setprecision(1)
-        << report.slabs_per_triangle << " of them";
-  out << "\n         " << std::fixed << std::setprecision(3)
-      << (report.ranks.empty() ? 0. : cpu_seconds(report).back().second) << " seconds of CPU in all, at most "
-      << std::setprecision(1) << static_cast<double>(largest_peak_memory_bytes(report)) / 1e6 << " MB on a rank\n";
-}
-
 nlohmann::ordered_json json_of(const std::vector<Fixed_values::Place>& places)
 {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -309,6 +59,8 @@ void write_fixed_values(std::ostream& out, const Fixed_values& fixed)
   }
 }
 
+} // namespace
+
 void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report)
 {
   json["bad_faces"] = json["added_length"] = json["marched_components"] = nullptr;
@@ -326,8 +78,6 @@ void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report
     json["seconds"][step] = seconds;
   json["peak_memory_bytes"] = peak_memory_bytes();
 }
-
-} // namespace
 
 void write_field_text(std::ostream& out, const Work_report& report)
 {
@@ -362,87 +112,6 @@ void write_json(std::ostream& out, const Field_range& range, const Work_report& 
   json["lowest"] = json_number(range.lowest);
   json["highest"] = json_number(range.highest);
   add_field_and_costs(json, report);
-  out << json.dump(2) << '\n';
-}
-
-void write_text(std::ostream& out, const Report& report)
-{
-  const auto& critical_vertices = report.critical_vertices;
-  if(report.complex)
-    write_counts(out, *report.complex);
-  else
-    write_counts(out, report.surface);
-  out << "\nfield    " << count(critical_vertices.minima, "minimum", "minima") << ", "
-      << count_saddles(critical_vertices) << ", " << count(critical_vertices.maxima, "maximum", "maxima");
-  if(critical_vertices.border_saddles > 0)
-    out << ", " << count(critical_vertices.border_saddles, "saddle") << " on the border";
-  if(critical_vertices.isolated > 0)
-    out << ", " << count(critical_vertices.isolated, "isolated vertex", "isolated vertices");
-  out << '\n';
-  write_field_text(out, report);
-  out << "graph    " << count_parts(report.graph);
-  if(report.graph.hidden_handles.value_or(0) > 0)
-    out << ", " << count(static_cast<std::size_t>(*report.graph.hidden_handles), "hidden handle");
-  if(report.graph.arcs_of_length_zero > 0)
-    out << "\n         --ties contract would remove the arcs of length zero";
-  if(report.simplification)
-    out << "\n         simplified: " << count_parts(report.simplification->graph);
-  if(report.simplification && report.simplification->largest_change)
-    out << ", largest change of the field " << *report.simplification->largest_change
-        << (report.simplification->are_ties_contracted ? ", which needs --ties contract" : "");
-  write_thresholds(out, report.thresholds);
-  if(report.embedding_manner)
-    out << "\n         in space: " << name_of(*report.embedding_manner);
-  out << "\nseconds  " << std::fixed << std::setprecision(3);
-  for(std::size_t i = 0; i < report.seconds.size(); ++i)
-    out << (i == 0 ? "" : ", ") << report.seconds[i].first << " " << report.seconds[i].second;
-  out << "\nmemory   " << std::setprecision(1) << static_cast<double>(peak_memory_bytes()) / 1e6 << " MB at the peak\n";
-  if(report.ranks)
-    write_ranks(out, *report.ranks);
-  if(report.arc_table && !report.arc_table->empty())
-    write_table(out, *report.arc_table);
-}
-
-void write_json(std::ostream& out, const Report& report)
-{
-  nlohmann::ordered_json json = report.complex ? json_of(*report.complex) : json_of(report.surface);
-  json["minima"] = report.critical_vertices.minima;
-  json["saddles"] = nlohmann::ordered_json::object();
-  for(const auto& [multiplicity, number] : report.critical_vertices.saddles)
-    json["saddles"][std::to_string(multiplicity)] = number;
-  json["border_saddles"] = report.critical_vertices.border_saddles;
-  json["maxima"] = report.critical_vertices.maxima;
-  json["isolated"] = report.critical_vertices.isolated;
-  json["nodes"] = report.graph.nodes;
-  json["arcs"] = report.graph.arcs;
-  json["loops"] = report.graph.loops;
-  json["arcs_of_length_zero"] = report.graph.arcs_of_length_zero;
-  json["hidden_handles"] = nullptr;
-  if(report.graph.hidden_handles)
-    json["hidden_handles"] = *report.graph.hidden_handles;
-  json["thresholds"] = nlohmann::ordered_json::array();
-  json["suggested_threshold"] = nullptr;
-  for(const auto& threshold : report.thresholds)
-  {
-    json["thresholds"].push_back(json_of(threshold));
-    if(threshold.is_suggested)
-      json["suggested_threshold"] = json_number(threshold.threshold);
-  }
-  json["simplified"] = nullptr;
-  if(report.simplification)
-    json["simplified"] = json_of(*report.simplification);
-  json["embedding"] = nullptr;
-  if(report.embedding_manner)
-    json["embedding"] = name_of(*report.embedding_manner);
-  json["arc_table"] = report.arc_table ? nlohmann::ordered_json::array() : nlohmann::ordered_json();
-  for(std::size_t arc = 0; report.arc_table && arc < report.arc_table->size(); ++arc)
-    json["arc_table"].push_back(json_of((*report.arc_table)[arc], arc));
-  add_field_and_costs(json, report);
-  if(report.ranks)
-  {
-    json["peak_memory_bytes"] = largest_peak_memory_bytes(*report.ranks);
-    add_ranks(json, *report.ranks);
-  }
   out << json.dump(2) << '\n';
 }
 
@@ -494,6 +163,22 @@ void write_border_changes(std::ostream& out, const CGAL::Reeb_graph::Border_leve
       << changes.largest_change << '\n';
 }
 
+namespace {
+void write_removals(std::ostream& out, const std::vector<Removal_row>& removals)
+{
+  const auto removed = std::count_if(removals.begin(), removals.end(), [](const Removal_row& r) { return r.is_removed; });
+  out << "removed  " << count(static_cast<std::size_t>(removed), "handle or tunnel", "handles and tunnels") << '\n'
+      << std::defaultfloat << std::setprecision(6);
+  for(const Removal_row& row : removals)
+  {
+    if(!row.is_removed)
+      out << "refused  a " << row.kind << " of length " << row.length << " of component " << row.component << ": "
+          << row.reason << '\n';
+  }
+}
+
+} // namespace
+
 void write_text(std::ostream& out, const Handles_report& report)
 {
   const auto number_of = [&](const std::string& kind) {
@@ -503,6 +188,8 @@ void write_text(std::ostream& out, const Handles_report& report)
   out << "surface  " << count(number_of("handle"), "handle") << ", " << count(number_of("tunnel"), "tunnel") << ", "
       << count(number_of("hole"), "hole") << ", " << count(number_of("loop"), "loop") << " without inside\n";
   out << "field    " << report.field << '\n';
+  if(report.removals)
+    write_removals(out, *report.removals);
   if(report.loops.empty())
     return;
   out << "\n loop    kind  partner          length     persistence            area  component\n"
@@ -542,6 +229,16 @@ void write_json(std::ostream& out, const Handles_report& report)
     loop["component"] = row.component;
     loop["simple"] = row.is_simple;
     json["loops"].push_back(loop);
+  }
+  if(report.removals)
+  {
+    json["removals"] = nlohmann::ordered_json::array();
+    for(const Removal_row& row : *report.removals)
+      json["removals"].push_back({{"kind", row.kind},
+                                  {"length", json_number(row.length)},
+                                  {"component", row.component},
+                                  {"result", row.is_removed ? "removed" : "refused"},
+                                  {"reason", row.is_removed ? nlohmann::ordered_json() : row.reason}});
   }
   add_field_and_costs(json, report);
   out << json.dump(2) << '\n';

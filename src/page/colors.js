@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-/* exported viridis, distinctColors, kindColors, toHex */
+/* exported viridis, distinctColors, kindColors, loopColors, toHex */
 
 // Colours. All are arrays [red, green, blue] between 0 and 1.
 
@@ -15,6 +15,14 @@ const kindColors = {
   maximum: [0.835, 0.369, 0],
   "degree-two": [0, 0.62, 0.451],
   isolated: [0.8, 0.475, 0.655]
+};
+
+// The colours of loops by kind.
+const loopColors = {
+  handle: [0.835, 0.369, 0],
+  tunnel: [0, 0.447, 0.698],
+  hole: [0, 0.62, 0.451],
+  loop: [0.8, 0.475, 0.655]
 };
 
 // A polynomial close to matplotlib's viridis, by M. Zucker; t is between 0 and 1.

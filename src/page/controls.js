@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-/* global addElement, element, formatNumber, measurePatches, plural, toHex */
+/* global addElement, element, formatNumber, loopColors, measurePatches, plural, toHex */
 /* exported setUpControls */
 
 // What the controls, mouse, touch and keys call of the page.
@@ -26,33 +26,60 @@ function setUpControls(page) {
   element("up").addEventListener("change", event => scene.setUp(event.target.value));
   if (page.data.surface.facePatches)
     setUpPatches(page);
+  if (page.data.loops.length > 0)
+    setUpLoops(page);
 }
 
-// The list of patches, the smallest first, which are hard to see: the one whose entry is pointed at or chosen lights
-// up, and a click shows it from near.
-function setUpPatches(page) {
-  const {scene, data} = page, list = element("patches_list");
-  const patches = measurePatches(data.surface).sort((p, q) => p.area - q.area);
+// A list of what is on the surface: what its entry is pointed at or chosen for lights up. A row has a number, a color, a
+// name, cells, and what a click does besides.
+function setUpList(heading, columns, rows, light) {
   element("patches").hidden = false;
-  element("patches_heading").textContent = plural(patches.length, "patch", "patches");
-  patches.forEach(patch => {
-    const row = addElement(list, "tr", ""), name = addElement(row, "th", ""), button = addElement(name, "button", "");
-    name.scope = "row";
-    button.type = "button";
-    addElement(button, "i", "").style.background = toHex(page.patchColors[patch.number]);
-    button.append(" " + patch.number);
-    [patch.area, patch.borderLength].forEach(x => addElement(row, "td", formatNumber(x)));
-    const light = number => () => scene.setLitPatch(number);
-    button.addEventListener("click", () => {
-      page.setColoring("patches");
-      scene.setLitPatch(patch.number);
-      scene.eye.showPart(patch.center.map((x, i) => x - scene.pose.center[i]), patch.size, patch.normal);
-    });
-    row.addEventListener("pointerenter", light(patch.number));
-    row.addEventListener("pointerleave", light(null));
-    button.addEventListener("focus", light(patch.number));
-    button.addEventListener("blur", light(null));
+  element("patches_heading").textContent = heading;
+  document.querySelectorAll("#patches thead th").forEach((cell, i) => {
+    cell.textContent = columns[i];
   });
+  rows.forEach(({number, color, name, cells, click}) => {
+    const row = addElement(element("patches_list"), "tr", ""), cell = addElement(row, "th", "");
+    const button = addElement(cell, "button", "");
+    cell.scope = "row";
+    button.type = "button";
+    addElement(button, "i", "").style.background = toHex(color);
+    button.append(" " + name);
+    cells.forEach(text => addElement(row, "td", text));
+    button.addEventListener("click", () => {
+      light(number);
+      click();
+    });
+    row.addEventListener("pointerenter", () => light(number));
+    row.addEventListener("pointerleave", () => light(null));
+    button.addEventListener("focus", () => light(number));
+    button.addEventListener("blur", () => light(null));
+  });
+}
+
+// The patches, the smallest first, which are hard to see: a click shows one from near.
+function setUpPatches(page) {
+  const {scene, data} = page;
+  const patches = measurePatches(data.surface).sort((p, q) => p.area - q.area);
+  setUpList(plural(patches.length, "patch", "patches"), ["patch", "area", "border"], patches.map(patch => ({
+    number: patch.number, color: page.patchColors[patch.number], name: patch.number,
+    cells: [patch.area, patch.borderLength].map(formatNumber),
+    click: () => {
+      page.setColoring("patches");
+      scene.eye.showPart(patch.center.map((x, i) => x - scene.pose.center[i]), patch.size, patch.normal);
+    }
+  })), number => scene.setLitPatch(number));
+}
+
+// Handles, tunnels and other loops, the shortest first.
+function setUpLoops(page) {
+  const {scene, data} = page;
+  const loops = data.loops.map((loop, number) => Object.assign({number}, loop)).sort((a, b) => a.length - b.length);
+  setUpList(plural(loops.length, "loop"), ["loop", "length", "persistence"], loops.map(loop => ({
+    number: loop.number, color: loopColors[loop.kind], name: loop.kind + " " + loop.number,
+    cells: [formatNumber(loop.length), loop.persistence === null ? "" : formatNumber(loop.persistence)],
+    click: () => {}
+  })), number => scene.setLitLoop(number));
 }
 
 // The thresholds that matter, as ticks of the slider.

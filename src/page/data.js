@@ -94,6 +94,10 @@ function readPageData(text) {
     threshold: data.graph.threshold,
     levels: data.levels.map(level => decodeLevel(level, range)),
     curves: data.curves.map(decodePolyline),
+    // What the curves are, if they are handles, tunnels and the like.
+    loops: data.loops.map(loop => Object.assign({}, loop, {
+      persistence: loop.persistence === null ? null : Number(loop.persistence)
+    })),
     up: data.up, // the name of the direction, or ""
     ticks: data.ticks // of the slider that simplifies
   };

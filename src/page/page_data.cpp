@@ -13,6 +13,7 @@
 #include "page/display_surface.h"
 #include "page/page_graph.h"
 #include "page/page_levels.h"
+#include "page/surface_follower.h"
 
 #include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/embed.h>
@@ -47,6 +48,11 @@ Embedded_graph embed(const Page_subject& subject, const Vertex_locations& locati
   std::vector<std::size_t> node_sizes;
   for(const auto node : CGAL::make_range(vertices(subject.graph())))
     node_sizes.push_back(locations.vertices_of_node(node).size());
+  const Surface_follower follow(subject.surface());
+  for(Point& point : embedding.node_points)
+    point = follow(point);
+  for(Polyline& line : embedding.arc_polylines)
+    line = follow(line);
   return {subject.graph(), std::move(embedding.node_points), std::move(node_sizes), std::move(embedding.arc_polylines),
           measure_arcs(subject.surface(), subject.scalar_map, subject.graph(), locations)};
 }
@@ -143,6 +149,16 @@ nlohmann::ordered_json page_curves(const std::vector<Polyline>& curves, const Pa
   return json;
 }
 
+nlohmann::ordered_json page_loops(const std::vector<Loop_row>& loops)
+{
+  auto json = nlohmann::ordered_json::array();
+  for(const Loop_row& loop : loops)
+    json.push_back({{"kind", loop.kind},
+                    {"length", loop.length},
+                    {"persistence", loop.persistence ? number_or_string(*loop.persistence) : nlohmann::ordered_json()}});
+  return json;
+}
+
 } // namespace
 
 nlohmann::ordered_json page_data(const Page_subject& subject)
@@ -171,6 +187,7 @@ nlohmann::ordered_json page_data(const Page_subject& subject)
   data["levels"] = page_levels(embedded, frame, value_scale);
   data["ticks"] = page_ticks(embedded.graph, data["levels"]);
   data["curves"] = page_curves(subject.curves, frame);
+  data["loops"] = page_loops(subject.loops);
   return data;
 }
 

@@ -10,6 +10,7 @@
 #define CGAL_REEB_GRAPH_SRC_PAGE_DATA_H
 
 #include "base/Field_label.h"
+#include "base/report.h"
 #include "base/surface.h"
 #include "computation/augmentation.h"
 
@@ -30,6 +31,7 @@ struct Page_subject
   std::string up = {}; // x, y, z, -x, -y, -z, or empty
   std::optional<Patch_map> patch_map = std::nullopt;
   std::vector<Polyline> curves = {};
+  std::vector<Loop_row> loops = {}; // what each curve is, if they are handles, tunnels and the like
 
   const Surface& surface() const { return augmentation.mesh(); }
   const Graph& graph() const { return augmentation.graph(); }

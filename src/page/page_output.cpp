@@ -103,8 +103,12 @@ std::string_view write_up_to(std::ostream& stream,
 
 bool is_page_available() { return !page_template().empty(); }
 
-void check_page(const fs::path& path)
+void check_page(const fs::path& path, const std::string& up)
 {
+  if(path.empty() && !up.empty())
+    throw std::runtime_error("--up goes with --html only");
+  if(path.empty())
+    return;
   if(!is_page_available())
     throw std::runtime_error(
       "this program has been built without the page: install three.js, Debian's package libjs-three, or name its "
@@ -128,7 +132,7 @@ void write_page(const fs::path& path, const Page_request& request)
   const Simplified_graph& shown = smaller ? *smaller : wanted;
   const Augmentation augmentation = shown.augmentation(request.surface, request.scalar_map, request.graph_options);
   nlohmann::ordered_json data = page_data({augmentation, request.scalar_map, request.title, request.field_label,
-                                           request.up, request.patch_map, request.curves});
+                                           request.up, request.patch_map, request.curves, request.loops});
   data["graph"]["is_simplified"] = threshold.has_value();
   data["graph"]["arcs_of_input"] = num_edges(wanted.result());
   data["graph"]["threshold"] = threshold.value_or(0);

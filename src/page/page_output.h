@@ -22,8 +22,9 @@ namespace reeb_graph_program {
 // Whether the program has been built with the page.
 bool is_page_available();
 
-// Throws std::runtime_error, which tells how to get the page, if there is none, or if the path is no .html file.
-void check_page(const std::filesystem::path& path);
+// Throws std::runtime_error, which tells how to get the page, if there is none, if the path is no .html file, or if
+// there is no path but a direction that would be up.
+void check_page(const std::filesystem::path& path, const std::string& up);
 
 // What a page is written of.
 struct Page_request
@@ -39,6 +40,7 @@ struct Page_request
   std::string up = {};  // which way is up: x, y, z, -x, -y, -z, or as the page finds it
   std::optional<Patch_map> patch_map = std::nullopt;
   std::vector<Polyline> curves = {};
+  std::vector<Loop_row> loops = {};
 };
 
 // Writes a page that shows the simplified graph on its surface, in one file. A graph of more than 2000 arcs is

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-/* global THREE, ColorTable, ViewCamera, buildTubes, dimmed, findPose, lit, makeFieldColors, makeMaterial,
-   makeSurfaceGeometry, makeSurfaceMaterials, normalizedValue, rangeOf, shaders, unlit */
+/* global THREE, ColorTable, ViewCamera, buildTubes, dimmed, findPose, lit, loopColors, makeFieldColors,
+   makeMaterial, makeSurfaceGeometry, makeSurfaceMaterials, normalizedValue, rangeOf, shaders, unlit */
 /* exported Scene */
 
 // The view in space: the surface, the graph in it, curves and a contour. It is drawn when something has changed only.
@@ -106,10 +106,10 @@ class Scene {
 
   makeCurves() {
     this.curves = [];
-    this.curveTable = new ColorTable(1);
-    const polylines = this.data.curves.map(curve => Object.assign({id: 0}, curve));
-    if (polylines.length > 0) {
-      const geometry = this.tubeGeometry(polylines, 0.0032 * this.pose.size, 6, () => 0);
+    this.polylines = this.data.curves.map((curve, id) => Object.assign({id}, curve));
+    this.curveTable = new ColorTable(this.polylines.length);
+    if (this.polylines.length > 0) {
+      const geometry = this.tubeGeometry(this.polylines, 0.0032 * this.pose.size, 6, () => 0);
       this.curves.push(this.add(this.scene, geometry, this.tubeMaterial(this.curveTable, {}), 0));
     }
     this.contourTable = new ColorTable(1);
@@ -117,6 +117,7 @@ class Scene {
     this.contour = [];
     this.graph = [];
     this.litArc = [];
+    this.litLoop = [];
   }
 
   resize(width, height) {
@@ -211,7 +212,10 @@ class Scene {
     this.lineColor = theme.line;
     this.dimColor.setRGB(...theme.dim);
     this.outline.setRGB(...theme.outline);
-    this.curveTable.setColor(0, theme.curve);
+    this.polylines.forEach(({id}) => {
+      const loop = this.data.loops[id];
+      this.curveTable.setColor(id, loop ? loopColors[loop.kind] : theme.curve);
+    });
     this.contourTable.setColor(0, theme.contour);
     this.litTable.setColor(0, theme.line);
     if (this.view)
@@ -265,6 +269,15 @@ class Scene {
   // Lights a patch and dims the other ones, or none.
   setLitPatch(number) {
     this.patchTable.setLight(patch => number === null ? unlit : patch === number ? lit : dimmed);
+    this.requestDrawing(true);
+  }
+
+  // Lights one of the loops and dims the other ones, or none.
+  setLitLoop(number) {
+    this.remove(this.litLoop);
+    const lines = number === null ? [] : [this.polylines[number]];
+    this.litLoop = this.makeShiningTubes(lines, 0.006 * this.pose.size, this.curveTable, 16);
+    this.curveTable.setLight(loop => number === null ? unlit : loop === number ? lit : dimmed);
     this.requestDrawing(true);
   }
 

@@ -198,6 +198,7 @@ struct Drawing
   };
   std::vector<Label> labels;
   std::vector<std::string> titles;
+  double radius = 0; // of nodes
 
   explicit Drawing(const std::string& svg)
   {
@@ -220,6 +221,7 @@ private:
     {
       nodes.push_back(point(element.get<std::string>("<xmlattr>.transform").substr(10)));
       titles.push_back(element.get<std::string>("title"));
+      radius = std::stod(element.get<std::string>("path.<xmlattr>.transform").substr(6));
     }
     else if(id == "arcs" && name == "path")
     {
@@ -311,6 +313,19 @@ bool is_crossed(const Drawing::Label& label, double half_height, const Polyline&
   return false;
 }
 
+// Nodes of nearly one height are beside each other.
+void test_distances(const Drawing& drawing)
+{
+  const double diameter = 2.4 * drawing.radius - 0.1; // rounded
+  for(std::size_t i = 0; i < drawing.nodes.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+    {
+      const Point &p = drawing.nodes[i], &q = drawing.nodes[j];
+      BOOST_TEST((std::abs(p[1] - q[1]) > diameter || std::abs(p[0] - q[0]) > diameter),
+                 "the nodes " << j << " and " << i << " lie on each other");
+    }
+}
+
 template <class G>
 void test_drawing(const G& graph)
 {
@@ -328,7 +343,8 @@ void test_drawing(const G& graph)
     for(std::size_t k = 1; k < drawing.arcs[i].size(); ++k)
       BOOST_TEST(drawing.arcs[i][k][1] <= drawing.arcs[i][k - 1][1]);
   }
-  const double half_height = 5, radius = 4;
+  test_distances(drawing);
+  const double half_height = 5, radius = 3;
   for(std::size_t i = 0; i < drawing.labels.size(); ++i)
   {
     const auto& a = drawing.labels[i];

@@ -417,22 +417,21 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(vertices_that_a_sweep_sees_to_be_regular_are, Mesh
                                                                traits, CGAL::parameters::default_values());
     const stages::Vertex_order order(surface.field.values, traits.less_scalar_object());
     const stages::Regular_vertices<CGAL::Sequential_tag> regular_vertices(surface.complex, order);
-    std::size_t number_of_corners = 0;
     for(const stages::Vertex_index v : surface.complex.vertices())
     {
-      const stages::Halfedge_index halfedge = regular_vertices.halfedge(v);
-      if(halfedge == stages::no_index)
+      if(regular_vertices.number_of_corners(v) == 0)
         continue;
       ++number_of_regular_vertices;
+      std::size_t number_of_corners = 0;
       surface.complex.for_each_halfedge_around(v, [&](stages::Halfedge_index) { ++number_of_corners; });
       BOOST_TEST_CONTEXT("seed " << seed)
       {
-        BOOST_TEST((surface.complex.target(halfedge) == v));
+        BOOST_TEST(regular_vertices.number_of_corners(v) == number_of_corners);
+        BOOST_TEST((surface.complex.target(surface.complex.kept_halfedge(v)) == v));
         BOOST_TEST(!surface.complex.is_on_border(v));
         BOOST_TEST(stages::find_link(surface.complex, order, v).summary.number_of_sectors == 2u);
       }
     }
-    BOOST_TEST(regular_vertices.number_of_corners() == number_of_corners);
   }
   BOOST_TEST(number_of_regular_vertices > 1000u);
 }
@@ -453,23 +452,94 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_sweep_does_not_see_vertices_with_two_fans_to_be_
     const std::size_t other =
       first.number_of_vertices + random.below(combinatorial_mesh.number_of_vertices - first.number_of_vertices);
     const CGAL::Reeb_graph_traits<Mesh, graph_checks::Scalar_map_of<Mesh>> traits;
-    const auto find_halfedge = [&] {
+    const auto is_seen_to_be_regular = [&] {
       const auto surface =
         stages::flatten_unchecked<CGAL::Sequential_tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
       const stages::Vertex_order order(surface.field.values, traits.less_scalar_object());
       return stages::Regular_vertices<CGAL::Sequential_tag>(surface.complex.at_set_fans(), order)
-        .halfedge(stages::Vertex_index(kept));
+               .number_of_corners(stages::Vertex_index(kept))
+          != 0;
     };
-    number_of_regular_fans += find_halfedge() != stages::no_index ? 1 : 0;
+    number_of_regular_fans += is_seen_to_be_regular() ? 1 : 0;
     const auto v = *std::next(vertices(mesh).begin(), static_cast<std::ptrdiff_t>(kept));
     const auto u = *std::next(vertices(mesh).begin(), static_cast<std::ptrdiff_t>(other));
     for(const auto h : halfedges(mesh))
       if(target(h, mesh) == u)
         set_target(h, v, mesh);
     BOOST_TEST_CONTEXT("seed " << seed)
-    BOOST_TEST((find_halfedge() == stages::no_index));
+    BOOST_TEST(!is_seen_to_be_regular());
   }
   BOOST_TEST(number_of_regular_fans > 50u);
+}
+
+// Whatever a mesh tells of one face that does not agree, or of one edge that has no second one, is seen.
+BOOST_AUTO_TEST_CASE(a_sweep_sees_nothing_on_faces_that_are_not_right)
+{
+  typedef Surface_mesh::Halfedge_index H;
+  typedef Surface_mesh::Face_index F;
+  typedef Surface_mesh::Vertex_index V;
+  const auto soup = generated_surfaces::closed_surface(1, 200);
+  const auto values = noise(make_mesh<Surface_mesh>(soup), 1);
+  const stages::Indexed_vector<stages::Vertex_index, double> indexed_values(values.begin(), values.end());
+  const Order order(indexed_values, Traits().less_scalar_object());
+  const auto after = [&](const auto& change) {
+    auto mesh = make_mesh<Surface_mesh>(soup);
+    change(mesh, halfedge(F(37), mesh), H(0), F(37));
+    const stages::Regular_vertices<CGAL::Sequential_tag> regular_vertices(Complex(mesh), order);
+    std::size_t number = 0;
+    for(const auto v : vertices(mesh))
+      number += regular_vertices.number_of_corners(stages::Vertex_index(v)) != 0 ? 1 : 0;
+    return number;
+  };
+  const std::size_t all = after([](Surface_mesh&, H, H, F) {});
+  BOOST_TEST(all > 20u);
+  BOOST_TEST(after([](Surface_mesh& m, H h, H other, F) { m.set_next_only(h, other); }) == 0u);
+  BOOST_TEST(after([](Surface_mesh& m, H h, H, F) { m.set_next_only(h, H(1000000)); }) == 0u);
+  BOOST_TEST(after([](Surface_mesh& m, H h, H, F) { m.set_next_only(next(h, m), next(h, m)); }) == 0u);
+  BOOST_TEST(after([](Surface_mesh& m, H h, H other, F) { m.set_prev_only(h, other); }) == 0u);
+  BOOST_TEST(after([](Surface_mesh& m, H h, H, F) { m.set_prev_only(h, H(1000000)); }) == 0u);
+  BOOST_TEST(after([](Surface_mesh& m, H h, H, F) { m.set_target(h, source(h, m)); }) == 0u);
+  BOOST_TEST(after([](Surface_mesh& m, H h, H, F) { m.set_target(h, V(5000)); }) == 0u);
+  BOOST_TEST(after([](Surface_mesh& m, H h, H, F) { m.set_face(next(h, m), F(5)); }) == 0u);
+  BOOST_TEST(after([](Surface_mesh& m, H, H other, F f) { m.set_halfedge(f, other); }) == 0u);
+  BOOST_TEST(after([](Surface_mesh& m, H, H, F f) { m.set_halfedge(f, H()); }) == 0u);
+  BOOST_TEST(after([](Surface_mesh& m, H h, H, F) { m.remove_edge(m.edge(h)); }) == 0u);
+  // Without a face, edges are on the border, and their ends are not seen.
+  const std::size_t without_face =
+    after([](Surface_mesh& m, H, H, F f) { CGAL::Euler::remove_face(halfedge(f, m), m); });
+  BOOST_TEST((without_face > 20u && without_face < all + 1));
+  // A vertex whose halfedge ends elsewhere is not seen.
+  std::size_t number_of_unseen = 0;
+  for(std::size_t v = 0; v < values.size(); v += 10)
+    for(const H wrong : {H(), H(1000000), H(0)})
+      number_of_unseen += all - after([&](Surface_mesh& m, H, H, F) {
+                            m.set_halfedge(V(v), wrong == H(0) ? opposite(halfedge(V(v), m), m) : wrong);
+                          });
+  BOOST_TEST(number_of_unseen > all / 10);
+  BOOST_TEST(number_of_unseen % 3 == 0u);
+}
+
+// A vertex with more corners than fit into the bits of a count: nothing is seen then.
+BOOST_AUTO_TEST_CASE(a_sweep_sees_nothing_beside_a_hub)
+{
+  for(const std::size_t degree : {1000u, 40000u})
+  {
+    Combinatorial_mesh wheel = {degree + 2, {}};
+    for(std::size_t i = 0; i != degree; ++i)
+      for(const bool is_upper : {false, true})
+        wheel.triangles.push_back(is_upper ? Vertex_triple{degree, i, (i + 1) % degree}
+                                           : Vertex_triple{degree + 1, (i + 1) % degree, i});
+    const Surface_mesh mesh = make_mesh<Surface_mesh>(wheel);
+    stages::Indexed_vector<stages::Vertex_index, double> values;
+    for(std::size_t v = 0; v != degree + 2; ++v)
+      values.push_back(v == degree ? 1e9 : v > degree ? -1. : static_cast<double>(v < degree / 2 ? v : 2 * degree - v));
+    const Order order(values, Traits().less_scalar_object());
+    const stages::Regular_vertices<CGAL::Sequential_tag> regular_vertices(Complex(mesh), order);
+    std::size_t number = 0;
+    for(std::size_t v = 0; v != degree + 2; ++v)
+      number += regular_vertices.number_of_corners(stages::Vertex_index(v)) != 0 ? 1 : 0;
+    BOOST_TEST((degree == 1000u ? number > 900u : number == 0u), degree << " " << number);
+  }
 }
 
 namespace {

@@ -99,3 +99,45 @@ expect_error("two outputs have this name" compute missing.off --field z --graph 
 expect_error("two outputs have this name" compute missing.off --field z --graph a.vtp --mesh-out a.vtp)
 file(MAKE_DIRECTORY ${FOLDER}/half.arcs.csv)
 expect_error("half.arcs.csv: the file cannot be written" compute tetrahedron.off --field z --graph half.csv)
+
+# The most persistent loop is a closed curve on the surface, from the lower value of its pair to the upper one.
+expect_error("there is no longest loop: the graph has none" compute ${z} --longest-loop loop.obj --graph no.svg)
+expect_error("the file name of loops ends in" compute ${z} --longest-loop loop.svg)
+expect_error("two outputs" compute ${genus_3} --field x --longest-loop loop.obj --graph loop.obj)
+expect_success(compute ${genus_3} --field x --simplify 100% --longest-loop loop.vtp --json)
+string(JSON length GET "${output}" longest_loop length)
+expect_match("${length}" "^[0-9]")
+expect_success(compute ${genus_3} --field x --longest-loop loop.obj)
+expect_match("${output}" "\n +longest loop: persistence [0-9.]+, length [0-9.]+\n")
+if(NOT PYTHON)
+  message(STATUS "SKIPPED: Python, which checks loops, is not installed")
+  return()
+endif()
+set(check_loop "import csv, random, subprocess, sys
+program, mesh = sys.argv[1:]
+lines = open(mesh).read().split('\\n')
+number = int(lines[1].split()[0])
+for seed in range(-1, 6):
+    if seed >= 0:  # values of the field with fewer and fewer ties
+        random.seed(seed)
+        values = [random.randrange(10 ** (1 + seed)) for _ in range(number)]
+        lines[2:2 + number] = [' '.join(line.split()[:2] + [str(z)])
+                               for line, z in zip(lines[2:2 + number], values)]
+    open('noise.off', 'w').write('\\n'.join(lines))
+    ties = ['perturb', 'contract'][seed % 2]
+    subprocess.run([program, 'compute', 'noise.off', '--field', 'z', '--ties', ties, '--pairs', 'pairs.csv', '--longest-loop',
+                    'loop.polylines.txt'], check=True, stdout=subprocess.DEVNULL)
+    loops = [row for row in csv.DictReader(open('pairs.csv')) if row['kind'] == 'loop']
+    size = max(float(row['persistence']) for row in loops)
+    numbers = [float(x) for x in open('loop.polylines.txt').read().split()]
+    points = list(zip(numbers[1::3], numbers[2::3], numbers[3::3]))
+    assert len(points) == numbers[0] > 3 and points[0] == points[-1], seed
+    heights = [z for _, _, z in points]
+    assert any(abs(min(heights) - float(row['lower_value'])) + abs(max(heights) - float(row['upper_value'])) < 1e-9 * size
+               for row in loops if float(row['persistence']) == size), seed
+")
+execute_process(COMMAND ${PYTHON} -c "${check_loop}" ${PROGRAM} ${genus_3} WORKING_DIRECTORY ${FOLDER}
+                RESULT_VARIABLE result ERROR_VARIABLE python_error)
+if(NOT result STREQUAL "0")
+  message(SEND_ERROR "the longest loop: ${python_error}")
+endif()

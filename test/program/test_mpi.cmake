@@ -59,10 +59,10 @@ expect_success_on_ranks(2 generate noise.ply --triangles 6000 --field noise)
 set(smooth genus_3_1.ply --field smooth)
 
 # the same bytes for any number of ranks
-# The graphs are the same to the byte, but for the measures of the arcs, for which the whole surface is needed.
+# The graphs are the same to the byte, but for those measures of the arcs for which the whole surface is needed.
 function(expect_same_graph sequential on_ranks)
   file(READ ${FOLDER}/${sequential} content)
-  foreach(measure persistence length area vertices)
+  foreach(measure length area vertices)
     if(NOT content MATCHES "<key id=\"(key[0-9]+)\" for=\"edge\" attr.name=\"${measure}\"")
       message(SEND_ERROR "${sequential} has no ${measure}")
     endif()

@@ -29,6 +29,8 @@ expect_error("missing.off" compute missing.off --field z --html page.html)
 expect_error("page.htm: the file name of a page ends in .html" compute missing.off --field z --html page.htm)
 expect_error("page.htm: the file name of a page ends in .html" curves missing.off --field z --type pants
              --html page.htm)
+expect_error("--up goes with --html only" compute tetrahedron.off --field z --up x --graph up.svg)
+expect_error("--up goes with --html only" curves tetrahedron.off --type pants --up x --graph up.svg)
 expect_error("two outputs" compute tetrahedron.off --field z --html page.html --vertex-arcs ./page.html)
 expect_error("the file cannot be written" compute tetrahedron.off --field z --html missing/page.html)
 file(WRITE ${FOLDER}/far.off "OFF\n3 1 0\n0 0 0\n1e31 0 0\n0 1 0\n3 0 1 2\n")

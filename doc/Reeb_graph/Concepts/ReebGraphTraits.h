@@ -62,11 +62,11 @@ public:
 
   /// \name Optional
   /// For scalar values that are no numbers, and in the place of the conversions of number types. Functions that need
-  /// numbers, such as those that simplify, draw, measure and cut, use them, and say when they are compiled if there are
-  /// none. `CGAL::Reeb_graph::Augmentation` uses them for the values of contours and the places of their points;
-  /// without them, these values are NaN, and points are in the middles of edges. Graphs are written with numbers where
-  /// values have no `operator<<`. Functions that take no mesh are given the traits class as named parameter
-  /// `geom_traits`, too.
+  /// numbers, such as those that simplify, draw, measure and cut, use them. Without them, these functions do not
+  /// compile, and say so. `CGAL::Reeb_graph::Augmentation` uses them for the values of contours and the places of their
+  /// points. Without them, these values are NaN, and points are in the middles of edges. Graphs are written with
+  /// numbers where values have no `operator<<`. Functions that take no mesh are given the traits class as named
+  /// parameter `geom_traits`, too.
   /// @{
 
   /// returns a function object with `double operator()(const Scalar& a) const`, which must not fall in the order. An

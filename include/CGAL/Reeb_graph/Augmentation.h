@@ -34,12 +34,13 @@ namespace Reeb_graph {
 /// At construction it copies the field, and a mesh that is no `CGAL::Surface_mesh`, in linear time and memory. The mesh
 /// has to outlive it as the graph has, and must not change, and neither must what a `vertex_index_map` refers to.
 ///
-/// The contour of an arc takes time proportional to its length, to the lower one of the degrees of the ends of the arc,
-/// and, unless the mesh is a `CGAL::Surface_mesh`, to that of the ends of the halfedge it starts from, and logarithmic in
-/// the length of the chain; so contours of many arcs at one vertex take hardly longer than those elsewhere. To locate vertices takes linear time on a field
-/// with few critical vertices, and hardly longer than computing the graph again; on noise, that of sorting all vertices
-/// besides: near-linear for any field. The named parameter `vertex_place_map` of `compute_reeb_graph()` finds the
-/// places without computing anything twice.
+/// The contour of an arc takes time linear in its length and in the lower one of the degrees of the ends of the arc,
+/// and logarithmic in the length of the chain. Unless the mesh is a `CGAL::Surface_mesh`, the degrees at the halfedge
+/// that it starts from count as well. So contours of many arcs at one vertex take hardly longer than those elsewhere.
+///
+/// Locating vertices takes linear time on a field with few critical vertices, hardly longer than the graph. On noise,
+/// sorting all vertices comes on top: near-linear for any field. The named parameter `vertex_place_map` of
+/// `compute_reeb_graph()` finds the places without computing anything twice.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. Values that
@@ -73,9 +74,8 @@ public:
   /// \param scalar_map the field that it has been computed of
   /// \param graph the graph
   /// \param np the named parameters that the graph has been computed with: `ties`, `keep_degree_two_nodes`,
-  ///        `vertex_index_map`, `face_index_map` and `geom_traits` count; `callback`, as for `compute_reeb_graph()`;
-  ///        and for a graph made by `simplify()`, what that has returned, as named parameter `simplification`, if
-  ///        vertices are to be located
+  ///        `vertex_index_map`, `face_index_map` and `geom_traits` count. `callback` is as for `compute_reeb_graph()`.
+  ///        To locate vertices in a graph made by `simplify()`, pass what that has returned as `simplification`
   ///
   /// \exception Graph_mismatch_error if a node is not one of this mesh and field, or an arc none that `ties` gives.
   ///            That all nodes and arcs are there is checked by `locate_vertices()` only.

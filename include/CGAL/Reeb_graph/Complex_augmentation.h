@@ -31,9 +31,9 @@ namespace Reeb_graph {
 ///
 /// The contour of an arc takes time linear in the triangles at the crossed edges, or in the tetrahedra at their lower
 /// vertices, and in the degrees of the ends of the arc and of the edge it starts from. To locate vertices takes hardly
-/// longer than computing the graph again where arcs are long for the size of the cells; else the time of sorting all
-/// vertices and computing the graph with all of them: near-linear for any field. Where many contours meet few vertices,
-/// as in solids, the first is so for very smooth fields only.
+/// longer than computing the graph again where arcs are long for the size of the cells. Otherwise it takes the time of
+/// sorting all vertices and computing the graph with all of them: near-linear for any field. Where many contours meet
+/// few vertices, as in solids, the first is so for very smooth fields only.
 ///
 /// \tparam GraphOnCells unspecified: a graph with the triangles, or the tetrahedra, that it is of
 template <class GraphOnCells>

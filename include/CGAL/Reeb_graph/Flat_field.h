@@ -36,18 +36,18 @@ namespace Reeb_graph {
 /// fields.
 ///
 /// Each function of the package checks the mesh, and reads the field and, but for a `Surface_mesh`, the faces into
-/// arrays. A `Flat_field` is a scalar map that has all this already: given as the scalar map of its mesh to
-/// `compute_reeb_graph()`, `Augmentation` or `simplify_field()`, it saves them that work, and given to any other
-/// function, it is a map as others are. The results are the same.
+/// arrays. A `Flat_field` is a scalar map that has all this already. As the scalar map of its mesh it saves that work
+/// in `compute_reeb_graph()`, `Augmentation` and `simplify_field()`. For any other function it is a map as others are.
+/// The results are the same.
 ///
 /// Copies share their memory. `set_values()` gives an object another field; its copies, and the augmentations that have
 /// been made with it, keep the one that they have.
 ///
 /// <b>The mesh must stay as it is.</b> It has to outlive the object, in its place in memory. After an edit, each use of
 /// the object compares the numbers of vertices, edges and faces, and throws `Changed_mesh_error` if they are others. An
-/// edit that keeps the numbers, such as the flip of an edge, is not noticed: on a `Surface_mesh`, whose connectivity is
-/// seen and not copied, results are then undefined; on any other mesh, they are those of the mesh as it was. Points may
-/// move. A change of the scalar map that the values came from has no effect until `set_values()`.
+/// edit that keeps the numbers, such as the flip of an edge, is not noticed. The connectivity of a `Surface_mesh` is
+/// seen and not copied, so results are then undefined. On any other mesh, they are those of the mesh as it was. Points
+/// may move. A change of the scalar map that the values came from has no effect until `set_values()`.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam Scalar the type of the scalar values

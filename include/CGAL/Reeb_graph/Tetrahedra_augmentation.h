@@ -24,11 +24,10 @@ namespace Reeb_graph {
 ///
 /// \brief the way from the Reeb graph of a tetrahedral mesh back to it.
 ///
-/// A contour is a component of an isosurface, see `Isosurface_patch`. Which side of it is the higher one, the points
-/// tell, if they are those of a three-dimensional kernel; tetrahedra of volume zero, and all if only the number of
-/// vertices is given, are taken as positively oriented, as in \cgal: the last vertex is on the side from which the
-/// others appear counterclockwise. Where tetrahedra contradict their neighbors, the triangles are oriented as most of
-/// them are.
+/// A contour is a component of an isosurface, see `Isosurface_patch`. Points of a three-dimensional kernel tell which
+/// side of it is the higher one. Tetrahedra of volume zero, and all if only the number of vertices is given, are taken
+/// as positively oriented, as in \cgal: the last vertex is on the side from which the others appear counterclockwise.
+/// Where tetrahedra contradict their neighbors, the triangles are oriented as most of them are.
 ///
 /// It is constructed as `Complex_augmentation` is, from the points, the tetrahedra, the scalars, the graph, and named
 /// parameters.

@@ -31,7 +31,7 @@
 namespace CGAL {
 namespace Reeb_graph {
 
-// Whoever measures arcs of one of these has it.
+// A user who measures arcs of one of these has included it.
 template <class GraphOnCells>
 class Complex_augmentation;
 template <class Scalar, class ReebGraph, class Traits>
@@ -179,9 +179,9 @@ std::vector<double> arc_volumes(const Tetrahedra_augmentation<Scalar, ReebGraph,
 ///
 /// \brief measures the length of each arc of a Reeb graph on the surface.
 ///
-/// That is the length of its chain as a polyline, from the vertex of the lower node up to the value of the upper node:
-/// the last halfedge, whose target can be beyond, counts up to that value, and so does the last one of each piece of a
-/// chain that passes a plateau up to where the arc enters it. It takes time linear in the length of the chains.
+/// That is the length of its chain as a polyline, from the vertex of the lower node up to the value of the upper node.
+/// The target of the last halfedge can be beyond: it counts up to that value. Where a chain passes a plateau, the last
+/// halfedge of a piece counts up to where the arc enters it. It takes time linear in the length of the chains.
 ///
 /// \param mesh the mesh that the graph has been computed of
 /// \param scalar_map the field that it has been computed of

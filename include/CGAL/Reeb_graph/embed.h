@@ -32,10 +32,10 @@ class Complex_augmentation; // whoever calls embed() with one has it
 /// of the tied vertices around it. In the other manners each node is at its vertex.
 ///
 /// - `CENTROIDS`: the polyline of an arc leads through the centroids, by length, of `number_of_contours` contours, at
-///   equal steps of the field. Arcs from the same node to the same node whose lines are nowhere further apart than a
-///   hundredth and a half of the extent of all contours, which is about the width of a line in a picture, as a tube
-///   inside of a round tube, are moved halfway to the surface. It takes time proportional to the lengths of these contours and of
-///   those just below the nodes, and to the square of the number of arcs that join the same two nodes.
+///   equal steps of the field. Two arcs of the same nodes can have lines that coincide, as a tube inside of a round
+///   tube. If they are nowhere further apart than a hundredth and a half of the extent of all contours, about the width
+///   of a line in a picture, they are moved halfway to the surface. It takes time proportional to the lengths of these
+///   contours and of those just below the nodes, and to the square of the number of arcs that join the same two nodes.
 /// - `ON_SURFACE`: the polyline follows the chain of the arc. Where that passes by the upper node, or by a node that
 ///   has been removed, it goes on along the contour just below that, the shorter way. It stays on the surface, and its
 ///   values ascend, and stay the same on this part of a contour. It takes time proportional to the lengths of the
@@ -66,10 +66,11 @@ class Complex_augmentation; // whoever calls embed() with one has it
 ///     \cgalParamExtra{use the functions `parameters::number_of_contours()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_contours_at_nodes}
-///     \cgalParamDescription{for `CENTROIDS`: how many more contours it leads through between each node and the next one
-///                           of these contours, each a quarter as far from the node as the one before. From a saddle,
-///                           whose contours have another centroid than those just beyond it, a line then goes to the
-///                           middle of its own contours first, and does not leave the surface on a straight way.}
+///     \cgalParamDescription{for `CENTROIDS`: how many more contours it leads through between each node and the next
+///                           one of these contours, each a quarter as far from the node as the one before. From a
+///                           saddle, whose contours have another centroid than those just beyond it, a line then goes
+///                           to the middle of its own contours first, and does not leave the surface on a straight
+///                           way.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
 ///     \cgalParamExtra{use the functions `parameters::number_of_contours_at_nodes()`}
@@ -124,8 +125,8 @@ auto embed(const Augmentation<FaceListGraph, ScalarMap, ReebGraph, Traits>& augm
 ///
 /// \brief puts the Reeb graph of a triangle soup or of tetrahedra into space, as that of a mesh.
 ///
-/// - `CENTROIDS`: the centroid of a contour is that of its polylines, by length, or of its triangles, by area. A leaf is
-///   at its vertex.
+/// - `CENTROIDS`: the centroid of a contour is that of its polylines, by length, or of its triangles, by area. A leaf
+///   is at its vertex.
 /// - `ON_SURFACE`: the way along a contour goes through few triangles. Where a plateau is passed, as ties are
 ///   contracted, the polyline goes straight, and can leave the complex.
 ///

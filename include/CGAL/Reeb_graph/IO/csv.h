@@ -46,9 +46,10 @@ inline std::string csv_of(const std::string& text)
 
 /// \ingroup PkgReebGraphIO
 ///
-/// \brief writes the nodes of a Reeb graph in space as a table of comma-separated values, with a header line: their
-/// numbers `node`, the indices `vertex` of their mesh vertices, `value`, `kind`, the coordinates `x`, `y`, `z`, and how
-/// many arcs there are below and above, `arcs_below` and `arcs_above`.
+/// \brief writes the nodes of a Reeb graph in space as a table of comma-separated values, with a header line.
+///
+/// The columns are `node`, the numbers of the nodes, `vertex`, the indices of their mesh vertices, `value`, `kind`, the
+/// coordinates `x`, `y`, `z`, and how many arcs there are below and above, `arcs_below` and `arcs_above`.
 ///
 /// Numbers have all digits; they can be `inf` and `nan`.
 ///
@@ -83,9 +84,10 @@ void write_nodes_csv(std::ostream& out, const Graph& graph, const Embedding& emb
 
 /// \ingroup PkgReebGraphIO
 ///
-/// \brief writes the arcs of a Reeb graph in space as a table of comma-separated values, with a header line: their
-/// numbers `arc`, the numbers `source` and `target` of their lower and upper nodes, the values `lower_value` and
-/// `upper_value` of these, and the `arc_attributes` by their names.
+/// \brief writes the arcs of a Reeb graph in space as a table of comma-separated values, with a header line.
+///
+/// The columns are `arc`, the numbers of the arcs, `source` and `target`, those of their lower and upper nodes,
+/// `lower_value` and `upper_value`, the values of these, and the `arc_attributes` by their names.
 ///
 /// Numbers have all digits; they can be `inf` and `nan`.
 ///

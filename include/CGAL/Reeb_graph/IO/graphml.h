@@ -62,8 +62,8 @@ void check_arc_attributes(const IndexMap& map, std::size_t number_of_arcs)
 /// the graph has the property `boost::edge_index`, and the `arc_attributes` by their names. Nodes and edges are written
 /// in the order that they have in the graph, by which they are numbered from 0 as their ids, so that equal graphs give
 /// equal files. A floating-point value is written with as many digits as
-/// it takes to read back the same value; an integer as a number, even if it is a character;
-/// any other value by its `operator<<`, or if it has none, as the number that the traits class makes of it.
+/// it takes to read back the same value, and an integer as a number, even if it is a character. Any other value is
+/// written by its `operator<<`, or if it has none, as the number that the traits class makes of it.
 ///
 /// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
 /// \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an

@@ -82,8 +82,8 @@ void write_json_of_graph(std::ostream& out,
 /// - Nodes have `id`, their number, `vertex`, the index of their mesh vertex, `value`, `kind`, and `point`.
 /// - Arcs have `index`, their number, `source` and `target`, the numbers of the lower and the upper node, `polyline`,
 ///   the list of their points, `values`, those of these points, `chain`, and the `arc_attributes` by their names. A
-///   chain is a list of ascending edge paths, each a list of vertices; there is more than one where nodes have been
-///   removed, and the last edge of each passes by the place where the next one, or the upper node, is.
+///   chain is a list of ascending edge paths, each a list of vertices. There is more than one where nodes have been
+///   removed. The last edge of each path passes by the place where the next one, or the upper node, is.
 ///
 /// Values and attributes that are infinite or NaN are `null`; other numbers have all digits.
 ///

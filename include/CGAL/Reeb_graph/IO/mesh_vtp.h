@@ -96,7 +96,7 @@ inline std::string name_of_first(const std::vector<Attribute>& attributes)
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_color_map}
-///     \cgalParamDescription{the same of the faces}
+///     \cgalParamDescription{the colours of the faces}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptors as key type and `CGAL::IO::Color` as
 ///                    value type}
 ///     \cgalParamDefault{none}

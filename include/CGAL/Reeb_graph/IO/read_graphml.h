@@ -42,7 +42,7 @@ namespace Reeb_graph {
 ///
 /// The result is the same graph: nodes, values to the last digit, kinds, arcs with their numbers and chains, all in the
 /// same order. The mesh has to be the one that the graph has been computed of, or one with the same order of vertices
-/// and of halfedges, and the file must have their positions, as the maps of `make_vertex_index_map()` and
+/// and of halfedges. The file must have their positions, as the maps of `make_vertex_index_map()` and
 /// `make_halfedge_index_map()` give them. `Augmentation` tells if the graph is not one of the mesh.
 ///
 /// \param in the stream

@@ -73,10 +73,10 @@ struct Linear_interpolation
 ///
 /// \brief a visitor of a refinement that carries property maps over to the vertices and faces that are added.
 ///
-/// It does so for the maps that it has been told of: pass it as named parameter `visitor`, by value or as
-/// `std::reference_wrapper`. A vertex that is placed on an edge gets the value between those of the ends of the edge,
-/// one that doubles another when the mesh is cut open gets the same value, and a part of a face gets the value of the
-/// face. The points and the scalar field need no visitor.
+/// Add the maps, and pass it as named parameter `visitor`, by value or as `std::reference_wrapper`. A vertex that is
+/// placed on an edge gets a value between those of the ends of the edge. One that doubles another when the mesh is cut
+/// open gets the value of that one. A part of a face gets the value of the face. The points and the scalar field need
+/// no visitor.
 ///
 /// \tparam FaceGraph the type of the mesh
 ///

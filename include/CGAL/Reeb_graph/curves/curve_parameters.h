@@ -51,10 +51,10 @@
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{borders}
 ///     \cgalParamDescription{what happens if a border component does not lie in one level, or is neither a minimum nor
-///                           a maximum: an exception, or the field is changed as by `make_borders_level()`, whose named
-///                           parameters `border_extremum` and `collar_width` count then. `scalar_map` itself stays as
-///                           it is, but for vertices that are added; to have the changed field, call that function
-///                           first.}
+///                           a maximum. Either there is an exception, or the field is changed as by
+///                           `make_borders_level()`, whose named parameters `border_extremum` and `collar_width` count
+///                           then. `scalar_map` itself stays as it is, but for vertices that are added. To have the
+///                           changed field, call that function first.}
 ///     \cgalParamType{`Reeb_graph::Borders`}
 ///     \cgalParamDefault{`Reeb_graph::Borders::LEVEL`}
 ///     \cgalParamExtra{use the functions `parameters::borders()`}
@@ -112,13 +112,14 @@
 ///
 /// Parameters of all functions that split edges and faces of a mesh.
 ///
-/// <b>The field of the refined mesh:</b> if the scalar map can be written, each vertex that is added gets a value: on a
-/// curve that of the contour, elsewhere one next to that of the vertex that has been unfolded or of the border; both
-/// strictly between the values of the vertices below and above wherever there is such a number. So the Reeb graph of
-/// the refined mesh has the nodes and arcs that it had, but for multi-saddles, which have been unfolded, and for the
-/// cuts of `cut_open`. Three kinds of maps are only read: those that are no model of `ReadWritePropertyMap`, those over
-/// a range of fixed size, such as `boost::iterator_property_map`, and dynamic property maps of a `Surface_mesh` that is
-/// `const`, which `make_scalar_map()` returns. Other property maps are carried over by an `Interpolating_visitor`.
+/// <b>The field of the refined mesh:</b> If the scalar map can be written, each vertex that is added gets a value. On a
+/// curve it is that of the contour, elsewhere one next to that of the vertex that has been unfolded or of the border.
+/// Both lie strictly between the values of the vertices below and above wherever there is such a number. So the Reeb
+/// graph of the refined mesh has the nodes and arcs that it had, but for multi-saddles, which have been unfolded, and
+/// for the cuts of `cut_open`. Three kinds of maps are only read: those that are no model of `ReadWritePropertyMap`,
+/// those over a range of fixed size, such as `boost::iterator_property_map`, and dynamic property maps of a
+/// `Surface_mesh` that is `const`, which `make_scalar_map()` returns. Other property maps are carried over by an
+/// `Interpolating_visitor`.
 ///
 /// <b>What is known of the mesh and the field:</b>
 ///

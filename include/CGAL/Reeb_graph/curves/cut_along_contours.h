@@ -31,7 +31,7 @@ namespace Reeb_graph {
 ///
 /// The edges that a contour crosses are split where it does, and the faces between them; what is left of a face is
 /// triangulated. The mesh stays a triangle mesh with the same surface. Any number of contours may pass one edge or one
-/// face, and may lie at levels as close to each other as they like: their points on an edge are kept apart by at least
+/// face, and may lie at levels as close to each other as they like. Their points on an edge are kept apart by at least
 /// 0.4 / (<em>k</em> + 1) of its length, where \e k is the number of contours that cross it, and from its ends by at
 /// least 0.1 / (<em>k</em> + 1). So no face is degenerate unless it comes from a degenerate one.
 ///

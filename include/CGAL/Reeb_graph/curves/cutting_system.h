@@ -30,9 +30,9 @@ namespace Reeb_graph {
 /// the surface cut along them has \f$ 2g + b \f$ border components. A sphere has no curve. Several connected
 /// components are cut one by one.
 ///
-/// By default the curves are short: along each arc of the graph, without the leaves that do not matter here, the
-/// shortest contour of several candidates is taken, and the arcs outside of a maximum spanning tree of these lengths
-/// give the curves.
+/// By default the curves are short. Leaves of the graph do not matter here, and are removed. Along each arc that is
+/// left the shortest contour of several candidates is taken, and the arcs outside of a maximum spanning tree of these
+/// lengths give the curves.
 ///
 /// The method follows M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, Section
 /// 7. In advance, saddles of higher multiplicity, which could hide handles, are made simple as in

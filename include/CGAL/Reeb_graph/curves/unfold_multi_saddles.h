@@ -24,12 +24,12 @@ namespace Reeb_graph {
 ///
 /// \brief refines a mesh so that all saddles inside of the surface are simple.
 ///
-/// At an interior vertex with \f$ m + 1 \f$ lower link sectors, \f$ m > 1 \f$, the edges to the neighbors in the
+/// Let an interior vertex have \f$ m + 1 \f$ lower link sectors, \f$ m > 1 \f$. The edges to the neighbors in the
 /// smallest \f$ m - 1 \f$ upper link sectors are split, and the new vertices are put just below the vertex in the total
-/// order, such that one of each sector becomes a simple saddle, the others become regular, and the vertex itself
-/// becomes a simple saddle. The kinds of all other vertices stay as they are. A multi-saddle can hide a handle of the
-/// surface from the Reeb graph, or a contour; after this, a connected closed surface of genus \f$ g \f$ has exactly \f$
-/// g \f$ independent loops in its graph.
+/// order. One of each sector becomes a simple saddle, and so does the vertex itself; the others become regular. The
+/// kinds of all other vertices stay as they are. A multi-saddle can hide a handle of the surface from the Reeb graph,
+/// or a contour; after this, a connected closed surface of genus \f$ g \f$ has exactly \f$ g \f$ independent loops in
+/// its graph.
 ///
 /// As values between those of the field need not exist, the result has ranks in their place: numbers in the same order.
 /// Only comparisons decide the Reeb graph, so that of `rank_map` is the one of the unfolded field. It takes

@@ -38,19 +38,19 @@ namespace CGAL {
 /// The field is cut at levels into slabs, one for each rank, with about the same numbers of vertices. A triangle goes
 /// to every rank whose slab it meets. Each rank finds the arcs in its slab, as `compute_reeb_graph()` does in its own
 /// slabs. The two ranks at a level hold all that it crosses, so they find the same contours there, and name them alike
-/// without a word; along these, the slabs are glued, pairs of neighbors first, then pairs of pairs, up to all of them.
-/// At rank 0, arcs that pass vertices are joined, and the graph is written. The chains of the arcs are walked by the
-/// ranks in whose slabs they are, and handed on upwards.
+/// without a message. Along these, the slabs are glued, pairs of neighbors first, then pairs of pairs, up to all of
+/// them. At rank 0, arcs that pass vertices are joined, and the graph is written. The chains of the arcs are walked by
+/// the ranks in whose slabs they are, and handed on upwards.
 ///
 /// Triangles that meet many slabs are copied to many ranks, as on noise. If by a sample of the triangles they would
 /// meet more than two slabs on average, fewer slabs than ranks are used; `Reeb_graph::Distributed_slab` tells. Surfaces
 /// of less than 2<sup>15</sup> triangles are sliced all the same.
 ///
 /// With \f$ n \f$ vertices and triangles on \f$ k \f$ ranks, a rank takes the time and the memory of
-/// `compute_reeb_graph()` for the triangles that meet its slab, about \f$ n / k \f$ of them where the field is smooth,
-/// and up to a sixth of a byte for each vertex of all ranks; and rank 0 also \f$ O(c \log c) \f$ time and \f$ O(c) \f$
-/// memory for \f$ c \f$ critical vertices of all ranks. Gluing takes \f$ \log_2 k \f$ rounds of messages, and chains at
-/// most \f$ k \f$ rounds.
+/// `compute_reeb_graph()` for the triangles that meet its slab, about \f$ n / k \f$ of them where the field is smooth.
+/// Up to a sixth of a byte for each vertex of all ranks comes on top. Rank 0 also takes \f$ O(c \log c) \f$ time and
+/// \f$ O(c) \f$ memory for \f$ c \f$ critical vertices of all ranks. Gluing takes \f$ \log_2 k \f$ rounds of messages,
+/// and chains at most \f$ k \f$ rounds.
 ///
 /// \tparam VertexRange a range of consecutive integers, such as `boost::irange(first, last)`
 /// \tparam TriangleRange a random access range of triples of indices, such as
@@ -65,8 +65,8 @@ namespace CGAL {
 /// \param local_triangles the triangles that this rank brings. Each triangle of the surface is brought once
 /// \param local_scalars the values of `local_vertices`
 /// \param graph the result; whatever it held before is cleared
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, the same
-///        on all ranks but for what they refer to
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below. All
+///        ranks give the same ones, but for what they refer to
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{number_of_slabs}
@@ -152,7 +152,8 @@ void compute_reeb_graph_distributed(const boost::mpi::communicator& communicator
 /// the time and about the memory of that function for the triangles that meet a slab, which is more than for a surface.
 /// `Reeb_graph::Distributed_slab` counts no borders and has no contours.
 ///
-/// The exceptions are those of `compute_reeb_graph_distributed()`, but the three that say what is no oriented surface.
+/// The exceptions are those of `compute_reeb_graph_distributed()`, but for the three that refuse surfaces that are not
+/// oriented.
 template <class VertexRange,
           class TriangleRange,
           class ScalarRange,

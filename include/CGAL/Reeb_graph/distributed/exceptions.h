@@ -68,7 +68,7 @@ private:
   std::pair<std::size_t, std::size_t> edge_;
 };
 
-/// \brief thrown if another rank has thrown what is no exception of the package and not `std::bad_alloc`.
+/// \brief thrown if another rank has thrown an exception that is neither one of the package nor `std::bad_alloc`.
 class Other_rank_error : public Error
 {
 public:

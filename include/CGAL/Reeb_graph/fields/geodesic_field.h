@@ -40,10 +40,10 @@ namespace Reeb_graph {
 /// On a component where the heat method fails, the distances are those of a front that marches from vertex to vertex,
 /// along the edges and straight through the triangles: M. Novotni and R. Klein, *Computing Geodesic Distances on
 /// Triangular Meshes*, 2002. They need nothing but the lengths of the edges, which are longer if there are bad faces,
-/// see `Field_report`. The heat method fails if its equations have no solution; if a distance is not finite, as some
-/// thousand edges away from the sources, or off by more than half of the largest one; and if a side of a triangle is as
-/// long as the two others to 14 digits, or edges differ in length by a factor of 10<sup>7</sup>, where the intrinsic
-/// Delaunay triangulation may not end.
+/// see `Field_report`. The heat method fails if its equations have no solution. It fails if a distance is not finite,
+/// as some thousand edges away from the sources, or off by more than half of the largest one. It is not tried where the
+/// intrinsic Delaunay triangulation may not end: if a side of a triangle is as long as the two others to 14 digits, or
+/// edges differ in length by a factor of 10<sup>7</sup>.
 ///
 /// It needs Eigen: the macro `CGAL_EIGEN3_ENABLED` has to be defined. Matrices are factorized, in about
 /// \f$ O(n^{3/2}) \f$ time and \f$ O(n \log n) \f$ memory for \f$ n \f$ vertices, plus the time of the intrinsic

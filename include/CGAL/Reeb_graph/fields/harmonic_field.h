@@ -37,8 +37,8 @@ namespace Reeb_graph {
 /// is not given, with the sum over its neighbors. See M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb
 /// Graph Algorithm*, 2020, Section 8.1.
 ///
-/// <b>There is no local extremum but at the vertices whose values are given</b>: after rounding each other vertex has a
-/// neighbor of strictly lower and one of strictly higher value, on any mesh and with any weights, even where the
+/// <b>There is no local extremum but at the vertices whose values are given</b>, on any mesh and with any weights.
+/// After rounding each other vertex has a neighbor of strictly lower and one of strictly higher value, even where the
 /// solution is flat to all digits, and even if faces have no area. So with two given values a closed surface of genus
 /// \f$ g \f$ has exactly one minimum, one maximum, and saddles of total multiplicity \f$ 2g \f$. The only exception are
 /// parts of the surface around which all given values are the same, so that the solution is constant there. Where the

@@ -28,7 +28,7 @@ namespace Reeb_graph {
 ///
 /// In each connected component, the field is 0 on the first border component and 1 on the other ones, in the order of
 /// their first vertices. If there is one border, the field is 1 at a vertex far from it, or 0 all over where all
-/// vertices are on it; if there is none, it is 0 and 1 at the two vertices of `find_far_apart_vertices()`. An isolated
+/// vertices are on it. If there is none, it is 0 and 1 at the two vertices of `find_far_apart_vertices()`. An isolated
 /// vertex gets the value 0. Borders at 1 that share edges are one plateau.
 ///
 /// The template parameters, the named parameters, the result, and the exceptions are those of

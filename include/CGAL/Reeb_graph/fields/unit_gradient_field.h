@@ -35,8 +35,8 @@ namespace Reeb_graph {
 /// \mathrm{div} X \f$. See M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020,
 /// Section 6.3. In each component the lowest vertex of \f$ f \f$ gets the value 0.
 ///
-/// The level sets are parallel to those of \f$ f \f$ only as far as \f$ X \f$ is a gradient: near saddles and where
-/// level sets of \f$ f \f$ are not equally far apart everywhere it is none, and the gradient is shorter there. So \f$
+/// The level sets are parallel to those of \f$ f \f$ only as far as \f$ X \f$ is a gradient. It is none near saddles,
+/// and where level sets of \f$ f \f$ are not equally far apart everywhere. The gradient is shorter there. So \f$
 /// \hat f \f$ measures arcs of the Reeb graph of \f$ f \f$, see `Augmentation::contour()`, and does not replace it.
 /// Where \f$ f \f$ is flat to the last digits, the direction of its gradient is one of rounding errors. Time and memory
 /// are those of `compute_harmonic_field()`.

@@ -11,23 +11,18 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/handles/internal/Disc_of_loop.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/box_intersection_d.h>
-#include <CGAL/utility.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <optional>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,9 +34,7 @@ namespace internal {
 template <class Mesh>
 class Filling_discs
 {
-  typedef Exact_predicates_inexact_constructions_kernel Kernel;
-  typedef Kernel::Point_3 Point;
-  typedef Kernel::Triangle_3 Triangle;
+  typedef Disc_kernel::Triangle_3 Triangle;
   typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
   typedef typename boost::graph_traits<Mesh>::face_descriptor face_descriptor;
 
@@ -51,15 +44,7 @@ class Filling_discs
     std::size_t disc;
   };
 
-  struct Numbered_box : Box_intersection_d::Box_d<double, 3>
-  {
-    Numbered_box(const Bbox_3& box, std::size_t n) : Box_intersection_d::Box_d<double, 3>(box), number(n) {}
-    std::size_t number;
-  };
-
 public:
-  static constexpr std::size_t largest_size = 1000; // of loops, as triangulating one takes more than linear time
-
   explicit Filling_discs(const Mesh& mesh) : mesh_(mesh) {}
 
   template <class HalfedgeRange, class PointMap>
@@ -68,22 +53,19 @@ public:
     const std::size_t disc = areas_.size();
     areas_.emplace_back();
     passed_.emplace_back();
-    std::vector<Point> polyline;
+    std::vector<Disc_point> polyline;
     for(const auto h : loop)
     {
       passed_.back().insert(source(h, mesh_));
-      polyline.push_back(point(source(h, mesh_), point_map));
+      polyline.push_back(disc_point(source(h, mesh_), point_map));
     }
-    if(polyline.size() < 3 || polyline.size() > largest_size)
-      return;
-    std::vector<CGAL::Triple<int, int, int>> triangles;
-    Polygon_mesh_processing::triangulate_hole_polyline(polyline, std::back_inserter(triangles));
+    const auto triangles = triangulate_disc(polyline);
     if(triangles.empty())
       return;
     double area = 0;
     for(const auto& t : triangles)
     {
-      triangles_.push_back({Triangle(polyline[t.first], polyline[t.second], polyline[t.third]), disc});
+      triangles_.push_back({Triangle(polyline[t[0]], polyline[t[1]], polyline[t[2]]), disc});
       area += std::sqrt(CGAL::to_double(triangles_.back().triangle.squared_area()));
     }
     areas_.back() = area;
@@ -100,38 +82,23 @@ public:
       return areas_;
     const std::vector<face_descriptor> all_faces(faces(mesh_).begin(), faces(mesh_).end());
     for(const face_descriptor f : all_faces)
-      face_boxes.push_back(Numbered_box(triangle(f, point_map).bbox(), face_boxes.size()));
+      face_boxes.push_back(Numbered_box(face_triangle(f, mesh_, point_map).bbox(), face_boxes.size()));
     box_intersection_d(disc_boxes.begin(), disc_boxes.end(), face_boxes.begin(), face_boxes.end(),
                        [&](const Numbered_box& a, const Numbered_box& b) {
                          const Disc_triangle& t = triangles_[a.number];
                          const face_descriptor f = all_faces[b.number];
                          if(areas_[t.disc] && !is_beside(t.disc, f)
-                            && CGAL::do_intersect(t.triangle, triangle(f, point_map)))
+                            && CGAL::do_intersect(t.triangle, face_triangle(f, mesh_, point_map)))
                            areas_[t.disc].reset();
                        });
     return areas_;
   }
 
 private:
-  template <class PointMap>
-  static Point point(vertex_descriptor v, const PointMap& point_map)
-  {
-    const auto& p = get(point_map, v);
-    return Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  }
-
-  template <class PointMap>
-  Triangle triangle(face_descriptor f, const PointMap& point_map) const
-  {
-    const auto h = halfedge(f, mesh_);
-    return Triangle(point(source(h, mesh_), point_map), point(target(h, mesh_), point_map),
-                    point(target(next(h, mesh_), mesh_), point_map));
-  }
-
   // Whether a face has a vertex of the loop of a disc.
   bool is_beside(std::size_t disc, face_descriptor f) const
   {
-    for(const auto v : vertices_around_face(halfedge(f, mesh_), mesh_))
+    for(const auto v : face_corners(f, mesh_))
       if(passed_[disc].count(v) != 0)
         return true;
     return false;

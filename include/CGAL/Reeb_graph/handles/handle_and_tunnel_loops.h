@@ -24,6 +24,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -156,7 +157,7 @@ private:
 ///
 /// Without shortening, it takes \f$ O(n + g^3 + k \log^2 k + c) \f$ time, where \f$ n \f$ is the number of vertices and
 /// faces, \f$ k \f$ the number of edges on the loops of a tree, and \f$ c \f$ the number of their crossings as they are
-/// seen in one direction, besides that of the Reeb graph. The shortening takes some tens of searches for each loop, of
+/// seen in one direction. The time of the Reeb graph comes on top. The shortening takes some tens of searches for each loop, of
 /// which each sees the part of the surface that is nearer than half the length of that loop.
 ///
 /// The idea to combine loops by linking numbers is that of T. K. Dey, F. Fan, Y. Wang, *An Efficient Computation of
@@ -228,9 +229,11 @@ Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGra
   auto found = std::make_shared<internal::Found_loops>(std::move(closing->surface()),
                                                        internal::Stage_progress(progress, 0.1, 0.2));
   if(choose_parameter(get_parameter(np, internal::check_self_intersections), true))
-    found->refuse_self_intersections();
-  auto loops = found->make_loops(choose_parameter(get_parameter(np, internal::shorten_loops), true),
-                                 internal::Stage_progress(progress, 0.2, 1));
+    found->refuse_self_intersections(found->self_intersections());
+  const bool are_short = choose_parameter(get_parameter(np, internal::shorten_loops), true);
+  auto loops =
+    found->make_loops(are_short ? std::numeric_limits<double>::infinity() : 0, (std::numeric_limits<std::size_t>::max)(),
+                      internal::Stage_progress(progress, 0.2, 1));
   internal::set_persistences(
     reeb_loops, [&](const auto h) { return closing->number(h); }, loops);
   progress.report_end();

@@ -33,7 +33,7 @@ namespace Reeb_graph {
 enum class Persistence_pair_kind
 {
   MINIMUM_SADDLE, ///< a component of the sublevel sets: from its lowest minimum to where it joins one of a lower minimum
-  SADDLE_MAXIMUM,  ///< the same for superlevel sets: from where it joins one of a higher maximum to its highest maximum
+  SADDLE_MAXIMUM,  ///< a component of the superlevel sets: from where it joins a higher one to its own maximum
   MINIMUM_MAXIMUM, ///< a connected component of the graph: its lowest minimum and its highest maximum
   LOOP             ///< a loop of the graph: from where it splits to where it joins
 };

@@ -98,17 +98,17 @@ inline std::vector<Simplification_threshold> choose_thresholds(std::vector<Simpl
 ///
 /// Noise gives many pairs whose persistences are close together, up to about twice its amplitude, and features are more
 /// persistent; see F. Chazal, L. J. Guibas, S. Y. Oudot, P. Skraba, *Persistence-Based Clustering in Riemannian
-/// Manifolds*, 2013, who choose the widest gap. Here, a gap is the ratio of two persistences that follow each other, which
-/// does not depend on units, and a limb that is ten times as long as another one does not hide the gap below that one.
+/// Manifolds*, 2013, who choose the widest gap. Here, a gap is the ratio of two persistences that follow each other. So
+/// units do not matter, and a limb that is ten times as long as another one does not hide the gap below that one.
 /// The persistences are those with which `simplify()` removes branches, and with `cancel_loops` loops; the range of the
 /// largest connected component lies above all of them. What is smaller than a thousandth of this range is not seen, and
 /// counts as that: below the least of a few features of a smooth field there is a wide gap, and they all stay. A gap is
 /// wide if the ratio is 1.25 or more.
 ///
-/// The suggested threshold is that for which \f$ \ln r - 1.5\, |\ln (l / 7)| \f$ is greatest, where \f$ r \f$ is the ratio and
-/// \f$ l \f$ the number of leaves that stay: the widest gap, with a prior expectation of about seven leaves, as head, tail
-/// and limbs of a body. It decides where a shape has details of all sizes, and no gap is much wider than the other ones;
-/// a gap of noise outweighs it.
+/// Let \f$ r \f$ be the ratio, and \f$ l \f$ the number of leaves that stay. The suggested threshold has the greatest
+/// \f$ \ln r - 1.5\, |\ln (l / 7)| \f$: the widest gap, with a prior expectation of about seven leaves, as head, tail
+/// and limbs of a body. The expectation decides where a shape has details of all sizes, and no gap is much wider than
+/// the other ones; a gap of noise outweighs it.
 ///
 /// With \f$ n \f$ nodes and arcs, it takes \f$ O(n \log n) \f$ time; with `cancel_loops` the time of `simplify()` for
 /// each wide gap, of which there are at most 31.

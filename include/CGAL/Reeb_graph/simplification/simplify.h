@@ -47,11 +47,11 @@ struct Branch
 /// The leaf arc of least measure is removed; of several, the one whose leaf has the lowest number. If one arc below its
 /// saddle and one above are left, they become one, which can be a leaf arc of a larger measure. So it goes on until no
 /// measure is below the threshold. A leaf arc that is the only one on its side of the saddle is no branch, as what is
-/// left would end there; so a branch with a loop stays as long as the loop does. See H. Carr, J. Snoeyink, M. van de
+/// left would end there. So a branch with a loop stays as long as the loop does. See H. Carr, J. Snoeyink, M. van de
 /// Panne, *Simplifying Flexible Isosurfaces Using Local Geometric Measures*, 2004.
 ///
 /// The measure of a leaf arc is its persistence by default: the largest difference between the value of the saddle and
-/// one in what would be removed, which is how far `simplify_field()` has to move a value. It is the difference between
+/// one in what would be removed. `simplify_field()` has to move a value that far. It is the difference between
 /// the ends of the arc, unless an extremum beyond the leaf has been removed from it before. What has been removed is
 /// not in the simplified graph: where such an extremum has kept a leaf arc, simplifying that graph again removes the
 /// arc. With the difference between the ends as `branch_measure`, simplifying again changes nothing, but values of the

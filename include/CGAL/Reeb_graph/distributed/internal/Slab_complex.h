@@ -64,7 +64,6 @@ public:
              return halfedge.next != no_index && has_vertex(halfedge.target);
            }));
   }
-  bool is_next_in_triangle(Halfedge_index) const { return true; }
   void check_faces() const {}
   void check_edges() const {}
 

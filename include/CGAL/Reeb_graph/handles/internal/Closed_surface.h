@@ -46,6 +46,7 @@ struct Closed_surface
   std::vector<Index> face;         // by halfedge
   std::vector<Index> outgoing;     // a halfedge that leaves a vertex; no_index if there is none
   std::vector<Index> halfedge;     // one of each face
+  std::vector<double> lengths;     // by edge
   Index number_of_given_vertices = 0, number_of_given_halfedges = 0;
   std::vector<Halfedge_walk> border_cycles; // with the surface on the left
 
@@ -57,11 +58,7 @@ struct Closed_surface
   bool is_apex(Index v) const { return v >= number_of_given_vertices; }
   bool is_given(Index h) const { return h < number_of_given_halfedges; }
 
-  double length(Index h) const
-  {
-    const Point &p = points[source(h)], &q = points[target[h]];
-    return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
-  }
+  double length(Index h) const { return lengths[h / 2]; }
   double length(const Halfedge_walk& walk) const
   {
     double sum = 0;
@@ -95,6 +92,7 @@ public:
     read(point_map);
     close();
     number_faces();
+    measure_edges();
   }
 
   Closed_surface& surface() { return surface_; }
@@ -178,6 +176,15 @@ private:
       const Index face = static_cast<Index>(surface_.halfedge.size());
       surface_.halfedge.push_back(h);
       surface_.face[h] = surface_.face[surface_.next[h]] = surface_.face[surface_.previous(h)] = face;
+    }
+  }
+
+  void measure_edges()
+  {
+    for(Index h = 0; h != surface_.next.size(); h += 2)
+    {
+      const Closed_surface::Point &p = surface_.points[surface_.source(h)], &q = surface_.points[surface_.target[h]];
+      surface_.lengths.push_back(std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]));
     }
   }
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/handles/internal/Component_loops.h>
+#include <CGAL/Reeb_graph/handles/internal/Crossing_bounds.h>
 #include <CGAL/Reeb_graph/handles/internal/Integer_rows.h>
 #include <CGAL/Reeb_graph/handles/internal/Linking_numbers.h>
 #include <CGAL/Reeb_graph/handles/internal/Loop_choice.h>
@@ -25,9 +26,12 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -160,7 +164,8 @@ class All_loops
 public:
   explicit All_loops(Handle_homology& homology) : homology_(homology), surface_(homology.surface()) {}
 
-  std::vector<std::vector<Pair_of_loops>> operator()(bool are_short, const Stage_progress& progress)
+  // Loops are shortened as far as that makes them shorter than `bound`, and than the `number`-th size of a pair.
+  std::vector<std::vector<Pair_of_loops>> operator()(double bound, std::size_t number, const Stage_progress& progress)
   {
     Class_codes codes(surface_.next.size() / 2, {0, 0});
     for(auto& component : homology_.components())
@@ -185,14 +190,27 @@ public:
       choices_.emplace_back(surface_, component.loops, halves_[i], component.number_of_vertices);
     }
     add_loops_of_tree(codes);
+    std::vector<double> sizes;
+    for(auto& choice : choices_)
+    {
+      choice.choose();
+      const std::vector<double> its_sizes = choice.sizes();
+      sizes.insert(sizes.end(), its_sizes.begin(), its_sizes.end());
+    }
+    if(0 < number && number < sizes.size())
+    {
+      std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(number - 1), sizes.end());
+      bound = (std::min)(bound, std::nextafter(sizes[number - 1], std::numeric_limits<double>::infinity()));
+    }
     Loop_search search(surface_, codes);
+    Crossing_bounds crossing_bounds(surface_);
     std::vector<std::vector<Pair_of_loops>> result;
     for(std::size_t i = 0; i != choices_.size(); ++i)
     {
-      const double number = static_cast<double>(choices_.size());
-      choices_[i].choose();
-      if(are_short)
-        choices_[i].shorten(search, progress.part(i / number, (i + 1) / number));
+      const double number_of_choices = static_cast<double>(choices_.size());
+      if(bound > 0)
+        choices_[i].shorten(search, crossing_bounds, bound,
+                            progress.part(i / number_of_choices, (i + 1) / number_of_choices));
       result.push_back(choices_[i].take_pairs());
     }
     return result;

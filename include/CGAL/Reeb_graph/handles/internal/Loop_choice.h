@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/handles/internal/Component_loops.h>
+#include <CGAL/Reeb_graph/handles/internal/Crossing_bounds.h>
 #include <CGAL/Reeb_graph/handles/internal/Integer_rows.h>
 #include <CGAL/Reeb_graph/handles/internal/Loop_halves.h>
 #include <CGAL/Reeb_graph/handles/internal/Loop_search.h>
@@ -22,7 +23,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -89,28 +89,45 @@ public:
     }
   }
 
-  // Adds shorter loops as candidates, and chooses again.
-  void shorten(Loop_search& search, const Stage_progress& progress)
+  // The lengths of the shorter loops of all pairs.
+  std::vector<double> sizes() const
   {
-    add_loops_at_left_over_edges(search, progress.part(0, 0.3));
+    std::vector<double> result;
+    for(std::size_t i = 0; i != halves_.size(); ++i)
+      result.push_back((std::min)(surface_.length(walk(0, i)), surface_.length(walk(1, i))));
+    return result;
+  }
+
+  // Adds loops that are shorter as candidates, and chooses again. Loops that are not shorter than `bound` are not looked
+  // for.
+  void shorten(Loop_search& search, Crossing_bounds& crossing_bounds, double bound, const Stage_progress& progress)
+  {
+    add_loops_at_left_over_edges(search, bound, progress.part(0, 0.3));
     choose();
+    std::set<Pair_of_loops> searched; // loops behind the partners across which a search has found no shorter ones
     for(int pass = 0; pass != 2; ++pass)
     {
-      const double length = total_length();
+      bool is_any_found = false;
       for_each_loop(progress.part(0.3 * (pass + 1), 0.3 * (pass + 2)),
                     [&](int half, std::size_t i, const Stage_progress& step) {
-                      Halfedge_walk found = shortest_across(search, half, i, false, step);
+                      step(0);
+                      const Halfedge_walk partner = walk(1 - half, i);
+                      if(searched.count({partner, walks_[half][i]}) != 0)
+                        return;
+                      Halfedge_walk found = shortest_across(search, crossing_bounds, half, i, bound, false, step);
+                      searched.insert({partner, found.empty() ? walks_[half][i] : found});
+                      is_any_found = is_any_found || !found.empty();
                       if(!found.empty())
                         add_candidate(half, std::move(found));
                     });
-      choose();
-      if(!(total_length() < 0.999 * length))
+      if(!is_any_found)
         break;
+      choose();
     }
     for_each_loop(progress.part(0.9, 1), [&](int half, std::size_t i, const Stage_progress& step) {
       if(!walks_[half][i].empty())
         return;
-      Halfedge_walk found = shortest_across(search, half, i, true, step);
+      Halfedge_walk found = shortest_across(search, crossing_bounds, half, i, bound, true, step);
       if(!found.empty())
         walks_[half][i] = coordinates(half, found) == bases_.vector(half, i) ? found : reversed(found);
     });
@@ -148,17 +165,8 @@ private:
     return sum;
   }
 
-  double total_length() const
-  {
-    double sum = 0;
-    for(int half : {0, 1})
-      for(std::size_t i = 0; i != halves_.size(); ++i)
-        sum += surface_.length(walk(half, i));
-    return sum;
-  }
-
   // Where a handle is in the way of the tree, an edge is left over near by.
-  void add_loops_at_left_over_edges(Loop_search& search, const Stage_progress& progress)
+  void add_loops_at_left_over_edges(Loop_search& search, double bound, const Stage_progress& progress)
   {
     std::set<Index> roots;
     for(const Index h : loops_.component().left_over)
@@ -169,8 +177,7 @@ private:
       progress.report_step(number++, roots.size());
       for(int half : {0, 1})
       {
-        auto loop = search(root, 1 - half, std::numeric_limits<double>::infinity(), 4 * number_of_vertices_ + 100000,
-                           [](const Halfedge_walk&) { return true; });
+        auto loop = search(root, 1 - half, bound, largest_search(), [](const Halfedge_walk&) { return true; });
         if(!loop.walk.empty())
           add_candidate(half, std::move(loop.walk));
       }
@@ -186,13 +193,19 @@ private:
         visit(half, i, progress.part(i / number, (i + 1) / number));
   }
 
+  // So many places of the cover may be seen in one search, so that all searches together take a time that is linear.
+  std::size_t largest_search() const { return 4000 + 8 * number_of_vertices_ / halves_.size(); }
+
   // The shortest loop found that crosses the partner of one once, or is in the class of that one. Empty if none is
-  // shorter than that one. Each such loop has a vertex in common with the partner: the search begins there. From one
-  // vertex to the next, the length of the shortest loop through it changes by at most twice the way between, so that
-  // few have to be tried to come near to the shortest one.
+  // shorter than that one, and than `bound`. Each such loop has a vertex in common with the partner: the search begins
+  // there. From one vertex to the next, the length of the shortest loop through it changes by at most twice the way
+  // between, and what crosses the partner at a vertex is not shorter than the way from it to its other side. So few
+  // have to be tried to come near to the shortest one.
   Halfedge_walk shortest_across(Loop_search& search,
+                                Crossing_bounds& crossing_bounds,
                                 int half,
                                 std::size_t place,
+                                double bound,
                                 bool is_class_fixed,
                                 const Stage_progress& progress)
   {
@@ -211,15 +224,22 @@ private:
       return found == wanted || opposite == wanted;
     };
     const Halfedge_walk& given = walks_[half][place];
-    Loop_search::Loop best = {given.empty() ? std::numeric_limits<double>::infinity() : surface_.length(given), {}};
+    Loop_search::Loop best = {given.empty() ? bound : (std::min)(bound, surface_.length(given)), {}};
+    const std::vector<double> least_lengths = crossing_bounds(partner, best.length);
+    std::vector<std::size_t> order = coarse_to_fine(partner.size());
+    const auto least = std::min_element(least_lengths.begin(), least_lengths.end()) - least_lengths.begin();
+    order.insert(order.begin(), static_cast<std::size_t>(least));
     std::set<double> tried;
-    for(const std::size_t k : coarse_to_fine(partner.size()))
+    int number_of_failures = 0;
+    for(const std::size_t k : order)
     {
-      if(is_near(tried, positions[k], positions.back(), 0.02 * best.length))
+      if(least_lengths[k] >= 0.96 * best.length || is_near(tried, positions[k], positions.back(), 0.02 * best.length))
         continue;
       tried.insert(positions[k]);
       progress(0); // so that it can be cancelled
-      auto loop = search(surface_.source(partner[k]), 1 - half, best.length, 16 * number_of_vertices_ + 100000, accept);
+      auto loop = search(surface_.source(partner[k]), 1 - half, best.length, largest_search(), accept);
+      if(!loop.is_shortest && ++number_of_failures == 2)
+        break;
       if(!loop.walk.empty())
         best = std::move(loop);
     }

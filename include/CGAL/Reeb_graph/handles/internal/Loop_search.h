@@ -77,6 +77,7 @@ public:
   {
     double length = 0;
     Halfedge_walk walk;
+    bool is_shortest = true; // false if the search has stopped
   };
 
   Loop_search(const Closed_surface& surface, const Class_codes& codes)
@@ -112,6 +113,7 @@ public:
         return is_accepted[code] = is_accepted[std::uint64_t(0) - code] = accept(walk);
       });
     }
+    best.is_shortest = places_.size() < largest_number_of_places;
     end();
     return best;
   }

@@ -88,12 +88,17 @@ public:
 
   const Handle_homology& homology() const { return homology_; }
 
-  // A component that intersects itself has no inside.
-  void refuse_self_intersections()
+  // Whether each component intersects itself.
+  std::vector<bool> self_intersections() const
   {
     if(homology_.components().empty())
-      return;
-    const std::vector<bool> is_crossed = find_self_intersections(homology_.surface(), homology_.trees());
+      return std::vector<bool>(homology_.trees().components().size(), false);
+    return find_self_intersections(homology_.surface(), homology_.trees());
+  }
+
+  // A component that intersects itself has no inside.
+  void refuse_self_intersections(const std::vector<bool>& is_crossed)
+  {
     for(auto& component : homology_.components())
     {
       if(is_crossed[component.number])
@@ -101,10 +106,11 @@ public:
     }
   }
 
-  std::vector<Surface_loop> make_loops(bool are_short, const Stage_progress& progress)
+  // Loops are made shorter than `bound`, and than the `number`-th size of a pair, where that can be.
+  std::vector<Surface_loop> make_loops(double bound, std::size_t number, const Stage_progress& progress)
   {
     std::vector<Surface_loop> result;
-    const auto pairs = find_pairs(are_short, progress);
+    const auto pairs = find_pairs(bound, number, progress);
     for(std::size_t place = 0; place != pairs.size(); ++place)
       add_pairs(homology_.components()[place], pairs[place], result);
     for(const Halfedge_walk& cycle : homology_.surface().border_cycles)
@@ -150,15 +156,15 @@ private:
   typedef Handle_homology::Component Component;
   typedef std::vector<Large_integer> Class;
 
-  std::vector<std::vector<Pair_of_loops>> find_pairs(bool are_short, const Stage_progress& progress)
+  std::vector<std::vector<Pair_of_loops>> find_pairs(double bound, std::size_t number, const Stage_progress& progress)
   {
     try
     {
-      return All_loops<Checked_integer>(homology_)(are_short, progress);
+      return All_loops<Checked_integer>(homology_)(bound, number, progress);
     }
     catch(const Integer_overflow&)
     {
-      return All_loops<Large_integer>(homology_)(are_short, progress);
+      return All_loops<Large_integer>(homology_)(bound, number, progress);
     }
   }
 

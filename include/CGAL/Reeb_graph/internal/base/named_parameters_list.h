@@ -37,6 +37,7 @@ CGAL_REEB_GRAPH_NAMED_PARAMETER(arc_attributes, std::vector<Reeb_graph::Attribut
 CGAL_REEB_GRAPH_NAMED_PARAMETER(vertex_attributes, std::vector<Reeb_graph::Attribute>)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(face_attributes, std::vector<Reeb_graph::Attribute>)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(shorten_loops, bool)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_handles, std::size_t)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(check_self_intersections, bool)
 
 // These have values of any type, and a tag, which has another name where there are functions called as the parameter is.

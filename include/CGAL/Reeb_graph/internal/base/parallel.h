@@ -139,27 +139,6 @@ public:
   T get() const { return value_.load(std::memory_order_relaxed); }
   void set(T value) { value_.store(value, std::memory_order_relaxed); }
 
-  // Adds to the value. No other thread comes between.
-  template <class ConcurrencyTag>
-  void add(T value)
-  {
-    if constexpr(is_parallel<ConcurrencyTag>())
-      value_.fetch_add(value, std::memory_order_relaxed);
-    else
-      set(get() + value);
-  }
-
-  // Sets the value, and returns the one before. No other thread comes between.
-  template <class ConcurrencyTag>
-  T exchange(T value)
-  {
-    if constexpr(is_parallel<ConcurrencyTag>())
-      return value_.exchange(value, std::memory_order_relaxed);
-    const T old = get();
-    set(value);
-    return old;
-  }
-
 private:
   std::atomic<T> value_{T()};
 };

@@ -15,95 +15,158 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
+#include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// What a sample of the edges tells.
-struct Sampled_edges
+// What turns around some vertices in a row tell, at several places.
+struct Sampled_turns
 {
   std::size_t number = 0;
-  std::size_t far_ones = 0;    // whose ends or next edges are far away in memory
-  std::size_t link_maxima = 0; // as many as a third of the edges if the field is smooth, two thirds on noise
+  std::size_t pages = 0;             // of memory that the halfedges of the vertices in a row are on
+  std::size_t changes_of_length = 0; // from a vertex to the next one, which the processor cannot foresee
+  std::size_t plain_links = 0;       // which ascend once and descend once
 };
 
+// Adds a turn, and the pages on which its halfedges are. Returns its length. Nothing has been checked yet.
 template <class Complex, class Order>
-Sampled_edges sample_edges(const Complex& complex, const Order& order)
+std::size_t sample_turn(const Complex& complex,
+                        const Order& order,
+                        Vertex_index vertex,
+                        Sampled_turns& sample,
+                        Plain_vector<Number>& pages)
 {
-  constexpr std::size_t number_of_samples = 500;
-  const std::size_t number_of_edges = complex.number_of_edges();
-  const auto are_far = [](Index a, Index b, std::size_t size) {
-    return (std::max)(a, b) - (std::min)(a, b) > size / 16;
+  constexpr std::size_t halfedges_per_page = 256, most_steps = 16;
+  const auto can_go_on = [&](Halfedge_index h) {
+    return h.number() < complex.number_of_halfedges() && complex.has_triangle(h)
+        && complex.source(h).number() < complex.number_of_vertices();
   };
-  Sampled_edges sample;
-  for(std::size_t i = 0; i != number_of_samples; ++i)
+  const Halfedge_index begin = complex.kept_halfedge(vertex);
+  std::size_t length = 0, changes_of_direction = 0;
+  bool is_first_higher = false, is_last_higher = false;
+  for(Halfedge_index h = begin; can_go_on(h) && length != most_steps; ++length)
   {
-    const Halfedge_index h = even_halfedge(Edge_index(i * number_of_edges / number_of_samples));
-    if(!complex.has_edge(edge_of(h)) || complex.is_on_border_edge(h))
-      continue;
-    const Halfedge_index left = complex.next(h), right = complex.next(opposite_of(h));
-    if((std::max)(left, right).number() >= complex.number_of_halfedges())
-      continue; // Nothing has been checked yet.
-    const Vertex_index u = complex.source(h), v = complex.target(h), x = complex.target(left),
-                       y = complex.target(right);
-    if((std::max)({u, v, x, y}).number() >= complex.number_of_vertices())
-      continue;
-    ++sample.number;
-    sample.far_ones += are_far(h.number(), left.number(), complex.number_of_halfedges())
-                    || are_far(u.number(), v.number(), complex.number_of_vertices());
-    for(const Vertex_index end : {u, v})
-      sample.link_maxima += order(x, end) && order(y, end) ? 1 : 0;
+    pages.push_back(h.number() / halfedges_per_page);
+    const Halfedge_index turned = opposite_of(complex.next(h));
+    if(!can_go_on(turned))
+      break;
+    const bool is_higher = order(complex.source(h), complex.source(turned));
+    is_first_higher = length == 0 ? is_higher : is_first_higher;
+    changes_of_direction += length != 0 && is_higher != is_last_higher ? 1 : 0;
+    is_last_higher = is_higher;
+    h = turned;
+    if(h == begin)
+    {
+      changes_of_direction += is_first_higher != is_last_higher ? 1 : 0;
+      sample.plain_links += changes_of_direction == 2 ? 1 : 0;
+      break;
+    }
+  }
+  return length;
+}
+
+template <class Complex, class Order>
+Sampled_turns sample_turns(const Complex& complex, const Order& order)
+{
+  constexpr std::size_t number_of_rows = 16, vertices_per_row = 32;
+  Sampled_turns sample;
+  Plain_vector<Number> pages;
+  for(std::size_t row = 0; row != number_of_rows; ++row)
+  {
+    const std::size_t first = row * (complex.number_of_vertices() - vertices_per_row) / number_of_rows;
+    std::size_t last_length = 0;
+    pages.clear();
+    for(std::size_t v = first; v != first + vertices_per_row; ++v, ++sample.number)
+    {
+      const std::size_t length = sample_turn(complex, order, Vertex_index(v), sample, pages);
+      sample.changes_of_length += length != last_length ? 1 : 0;
+      last_length = length;
+    }
+    std::sort(pages.begin(), pages.end());
+    sample.pages += static_cast<std::size_t>(std::unique(pages.begin(), pages.end()) - pages.begin());
   }
   return sample;
 }
 
-// How many pages of memory the halfedges are on with which turns around some vertices begin, for each of these. They
-// are few if the mesh was made vertex by vertex, and nearly one for each if its faces are in another order.
-template <class Complex>
-double pages_per_vertex(const Complex& complex)
-{
-  constexpr std::size_t number_of_runs = 32, length = 64, halfedges_per_page = 256;
-  if(complex.number_of_vertices() < length)
-    return 0;
-  std::size_t number_of_pages = 0;
-  for(std::size_t run = 0; run != number_of_runs; ++run)
-  {
-    const std::size_t first = run * (complex.number_of_vertices() - length) / number_of_runs;
-    std::array<std::size_t, length> pages;
-    for(std::size_t i = 0; i != length; ++i)
-      pages[i] = complex.halfedge_of_face_at(Vertex_index(first + i)).number() / halfedges_per_page;
-    std::sort(pages.begin(), pages.end());
-    number_of_pages += static_cast<std::size_t>(std::unique(pages.begin(), pages.end()) - pages.begin());
-  }
-  return static_cast<double>(number_of_pages) / (number_of_runs * length);
-}
-
-// Whether a sweep finds vertices to be regular faster than turns around them. It does if neighbors are often far from
-// each other in memory, or vertices in a row are: each step of a turn then waits, as it is known only when the last one
-// has come.
+// Whether a sweep finds vertices to be regular faster than turns around them. It does if it finds nearly all, and turns
+// wait: for memory, as each step is known only when the last one has come, or as the processor cannot foresee where they
+// end. The bounds have been measured.
 template <class Complex, class Order>
 bool is_sweep_faster(const Complex& complex, const Order& order)
 {
   constexpr std::size_t smallest_number_of_edges = 100000; // Fewer ones are in the caches.
-  if(complex.number_of_edges() < smallest_number_of_edges)
+  if(complex.number_of_edges() < smallest_number_of_edges
+     || complex.number_of_vertices() < smallest_number_of_edges / 4)
     return false;
-  const Sampled_edges sample = sample_edges(complex, order);
-  return sample.link_maxima < sample.number / 2
-      && (sample.far_ones > sample.number / 4 || pages_per_vertex(complex) > 0.3);
+  const Sampled_turns sample = sample_turns(complex, order);
+  return 25 * sample.plain_links > 24 * sample.number && 4 * sample.pages + sample.changes_of_length > sample.number;
 }
 
-// The vertices that are seen to be regular, and to have one fan, with no turn around them: by a sweep over the edges,
-// in the order in which they are in memory.
+// What a triangle adds to the counts of its vertices, and tells of what is opposite of its halfedges.
+struct Triangle_addends
+{
+  // Counts of a vertex, as one number, so that it is written once for each corner: of the corners of triangles; of those
+  // where it is not the middle vertex; and of those with the halfedge that the mesh keeps for it. Where there are too
+  // many of them for their bits, the sum of all corners is wrong, if it is below 2^31.
+  static constexpr Number corner = 1 << 16, no_middle = 2, kept = 1;
+
+  // For a halfedge with a triangle, and if the vertex opposite of it is the highest one, or the lowest one.
+  static constexpr std::uint8_t is_there = 4, is_highest = 1, is_lowest = 2;
+
+  std::array<Number, 3> counts = {};
+  std::array<std::uint8_t, 3> apexes = {}; // opposite of the halfedge that ends at each vertex
+};
+
+// By the bits of a number: whether each vertex of the triangle is lower than the next one; and whether the halfedge that
+// ends at each is the one that the mesh keeps for it.
+constexpr std::array<Triangle_addends, 64> make_triangle_addends()
+{
+  std::array<Triangle_addends, 64> result = {};
+  for(unsigned code = 0; code != result.size(); ++code)
+    for(unsigned i = 0; i != 3; ++i)
+    {
+      const auto is_below_next = [&](unsigned vertex) { return (code >> vertex % 3 & 1) != 0; };
+      Triangle_addends& addends = result[code];
+      addends.counts[i] = Triangle_addends::corner;
+      if(is_below_next(i) != is_below_next(i + 2))
+        addends.counts[i] += Triangle_addends::no_middle;
+      if((code >> (i + 3) & 1) != 0)
+        addends.counts[i] += Triangle_addends::kept;
+      addends.apexes[i] = Triangle_addends::is_there;
+      if(is_below_next(i) != is_below_next(i + 1))
+        addends.apexes[i] |= is_below_next(i) ? Triangle_addends::is_highest : Triangle_addends::is_lowest;
+    }
+  return result;
+}
+inline constexpr std::array<Triangle_addends, 64> triangle_addends = make_triangle_addends();
+
+// The vertices that are seen to be regular, and to have one fan, with no turn around them: by a sweep over the
+// triangles, in the order in which they are in memory.
 //
-// They are the vertices inside of the surface whose links have one maximum, which is higher than the vertex, and no
-// minimum that is. The link of each fan has a maximum, so there is no other fan; such a link ascends once and descends
-// once, and its minimum is lower than the vertex, so that it has one upper and one lower part. These are nearly all
-// vertices of a smooth field. There are none here where something is wrong with a face or an edge.
+// Each triangle has a lowest, a middle and a highest vertex. They are the vertices that are
+// - the middle one of two triangles,
+// - only on edges with two triangles,
+// - on no edge up whose other vertices in both triangles are the highest ones, and
+// - on no edge down whose other vertices in both triangles are the lowest ones.
+// By the second condition, each of their fans is inside of the surface: its link is a closed curve, which changes
+// between lower and higher vertices in those triangles in which its vertex is the middle one. So by the first condition
+// one fan has one lower and one upper part, or there is none but such with a link that is all lower or all higher; as
+// the changes of a closed curve are an even number, they are not of two fans. If the link of a fan is all higher, it has
+// a lowest vertex, which is on an edge of the third kind; if it is all lower, its highest one is on one of the fourth.
+// So there is no such fan, and the one that is left has one lower and one upper part.
+//
+// These are nearly all vertices of a smooth field. There are none here if something is wrong with a face, nor is a vertex
+// for which the mesh keeps a halfedge that does not end there.
 template <class ConcurrencyTag>
 class Regular_vertices
 {
@@ -112,154 +175,184 @@ public:
   Regular_vertices() = default;
 
   template <class Complex, class Order>
-  Regular_vertices(const Complex& complex, const Order& order) : found_(complex.number_of_vertices())
+  Regular_vertices(const Complex& complex, const Order& order)
   {
-    const auto sweep = [&](std::size_t begin, std::size_t end, std::size_t& number_of_bad_edges) {
-      for(std::size_t block = begin; block < end; block += block_size)
-        number_of_bad_edges +=
-          sweep_block(complex, order, Edge_index(block), Edge_index((std::min)(block + block_size, end)));
-    };
-    if(sum_of_parts<ConcurrencyTag, std::size_t>(complex.number_of_edges(), sweep) != 0)
-    {
-      found_.clear();
-      return;
-    }
-    number_of_corners_ = sum_of_parts<ConcurrencyTag, std::size_t>(
-      found_.size(), [&](std::size_t begin, std::size_t end, std::size_t& number) {
-        for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
-          number += complex.has_vertex(v) && halfedge(v) != no_index ? found_[v].number_of_edges.get() : 0;
+    const std::size_t number_of_parts = (std::min)(number_of_threads<ConcurrencyTag>(), most_parts);
+    for(std::size_t part = 0; part != number_of_parts; ++part)
+      counts_.emplace_back(complex.number_of_vertices());
+    Apexes apexes(complex.number_of_halfedges() + 2 * edges_per_group);
+    Shared_counter<ConcurrencyTag> number_of_bad_parts;
+    for_each_part<ConcurrencyTag>(
+      number_of_parts, complex.end_of_triangles(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+        number_of_bad_parts.add(sweep(complex, order, begin, end, counts_[part], apexes) ? 0 : 1);
       });
+    if(number_of_bad_parts.get() != 0 || complex.number_of_halfedges() >> 31 != 0 || !join_counts(complex))
+      counts_.clear();
+    else
+      exclude_ends_of_edges(complex, order, apexes);
   }
 
-  // A halfedge that ends at a vertex, no_index if it is not one of these.
-  Halfedge_index halfedge(Vertex_index vertex) const
+  // How many corners of triangles are at a vertex, 0 if it is none of these.
+  Number number_of_corners(Vertex_index vertex) const
   {
-    if(found_.empty())
-      return no_index;
-    const Number end = found_[vertex].end.get();
-    return end == none || end == several ? Halfedge_index(no_index) : Halfedge_index(end - 1);
+    if(counts_.empty())
+      return 0;
+    const Number count = counts_[0][vertex], number = count / Triangle_addends::corner;
+    return count
+            == number * Triangle_addends::corner + (number - 2) * Triangle_addends::no_middle + Triangle_addends::kept
+           ? number
+           : 0;
   }
-
-  // The corners of triangles at these vertices, which have as many edges.
-  std::size_t number_of_corners() const { return number_of_corners_; }
 
 private:
-  static constexpr Number none = 0, several = No_index(); // or other reasons not to say
+  typedef Zeroed_array<Vertex_index, Number> Counts;
 
-  struct Found
+  // For the triangle of a halfedge, and for the vertex opposite of it there. Zero where there is no triangle.
+  typedef Zeroed_array<Halfedge_index, std::uint8_t> Apexes;
+
+  static constexpr std::size_t edges_per_group = 4;
+  static constexpr std::size_t most_parts = 16; // each of which may need memory for all vertices
+
+  // Triangles that have been read, whose vertices are fetched before they are compared.
+  struct Fetched_block
   {
-    Relaxed_value<Number> end;             // the number behind that of a halfedge from the maximum of the link
-    Relaxed_value<Number> number_of_edges; // without those on the border
+    Triangle_block block;
+    std::array<Number, Triangle_block::capacity> codes; // as triangle_addends has them
   };
 
-  // The vertices opposite of an edge, if it has two triangles.
-  struct Apexes
-  {
-    Vertex_index left, right;
-  };
-
-  static constexpr std::size_t block_size = 128; // What is read of the edges of a block stays in the first caches.
-  typedef std::array<Apexes, block_size> Apexes_of_block;
-
-  // Returns the number of edges with which something is wrong. If there are any, nothing has been found.
+  // Returns whether all is right with the triangles.
   template <class Complex, class Order>
-  std::size_t sweep_block(const Complex& complex, const Order& order, Edge_index begin, Edge_index end)
+  static bool sweep(const Complex& complex,
+                    const Order& order,
+                    std::size_t begin,
+                    std::size_t end,
+                    Counts& counts,
+                    Apexes& apexes)
   {
-    const Apexes_of_block apexes = find_apexes(complex, begin, end);
-    std::size_t number_of_bad_edges = 0;
-    for(const Edge_index e : Index_range(begin, end))
+    std::array<Fetched_block, 2> blocks;
+    std::size_t number = 0;
+    const auto add_last = [&] { add_triangles(order, blocks[(number + 1) % 2], counts, apexes); };
+    for(std::size_t i = begin; i < end; i += Triangle_block::capacity, ++number)
     {
-      if(!complex.has_edge(e))
-        continue;
-      number_of_bad_edges += is_bad_edge(complex, e) ? 1 : 0;
-      const Apexes& beside = apexes[e.number() - begin.number()];
-      for(const Vertex_index v : {complex.source(even_halfedge(e)), complex.target(even_halfedge(e))})
+      Fetched_block& fetched = blocks[number % 2];
+      if(!complex.read_triangles(i, (std::min)(i + Triangle_block::capacity, end), fetched.block))
+        return false;
+      for(std::size_t t = 0; t != fetched.block.size; ++t)
       {
-        order.prefetch(v);
-        prefetch_element(found_, v);
+        const auto& [halfedges, vertices] = fetched.block.triangles[t];
+        fetched.codes[t] = 0;
+        for(std::size_t k = 0; k != 3; ++k)
+        {
+          order.prefetch(vertices[k]);
+          prefetch(&counts[vertices[k]]);
+          fetched.codes[t] |= static_cast<Number>(complex.kept_halfedge(vertices[k]) == halfedges[k]) << (k + 3);
+        }
       }
-      order.prefetch(beside.left);
-      order.prefetch(beside.right);
+      add_last();
     }
-    if(number_of_bad_edges != 0)
-      return number_of_bad_edges;
-    for(const Edge_index e : Index_range(begin, end))
-      if(complex.has_edge(e))
-        add_edge(complex, order, e, apexes[e.number() - begin.number()]);
-    return 0;
+    add_last();
+    return true;
   }
 
-  // The next halfedges may be anywhere in memory, and a mesh does not tell where to prefetch them. This loop does
-  // nothing else, so that the processor has the reads of many rounds before it, and waits for them at once.
-  template <class Complex>
-  static Apexes_of_block find_apexes(const Complex& complex, Edge_index begin, Edge_index end)
+  // Without branches on what is compared, as none could be foreseen. The first loop writes no bytes to memory, which
+  // might be addresses for all that a compiler knows.
+  template <class Order>
+  static void add_triangles(const Order& order, Fetched_block& fetched, Counts& all_counts, Apexes& all_apexes)
   {
-    const Number number_of_halfedges = complex.number_of_halfedges();
-    const auto target_of_next = [&](Halfedge_index h) {
-      const Halfedge_index next = complex.next(h);
-      return complex.target(next.number() < number_of_halfedges ? next : h); // Nothing has been checked yet.
-    };
-    Apexes_of_block apexes;
-    std::size_t i = 0;
-    for(const Edge_index e : Index_range(begin, end))
-      apexes[i++] = {target_of_next(even_halfedge(e)), target_of_next(opposite_of(even_halfedge(e)))};
-    return apexes;
-  }
-
-  // Whether an edge has one vertex at both ends, or no face, or one that is no triangle.
-  template <class Complex>
-  static bool is_bad_edge(const Complex& complex, Edge_index edge)
-  {
-    const Halfedge_index even = even_halfedge(edge), odd = opposite_of(even);
-    const bool has_left = complex.has_triangle(even), has_right = complex.has_triangle(odd);
-    return complex.source(even) == complex.target(even) || !(has_left || has_right)
-        || (has_left && !complex.is_next_in_triangle(even)) || (has_right && !complex.is_next_in_triangle(odd));
-  }
-
-  // Without branches on what is compared, as none could be foreseen where the surface is not in order in memory.
-  template <class Complex, class Order>
-  void add_edge(const Complex& complex, const Order& order, Edge_index edge, const Apexes& apexes)
-  {
-    const Halfedge_index even = even_halfedge(edge);
-    const Vertex_index ends[] = {complex.source(even), complex.target(even)};
-    if(complex.is_on_border_edge(even))
+    const Triangle_block& block = fetched.block;
+    for(std::size_t i = 0; i != block.size; ++i)
     {
-      for(const Vertex_index v : ends)
-        found_[v].end.set(several);
-      return;
+      const auto& [a, b, c] = block.triangles[i].vertices;
+      fetched.codes[i] |= static_cast<Number>(order.is_lower(a, b)) | static_cast<Number>(order.is_lower(b, c)) << 1
+                        | static_cast<Number>(order.is_lower(c, a)) << 2;
     }
-    const std::size_t higher = order.is_lower(ends[0], ends[1]) ? 1 : 0, lower = 1 - higher;
-    std::size_t numbers_of_lower_apexes[2]; // than each end
-    for(const std::size_t i : {0, 1})
-      numbers_of_lower_apexes[i] =
-        std::size_t(order.is_lower(apexes.left, ends[i])) + std::size_t(order.is_lower(apexes.right, ends[i]));
-    Found &at_lower = found_[ends[lower]], &at_higher = found_[ends[higher]];
-    at_lower.number_of_edges.template add<ConcurrencyTag>(1);
-    at_higher.number_of_edges.template add<ConcurrencyTag>(1);
-    if(numbers_of_lower_apexes[higher] == 2)
-      add_maximum(at_lower, Halfedge_index(even.number() + higher)); // the one that descends
-    if(numbers_of_lower_apexes[higher] == 0)
-      at_lower.end.set(several); // A minimum of its link is higher.
-    if(numbers_of_lower_apexes[lower] == 2)
-      at_higher.end.set(several); // A maximum of its link is lower.
+    Number* const counts = &all_counts[Vertex_index(0)];
+    std::uint8_t* const apexes = &all_apexes[Halfedge_index(0)];
+    for(std::size_t i = 0; i != block.size; ++i)
+    {
+      const Triangle_addends& addends = triangle_addends[fetched.codes[i]];
+      const auto& [halfedges, vertices] = block.triangles[i];
+      for(std::size_t k = 0; k != 3; ++k)
+        counts[vertices[k].number()] += addends.counts[k];
+      for(std::size_t k = 0; k != 3; ++k)
+        apexes[halfedges[k].number()] = addends.apexes[k];
+    }
   }
 
-  // Of threads that meet at a vertex, one sees that there has been no maximum. The other ones write last.
-  static void add_maximum(Found& found, Halfedge_index halfedge)
+  // Returns whether there are no more corners at a vertex than fit.
+  template <class Complex>
+  bool join_counts(const Complex& complex)
   {
-    if(found.end.get() != none || found.end.template exchange<ConcurrencyTag>(halfedge.number() + 1) != none)
-      found.end.set(several);
+    const auto join = [&](std::size_t begin, std::size_t end, std::size_t& number_of_corners) {
+      const Index_range<Vertex_index> vertices(Vertex_index{begin}, Vertex_index{end});
+      for(std::size_t part = 1; part != counts_.size(); ++part)
+        for(const Vertex_index v : vertices)
+          counts_[0][v] += counts_[part][v];
+      for(const Vertex_index v : vertices)
+        number_of_corners += counts_[0][v] / Triangle_addends::corner;
+    };
+    return sum_of_parts<ConcurrencyTag, std::size_t>(complex.number_of_vertices(), join)
+        == 3 * complex.number_of_faces();
   }
 
-  Indexed_vector<Vertex_index, Found> found_;
-  std::size_t number_of_corners_ = 0;
+  // Excludes the vertices that the edges exclude. It looks at four edges at a time: there are few that do.
+  template <class Complex, class Order>
+  void exclude_ends_of_edges(const Complex& complex, const Order& order, const Apexes& apexes)
+  {
+    const std::size_t number_of_edges = complex.number_of_edges(),
+                      number_of_groups = (number_of_edges + edges_per_group - 1) / edges_per_group;
+    std::vector<Plain_vector<Vertex_index>> excluded(number_of_parts<ConcurrencyTag>(number_of_groups));
+    const auto find_excluded = [&](std::size_t part, std::size_t begin, std::size_t end) {
+      for(std::size_t group = begin; group != end; ++group)
+        if(is_decisive(apexes, group))
+          for(std::size_t e = group * edges_per_group; e != (group + 1) * edges_per_group; ++e)
+            if(e < number_of_edges && complex.has_edge(Edge_index(e)))
+              add_excluded_ends(complex, order, even_halfedge(Edge_index(e)), apexes, excluded[part]);
+    };
+    for_each_part<ConcurrencyTag>(excluded.size(), number_of_groups, find_excluded);
+    for(const auto& vertices : excluded)
+      for(const Vertex_index v : vertices)
+        counts_[0][v] = 0;
+  }
+
+  // Whether an edge of a group has one triangle, or none, or two whose opposite vertices are both the highest ones or
+  // both the lowest ones.
+  static bool is_decisive(const Apexes& apexes, std::size_t group)
+  {
+    std::uint64_t at_halfedges;
+    static_assert(sizeof(at_halfedges) == 2 * edges_per_group);
+    std::memcpy(&at_halfedges, &apexes[even_halfedge(Edge_index(group * edges_per_group))], sizeof(at_halfedges));
+    constexpr std::uint64_t lowest_bits = 0x0001000100010001; // of one halfedge of each edge
+    const std::uint64_t at_opposite = at_halfedges >> 8, difference = at_halfedges ^ at_opposite,
+                        are_extreme = (at_halfedges ^ at_halfedges >> 1) & ~(difference | difference >> 1),
+                        have_triangles = (at_halfedges & at_opposite) >> 2;
+    return ((are_extreme | ~have_triangles) & lowest_bits) != 0;
+  }
+
+  template <class Complex, class Order>
+  static void add_excluded_ends(const Complex& complex,
+                                const Order& order,
+                                Halfedge_index even,
+                                const Apexes& apexes,
+                                Plain_vector<Vertex_index>& excluded)
+  {
+    const Vertex_index ends[] = {complex.source(even), complex.target(even)};
+    const unsigned apex = apexes[even], opposite_apex = apexes[opposite_of(even)];
+    const bool has_triangles = apex != 0 && opposite_apex != 0,
+               are_extreme = apex == opposite_apex && apex != Triangle_addends::is_there;
+    for(const std::size_t i : {0, 1})
+      if(!has_triangles || (are_extreme && order(ends[i], ends[1 - i]) == ((apex & Triangle_addends::is_highest) != 0)))
+        excluded.push_back(ends[i]);
+  }
+
+  std::vector<Counts> counts_; // of the parts, the first one then of all
 };
 
 // The regular vertices if to find them pays.
 template <class ConcurrencyTag, class Complex, class Order>
 Regular_vertices<ConcurrencyTag> find_regular_vertices(const Complex& complex, const Order& order)
 {
-  if(is_used(Tuned_part::EDGE_SWEEP) && is_sweep_faster(complex, order))
+  if(is_used(Tuned_part::TRIANGLE_SWEEP) && is_sweep_faster(complex, order))
     return {complex, order};
   return {};
 }

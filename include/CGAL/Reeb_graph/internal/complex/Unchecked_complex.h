@@ -59,8 +59,14 @@ public:
   // The complex as far as it goes: only vertices whose fans have been set may be asked about.
   const Complex& at_set_fans() const { return complex_; }
 
-  // Sets the fan of a vertex that has one only, inside of the surface, by a halfedge that ends there.
-  void set_fan(Vertex_index vertex, Halfedge_index halfedge) { complex_.first_halfedges_[vertex] = halfedge; }
+  // Sets the fan of a vertex that is known to have one only, inside of the surface, to begin with the halfedge that the
+  // mesh keeps for it. Returns whether that one ends there.
+  bool set_closed_fan(Vertex_index vertex)
+  {
+    const Halfedge_index kept = complex_.kept_halfedge(vertex);
+    complex_.first_halfedges_[vertex] = kept;
+    return true;
+  }
 
   // Turns to the halfedge with which the fan of a vertex begins, keeps it, and adds to `counts`.
   //

@@ -291,15 +291,14 @@ Complex check_complex(Unchecked_complex<Complex> unchecked, const Order& order)
     No_visitor_of_fan visitor;
     for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
     {
-      if(const Halfedge_index halfedge = regular_vertices.halfedge(v); halfedge != no_index)
-        unchecked.set_fan(v, halfedge);
+      const Number number_of_corners = regular_vertices.number_of_corners(v);
+      if(number_of_corners != 0 && unchecked.set_closed_fan(v))
+        counts.corners += number_of_corners;
       else
         unchecked.set_fan(v, counts, visitor);
     }
   };
-  auto counts = sum_of_parts<ConcurrencyTag, Fan_counts>(unchecked.number_of_vertices(), set_fans);
-  counts.corners += regular_vertices.number_of_corners();
-  return std::move(unchecked).check(counts);
+  return std::move(unchecked).check(sum_of_parts<ConcurrencyTag, Fan_counts>(unchecked.number_of_vertices(), set_fans));
 }
 
 // Whether a scalar map is a public Flat_field with values of the wanted type. It is told by what it has, as it stands

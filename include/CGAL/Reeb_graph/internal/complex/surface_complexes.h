@@ -22,6 +22,8 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -32,14 +34,28 @@ namespace internal {
 template <class Complex>
 class Unchecked_complex;
 
+// Some triangles, as they are in memory. The vertices are those at which the halfedges end.
+struct Triangle_block
+{
+  struct Triangle
+  {
+    std::array<Halfedge_index, 3> halfedges; // one after another
+    std::array<Vertex_index, 3> vertices;
+  };
+
+  static constexpr std::size_t capacity = 32; // What is read of a block stays in the first caches.
+
+  std::array<Triangle, capacity> triangles;
+  std::size_t size = 0;
+};
+
 // An oriented triangulated surface by numbers, as the stages see it. A halfedge has its triangle on the left, or none,
 // along the border. There may be numbers that belong to no vertex and to no edge.
 //
 // A class `Complex` derived from this one has number_of_halfedges(), target(halfedge), has_triangle(halfedge),
 // next(halfedge), for a halfedge of a triangle, and has_vertex(number) and has_edge(number); and for Unchecked_complex,
 // number_of_faces(), number_of_live_edges(), halfedge_of_face_at(vertex), any one that ends there or no_index,
-// is_next_in_triangle(halfedge), which is false for one at least in each face that is no triangle, check_faces(), which
-// throws if a face is no triangle with three vertices, and check_edges(), if an edge has no face.
+// check_faces(), which throws if a face is no triangle with three vertices, and check_edges(), if an edge has no face.
 template <class Complex>
 class Triangle_complex_base
 {
@@ -73,6 +89,32 @@ public:
 
   // The halfedge before, in the triangle of the halfedge.
   Halfedge_index previous(Halfedge_index halfedge) const { return complex().next(complex().next(halfedge)); }
+
+  // Triangles have numbers below this one, though not all such numbers belong to one. Here they are those of their least
+  // halfedges.
+  Number end_of_triangles() const { return complex().number_of_halfedges(); }
+
+  // Reads the triangles whose numbers are from `begin` to `end`, which are at most the capacity of a block. Returns
+  // whether all is right with them; each of their halfedges is then on no other one.
+  bool read_triangles(std::size_t begin, std::size_t end, Triangle_block& block) const
+  {
+    block.size = 0;
+    for(const Halfedge_index h : Index_range(Halfedge_index(begin), Halfedge_index(end)))
+    {
+      if(!complex().has_triangle(h))
+        continue;
+      const Halfedge_index second = complex().next(h), third = complex().next(second);
+      block.triangles[block.size].halfedges = {h, second, third};
+      block.size += h < second && h < third ? 1 : 0; // without a branch, as none could be foreseen
+    }
+    for(std::size_t i = 0; i != block.size; ++i)
+      for(std::size_t k = 0; k != 3; ++k)
+        block.triangles[i].vertices[k] = complex().target(block.triangles[i].halfedges[k]);
+    return true;
+  }
+
+  // A halfedge that the mesh keeps for a vertex: if it is on a triangle and ends there, halfedge_of_face_at(vertex).
+  Halfedge_index kept_halfedge(Vertex_index vertex) const { return first_halfedges_[vertex]; }
 
   // A halfedge of a triangle that ends at `vertex`, no_index if there is none. At a border vertex it is the one from
   // which turning clockwise meets all others.
@@ -209,7 +251,6 @@ public:
 
   std::size_t number_of_faces() const { return number_of_faces_; }
   std::size_t number_of_live_edges() const { return halfedges_.size() / 2; }
-  bool is_next_in_triangle(Halfedge_index) const { return true; }
   Halfedge_index halfedge_of_face_at(Vertex_index vertex) const { return first_halfedge(vertex); }
   void check_faces() const {}
   void check_edges() const {}
@@ -299,14 +340,55 @@ public:
   // Hides the other one, as it is known without a look at the next halfedge, which may be far away in memory.
   Halfedge_index previous(Halfedge_index h) const { return Halfedge_index(mesh_->prev(descriptor(h))); }
 
-  // If so for all halfedges of faces, `next` and `previous` undo each other, and two steps onwards are one back: so
-  // three steps lead around each face.
-  bool is_next_in_triangle(Halfedge_index h) const
+  // Hides the other one: triangles have the numbers of faces.
+  Number end_of_triangles() const { return mesh_->num_faces(); }
+
+  // Hides the other one. All is right with a face if all that its halfedges tell agrees. In short loops without
+  // branches, so that the processor has many reads before it, and waits for them at once.
+  bool read_triangles(std::size_t begin, std::size_t end, Triangle_block& block) const
   {
-    const Halfedge_index second = next(h);
-    return second.number() < number_of_halfedges() && has_edge(edge_of(second)) && has_triangle(second) && second != h
-        && previous(second) == h && next(second) == previous(h);
+    const bool has_garbage = mesh_->has_garbage();
+    const Number last = number_of_halfedges() - 1; // Nothing has been checked yet.
+    const auto at_most_last = [last](Halfedge_index h) { return h.number() < last ? h : Halfedge_index(last); };
+    Number difference = 0;
+    const auto compare = [&](auto u, auto v) { difference |= u.number() ^ v.number(); };
+    std::size_t size = 0;
+    for(const Face_index f : Index_range(Face_index(begin), Face_index(end)))
+    {
+      if(has_garbage && mesh_->is_removed(typename Mesh::Face_index(f.number())))
+        continue;
+      const Halfedge_index first = at_most_last(Halfedge_index(mesh_->halfedge(typename Mesh::Face_index(f.number()))));
+      const Halfedge_index second = at_most_last(next(first)), third = at_most_last(previous(first));
+      compare(face(first), f);
+      compare(second, next(first));
+      block.triangles[size].halfedges = {first, second, third};
+      block.triangles[size++].vertices[0] = target(first);
+    }
+    block.size = size;
+    bool are_degenerate = false;
+    Number greatest = 0;
+    for(std::size_t i = 0; i != size; ++i)
+    {
+      auto& [halfedges, vertices] = block.triangles[i];
+      const Halfedge_index first = halfedges[0], second = halfedges[1], third = halfedges[2];
+      const Vertex_index a = vertices[0], b = target(second), c = target(third);
+      vertices[1] = b;
+      vertices[2] = c;
+      compare(next(second), third);
+      compare(next(third), first);
+      compare(face(second), face(third));
+      compare(face(third), face(first));
+      are_degenerate |= (a == b) | (b == c) | (c == a);
+      greatest = (std::max)({greatest, a.number(), b.number(), c.number()});
+    }
+    if(has_garbage)
+      for(std::size_t i = 0; i != size; ++i)
+        for(const Halfedge_index h : block.triangles[i].halfedges)
+          difference |= has_edge(edge_of(h)) ? 0 : 1;
+    return difference == 0 && !are_degenerate && greatest < this->number_of_vertices();
   }
+
+  Halfedge_index kept_halfedge(Vertex_index v) const { return Halfedge_index(mesh_->halfedge(descriptor(v))); }
   Halfedge_index halfedge_of_face_at(Vertex_index v) const
   {
     if(!has_vertex(v))
@@ -318,6 +400,8 @@ public:
   void check_edges() const { internal::check_edges(*mesh_); }
 
 private:
+  Face_index face(Halfedge_index h) const { return Face_index(mesh_->face(descriptor(h))); }
+
   static typename Mesh::Vertex_index descriptor(Vertex_index v) { return typename Mesh::Vertex_index(v.number()); }
   static typename Mesh::Halfedge_index descriptor(Halfedge_index h)
   {

@@ -14,12 +14,15 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/drawing/Branch_order.h>
 #include <CGAL/Reeb_graph/internal/drawing/Branch_tree.h>
+#include <CGAL/Reeb_graph/internal/drawing/Node_spreading.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,12 +34,21 @@ namespace internal {
 class Branch_columns
 {
 public:
-  // `sorted_heights` are those of the nodes, each once.
-  Branch_columns(const Branch_tree& tree, const Branch_order& order, const std::vector<double>& sorted_heights)
+  // `sorted_heights` are those of the nodes.
+  // `own_heights` are those of the nodes of each branch, `distance` is from where on nodes lie above each other.
+  Branch_columns(const Branch_tree& tree,
+                 const Branch_order& order,
+                 const std::vector<double>& sorted_heights,
+                 const std::vector<std::vector<double>>& own_heights,
+                 double distance)
     : tree_(tree),
       order_(order),
+      own_heights_(own_heights),
+      distance_(distance),
       columns_(tree.branches.size(), 0)
   {
+    for(const std::vector<double>& heights : own_heights)
+      rooms_.push_back(room_of_nodes(heights, distance));
     std::vector<Index> trunks;
     for(Index branch = 0; branch != tree.branches.size(); ++branch)
     {
@@ -53,15 +65,18 @@ public:
       const std::vector<Index> branches = order.branches_of_trunk(trunk);
       place_component(branches, trunk);
       const Height_range extent = widened(order.extent(trunk));
-      const double shift = components.highest(extent) + gap_of_components - columns_[leftmost(branches)];
+      const double shift = components.highest(extent) + gap_of_components - left_end(branches);
       double right = 0;
       for(const Index branch : branches)
-        right = (std::max)(right, columns_[branch] += shift);
+        right = (std::max)(right, (columns_[branch] += shift) + rooms_[branch]);
       components.raise(extent, right);
     }
   }
 
   double operator[](Index branch) const { return columns_[branch]; }
+
+  // What nodes take beside the column, and beyond that of two.
+  double room(Index branch) const { return rooms_[branch]; }
 
   // The distance to the next branch on the way to its parent: short ones lie closer.
   double width(Index branch) const
@@ -77,10 +92,12 @@ private:
 
   static Height_range widened(const Height_range& range) { return {range.low - gap_of_ends, range.high + gap_of_ends}; }
 
-  Index leftmost(const std::vector<Index>& branches) const
+  double left_end(const std::vector<Index>& branches) const
   {
-    return *std::min_element(branches.begin(), branches.end(),
-                             [&](Index a, Index b) { return columns_[a] < columns_[b]; });
+    double left = 0;
+    for(const Index branch : branches)
+      left = (std::min)(left, columns_[branch] - rooms_[branch]);
+    return left;
   }
 
   // The heights at which a branch is, with some distance to what lies above or below it in the same column.
@@ -90,6 +107,9 @@ private:
     Height_range range = order_.own_extent(branch);
     range.low -= drawn.is_lower_attached ? 0 : gap_of_ends;
     range.high += drawn.is_upper_attached || drawn.is_closing ? 0 : gap_of_ends;
+    const std::vector<double>& nodes = own_heights_[branch];
+    if(!nodes.empty())
+      range.extend({nodes.front() - distance_, nodes.back() + distance_});
     return range;
   }
 
@@ -98,8 +118,8 @@ private:
     const auto middle = std::find(branches.begin(), branches.end(), trunk);
     const std::vector<Index> right(middle + 1, branches.end());
     const std::vector<Index> left(std::make_reverse_iterator(middle), branches.rend());
-    place_side(right, 1);
-    place_side(left, -1);
+    place_side(right, rooms_[trunk], 1);
+    place_side(left, rooms_[trunk], -1);
   }
 
   // Those of the nodes at the ends of branches, in ascending order, each once: branches are apart where these are.
@@ -118,15 +138,15 @@ private:
   }
 
   // The branches at one side of the trunk, from the inside to the outside.
-  void place_side(const std::vector<Index>& branches, int side)
+  void place_side(const std::vector<Index>& branches, double room_of_trunk, int side)
   {
     const std::vector<double> heights = heights_of_ends(branches);
-    Skyline inner(heights, 0);
+    Skyline inner(heights, room_of_trunk);
     for(const Index branch : branches)
     {
       const Height_range range = taken_heights(branch);
-      const double column = inner.highest(range) + width(branch);
-      inner.raise(range, column);
+      const double column = inner.highest(range) + (std::max)(width(branch), 2 * node_width + rooms_[branch]);
+      inner.raise(range, column + rooms_[branch]);
       columns_[branch] = side * column;
     }
     draw_to_parents(branches, heights, side);
@@ -142,17 +162,17 @@ private:
       const Height_range range = taken_heights(*branch);
       const double bound = outer.highest(range);
       if(order_.side(*branch) == -side && bound != far_out)
-        columns_[*branch] = side * (std::max)(side * columns_[*branch], -bound - 1);
-      outer.raise(range, -side * columns_[*branch]);
+        columns_[*branch] = side * (std::max)(side * columns_[*branch], -bound - 1 - rooms_[*branch]);
+      outer.raise(range, rooms_[*branch] - side * columns_[*branch]);
     }
   }
 
   const Branch_tree& tree_;
   const Branch_order& order_;
-  std::vector<double> columns_;
+  const std::vector<std::vector<double>>& own_heights_;
+  double distance_;
+  std::vector<double> rooms_, columns_;
 };
-
-typedef std::array<double, 2> Plane_point; // column and height
 
 // The curve by which an arc goes from a node at `from` to a point at `to` in another column: sideways first, and then
 // in a rounded corner to the vertical. On the way it rises by a small part of `gap`, the less the farther it goes, so
@@ -183,26 +203,26 @@ class Plane_drawing
 {
 public:
   Plane_drawing(const std::vector<Leaf_pruning::Arc>& arcs, const std::vector<double>& heights)
-    : heights_(heights),
-      sorted_heights_(heights),
-      tree_(arcs, heights),
+    : heights_(made_different(heights)),
+      tree_(arcs, heights_),
       positions_(heights.size()),
       curves_(arcs.size())
   {
-    std::sort(sorted_heights_.begin(), sorted_heights_.end());
-    sorted_heights_.erase(std::unique(sorted_heights_.begin(), sorted_heights_.end()), sorted_heights_.end());
-    const Branch_order order(tree_, heights);
-    const Branch_columns columns(tree_, order, sorted_heights_);
+    const double distance = largest_node_diameter / height_of_drawing(heights.size());
+    std::vector<std::vector<double>> own_heights(tree_.branches.size());
+    for(Index node = 0; node != positions_.size(); ++node)
+      own_heights[tree_.branch_of_node[node]].push_back(heights_[node]);
+    const Branch_order order(tree_, heights_);
+    const Branch_columns columns(tree_, order, heights_, own_heights, distance);
     for(Index node = 0; node != positions_.size(); ++node)
       positions_[node] = columns[tree_.branch_of_node[node]];
-    for(const Drawn_branch& branch : tree_.branches)
-      spread_ties(branch, arcs);
     for(Index branch = 0; branch != tree_.branches.size(); ++branch)
     {
       const Drawn_branch& drawn = tree_.branches[branch];
       for(std::size_t i = drawn.first_arc; i != drawn.end_of_arcs; ++i)
         curves_[tree_.arcs[i]] = curve(arcs[tree_.arcs[i]], columns[branch], columns.width(branch));
     }
+    spread(columns, distance);
   }
 
   // By node and by arc.
@@ -212,39 +232,44 @@ public:
 private:
   static constexpr double corner_height = 0.05;
 
-  // Nodes of a branch that are of one height, and that it has for itself, lie beside each other.
-  void spread_ties(const Drawn_branch& branch, const std::vector<Leaf_pruning::Arc>& arcs)
+  // Heights of nodes, which ascend, such that no two are the same.
+  static std::vector<double> made_different(std::vector<double> heights)
   {
-    std::vector<Index> run;
-    const auto end_run = [&] {
-      const double size = static_cast<double>(run.size()) - 1, width = (std::min)(0.4, 0.2 * size);
-      for(std::size_t i = 0; i != run.size() && size > 0; ++i)
-        positions_[run[i]] += width * (static_cast<double>(i) / size - 0.5);
-      run.clear();
-    };
-    const Index number = static_cast<Index>(&branch - tree_.branches.data());
-    const auto add = [&](Index node) {
-      if(!run.empty() && heights_[run.back()] != heights_[node])
-        end_run();
-      if(tree_.branch_of_node[node] == number)
-        run.push_back(node);
-    };
-    for(std::size_t i = branch.first_arc; i != branch.end_of_arcs; ++i)
-      add(arcs[tree_.arcs[i]].lower);
-    add(branch.upper);
-    end_run();
+    constexpr double least_step = 1e-12;
+    for(std::size_t node = 1; node < heights.size(); ++node)
+      heights[node] = (std::max)(heights[node], heights[node - 1] + least_step);
+    return heights;
+  }
+
+  // Nodes of nearly one height in one column lie beside each other.
+  void spread(const Branch_columns& columns, double distance)
+  {
+    std::map<double, std::pair<std::vector<double>, double>> nodes; // by column, their heights and their room
+    for(Index node = 0; node != positions_.size(); ++node)
+    {
+      auto& [heights, room] = nodes[positions_[node]];
+      heights.push_back(heights_[node]);
+      room = (std::max)(room, columns.room(tree_.branch_of_node[node]));
+    }
+    Node_spreading spreading(distance);
+    for(const auto& [column, heights_and_room] : nodes)
+      spreading.add_column(column, heights_and_room.first, heights_and_room.second);
+    for(Index node = 0; node != positions_.size(); ++node)
+      positions_[node] = spreading({positions_[node], heights_[node]})[0];
+    for(std::vector<Plane_point>& curve : curves_)
+      curve = spreading(curve);
   }
 
   // The distances of a height to the next ones that nodes have.
   double gap_above(double height) const
   {
-    const auto next = std::upper_bound(sorted_heights_.begin(), sorted_heights_.end(), height);
-    return next == sorted_heights_.end() ? 0 : *next - height;
+    const auto next = std::upper_bound(heights_.begin(), heights_.end(), height);
+    return next == heights_.end() ? 0 : *next - height;
   }
   double gap_below(double height) const
   {
-    const auto next = std::lower_bound(sorted_heights_.begin(), sorted_heights_.end(), height);
-    return next == sorted_heights_.begin() ? 0 : height - *(next - 1);
+    const auto next = std::lower_bound(heights_.begin(), heights_.end(), height);
+    return next == heights_.begin() ? 0 : height - *(next - 1);
   }
 
   // The curve of an arc that is vertical in a column, with corners where its nodes are not in this column.
@@ -267,8 +292,7 @@ private:
     return points;
   }
 
-  const std::vector<double>& heights_;
-  std::vector<double> sorted_heights_;
+  std::vector<double> heights_; // which ascend
   Branch_tree tree_;
   std::vector<double> positions_;
   std::vector<std::vector<Plane_point>> curves_;

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Node_kind.h>
+#include <CGAL/Reeb_graph/internal/drawing/Node_spreading.h>
 #include <CGAL/Reeb_graph/internal/drawing/Svg_elements.h>
 #include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
@@ -62,10 +63,9 @@ public:
       for(const std::array<double, 2>& point : arc.points)
         columns = (std::max)(columns, point[0]);
     }
-    const double size = static_cast<double>(nodes_.size());
-    height_ = (std::clamp)(360 + 26 * std::sqrt(size), 420., 1400.);
-    column_width_ = (std::clamp)(1100 / (columns + 1), 16., 56.);
-    radius_ = column_width_ < 30 ? 4 : 5.5;
+    height_ = height_of_drawing(nodes_.size());
+    column_width_ = (std::clamp)(1100 / (columns + 1), 30., 56.);
+    radius_ = (std::min)(column_width_ * node_width, largest_node_diameter) / 2.4;
     std::size_t longest_label = 0;
     for(const Drawn_node& node : nodes_)
       longest_label = (std::max)(longest_label, node.label.size());

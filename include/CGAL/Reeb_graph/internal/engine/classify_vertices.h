@@ -140,7 +140,7 @@ Swept_vertices classify_vertices(const Complex& complex, const Order& order)
 {
   const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(complex, order);
   const auto find = [&](Vertex_index vertex, Fan_counts&) {
-    return regular_vertices.halfedge(vertex) != no_index ? regular_link : find_link(complex, order, vertex);
+    return regular_vertices.number_of_corners(vertex) != 0 ? regular_link : find_link(complex, order, vertex);
   };
   return join_parts<ConcurrencyTag>(complex, order, find_vertices_in_parts<ConcurrencyTag>(complex, find));
 }
@@ -159,15 +159,14 @@ Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Comple
 {
   const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), order);
   const auto find = [&](Vertex_index vertex, Fan_counts& counts) {
-    const Halfedge_index halfedge = regular_vertices.halfedge(vertex);
-    if(halfedge == no_index)
+    const Number number_of_corners = regular_vertices.number_of_corners(vertex);
+    if(number_of_corners == 0 || !unchecked.set_closed_fan(vertex))
       return set_fan_and_find_link(unchecked, order, vertex, counts);
-    unchecked.set_fan(vertex, halfedge);
+    counts.corners += number_of_corners;
     return regular_link;
   };
   const auto found = find_vertices_in_parts<ConcurrencyTag>(unchecked, find);
   Fan_counts counts;
-  counts.corners = regular_vertices.number_of_corners();
   for(const Found_vertices& part : found.parts)
     counts += part.fan_counts;
   Complex complex = std::move(unchecked).check(counts);

@@ -1,0 +1,276 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_HANDLES_INTERNAL_HANDLE_REMOVER_H
+#define CGAL_REEB_GRAPH_HANDLES_INTERNAL_HANDLE_REMOVER_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/handles/Handle_loop.h>
+#include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
+#include <CGAL/Reeb_graph/handles/internal/Disc_of_loop.h>
+#include <CGAL/Reeb_graph/handles/internal/Loop_cut.h>
+#include <CGAL/Reeb_graph/handles/internal/make_loops.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+namespace internal {
+
+// Removes handles in rounds. All loops of a round are found at once: cuts along some of them leave the others a basis of
+// what is left, as they do not cross, if they do not touch. Those that touch are left to the next round.
+template <class Mesh, class PointMap, class Visitor>
+class Handle_remover
+{
+  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::graph_traits<Mesh>::face_descriptor face_descriptor;
+  typedef Loop_cut<Mesh, PointMap> Cut;
+  typedef typename Cut::Triangle Triangle;
+
+  struct Plan
+  {
+    Cut cut;
+    Handle_removal row;
+    std::vector<std::size_t> rivals; // plans of smaller handles that the cut would intersect
+  };
+
+public:
+  Handle_remover(Mesh& mesh, const PointMap& point_map, Visitor& visitor)
+    : mesh_(mesh),
+      point_map_(point_map),
+      visitor_(visitor)
+  {}
+
+  // Removes handles that are smaller than `size`, at most `number` of them. The last ones of the list are refused.
+  std::vector<Handle_removal> operator()(double size, std::size_t number, bool are_checked, const Progress& progress)
+  {
+    std::vector<Handle_removal> removed;
+    double begin = 0;
+    while(removed.size() < number)
+    {
+      const double end = 0.5 + begin / 2; // as the number of rounds is not known
+      plan(size, number - removed.size(), are_checked, Stage_progress(progress, begin, begin + 0.8 * (end - begin)));
+      find_conflicts();
+      const std::size_t number_before = removed.size();
+      const std::vector<Handle_removal> refused =
+        cut(removed, number, Stage_progress(progress, begin + 0.8 * (end - begin), end));
+      if(removed.size() == number_before || removed.size() == number)
+      {
+        removed.insert(removed.end(), refused.begin(), refused.end());
+        break;
+      }
+      begin = end;
+    }
+    return removed;
+  }
+
+private:
+  // Finds the loops, and plans the cuts, the smallest first.
+  void plan(double size, std::size_t number, bool are_checked, const Stage_progress& progress)
+  {
+    plans_.clear();
+    Surface_closing<Mesh> closing(mesh_, point_map_);
+    Found_loops found(std::move(closing.surface()), progress.part(0, 0.2));
+    const std::vector<std::size_t> components = number_components(closing, found);
+    if(are_checked)
+    {
+      // A cut makes none, so they are looked for once.
+      if(is_crossed_.empty())
+        is_crossed_ = found.self_intersections();
+      std::vector<bool> is_crossed;
+      for(const std::size_t component : components)
+        is_crossed.push_back(is_crossed_[component]);
+      found.refuse_self_intersections(is_crossed);
+    }
+    const std::vector<Surface_loop> loops = found.make_loops(size, number, progress.part(0.2, 1));
+    std::vector<const Surface_loop*> shorter;
+    for(std::size_t i = 0; i != loops.size(); ++i)
+    {
+      if(loops[i].kind == Loop_kind::HOLE || loops[i].partner < i)
+        continue;
+      const Surface_loop& partner = loops[loops[i].partner];
+      shorter.push_back(partner.length < loops[i].length ? &partner : &loops[i]);
+    }
+    std::stable_sort(shorter.begin(), shorter.end(),
+                     [](const Surface_loop* a, const Surface_loop* b) { return a->length < b->length; });
+    for(const Surface_loop* loop : shorter)
+    {
+      if(!(loop->length < size))
+        break;
+      std::vector<halfedge_descriptor> halfedges;
+      for(const Index h : loop->walk)
+        halfedges.push_back(closing.halfedges()[h]);
+      add_plan(*loop, components[loop->component], std::move(halfedges));
+    }
+    components_.clear();
+    for(const face_descriptor f : faces(mesh_))
+      components_.push_back(components[component_of(closing.number(halfedge(f, mesh_)), found)]);
+  }
+
+  static std::size_t component_of(Index h, const Found_loops& found)
+  {
+    return found.homology().trees().component_of(found.homology().surface().target[h]);
+  }
+
+  // The number that each component had before the first cut. It may come in another order, as a mesh may put new vertices
+  // where removed ones have been.
+  std::vector<std::size_t> number_components(const Surface_closing<Mesh>& closing, const Found_loops& found)
+  {
+    const std::size_t size = found.homology().trees().components().size();
+    if(representatives_.empty())
+    {
+      representatives_.resize(size);
+      for(std::size_t h = closing.halfedges().size(); h != 0; --h)
+        representatives_[component_of(static_cast<Index>(h - 1), found)] = closing.halfedges()[h - 1];
+    }
+    std::vector<std::size_t> result(size, 0);
+    for(std::size_t i = 0; i != size; ++i)
+      result[component_of(closing.number(representatives_[i]), found)] = i;
+    return result;
+  }
+
+  void add_plan(const Surface_loop& loop, std::size_t component, std::vector<halfedge_descriptor> halfedges)
+  {
+    Handle_removal row;
+    row.kind = loop.kind;
+    row.length = loop.length;
+    row.component = component;
+    bool is_at_border = false;
+    for(const halfedge_descriptor h : halfedges)
+      is_at_border = is_at_border || CGAL::is_border(target(h, mesh_), mesh_).has_value();
+    if(!loop.is_simple || is_at_border)
+    {
+      row.result = loop.is_simple ? Removal_result::PASSES_HOLE : Removal_result::CROSSES_ITSELF;
+      halfedges.clear();
+    }
+    plans_.push_back({Cut(mesh_, point_map_, std::move(halfedges)), row, {}});
+    Plan& plan = plans_.back();
+    if(row.result == Removal_result::REMOVED && plan.cut.disc().empty())
+      plan.row.result = Removal_result::NO_DISC;
+    else if(row.result == Removal_result::REMOVED && plan.cut.placed().empty())
+      plan.row.result = Removal_result::INTERSECTS;
+  }
+
+  // Finds what the discs, and the faces as they will be, intersect: faces of the mesh that do not change, and each other.
+  void find_conflicts()
+  {
+    struct Planned
+    {
+      const Triangle* triangle;
+      std::size_t plan;
+      bool is_disc;
+    };
+    std::vector<Planned> planned;
+    std::vector<Numbered_box> boxes, face_boxes;
+    for(std::size_t i = 0; i != plans_.size(); ++i)
+      for(const bool is_disc : {true, false})
+        for(const Triangle& t : is_disc ? plans_[i].cut.disc() : plans_[i].cut.placed())
+        {
+          boxes.push_back(Numbered_box(t.triangle().bbox(), planned.size()));
+          planned.push_back({&t, i, is_disc});
+        }
+    if(boxes.empty())
+      return;
+    const std::vector<face_descriptor> all_faces(faces(mesh_).begin(), faces(mesh_).end());
+    for(const face_descriptor f : all_faces)
+      face_boxes.push_back(Numbered_box(face_triangle(f, mesh_, point_map_).bbox(), face_boxes.size()));
+    box_intersection_d(boxes.begin(), boxes.end(), face_boxes.begin(), face_boxes.end(),
+                       [&](const Numbered_box& a, const Numbered_box& b) {
+                         const Planned& t = planned[a.number];
+                         const auto vertices = face_corners(all_faces[b.number], mesh_);
+                         Plan& plan = plans_[t.plan];
+                         if(std::any_of(vertices.begin(), vertices.end(), [&](auto v) { return plan.cut.passes(v); }))
+                           return;
+                         Triangle face;
+                         for(std::size_t k = 0; k != 3; ++k)
+                           face.corners[k] = {vertices[k], 0, disc_point(vertices[k], point_map_)};
+                         if(do_intersect(*t.triangle, face))
+                           refuse(plan, components_[b.number] != plan.row.component, t.is_disc);
+                       });
+    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Numbered_box& a, const Numbered_box& b) {
+      const Planned &s = planned[a.number], &t = planned[b.number];
+      if(s.plan != t.plan && !s.is_disc && !t.is_disc && do_intersect(*s.triangle, *t.triangle))
+        plans_[(std::max)(s.plan, t.plan)].rivals.push_back((std::min)(s.plan, t.plan));
+    });
+  }
+
+  // The reason that tells most stays.
+  static void refuse(Plan& plan, bool is_other_component, bool is_disc)
+  {
+    Removal_result& result = plan.row.result;
+    if(is_other_component)
+      result = Removal_result::OTHER_COMPONENT;
+    else if(is_disc && result != Removal_result::OTHER_COMPONENT)
+      result = Removal_result::NO_DISC;
+    else if(result == Removal_result::REMOVED)
+      result = Removal_result::INTERSECTS;
+  }
+
+  // Makes the cuts. Returns what is refused.
+  std::vector<Handle_removal> cut(std::vector<Handle_removal>& removed,
+                                  std::size_t number,
+                                  const Stage_progress& progress)
+  {
+    std::vector<Handle_removal> refused;
+    std::vector<bool> is_cut(plans_.size(), false);
+    std::set<face_descriptor> changed;
+    for(std::size_t i = 0; i != plans_.size() && removed.size() != number; ++i)
+    {
+      progress.report_step(i, plans_.size());
+      const Plan& plan = plans_[i];
+      if(plan.row.result != Removal_result::REMOVED)
+        refused.push_back(plan.row);
+      else if(!is_touched(plan, is_cut, changed))
+      {
+        plan.cut(mesh_, visitor_, [&](face_descriptor f) { changed.insert(f); });
+        is_cut[i] = true;
+        removed.push_back(plan.row);
+      }
+    }
+    return refused;
+  }
+
+  // Whether a cut that has been made has changed what the plan is for.
+  bool is_touched(const Plan& plan, const std::vector<bool>& is_cut, const std::set<face_descriptor>& changed) const
+  {
+    if(std::any_of(plan.rivals.begin(), plan.rivals.end(), [&](std::size_t rival) { return is_cut[rival]; }))
+      return true;
+    for(const halfedge_descriptor h : plan.cut.loop())
+      for(const face_descriptor f : faces_around_target(h, mesh_))
+        if(changed.count(f) != 0)
+          return true;
+    return false;
+  }
+
+  Mesh& mesh_;
+  const PointMap& point_map_;
+  Visitor& visitor_;
+  std::vector<bool> is_crossed_;                     // by component
+  std::vector<halfedge_descriptor> representatives_; // of the components
+  std::deque<Plan> plans_;
+  std::vector<std::size_t> components_; // of the faces
+};
+
+} // namespace internal
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_HANDLE_REMOVER_H

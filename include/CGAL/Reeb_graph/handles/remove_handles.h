@@ -1,0 +1,138 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_HANDLES_REMOVE_HANDLES_H
+#define CGAL_REEB_GRAPH_HANDLES_REMOVE_HANDLES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
+#include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
+#include <CGAL/Reeb_graph/handles/Handle_loop.h>
+#include <CGAL/Reeb_graph/handles/internal/Handle_remover.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/simplification/exceptions.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_graph {
+
+/// \ingroup PkgReebGraphHandles
+///
+/// \brief removes small handles and tunnels of a surface, such as the noise of scans and isosurfaces has.
+///
+/// The size of a pair of a handle and a tunnel is the length of its shorter loop. The mesh is cut along this loop. The
+/// two copies of the loop move a little away from each other, by at most a quarter of the way to their neighbors. Each is
+/// closed by a disc of few triangles. So the genus falls by one, and no component falls apart. All other vertices stay
+/// where they are, with their descriptors and their faces; new vertices and faces come behind them.
+///
+/// The smallest handle comes first. Loops are those of `handle_and_tunnel_loops()`, found anew until no handle is left
+/// that is smaller than the given size and can be removed. One stays if its loop passes a vertex twice or a hole, if it
+/// bounds no disc, or if the new faces would intersect each other, the rest of the surface, or another component. So a
+/// surface that does not intersect itself does not afterwards, either.
+///
+/// Loops that are not shorter than the size are not looked for. A round takes the time of `handle_and_tunnel_loops()` for
+/// short loops, and all handles that do not touch each other are removed in one round.
+///
+/// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
+///         `Surface_mesh` and `Polyhedron_3`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the mesh, which is changed. To keep it, pass a copy made by `CGAL::copy_face_graph()`.
+/// \param size handles that are smaller are removed; may be infinite
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{number_of_handles}
+///     \cgalParamDescription{so many are removed at most, the smallest ones}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{all that are smaller than the size}
+///     \cgalParamExtra{use the functions `parameters::number_of_handles()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices, of which the nearest ones with coordinates of type `double`
+///                           count}
+///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptors as key type and points of a
+///                    three-dimensional kernel as value type}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told of the vertices and halfedges of loops that are doubled, and of the faces of discs, as
+///                           if they were split off from a face beside them. An `Interpolating_visitor` carries property
+///                           maps over.}
+///     \cgalParamType{a model of `ReebGraphRefinementVisitor`, by value or as `std::reference_wrapper`}
+///     \cgalParamDefault{`Reeb_graph::Default_refinement_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{check_self_intersections}
+///     \cgalParamDescription{as for `handle_and_tunnel_loops()`}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///     \cgalParamExtra{use the functions `parameters::check_self_intersections()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1. If it returns
+///                           `false`, the work stops with `Reeb_graph::Cancelled_error`; what has been removed by then is
+///                           removed.}
+///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the handles that have been removed, in this order, and behind them those that are refused.
+///
+/// \exception Reeb_graph::Threshold_error if the size is negative or NaN
+/// \exception Reeb_graph::Non_finite_point_error if a coordinate of a point is infinite or NaN
+///
+/// and the exceptions of `compute_reeb_graph()` for meshes. When one of these is thrown, the mesh is as it was before.
+template <class MutableFaceGraph, class NamedParameters = parameters::Default_named_parameters>
+std::vector<Handle_removal> remove_handles(MutableFaceGraph& mesh,
+                                           double size,
+                                           const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  if constexpr(internal::Refinable_mesh<MutableFaceGraph>::value)
+  {
+    typedef typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor vertex_descriptor;
+    if(!(size >= 0))
+      throw Threshold_error("size of handles");
+    const internal::Progress progress(np);
+    progress.report(0);
+    internal::check_input(mesh, boost::static_property_map<double, vertex_descriptor>(0), parameters::default_values());
+    const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                            get_property_map(vertex_point, mesh));
+    auto visitor_parameter = choose_parameter<Default_refinement_visitor<MutableFaceGraph>>(
+      get_parameter(np, internal_np::visitor));
+    auto& visitor = internal::unwrap_reference(visitor_parameter);
+    internal::Handle_remover<MutableFaceGraph, std::decay_t<decltype(point_map)>, std::decay_t<decltype(visitor)>> remove(
+      mesh, point_map, visitor);
+    const auto result = remove(
+      size, choose_parameter(get_parameter(np, internal::number_of_handles), (std::numeric_limits<std::size_t>::max)()),
+      choose_parameter(get_parameter(np, internal::check_self_intersections), true), progress);
+    progress.report_end();
+    return result;
+  }
+  else
+    return {};
+}
+
+} // namespace Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_REEB_GRAPH_HANDLES_REMOVE_HANDLES_H
