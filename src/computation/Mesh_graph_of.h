@@ -53,7 +53,7 @@ public:
                 Report& report)
     : kind_(mesh, scalar_map),
       options_(options),
-      given_(std::make_shared<const Any_graph>(
+      given_(new Any_graph( // not make_shared(), which copies it
         compute_and_time(options, report, [&](const auto& np) { return kind_.compute(np); })))
   {
     const Stopwatch stopwatch;
