@@ -56,6 +56,12 @@ public:
   std::size_t position(Vertex_index vertex) const { return static_cast<std::size_t>(global_vertex(vertex)); }
 
   // For Unchecked_complex. The triangles have three vertices, and there are no edges without them.
+  std::size_t number_of_faces() const
+  {
+    return static_cast<std::size_t>(std::count_if(halfedges_.begin(), halfedges_.end(),
+                                                  [](const Halfedge& h) { return h.next != no_index; }))
+         / 3;
+  }
   Halfedge_index halfedge_of_face_at(Vertex_index vertex) const { return first_halfedge(vertex); }
   bool has_no_others(std::size_t number_of_corners, std::size_t) const
   {
