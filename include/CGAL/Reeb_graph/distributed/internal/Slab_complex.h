@@ -58,8 +58,8 @@ public:
   // For Unchecked_complex. The triangles have three vertices, and there are no edges without them.
   std::size_t number_of_faces() const
   {
-    return static_cast<std::size_t>(std::count_if(halfedges_.begin(), halfedges_.end(),
-                                                  [](const Halfedge& h) { return h.next != no_index; }))
+    return static_cast<std::size_t>(
+             std::count_if(halfedges_.begin(), halfedges_.end(), [](const Halfedge& h) { return h.next != no_index; }))
          / 3;
   }
   Halfedge_index halfedge_of_face_at(Vertex_index vertex) const { return first_halfedge(vertex); }
