@@ -46,9 +46,13 @@ class GraphView {
     return this.nodes[this.arcs[arc].target];
   }
 
-  // The horizontal place of an arc at a value, in columns.
+  // The horizontal place of an arc at a value, in columns. Near its ends it may go sideways, and hardly rise.
   column(arc, value) {
     const plane = this.arcs[arc].plane;
+    if (value <= this.lower(arc).value)
+      return plane[0];
+    if (value >= this.upper(arc).value)
+      return plane[plane.length - 2];
     for (let i = 2; i < plane.length; i += 2) {
       if (plane[i + 1] >= value) {
         const share = (value - plane[i - 1]) / (plane[i + 1] - plane[i - 1]);

@@ -195,16 +195,13 @@ BOOST_AUTO_TEST_CASE(gyroids_and_plates_of_high_genus)
   }
 }
 
-BOOST_AUTO_TEST_CASE(high_genus_by_the_oracle)
+BOOST_AUTO_TEST_CASE(a_gyroid_by_the_oracle)
 {
-  for(const auto& soup : {handle_samples::gyroid(5, 0.7), generated_surfaces::closed_surface(30, 3000)})
-  {
-    const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
-    const auto found = find_loops(mesh, 4, parameters::check_self_intersections(false));
-    BOOST_TEST(found.loops().size() > 8u);
-    check_list(mesh, found);
-    check_by_oracle(mesh, found, 1e-3, {1, 1});
-  }
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(handle_samples::gyroid(4, 0.7));
+  const auto found = find_loops(mesh, 4);
+  BOOST_TEST(found.loops().size() > 2u);
+  check_list(mesh, found);
+  check_by_oracle(mesh, found, 1e-3, {1, 1});
 }
 
 BOOST_AUTO_TEST_CASE(short_loops_of_a_torus)

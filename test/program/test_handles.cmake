@@ -72,7 +72,6 @@ expect_error("go with --output" handles surface.off --remove 1)
 expect_error("goes with --remove" handles surface.off --output clean.off)
 expect_error("ends in .off or .ply" handles surface.off --remove 1 --output clean.vtp)
 expect_error("negative" handles surface.off --remove-below -1 --output clean.off)
-expect_error("two outputs" handles surface.off --remove 1 --output clean.off --loops ./clean.off)
 
 # a triangle, which has a hole
 file(WRITE ${FOLDER}/triangle.off "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")

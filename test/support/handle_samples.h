@@ -11,7 +11,6 @@
 
 #include "generated_surfaces.h"
 #include "generated_surfaces/implicit_surface.h"
-#include "generated_surfaces/standing_figure.h"
 #include "mesh_builders.h"
 
 #include <array>
@@ -125,7 +124,6 @@ inline std::vector<Sample> closed_samples()
           {"knotted torus turned over", turned_over(knotted_torus()), {1}},
           {"linked tori", linked_tori(), {1, 1}},
           {"nested tori", nested_tori(), {1, 1}},
-          {"figure", generated_surfaces::standing_figure(2500), {1}},
           {"genus 2", generated_surfaces::closed_surface(2, 500), {2}},
           {"genus 7", generated_surfaces::closed_surface(7, 2000), {7}}};
 }

@@ -365,7 +365,7 @@ public:
       block.triangles[size++].vertices[0] = target(first);
     }
     block.size = size;
-    bool are_degenerate = false;
+    int degenerate = 0;
     Number greatest = 0;
     for(std::size_t i = 0; i != size; ++i)
     {
@@ -378,14 +378,14 @@ public:
       compare(next(third), first);
       compare(face(second), face(third));
       compare(face(third), face(first));
-      are_degenerate |= (a == b) | (b == c) | (c == a);
+      degenerate |= static_cast<int>(a == b) | static_cast<int>(b == c) | static_cast<int>(c == a);
       greatest = (std::max)({greatest, a.number(), b.number(), c.number()});
     }
     if(has_garbage)
       for(std::size_t i = 0; i != size; ++i)
         for(const Halfedge_index h : block.triangles[i].halfedges)
           difference |= has_edge(edge_of(h)) ? 0 : 1;
-    return difference == 0 && !are_degenerate && greatest < this->number_of_vertices();
+    return difference == 0 && degenerate == 0 && greatest < this->number_of_vertices();
   }
 
   Halfedge_index kept_halfedge(Vertex_index v) const { return Halfedge_index(mesh_->halfedge(descriptor(v))); }
