@@ -8,6 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "generated_surfaces/standing_figure.h"
 #include "handle_samples.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
