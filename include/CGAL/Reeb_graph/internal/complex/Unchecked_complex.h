@@ -60,13 +60,8 @@ public:
   const Complex& at_set_fans() const { return complex_; }
 
   // Sets the fan of a vertex that is known to have one only, inside of the surface, to begin with the halfedge that the
-  // mesh keeps for it. Returns whether that one ends there.
-  bool set_closed_fan(Vertex_index vertex)
-  {
-    const Halfedge_index kept = complex_.kept_halfedge(vertex);
-    complex_.first_halfedges_[vertex] = kept;
-    return true;
-  }
+  // mesh keeps for it, which ends there.
+  void set_closed_fan(Vertex_index vertex) { complex_.first_halfedges_[vertex] = complex_.kept_halfedge(vertex); }
 
   // Turns to the halfedge with which the fan of a vertex begins, keeps it, and adds to `counts`.
   //

@@ -292,10 +292,13 @@ Complex check_complex(Unchecked_complex<Complex> unchecked, const Order& order)
     for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
     {
       const Number number_of_corners = regular_vertices.number_of_corners(v);
-      if(number_of_corners != 0 && unchecked.set_closed_fan(v))
-        counts.corners += number_of_corners;
-      else
+      if(number_of_corners == 0)
+      {
         unchecked.set_fan(v, counts, visitor);
+        continue;
+      }
+      unchecked.set_closed_fan(v);
+      counts.corners += number_of_corners;
     }
   };
   return std::move(unchecked).check(sum_of_parts<ConcurrencyTag, Fan_counts>(unchecked.number_of_vertices(), set_fans));

@@ -160,8 +160,9 @@ Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Comple
   const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), order);
   const auto find = [&](Vertex_index vertex, Fan_counts& counts) {
     const Number number_of_corners = regular_vertices.number_of_corners(vertex);
-    if(number_of_corners == 0 || !unchecked.set_closed_fan(vertex))
+    if(number_of_corners == 0)
       return set_fan_and_find_link(unchecked, order, vertex, counts);
+    unchecked.set_closed_fan(vertex);
     counts.corners += number_of_corners;
     return regular_link;
   };
