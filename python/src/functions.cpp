@@ -6,8 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "arrays.h"
-#include "run.h"
+#include "shared.h"
 
 #include "computation/complex_counts.h"
 #include "computation/curves.h"
@@ -15,67 +14,46 @@
 #include "computation/scalar_fields.h"
 #include "input/mesh_input.h"
 
-#include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 
-#include <limits>
-#include <optional>
-#include <tuple>
-#include <utility>
+#include <stdexcept>
 #include <variant>
 
 namespace reeb_graph_python {
 namespace {
 std::vector<double> values_of(const Scalar_map& map) { return {map.begin(), map.end()}; }
 
-// Throws std::invalid_argument unless the mesh is an oriented manifold surface.
 Mesh make_surface(const Polygon_soup& soup, const std::string& what)
 {
   Mesh mesh = make_mesh(soup, "the mesh");
   if(mesh.complex)
-    throw std::invalid_argument(what + " needs an oriented manifold surface; " + describe_obstacle(*mesh.complex));
+    throw std::runtime_error(what + " needs an oriented manifold surface; " + describe_obstacle(*mesh.complex));
   return mesh;
 }
 
-// The field of this name, with options as the program has them; for unit gradients, of the scalars if there are any.
+// The field of this name, with options as the program has them; for unit gradients, of the scalars if there are any. Or
+// "with level borders": the scalars, changed so that they have them.
 py::object field(const Mesh_arrays& arrays,
                  std::size_t number_of_vertices,
                  Input_options options,
                  const std::optional<Value_array>& scalars,
-                 std::size_t threads,
-                 const py::object& progress)
+                 Run& run)
 {
   options.scalars_path = scalars ? "scalars" : "";
+  const Value_array* const given = scalars ? &*scalars : nullptr;
   const Polygon_soup soup = copy_arrays(arrays, number_of_vertices);
-  const Values given = scalars ? Values(*scalars) : Values();
   std::vector<double> values;
-  run(progress, threads, [&] {
-    check_field_options(options);
+  run([&] {
     const bool is_for_complexes = options.field == "geodesic" || options.field == "height";
     Mesh mesh = is_for_complexes ? make_mesh(soup, "the mesh") : make_surface(soup, "the field " + options.field);
-    const Scalar_map map = given.add_to(mesh.surface, "v:scalar");
+    const Scalar_map map = add_map(mesh.surface, "v:scalar", given);
     Work_report report;
-    if(mesh.complex && options.field == "geodesic")
+    if(options.field == "with level borders")
+      CGAL::Reeb_graph::make_borders_level(mesh.surface, map);
+    else if(mesh.complex && options.field == "geodesic")
       compute_distances_along_edges(mesh, options.source_vertices, map);
     else
       compute_scalar_field(options, mesh.surface, map, report);
-    values = values_of(map);
-  });
-  return to_object(values);
-}
-
-py::object make_borders_level(const Mesh_arrays& arrays,
-                              const Value_array& scalars,
-                              std::size_t threads,
-                              const py::object& progress)
-{
-  const Values given(scalars);
-  const Polygon_soup soup = copy_arrays(arrays, given.size());
-  std::vector<double> values;
-  run(progress, threads, [&] {
-    Mesh mesh = make_surface(soup, "make_borders_level()");
-    const Scalar_map map = given.add_to(mesh.surface, "v:scalar");
-    CGAL::Reeb_graph::make_borders_level(mesh.surface, map);
     values = values_of(map);
   });
   return to_object(values);
@@ -87,38 +65,36 @@ py::object cut(const Mesh_arrays& arrays,
                const std::vector<Value_array>& vertex_arrays,
                const Cut_options& options,
                std::size_t largest_number_of_faces,
-               std::size_t threads,
-               const py::object& progress)
+               Run& run)
 {
-  const Values given(scalars);
-  const Polygon_soup soup = copy_arrays(arrays, given.size());
-  const std::vector<Values> columns(vertex_arrays.begin(), vertex_arrays.end());
+  const Polygon_soup soup = copy_arrays(arrays, scalars.size());
   Mesh mesh;
   Scalar_map map;
   std::vector<Any_vertex_property> properties;
   Cut_result result;
-  run(progress, threads, [&] {
+  run([&] {
     mesh = make_surface(soup, "cutting");
-    map = given.add_to(mesh.surface, "v:scalar");
-    for(const Values& column : columns)
-      properties.emplace_back(column.add_to(mesh.surface, "v:array" + std::to_string(properties.size())));
+    map = add_map(mesh.surface, "v:scalar", &scalars);
+    for(const Value_array& array : vertex_arrays)
+      properties.emplace_back(add_map(mesh.surface, "v:array" + std::to_string(properties.size()), &array));
     result = cut_along_curves(mesh.surface, map, properties, options,
                               [&](std::size_t number_of_faces) { return number_of_faces <= largest_number_of_faces; });
   });
-  std::vector<std::size_t> patches;
+  std::vector<int> patches;
   for(const Surface::Face_index f : mesh.surface.faces())
-    patches.push_back(static_cast<std::size_t>(result.patch_map[f]));
-  std::vector<std::vector<double>> columns_of_result;
+    patches.push_back(result.patch_map[f]);
+  std::vector<std::vector<double>> columns;
   for(const Any_vertex_property& property : properties)
-    columns_of_result.push_back(values_of(std::get<Scalar_map>(property)));
-  return to_object(std::make_tuple(points_of(mesh.surface), triangles_of(mesh), patches, result.polylines,
-                                   values_of(map), columns_of_result));
+    columns.push_back(values_of(std::get<Scalar_map>(property)));
+  return to_object(
+    std::make_tuple(points_of(mesh.surface), triangles_of(mesh), patches, result.polylines, values_of(map), columns));
 }
 
 } // namespace
 
 void add_functions(py::module_& module)
 {
+  using CGAL::Reeb_graph::Borders;
   py::class_<Input_options>(module, "FieldOptions")
     .def(py::init<>())
     .def_readwrite("field", &Input_options::field)
@@ -134,15 +110,12 @@ void add_functions(py::module_& module)
     .def_readwrite("area", &Cut_options::area)
     .def_readwrite("cut_open", &Cut_options::is_cut_open)
     .def_readwrite("borders", &Cut_options::borders);
-  py::enum_<CGAL::Reeb_graph::Borders>(module, "Borders")
-    .value("level", CGAL::Reeb_graph::Borders::LEVEL)
-    .value("make_level", CGAL::Reeb_graph::Borders::MAKE_LEVEL);
+  py::enum_<Borders>(module, "Borders").value("make-level", Borders::MAKE_LEVEL).value("level", Borders::LEVEL);
   py::enum_<Curves_type>(module, "Curves")
     .value("cutting_system", Curves_type::CUTTING_SYSTEM)
     .value("pants", Curves_type::PANTS)
     .value("branches", Curves_type::BRANCH);
   module.def("field", &field);
-  module.def("make_borders_level", &make_borders_level);
   module.def("cut", &cut);
 }
 

@@ -6,14 +6,15 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "arrays.h"
-#include "run.h"
+#include "shared.h"
 
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
+#include "computation/longest_loop.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/mesh_input.h"
+#include "input/threshold_input.h"
 #include "output/report_output.h"
 
 #include <CGAL/Reeb_graph/graph_topology.h>
@@ -22,19 +23,18 @@
 
 #include <pybind11/stl/filesystem.h>
 
-#include <cmath>
 #include <iterator>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <sstream>
-#include <tuple>
 #include <variant>
 
 // The module reeb_graph._core, on which the Python of the package reeb_graph stands: numbers and arrays only.
 namespace reeb_graph_python {
 namespace {
 typedef std::vector<std::size_t> Numbers;
+typedef CGAL::Reeb_graph::Ties Ties;
+typedef CGAL::Reeb_graph::Embedding_manner Manner;
 
 struct Input
 {
@@ -59,108 +59,82 @@ typedef std::shared_ptr<Graph_of_arrays> Graph_pointer;
 
 Graph_pointer compute(const Mesh_arrays& arrays,
                       const Value_array& scalars,
-                      bool are_ties_contracted,
+                      Ties ties,
                       bool are_degree_two_nodes_kept,
-                      std::size_t threads,
-                      const py::object& progress)
+                      Run& run)
 {
-  struct Work
-  {
-    Values scalars;
-    Polygon_soup soup;
-    Graph_pointer graph = std::make_shared<Graph_of_arrays>();
-  };
-  const auto work = std::make_shared<Work>();
-  work->scalars = Values(scalars);
-  work->soup = copy_arrays(arrays, work->scalars.size());
-  Graph_options& options = work->graph->options;
-  options.ties = are_ties_contracted ? CGAL::Reeb_graph::Ties::CONTRACT : CGAL::Reeb_graph::Ties::PERTURB;
-  options.are_degree_two_nodes_kept = are_degree_two_nodes_kept;
-  run(
-    progress, threads,
-    [work] {
-      Graph_of_arrays& graph = *work->graph;
-      Input& input = *graph.input;
-      input.mesh = make_mesh(work->soup, "the mesh");
-      work->soup = Polygon_soup();
-      input.scalar_map = work->scalars.add_to(input.mesh.surface, "v:scalar");
-      work->scalars = Values();
-      graph.mesh_graph = compute_mesh_graph(input.mesh, input.scalar_map, graph.options, {}, 0, graph.report);
-    },
-    true);
-  return work->graph;
+  Polygon_soup soup = copy_arrays(arrays, scalars.size());
+  const auto graph = std::make_shared<Graph_of_arrays>();
+  graph->options.ties = ties;
+  graph->options.are_degree_two_nodes_kept = are_degree_two_nodes_kept;
+  run([&] {
+    Input& input = *graph->input;
+    input.mesh = make_mesh(soup, "the mesh");
+    soup = Polygon_soup();
+    input.scalar_map = add_map(input.mesh.surface, "v:scalar", &scalars);
+    graph->mesh_graph = compute_mesh_graph(input.mesh, input.scalar_map, graph->options, {}, 0, graph->report);
+  });
+  return graph;
 }
 
 // A function that does `work` on the graph without the interpreter's lock, and makes an object of the result.
 template <class Result, class... Arguments>
 auto running(Result (*work)(Graph_of_arrays&, Arguments...))
 {
-  return [work](Graph_of_arrays& graph, Arguments... arguments, std::size_t threads, const py::object& progress) {
+  return [work](Graph_of_arrays& graph, Arguments... arguments, Run& run) {
     std::optional<Result> result;
-    run(progress, threads, [&] {
+    run([&] {
       const std::lock_guard lock(graph.input->mutex);
       result.emplace(work(graph, arguments...));
     });
-    if constexpr(std::is_same_v<Result, Graph_pointer>)
-      return *result;
-    else
-      return to_object(*result);
+    return to_object(*result);
   };
 }
 
-// With an option of the program: a threshold in units of the field or in percent, NaN for the one that the graph
-// suggests, or a number of leaves.
+// With a threshold in units of the field, or as the program reads it, or a number of leaves.
 Graph_pointer simplify(Graph_of_arrays& graph,
-                       std::optional<double> threshold,
-                       bool is_percentage,
+                       std::optional<std::variant<double, std::string>> threshold,
                        std::optional<std::size_t> leaves,
                        bool are_loops_cancelled)
 {
-  const auto result = std::make_shared<Graph_of_arrays>();
-  result->input = graph.input;
-  result->options = graph.options;
-  result->report = graph.report;
+  Simplification_options options;
   if(threshold)
-    result->simplification.threshold = Threshold{*threshold, is_percentage, std::isnan(*threshold)};
-  result->simplification.number_of_leaves = leaves;
-  result->simplification.are_loops_cancelled = are_loops_cancelled;
-  result->mesh_graph = graph.mesh_graph->simplify(
-    result->simplification,
-    threshold_in_units(result->simplification, graph.input->mesh.surface, graph.input->scalar_map));
-  return result;
+    options.threshold = threshold->index() == 0 ? Threshold{std::get<double>(*threshold), false, false}
+                                                : parse_threshold(std::get<std::string>(*threshold));
+  options.number_of_leaves = leaves;
+  options.are_loops_cancelled = are_loops_cancelled;
+  auto simplified = graph.mesh_graph->simplify(
+    options, threshold_in_units(options, graph.input->mesh.surface, graph.input->scalar_map));
+  return std::make_shared<Graph_of_arrays>(
+    Graph_of_arrays{graph.input, graph.options, options, graph.report, std::move(simplified)});
 }
 
-std::tuple<Numbers, std::vector<double>, Numbers> nodes(Graph_of_arrays& given)
+// The vertex and the kind of each node, its value, and the ends of each arc.
+auto table(Graph_of_arrays& given)
 {
   const Graph& graph = given.graph();
-  std::tuple<Numbers, std::vector<double>, Numbers> result;
+  std::vector<std::array<std::size_t, 2>> nodes, arcs;
+  std::vector<double> values;
   for(const auto node : CGAL::make_range(vertices(graph)))
   {
-    std::get<0>(result).push_back(graph[node].vertex);
-    std::get<1>(result).push_back(graph[node].value);
-    std::get<2>(result).push_back(static_cast<std::size_t>(graph[node].kind));
+    nodes.push_back({graph[node].vertex, static_cast<std::size_t>(graph[node].kind)});
+    values.push_back(graph[node].value);
   }
-  return result;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+    arcs.push_back({source(arc, graph), target(arc, graph)});
+  return std::make_tuple(nodes, values, arcs);
 }
 
-std::vector<std::array<std::size_t, 2>> arcs(Graph_of_arrays& given)
+auto pairs(Graph_of_arrays& given)
 {
-  std::vector<std::array<std::size_t, 2>> ends;
-  for(const auto arc : CGAL::make_range(edges(given.graph())))
-    ends.push_back({source(arc, given.graph()), target(arc, given.graph())});
-  return ends;
-}
-
-std::tuple<Numbers, Numbers, std::vector<std::string>> pairs(Graph_of_arrays& given)
-{
-  std::tuple<Numbers, Numbers, std::vector<std::string>> result;
+  std::vector<std::array<std::size_t, 2>> nodes;
+  std::vector<std::string> kinds;
   for(const Persistence_pair& pair : find_persistence_pairs(given.graph()))
   {
-    std::get<0>(result).push_back(pair.lower_node);
-    std::get<1>(result).push_back(pair.upper_node);
-    std::get<2>(result).push_back(to_string(pair.kind));
+    nodes.push_back({pair.lower_node, pair.upper_node});
+    kinds.emplace_back(to_string(pair.kind));
   }
-  return result;
+  return std::make_tuple(nodes, kinds);
 }
 
 std::vector<Numbers> loops(Graph_of_arrays& given)
@@ -202,38 +176,34 @@ std::vector<Contour> contours(Graph_of_arrays& graph,
 }
 
 // The names of the measures of arcs, and a column for each.
-std::tuple<std::vector<std::string>, std::vector<std::vector<double>>> measures(Graph_of_arrays& graph)
+auto measures(Graph_of_arrays& graph)
 {
-  std::tuple<std::vector<std::string>, std::vector<std::vector<double>>> result;
-  for(const CGAL::Reeb_graph::Attribute& attribute :
-      attributes_of_arcs(graph.graph(), graph.mesh_graph->measure_arcs()))
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> columns;
+  for(const auto& attribute : attributes_of_arcs(graph.graph(), graph.mesh_graph->measure_arcs()))
   {
-    std::get<0>(result).push_back(attribute.name);
-    std::visit([&](const auto& values) { std::get<1>(result).emplace_back(values.begin(), values.end()); },
-               attribute.numbers);
+    names.push_back(attribute.name);
+    std::visit([&](const auto& numbers) { columns.emplace_back(numbers.begin(), numbers.end()); }, attribute.numbers);
   }
-  return result;
+  return std::make_tuple(names, columns);
 }
 
-typedef CGAL::Reeb_graph::Embedding_manner Manner;
-
-std::tuple<Numbers, std::vector<Point>, std::vector<Polyline>, std::vector<std::vector<double>>> embed(
-  Graph_of_arrays& graph,
-  Manner manner)
+// By default in the manner of the program.
+auto embed(Graph_of_arrays& graph, std::optional<Manner> manner)
 {
-  const auto embedding = graph.mesh_graph->embed(manner, nullptr).embedding;
-  return {
-    {static_cast<std::size_t>(embedding.manner)}, embedding.node_points, embedding.arc_polylines, embedding.arc_values};
+  const Manner by_default = graph.input->mesh.complex ? Manner::STRAIGHT : Manner::BY_COST;
+  const auto embedding = graph.mesh_graph->embed(manner.value_or(by_default), nullptr).embedding;
+  return std::make_tuple(embedding.manner, embedding.node_points, embedding.arc_polylines, embedding.arc_values);
 }
 
 // A field that has the graph, and whether ties were contracted for it, though not asked for.
-std::tuple<std::vector<double>, Numbers> simplified_scalars(Graph_of_arrays& graph)
+std::tuple<std::vector<double>, bool> simplified_scalars(Graph_of_arrays& graph)
 {
   Surface& surface = graph.input->mesh.surface;
-  const Scalar_map map = surface.add_property_map<Surface::Vertex_index, double>("v:simplified").first;
+  const Scalar_map map = add_map(surface, "v:simplified", nullptr);
   const Simplified_field field = compute_simplified_field(surface, graph.input->scalar_map, graph.simplification,
                                                           graph.mesh_graph->threshold(), graph.options.ties, map);
-  return {std::vector<double>(map.begin(), map.end()), Numbers(1, field.are_ties_contracted ? 1 : 0)};
+  return {std::vector<double>(map.begin(), map.end()), field.are_ties_contracted};
 }
 
 // Writes the files that are asked for, and returns the report of the program as JSON.
@@ -266,18 +236,19 @@ auto mesh_arrays(Graph_of_arrays& graph)
 void add_graph(py::module_& module)
 {
   typedef Graph_of_arrays G;
+  py::enum_<Ties>(module, "Ties").value("perturb", Ties::PERTURB).value("contract", Ties::CONTRACT);
   py::enum_<Manner>(module, "Manner")
     .value("centroids", Manner::CENTROIDS)
-    .value("on_surface", Manner::ON_SURFACE)
-    .value("straight", Manner::STRAIGHT)
-    .value("by_cost", Manner::BY_COST);
-  py::class_<Compute_options> options(module, "Files");
-  options.def(py::init<>())
+    .value("on-surface", Manner::ON_SURFACE)
+    .value("straight", Manner::STRAIGHT);
+  py::class_<Compute_options>(module, "Files")
+    .def(py::init<>())
     .def_readwrite("graph", &Compute_options::graph_path)
     .def_readwrite("page", &Compute_options::page_path)
     .def_readwrite("mesh", &Compute_options::mesh_path)
     .def_readwrite("pairs", &Compute_options::pairs_path)
     .def_readwrite("diagram", &Compute_options::diagram_path)
+    .def_readwrite("loop", &Compute_options::loop_path)
     .def_readwrite("vertex_arcs", &Compute_options::vertex_arcs_path)
     .def_readwrite("simplified_scalars", &Compute_options::simplified_scalars_path)
     .def_readwrite("embedding", &Compute_options::embedding_manner)
@@ -289,8 +260,7 @@ void add_graph(py::module_& module)
       [](Compute_options& o, const std::string& name) { o.input.field = name; });
   py::class_<G, Graph_pointer>(module, "Graph")
     .def_property_readonly("is_surface", [](const G& g) { return !g.input->mesh.complex; })
-    .def("nodes", running(&nodes))
-    .def("arcs", running(&arcs))
+    .def("table", running(&table))
     .def("pairs", running(&pairs))
     .def("chains", running(+[](G& g) { return g.mesh_graph->chains(); }))
     .def("loops", running(&loops))
@@ -300,10 +270,12 @@ void add_graph(py::module_& module)
     .def("places", running(+[](G& g) { return g.mesh_graph->places(); }))
     .def("contours", running(&contours))
     .def("critical_set", running(+[](G& g, std::size_t node) { return g.mesh_graph->critical_set(node); }))
+    .def("longest_loop", running(+[](G& g) { return find_longest_loop(*g.mesh_graph).polylines.front(); }))
     .def("measures", running(&measures))
     .def("embed", running(&embed))
     .def("simplified_scalars", running(&simplified_scalars))
     .def("write", running(&write));
+  module.def("compute", &compute);
 }
 
 } // namespace
@@ -312,12 +284,13 @@ void add_graph(py::module_& module)
 PYBIND11_MODULE(_core, module)
 {
   namespace py = pybind11;
-  using namespace reeb_graph_python; // NOLINT(google-build-using-namespace)
-  translate_exceptions();
-  py::class_<Mesh_arrays>(module, "MeshArrays").def(py::init<py::object, py::object, py::object, py::object>());
-  add_functions(module);
-  add_graph(module);
-  module.def("compute", &compute);
-  py::module_::import("atexit").attr("register")(py::cpp_function(&wait_for_stopped_work));
+  using reeb_graph_python::Run;
+  py::register_exception_translator(&reeb_graph_python::translate);
+  py::class_<Run>(module, "Run")
+    .def(py::init<std::size_t>())
+    .def_property_readonly("fraction", [](const Run& run) { return run.fraction.load(); })
+    .def("stop", [](Run& run) { run.is_stopped = true; });
+  reeb_graph_python::add_functions(module);
+  reeb_graph_python::add_graph(module);
   module.attr("__version__") = REEB_GRAPH_VERSION;
 }

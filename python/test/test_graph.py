@@ -240,11 +240,15 @@ def test_complexes_have_measures_and_embeddings(tmp_path, kind):
 def test_all_that_can_be_written(tmp_path, torus):
     simplified = torus[3].simplify("auto")
     for what, name in (("diagram", "d.svg"), ("pairs", "p.csv"), ("vertex_arcs", "arcs.npy"), ("mesh", "mesh.vtp"),
-                       ("simplified_scalars", "s.npy")):
+                       ("simplified_scalars", "s.npy"), ("loop", "loop.polylines.txt")):
         simplified.write(tmp_path / name, what=what)
     assert np.array_equal(np.load(tmp_path / "arcs.npy"), simplified.vertex_places)
     assert np.array_equal(np.load(tmp_path / "s.npy"), simplified.simplified_scalars())
-    with pytest.raises(ValueError, match="no 'x'"):
+    (loop,) = polylines((tmp_path / "loop.polylines.txt").read_text())
+    assert np.allclose(loop, simplified.longest_loop(), rtol=0, atol=1e-12) and np.array_equal(loop[0], loop[-1])
+    with pytest.raises(ValueError, match="no longest loop"):
+        simplified.simplify(9, cancel_loops=True).longest_loop()
+    with pytest.raises(ValueError, match="not 'x'"):
         simplified.write(tmp_path / "x.svg", what="x")
 
 
