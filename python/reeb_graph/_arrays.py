@@ -13,16 +13,9 @@ LARGEST_NUMBER_OF_CELLS = 2**32 // 12
 
 
 class Mesh(NamedTuple):
-    """The arrays of a mesh.
+    """The arrays of a mesh, as `mesh_arrays` returns them: three indices a triangle, and two or three numbers a point.
 
-    Attributes
-    ----------
-    triangles : (m, 3) array of integers, or None
-    points : (n, 3) array of floats, or None
-    edges : (k, 2) array of integers, or None
-    tetrahedra : (l, 4) array of integers, or None
-    point_data : mapping from names to arrays
-        What the mesh has for its vertices.
+    What the mesh has for its vertices is in `point_data`, a mapping from names to arrays.
     """
 
     triangles: np.ndarray | None
@@ -135,18 +128,12 @@ def _rows(cells: Any, size: int, what: str) -> np.ndarray:
 
 
 def _cells_by_type(mesh: Any) -> dict[str, np.ndarray]:
-    """Return the cells that meshio lists in blocks, and PyVista in a dict, by the names of meshio."""
-    if isinstance(mesh.cells, (list, tuple)):
-        blocks = [(block.type, block.data) for block in mesh.cells]
-    else:
-        types = {1: "vertex", 3: "line", 5: "triangle", 10: "tetra"}
-        blocks = [(types.get(int(number), str(number)), rows) for number, rows in mesh.cells_dict.items()]
-    found: dict[str, list[np.ndarray]] = {}
-    for name, rows in blocks:
-        if name not in ("triangle", "tetra", "line", "vertex"):
-            raise ValueError(f"the mesh has cells of the type {name}; only triangles, tetrahedra and lines are possible")
-        found.setdefault(name, []).append(np.asarray(rows))
-    return {name: np.concatenate(rows) for name, rows in found.items()}
+    """Return the cells, which meshio has by their names, and PyVista by the numbers of VTK, by their names."""
+    names = {1: "vertex", 3: "line", 5: "triangle", 10: "tetra"}
+    cells = {names.get(kind, kind): rows for kind, rows in mesh.cells_dict.items()}
+    for name in set(cells) - set(names.values()):
+        raise ValueError(f"the mesh has cells of the type {name}; only triangles, tetrahedra and lines are possible")
+    return cells
 
 
 def mesh_arrays(mesh: Any) -> Mesh:
@@ -156,24 +143,17 @@ def mesh_arrays(mesh: Any) -> Mesh:
     ----------
     mesh : trimesh.Trimesh, pyvista.PolyData, pyvista.UnstructuredGrid, meshio.Mesh, or alike
         `vertices` and `faces`; or `points` and `faces`, with the number of vertices before those of each face; or
-        `points` and `cells` or `cells_dict`, with triangles, tetrahedra and lines.
+        `points` and `cells_dict`, with triangles, tetrahedra and lines. Other cells are a ValueError.
 
     Returns
     -------
     Mesh
         A named tuple of `triangles`, `points`, `edges`, `tetrahedra`, and `point_data`.
-
-    Raises
-    ------
-    TypeError
-        if the object has none of these attributes
-    ValueError
-        if there are other cells
     """
     if isinstance(mesh, Mesh):
         return mesh
     data = getattr(mesh, "point_data", getattr(mesh, "vertex_attributes", {}))
-    if hasattr(mesh, "points") and hasattr(mesh, "cells"):
+    if hasattr(mesh, "points") and hasattr(mesh, "cells_dict"):
         cells = _cells_by_type(mesh)
         return Mesh(cells.get("triangle"), np.asarray(mesh.points), cells.get("line"), cells.get("tetra"), data)
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
@@ -183,13 +163,13 @@ def mesh_arrays(mesh: Any) -> Mesh:
         return Mesh(_rows(mesh.faces, 3, "faces that are no triangles"), np.asarray(mesh.points), lines, None, data)
     raise TypeError(
         f"a {type(mesh).__name__} is no array of triangles, and no mesh: it has neither vertices and faces, nor points and "
-        "faces or cells"
+        "faces or cells_dict"
     )
 
 
 def take(triangles: Any, points: Any = None, edges: Any = None, tetrahedra: Any = None) -> Mesh:
     """Return the arrays of a mesh, which stands in the place of the triangles, or those that are given."""
-    if not any(hasattr(triangles, name) for name in ("faces", "cells", "tetrahedra")):
+    if not any(hasattr(triangles, name) for name in ("faces", "cells_dict", "tetrahedra")):
         return Mesh(triangles, points, edges, tetrahedra)
     given = {"points": points, "edges": edges, "tetrahedra": tetrahedra}
     return mesh_arrays(triangles)._replace(**{name: array for name, array in given.items() if array is not None})

@@ -86,17 +86,7 @@ def unit_gradient(
 ) -> np.ndarray:
     """Compute a field whose gradient has about unit length, with about the level sets of another one.
 
-    Parameters
-    ----------
-    triangles : (m, 3) array of integers, or a mesh
-    points : (n, 3) array
-    scalars : (n,) array, optional
-        The other field; by default the harmonic one.
-
-    Returns
-    -------
-    (n,) array of float
-        In units of length.
+    That is `scalars`, by default the harmonic field. The other parameters are those of `harmonic`.
     """
     return _field("unit-gradient", _arrays.take(triangles, points), threads, progress, scalars)
 

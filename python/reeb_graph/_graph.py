@@ -122,12 +122,10 @@ class ReebGraph:
         is_upper = np.isin(kinds, ["saddle-maximum", "loop"])
         with np.errstate(invalid="ignore"):
             persistence = np.where(low == high, 0, np.maximum(low, high) - np.minimum(low, high)).astype(np.float64)
-        columns = {
-            "kind": np.array(kinds, dtype="U15"), "lower_node": lower, "upper_node": upper, "lower_value": low,
-            "upper_value": high, "persistence": persistence, "dimension": is_upper.astype(np.int64),
-            "birth": np.where(is_upper, high, low), "death": np.where(is_upper, low, high),
-        }
-        return np.rec.fromarrays(list(columns.values()), names=list(columns))
+        birth, death = np.where(is_upper, [high, low], [low, high])
+        columns = [np.array(kinds, dtype="U15"), lower, upper, low, high, persistence, is_upper.astype(int), birth, death]
+        names = "kind,lower_node,upper_node,lower_value,upper_value,persistence,dimension,birth,death"
+        return np.rec.fromarrays(columns, names=names)
 
     # ---- simplification
 
@@ -416,12 +414,13 @@ class ReebGraph:
         self._need_points("a contour")
         return [self._contour(contour) for contour in self._run("contours", arc, t, level)]
 
-    def _contour(self, found: dict[str, Any]) -> Contour:
-        points = found.pop("points")
-        if self.is_surface and found["closed"]:
+    def _contour(self, found: tuple[Any, ...]) -> Contour:
+        arc, value, closed, edges, points, polylines, triangles = found
+        if self.is_surface and closed:
             points = np.concatenate([points, points[:1]])
         contour = points.view(Contour)
-        contour.__dict__.update(found, value=found["value"] + float(self._field.base))
+        contour.arc, contour.value, contour.closed = arc, value + float(self._field.base), closed
+        contour.edges, contour.polylines, contour.triangles = edges, polylines, triangles
         return contour
 
 

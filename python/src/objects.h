@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_PYTHON_SHARED_H
-#define CGAL_REEB_GRAPH_PYTHON_SHARED_H
+#ifndef CGAL_REEB_GRAPH_PYTHON_OBJECTS_H
+#define CGAL_REEB_GRAPH_PYTHON_OBJECTS_H
 
 #include "base/complex.h"
 #include "base/progress_bar.h"
@@ -37,6 +37,7 @@
 #include <type_traits>
 #include <vector>
 
+// What the module reeb_graph._core does with objects of Python, and with the interpreter's lock.
 namespace reeb_graph_python {
 namespace py = pybind11;
 using namespace reeb_graph_program; // NOLINT(google-build-using-namespace): it is the program with another door
@@ -253,10 +254,8 @@ py::object to_object(const std::tuple<Items...>& items)
 
 inline py::object to_object(const Contour& contour)
 {
-  return py::dict(py::arg("arc") = contour.arc, py::arg("value") = contour.value, py::arg("closed") = contour.is_closed,
-                  py::arg("edges") = to_object(contour.edges), py::arg("points") = to_object(contour.points),
-                  py::arg("polylines") = to_object(contour.polylines),
-                  py::arg("triangles") = to_object(contour.triangles));
+  return to_object(std::make_tuple(contour.arc, contour.value, contour.is_closed, contour.edges, contour.points,
+                                   contour.polylines, contour.triangles));
 }
 
 inline py::object to_object(const Critical_set& set)
@@ -264,9 +263,6 @@ inline py::object to_object(const Critical_set& set)
   return to_object(std::make_tuple(set.lower_contours, set.upper_contours, set.star, set.border_loop));
 }
 
-// Adds the functions that compute fields, and those that cut along curves.
-void add_functions(py::module_& module);
-
 } // namespace reeb_graph_python
 
-#endif // CGAL_REEB_GRAPH_PYTHON_SHARED_H
+#endif // CGAL_REEB_GRAPH_PYTHON_OBJECTS_H
