@@ -187,16 +187,14 @@ def _of_columns(columns: list[np.ndarray], like: np.ndarray) -> np.ndarray:
 def _cut(
     kind: Any, triangles: Any, scalars: Any, points: Any, *, vertex_arrays: Mapping[str, Any] | None = None,
     borders: str = "make-level", cut_open: bool = False, max_triangles: int | None = None, threads: int | None = None,
-    progress: Progress = None, **thresholds: float | None,
+    progress: Progress = None, persistence: float | None = None, area: float | None = None,
 ) -> Cut:
     manners = _core.Borders.__members__
-    options = _core.CutOptions()
-    options.type, options.cut_open = kind, bool(cut_open)
-    options.borders = manners[_arrays.one_of(borders, manners, "borders")]
-    for name, threshold in thresholds.items():
+    for name, threshold in (("persistence", persistence), ("area", area)):
         if threshold is not None and not threshold >= 0:
             raise ValueError(f"{name} must not be negative or NaN, as {threshold} is")
-        setattr(options, name, threshold)
+    manner = manners[_arrays.one_of(borders, manners, "borders")]
+    options = _core.CutOptions(kind, persistence, area, bool(cut_open), manner)
     if max_triangles is not None and max_triangles < 1:
         raise ValueError(f"max_triangles has to be positive, not {max_triangles}")
     mesh = _arrays.take(triangles, points)
@@ -256,5 +254,4 @@ def branches(
     Those with values that differ by less than `persistence`, or of less area than `area`, are left out. The other
     parameters and the result are those of `cutting_system`.
     """
-    thresholds = {"persistence": persistence, "area": area}
-    return _cut(_core.Curves.branches, triangles, scalars, points, **thresholds, **options)
+    return _cut(_core.Curves.branches, triangles, scalars, points, persistence=persistence, area=area, **options)

@@ -319,12 +319,7 @@ void add_functions(py::module_& module)
     .def_readwrite("sources", &Input_options::source_vertices)
     .def_readwrite("direction", &Input_options::direction);
   py::class_<Cut_options>(module, "CutOptions")
-    .def(py::init<>())
-    .def_readwrite("type", &Cut_options::type)
-    .def_readwrite("persistence", &Cut_options::persistence)
-    .def_readwrite("area", &Cut_options::area)
-    .def_readwrite("cut_open", &Cut_options::is_cut_open)
-    .def_readwrite("borders", &Cut_options::borders);
+    .def(py::init<Curves_type, std::optional<double>, std::optional<double>, bool, Borders>());
   py::enum_<Borders>(module, "Borders").value("make-level", Borders::MAKE_LEVEL).value("level", Borders::LEVEL);
   py::enum_<Curves_type>(module, "Curves")
     .value("cutting_system", Curves_type::CUTTING_SYSTEM)

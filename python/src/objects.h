@@ -80,17 +80,10 @@ inline void translate(std::exception_ptr error)
   {
     set_mesh_error(e.what(), "triangle", e.face());
   }
-  catch(const std::system_error& e)
-  {
-    PyErr_SetString(PyExc_OSError, e.what());
-  }
-  catch(const Output_error& e)
-  {
-    PyErr_SetString(PyExc_OSError, e.what());
-  }
   catch(const std::runtime_error& e) // those of the library and of the program
   {
-    PyErr_SetString(PyExc_ValueError, e.what());
+    const bool is_of_files = dynamic_cast<const std::system_error*>(&e) || dynamic_cast<const Output_error*>(&e);
+    PyErr_SetString(is_of_files ? PyExc_OSError : PyExc_ValueError, e.what());
   }
 }
 
