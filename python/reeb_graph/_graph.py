@@ -41,11 +41,10 @@ class ReebGraph:
         `minimum`, `saddle`, `maximum`, `isolated`, or `degree-two`.
     arcs : (arcs, 2) array of int
         The lower and the upper node of each arc. Two arcs can have the same ends.
-    vertex_places : (vertices,) array of int
-        The place of each vertex of the mesh, found when it is asked for: the number of a node, or that of an arc plus
-        the number of nodes.
     vertex_arcs : (vertices,) array of int
-        The same as the number of an arc, or -1 minus that of a node.
+        The segment of each vertex: the number of the arc that it belongs to, or -1 minus that of the node that it is at.
+    vertex_places : (vertices,) array of int
+        The same without negative numbers: the number of a node, or that of an arc plus the number of nodes.
     chains : list of arrays of int
         For each arc, the ascending path of vertices that begins at its lower node; the last edge crosses the level of
         the upper node.
@@ -257,9 +256,9 @@ class ReebGraph:
     ) -> None:
         """Write a file; the end of its name tells which one.
 
-        `.graphml`, `.dot`, `.svg`, and in space `.vtp`, `.obj`, `.polylines.txt`, `.json`, and `.csv`, which stands for
-        the tables `.nodes.csv` and `.arcs.csv`: the graph; `.html`: a page that shows it with the surface; `.ply`: the
-        surface with the arc of each vertex, and colours; `.pers`: the pairs before it was simplified, as GUDHI has them.
+        `.svg`, a drawing, `.graphml`, `.dot`, and in space `.vtp`, `.obj`, `.polylines.txt`, `.json`, and `.csv`, which
+        stands for the tables `.nodes.csv` and `.arcs.csv`: the graph; `.html`: a page that shows it with the surface;
+        `.ply`: the surface with the arc of each vertex, and colours; `.pers`: the pairs before it was simplified.
 
         Parameters
         ----------
@@ -273,15 +272,9 @@ class ReebGraph:
         embedding : {'centroids', 'on-surface', 'straight'}, optional
             Where arcs are in space, as for `embed`.
 
-        Raises
-        ------
-        ValueError
-            if there is no such format, or it needs points, or a surface
-        OSError
-            if the file cannot be written
-
         Notes
         -----
+        What needs points or a surface that are not there is a ValueError, and a file that cannot be written an OSError.
         Of integers that no double has, pages, drawings, and meshes show the differences to the least one; the name of
         the field tells so. Other files have the doubles next to the values.
         """

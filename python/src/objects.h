@@ -209,7 +209,7 @@ py::object to_object(const std::vector<std::array<Index, n>>& rows)
   std::int64_t* out = result.mutable_data();
   for(const std::array<Index, n>& row : rows)
     out = std::copy_n(row.begin(), n, out);
-  return std::move(result);
+  return result;
 }
 
 template <class Item>
@@ -220,7 +220,7 @@ py::object to_object(const std::vector<Item>& items)
     typedef std::conditional_t<std::is_integral_v<Item>, Index_array, Value_array> Array;
     Array result(static_cast<py::ssize_t>(items.size()));
     std::copy(items.begin(), items.end(), result.mutable_data());
-    return std::move(result);
+    return result;
   }
   else if constexpr(std::is_same_v<Item, Point>)
   {
@@ -228,14 +228,14 @@ py::object to_object(const std::vector<Item>& items)
     double* out = result.mutable_data();
     for(const Point& p : items)
       out = std::copy_n(p.cartesian_begin(), 3, out);
-    return std::move(result);
+    return result;
   }
   else
   {
     py::list result;
     for(const Item& item : items)
       result.append(to_object(item));
-    return std::move(result);
+    return result;
   }
 }
 
