@@ -472,10 +472,8 @@ def compute(
     ------
     MeshError
         a ValueError: a vertex does not exist, or a scalar is NaN; its attributes `vertex` and `face` tell which one
-    ValueError
-        for another shape than those above
-    TypeError
-        for another dtype
+    ValueError, TypeError
+        for another shape, or another dtype, than those above
     StoppedError
         if `progress` returns False
 
