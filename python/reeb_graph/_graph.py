@@ -62,7 +62,7 @@ class ReebGraph:
         self._options = options  # of compute(), and whether there are points
         self._simplification = simplification
         nodes, doubles, self.arcs = self._run("table")
-        self.node_vertices, kinds = np.ascontiguousarray(nodes.T)
+        self.node_vertices, kinds, self._components = np.ascontiguousarray(nodes.T)
         self.node_values, self.node_kinds = field.of_vertices(self.node_vertices, doubles), KINDS[kinds]
         for array in (self.node_vertices, self.node_values, self.node_kinds, self.arcs):
             array.flags.writeable = False
@@ -91,11 +91,11 @@ class ReebGraph:
     n_arcs = property(lambda self: len(self.arcs))
     n_leaves = property(lambda self: len(self.leaves()))
     n_loops = property(lambda self: self.n_arcs + self.n_components - self.n_nodes)
-    n_components = cached_property(lambda self: int(self.components().max(initial=-1)) + 1)
+    n_components = property(lambda self: int(self._components.max(initial=-1)) + 1)
 
     def components(self) -> np.ndarray:
         """Return the number of the connected component of each node."""
-        return self._run("components")
+        return self._components.copy()
 
     def leaves(self) -> np.ndarray:
         """Return the nodes at which one arc ends, ascending."""

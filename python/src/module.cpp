@@ -102,27 +102,29 @@ Graph_pointer simplify(Graph_of_arrays& graph,
                        std::optional<std::size_t> leaves,
                        bool are_loops_cancelled)
 {
-  Simplification_options options;
+  Simplification_options options{std::nullopt, leaves, are_loops_cancelled};
   if(threshold)
     options.threshold = threshold->index() == 0 ? Threshold{std::get<double>(*threshold), false, false}
                                                 : parse_threshold(std::get<std::string>(*threshold));
-  options.number_of_leaves = leaves;
-  options.are_loops_cancelled = are_loops_cancelled;
   auto simplified = graph.mesh_graph->simplify(
     options, threshold_in_units(options, graph.input->mesh.surface, graph.input->scalar_map));
   return std::make_shared<Graph_of_arrays>(
     Graph_of_arrays{graph.input, graph.options, options, graph.report, std::move(simplified)});
 }
 
-// The vertex and the kind of each node, its value, and the ends of each arc.
+// The vertex, the kind, and the component of each node, its value, and the ends of each arc.
 auto table(Graph_of_arrays& given)
 {
   const Graph& graph = given.graph();
-  std::vector<std::array<std::size_t, 2>> nodes, arcs;
+  Numbers components(num_vertices(graph));
+  CGAL::Reeb_graph::number_components(
+    graph, boost::make_iterator_property_map(components.begin(), boost::typed_identity_property_map<std::size_t>()));
+  std::vector<std::array<std::size_t, 3>> nodes;
+  std::vector<std::array<std::size_t, 2>> arcs;
   std::vector<double> values;
   for(const auto node : CGAL::make_range(vertices(graph)))
   {
-    nodes.push_back({graph[node].vertex, static_cast<std::size_t>(graph[node].kind)});
+    nodes.push_back({graph[node].vertex, static_cast<std::size_t>(graph[node].kind), components[node]});
     values.push_back(graph[node].value);
   }
   for(const auto arc : CGAL::make_range(edges(graph)))
@@ -154,15 +156,6 @@ std::vector<Numbers> loops(Graph_of_arrays& given)
       numbers.back().push_back(get(boost::edge_index, given.graph(), arc));
   }
   return numbers;
-}
-
-Numbers components(Graph_of_arrays& given)
-{
-  Numbers components(num_vertices(given.graph()));
-  CGAL::Reeb_graph::number_components(
-    given.graph(),
-    boost::make_iterator_property_map(components.begin(), boost::typed_identity_property_map<std::size_t>()));
-  return components;
 }
 
 // Those at the place `t` of all arcs, or of one, or at a level.
@@ -360,7 +353,6 @@ void add_graph(py::module_& module)
     .def("pairs", running(&pairs))
     .def("chains", running(+[](G& g) { return g.mesh_graph->chains(); }))
     .def("loops", running(&loops))
-    .def("components", running(&components))
     .def("mesh_arrays", running(&mesh_arrays))
     .def("simplify", running(&simplify))
     .def("places", running(+[](G& g) { return g.mesh_graph->places(); }))
