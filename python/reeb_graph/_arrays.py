@@ -153,14 +153,13 @@ def mesh_arrays(mesh: Any) -> Mesh:
     if isinstance(mesh, Mesh):
         return mesh
     data = getattr(mesh, "point_data", getattr(mesh, "vertex_attributes", {}))
-    if hasattr(mesh, "points") and hasattr(mesh, "cells_dict"):
+    points = getattr(mesh, "points", getattr(mesh, "vertices", None))
+    if points is not None and hasattr(mesh, "cells_dict"):
         cells = _cells_by_type(mesh)
-        return Mesh(cells.get("triangle"), np.asarray(mesh.points), cells.get("line"), cells.get("tetra"), data)
-    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
-        return Mesh(np.asarray(mesh.faces), np.asarray(mesh.vertices), point_data=data)
-    if hasattr(mesh, "points") and hasattr(mesh, "faces"):
+        return Mesh(cells.get("triangle"), np.asarray(points), cells.get("line"), cells.get("tetra"), data)
+    if points is not None and hasattr(mesh, "faces"):
         lines = _rows(getattr(mesh, "lines", ()), 2, "lines of more than two points")
-        return Mesh(_rows(mesh.faces, 3, "faces that are no triangles"), np.asarray(mesh.points), lines, None, data)
+        return Mesh(_rows(mesh.faces, 3, "faces that are no triangles"), np.asarray(points), lines, None, data)
     raise TypeError(
         f"a {type(mesh).__name__} is no array of triangles, and no mesh: it has neither vertices and faces, nor points and "
         "faces or cells_dict"

@@ -106,14 +106,11 @@ class ReebGraph:
         return self._run("loops")
 
     def pairs(self) -> np.recarray:
-        """Find the pairs of extended persistence.
+        """Find the pairs of extended persistence, as a recarray with a row per pair.
 
-        Returns
-        -------
-        recarray
-            A row per pair, with `kind` (`minimum-saddle`, `saddle-maximum`, `minimum-maximum`, or `loop`), `lower_node`,
-            `upper_node`, `lower_value`, `upper_value`, `persistence`, and as GUDHI has them `dimension`, `birth`, and
-            `death`: saddles with maxima, and loops, have dimension 1, and are born at their upper node.
+        Its columns are `kind` (`minimum-saddle`, `saddle-maximum`, `minimum-maximum`, or `loop`), `lower_node`,
+        `upper_node`, `lower_value`, `upper_value`, `persistence`, and as GUDHI has them `dimension`, `birth`, and
+        `death`: saddles with maxima, and loops, have dimension 1, and are born at their upper node.
         """
         nodes, kinds = self._run("pairs")
         lower, upper = nodes.T
@@ -134,7 +131,8 @@ class ReebGraph:
     ) -> ReebGraph:
         """Remove branches of little persistence.
 
-        It starts from the graph that has been computed, also if this one is simplified already.
+        It starts from the graph that has been computed, also if this one is simplified already. The simplified graph leads
+        back to the mesh as this one does.
 
         Parameters
         ----------
@@ -147,11 +145,6 @@ class ReebGraph:
             The least persistent branches are removed until so many leaves are left.
         cancel_loops : bool
             Whether loops are removed as well; with a threshold only.
-
-        Returns
-        -------
-        ReebGraph
-            The simplified graph, which leads back to the mesh as this one does.
         """
         given = {"threshold": threshold, "percent": percent, "leaves": leaves, "cancel_loops": cancel_loops}
         if percent is not None:
@@ -173,17 +166,9 @@ class ReebGraph:
         """Compute a field on the mesh that has this simplified graph.
 
         Pieces that have been removed get values next to that of their saddle, or, where no field has the graph
-        otherwise, that value itself: then there is a warning, and `ties='contract'` gives the graph.
-
-        Returns
-        -------
-        (vertices,) array of float
-            The given scalars, if nothing has been removed.
-
-        Raises
-        ------
-        ValueError
-            if the mesh is no surface, loops have been cancelled, or the scalars are ranked
+        otherwise, that value itself: then there is a warning, and `ties='contract'` gives the graph. If nothing has been
+        removed, it is the given field. It is a ValueError if the mesh is no surface, or loops have been cancelled, or the
+        scalars are ranked.
         """
         if not self._simplification:
             return self._scalars()
