@@ -43,7 +43,7 @@ struct Triangle_block
     std::array<Vertex_index, 3> vertices;
   };
 
-  static constexpr std::size_t capacity = 32; // What is read of a block stays in the first caches.
+  static constexpr std::size_t capacity = 16; // What is read of a block stays in the first caches.
 
   std::array<Triangle, capacity> triangles;
   std::size_t size = 0;
