@@ -9,12 +9,14 @@
 Usage: draw_figures.py PROGRAM FOLDER [NAME...], all figures or those whose file names are given; FOLDER is fig/ beside
 this script for the manual. It needs NumPy, and for the figures of the page Chromium and Selenium. The files that are
 drawn stay in a folder for them, FOLDER/files, to be deleted. The three schemes, torus.svg, link_sectors.svg and
-chain.svg, are their own sources; python/examples/ draws the figures of the page on Python.
+chain.svg, are their own sources; python/examples/ draws the figures of the page on Python. All figures suit light and
+dark pages: drawings follow the browser, and the ground of what is rendered is transparent.
 """
 
+import colorsys
 import json
 import pathlib
-import shutil
+import re
 import struct
 import subprocess
 import sys
@@ -66,15 +68,30 @@ def read_ply(name, by_arc=False):
     return points, corners, colours if coloured is faces else colours[corners].mean(axis=1)
 
 
+def follow_scheme(svg):
+    """The drawing with a style for dark pages: greys have their lightness turned, colours are made light enough."""
+    def turned(name):
+        hexadecimal = {"white": "ffffff", "black": "000000"}.get(name, name[1:])
+        hue, lightness, saturation = colorsys.rgb_to_hls(*(c / 255 for c in bytes.fromhex(hexadecimal)))
+        is_grey = saturation * min(lightness, 1 - lightness) < 0.1
+        lightness = 1 - 0.91 * lightness if is_grey else max(lightness, 0.5)  # white becomes the ground of the manual
+        return "#" + bytes(round(255 * c) for c in colorsys.hls_to_rgb(hue, lightness, saturation)).hex()
+
+    rules = "svg{fill:#fff;background:#171717}" + "".join(
+        f'[{name}="{colour}"]{{{name}:{turned(colour)}}}'
+        for name, colour in sorted(set(re.findall('(fill|stroke)="(white|black|#[0-9a-f]{6})"', svg))))
+    return re.sub("(<svg [^>]*>)", rf"\1\n<style>@media (prefers-color-scheme: dark){{{rules}}}</style>", svg, count=1)
+
+
 class Picture:
-    """A surface and lines, seen from the front, with a buffer of depths."""
+    """A surface and lines, seen from the front, with a buffer of depths. What they leave is transparent."""
 
     def __init__(self, points, size=PORTRAIT, view="figure"):
         self.size, self.view = numpy.array(size) * SCALE, view
         turned = self.turn(points)
         low, high = turned[:, :2].min(axis=0), turned[:, :2].max(axis=0)
         self.middle, self.zoom = (low + high) / 2, 0.94 * (self.size / (high - low)).min()
-        self.image = numpy.full((self.size[1], self.size[0], 3), 255.0)
+        self.image = numpy.zeros((self.size[1], self.size[0], 4))  # red, green, blue, and whether anything is there
         self.depth = numpy.full((self.size[1], self.size[0]), numpy.inf)
 
     def turn(self, points):
@@ -112,7 +129,8 @@ class Picture:
             seen = (numpy.minimum(numpy.minimum(wa, wb), wc) >= -1e-9) & (depth < self.depth[part])
             light = 0.45 + 0.55 * abs(normal @ numpy.array([0.3, -0.4, -0.87])) / length
             self.depth[part][seen] = depth[seen]
-            self.image[part][seen] = (1 - opacity) * 255 + opacity * numpy.minimum(colour * light, 255)
+            self.image[part][seen, :3] = (1 - opacity) * 255 + opacity * numpy.minimum(colour * light, 255)
+            self.image[part][seen, 3] = 255
 
     def draw_line(self, polyline, colour, width, bias):
         """A line that is drawn where it lies not deeper than `bias` points behind the surface."""
@@ -127,18 +145,20 @@ class Picture:
                 columns, rows = numpy.meshgrid(numpy.arange(low[0], high[0]), numpy.arange(low[1], high[1]))
                 part = (slice(low[1], high[1]), slice(low[0], high[0]))
                 disk = (columns - x) ** 2 + (rows - y) ** 2 <= radius ** 2
-                self.image[part][disk & (z - bias * SCALE < self.depth[part])] = colour
+                self.image[part][disk & (z - bias * SCALE < self.depth[part])] = (*colour, 255)
 
     def write(self, name):
         width, height = self.size // SCALE
-        small = self.image.reshape(height, SCALE, width, SCALE, 3).mean(axis=(1, 3)).astype(numpy.uint8)
+        small = self.image.reshape(height, SCALE, width, SCALE, 4).mean(axis=(1, 3))
+        small[..., :3] *= 255 / numpy.maximum(small[..., 3:], 1)  # as alpha is not multiplied into colours in files
+        small = small.astype(numpy.uint8)
         rows = b"".join(b"\0" + row.tobytes() for row in small)
 
         def chunk(kind, data):
             return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
         (folder / name).write_bytes(
-            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
+            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0))
             + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
 
 
@@ -186,9 +206,13 @@ def lines_of_json(name, kind):
     return [entry["polyline"] for entry in json.loads((files / name).read_text())[kind]]
 
 
+def copy_drawing(path, name):
+    (folder / name).write_text(follow_scheme((files / path).read_text()))
+
+
 def draw_limbs(name):
     run("compute", scan, "--field", "geodesic", "--simplify", "auto", "--graph", name)
-    shutil.copy(files / name, folder / name)
+    copy_drawing(name, name)
 
 
 def draw_segments(name):
@@ -215,7 +239,7 @@ def draw_pants(name):
 
 def draw_diagram(name):
     run("compute", scan, "--field", "z", "--pairs", "pairs.csv", "--diagram", name)
-    shutil.copy(files / name, folder / name)
+    copy_drawing(name, name)
 
 
 def draw_longest_loop(name):
@@ -241,11 +265,11 @@ def draw_simplified(name):
     noise = numpy.random.default_rng(1).uniform(-1, 1, len(points)) * 0.01 * numpy.ptp(points[:, 2])
     numpy.savetxt(files / "noise.txt", points[:, 2] + noise)
     run("compute", scan, "--scalars", "noise.txt", "--simplify", "auto", "--graph", name)
-    shutil.copy(files / name, folder / name)
+    copy_drawing(name, name)
 
 
 def draw_drawing(name):
-    shutil.copy(files / "demo" / "graph.svg", folder / name)
+    copy_drawing("demo/graph.svg", name)
 
 
 def draw_cutting_system(name):
@@ -277,7 +301,7 @@ def draw_reeb_graph_of_genus_3(name):
         picture.draw_line(line, (90, 90, 90), 1.2, 4.0)
     graph = json.loads((files / "tilted.json").read_text())
     for arc in graph["edges"]:
-        picture.draw_line(numpy.array(arc["polyline"]) + away, (69, 90, 100), 4, 1e9)
+        picture.draw_line(numpy.array(arc["polyline"]) + away, (120, 144, 156), 4, 1e9)
     for node in graph["nodes"]:
         colour = {"minimum": (21, 101, 192), "maximum": (216, 67, 21)}.get(node["kind"], (251, 192, 45))
         for place in (numpy.array(node["point"]), numpy.array(node["point"]) + away):

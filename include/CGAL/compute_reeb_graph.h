@@ -171,7 +171,7 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///     \cgalParamExtra{use the functions `parameters::vertex_place_map()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1. If it returns
+///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1. If it returns
 ///                           `false`, the computation stops; not any more at 1, when the graph has been written.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}
@@ -198,7 +198,7 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///     \cgalParamDefault{`Reeb_graph_traits<FaceListGraph, ScalarMap>`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of the beginning and the end of each stage, and of the critical vertices}
+///     \cgalParamDescription{is called when each stage begins and ends, and with the counts of critical vertices}
 ///     \cgalParamType{a model of `ReebGraphVisitor`, by value or as `std::reference_wrapper`}
 ///     \cgalParamDefault{`Reeb_graph::Default_visitor`}
 ///   \cgalParamNEnd

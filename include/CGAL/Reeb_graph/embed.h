@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Reeb_graph {
 
 template <class GraphOnCells>
-class Complex_augmentation; // whoever calls embed() with one has it
+class Complex_augmentation; // callers of embed() with one have included it
 
 /// \ingroup PkgReebGraphEmbedding
 ///
@@ -42,7 +42,7 @@ class Complex_augmentation; // whoever calls embed() with one has it
 ///   chains and of these contours.
 /// - `STRAIGHT`: two points; parallel arcs have the same ones.
 /// - `BY_COST`: `CENTROIDS`, unless its contours of arcs cross more edges than 64 for each vertex of the mesh, and
-///   \f$ 2^{20} \f$ besides; then `STRAIGHT`. No more than that many are crossed to find out, and the result tells which
+///   \f$ 2^{20} \f$ besides; then `STRAIGHT`. No more than that many are crossed to find out, and the result says which
 ///   it is. It does not depend on threads.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether arcs are embedded
@@ -97,7 +97,7 @@ class Complex_augmentation; // whoever calls embed() with one has it
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is told the fraction of the work that is done; if it returns `false`, the work ends}
+///     \cgalParamDescription{is called with the fraction of the work done; if it returns `false`, the work ends}
 ///     \cgalParamType{a function object that is called with a `double` from 0 to 1 and returns a `bool`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

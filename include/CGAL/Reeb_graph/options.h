@@ -51,7 +51,7 @@ enum class Laplacian_weights
 
 /// \ingroup PkgReebGraphEnums
 ///
-/// \brief what `make_borders_level()` makes of a border component that is no extremal level yet.
+/// \brief what `make_borders_level()` makes of a border component that is not an extremal level yet.
 enum class Border_extremum
 {
   AUTOMATIC, ///< what changes less

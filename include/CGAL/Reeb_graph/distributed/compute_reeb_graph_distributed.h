@@ -44,7 +44,7 @@ namespace CGAL {
 ///
 /// Triangles that meet many slabs are copied to many ranks, as on noise. If by a sample of the triangles they would
 /// meet more than two slabs on average, fewer slabs than ranks are used; `Reeb_graph::Distributed_slab` tells. Surfaces
-/// of less than 2<sup>15</sup> triangles are sliced all the same.
+/// of less than 2<sup>15</sup> triangles are sliced nevertheless.
 ///
 /// With \f$ n \f$ vertices and triangles on \f$ k \f$ ranks, a rank takes the time and the memory of
 /// `compute_reeb_graph()` for the triangles that meet its slab, about \f$ n / k \f$ of them where the field is smooth.
@@ -90,13 +90,13 @@ namespace CGAL {
 ///     \cgalParamExtra{use the functions `parameters::slab()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{that of rank 0 is told now and then which fraction of the work is done, from 0 to 1. If it
-///                           returns `false`, the computation stops on all ranks; not any more at 1.}
+///     \cgalParamDescription{that of rank 0 is called now and then with the fraction of the work done, from 0 to 1.
+///                           If it returns `false`, the computation stops on all ranks; not any more at 1.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told on each rank of the beginning and the end of each stage,
+///     \cgalParamDescription{is called on each rank at the beginning and the end of each stage,
 ///                           `Reeb_graph::Stage::FLATTEN` being the distribution of the surface, and of the critical
 ///                           vertices of all ranks}
 ///     \cgalParamType{a model of `ReebGraphVisitor`, by value or as `std::reference_wrapper`}

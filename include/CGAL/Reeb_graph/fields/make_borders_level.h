@@ -68,8 +68,8 @@ struct Border_level_changes
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph` with dynamic property maps
 /// \tparam ScalarMap a model of `ReadWritePropertyMap` with the vertex descriptors of the mesh as key type, and with a
-///         value type of numbers, or one that `geom_traits` makes numbers of. If it is no built-in floating point type,
-///         or is ordered by another function object, there is no arithmetic. Then a border gets a value of one of its
+///         value type of numbers, or one that `geom_traits` makes numbers of. If it is not a built-in floating-point
+///         type, or is ordered by another function object, there is no arithmetic. Then a border gets a value of one of its
 ///         vertices or of those next to them. It has no higher neighbor, or no lower one, but can have equal ones, and
 ///         nothing else changes.
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -98,7 +98,7 @@ struct Border_level_changes
 ///     \cgalParamDefault{`Reeb_graph_traits<FaceListGraph, ScalarMap>`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1. If it returns
+///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1. If it returns
 ///                           `false`, the work stops; not any more at 1, when the field has been written.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}
