@@ -40,7 +40,7 @@ def run(*arguments):
 
 
 def read_ply(name, by_arc=False):
-    """The points, colours of vertices or faces, and triangles of a binary file of triangles; or colours of arcs."""
+    """The points and triangles of a binary file, and the colours of triangles: of the field, or of patches or arcs."""
     header, body = (files / name).read_bytes().split(b"end_header\n", 1)
     types = {"double": "<f8", "float": "<f4", "int": "<i4", "uint": "<u4", "uchar": "u1"}
     elements = []
@@ -59,13 +59,12 @@ def read_ply(name, by_arc=False):
         body = body[number * dtype.itemsize:]
     vertices, faces = tables["vertex"], tables["face"]
     points = numpy.stack([vertices[c] for c in "xyz"], axis=1).astype(float)
-    if by_arc:
-        colours = numpy.array(PALETTE, dtype=float)[vertices["arc"] % len(PALETTE)]
-        return points, faces["corners"].astype(int), colours[faces["corners"]][:, 0]
-    coloured = faces if "red" in faces.dtype.names else vertices
-    colours = numpy.stack([coloured[c] for c in ("red", "green", "blue")], axis=1).astype(float)
     corners = faces["corners"].astype(int)
-    return points, corners, colours if coloured is faces else colours[corners].mean(axis=1)
+    if by_arc or "patch" in faces.dtype.names:
+        numbers = vertices["arc"][corners[:, 0]] if by_arc else faces["patch"]
+        return points, corners, numpy.array(PALETTE, dtype=float)[numbers % len(PALETTE)]
+    colours = numpy.stack([vertices[c] for c in ("red", "green", "blue")], axis=1).astype(float)
+    return points, corners, colours[corners].mean(axis=1)
 
 
 def follow_scheme(svg):

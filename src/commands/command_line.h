@@ -26,12 +26,12 @@ namespace reeb_graph_program {
 inline void add_input_options(CLI::App& command, Input_options& options)
 {
   begin_group(command, "Input");
-  add_file(command, "MESH", options.mesh_path, "The mesh: an OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file")->required();
+  add_file(command, "MESH", options.mesh_path, "The mesh: an OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file")
+    ->required();
   command.add_flag("--triangulate", options.are_faces_triangulated, "Cut faces that are not triangles into triangles");
   begin_group(command, "Field");
-  add_file(
-    command, "--scalars", options.scalars_path,
-    "A file with the field: one number per line, in the vertex order of the mesh file, or CSV, or NumPy's .npy");
+  add_file(command, "--scalars", options.scalars_path,
+           "A file with the field: one number per line, in the vertex order of the mesh file, or CSV, or NumPy's .npy");
   command.add_option("--column", options.column,
                      "The column of a CSV file with several columns: its name, or its number from 0");
   add_whole_number(command, "--min", options.lowest_vertex,
@@ -64,11 +64,12 @@ inline void add_page_options(CLI::App& command, std::string& page_path, std::str
 {
   add_file(command, "--html", page_path, "Write a page to this file, .html, that shows the graph on the surface");
   command
-    .add_option(
-      "--up", up,
-      "With --html: the upward direction, x, y, z, -x, -y, or -z. By default, it is the direction of a height. For other "
-      "fields, it is away from the largest flat side, as if the mesh stands on that. Without such a side, it is y for a "
-      "mesh that is as tall in y as it is wide, and z for others")
+    .add_option("--up", up,
+                "With --html: the upward direction, x, y, z, -x, -y, or -z. By default, it is the direction of a "
+                "height. For other "
+                "fields, it is away from the largest flat side, as if the mesh stands on that. Without such a side, it "
+                "is y for a "
+                "mesh that is as tall in y as it is wide, and z for others")
     ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
   command.add_option("--unit", unit, "The unit of the field, for the page and for the drawing of the graph");
 }
@@ -158,7 +159,8 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
     ->add_option_function<std::string>(
       "--embedding", set_embedding,
       "The way of arcs in space: through centroids of contours (centroids), along chains (on-surface), or straight "
-      "from vertex to vertex (straight). The default is centroids, but straight for .csv, where contours are very long, "
+      "from vertex to vertex (straight). The default is centroids, but straight for .csv, where contours are very "
+      "long, "
       "and if the mesh is not an oriented manifold surface")
     ->check(CLI::IsMember({"centroids", "on-surface", "straight"}));
   add_file(*command, "--mesh-out", options.mesh_path,
