@@ -49,7 +49,7 @@ inline const std::string computed_fields =
     "                            one border only, 1 at a vertex far from it\n"
     "  poisson                   follows mean curvature, with 0 at the vertices --source, or at a tip\n"
     "  geodesic                  the distance from the vertices --source, or from a tip\n"
-    "  unit-gradient             follows the field --scalars, or else harmonic, with gradients of length 1\n";
+    "  unit-gradient             follows --scalars, or else harmonic, with gradients of length 1\n";
 inline const std::string fields_of_files =
   "  NAME                      a property of the vertices of a PLY, VTK, or VTU file\n";
 
