@@ -137,8 +137,8 @@
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object, or
-///                           that are not numbers: `scalar_to_double_object()` makes these, and values that are added
-///                           are those of `scalar_from_double_object()` where the order has them between the ones
+///                           that are not numbers. `scalar_to_double_object()` converts values to numbers. New vertices
+///                           get values of `scalar_from_double_object()`, where the order has them between the ones
 ///                           around them. The order has to take any value between those of the field, if the scalar
 ///                           map can be written.}
 ///     \cgalParamType{a model of `ReebGraphTraits`}

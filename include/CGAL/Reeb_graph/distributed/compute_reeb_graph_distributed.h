@@ -146,13 +146,13 @@ void compute_reeb_graph_distributed(const boost::mpi::communicator& communicator
 /// \brief computes the augmented Reeb graph of a scalar field on any set of triangles that is spread over the ranks of
 /// a communicator of MPI.
 ///
-/// All that is said of `compute_reeb_graph_distributed()` holds here, but that the triangles need not be a surface: any
-/// number of them can meet at an edge, and any number of fans at a vertex; they need not be orientable, nor oriented
-/// alike. If one is listed twice, it counts once. The graph is that of `compute_reeb_graph_of_soup()`. It takes
-/// the time and about the memory of that function for the triangles that meet a slab, which is more than for a surface.
+/// It works as `compute_reeb_graph_distributed()`, but the triangles need not be a surface. Any number of them can meet
+/// at an edge, and any number of fans at a vertex. They need not be orientable, nor oriented alike. A triangle that is
+/// listed twice counts once. The graph is that of `compute_reeb_graph_of_soup()`. A rank takes the time and about the
+/// memory of that function for the triangles that meet a slab, which is more than for a surface.
 /// `Reeb_graph::Distributed_slab` counts no borders and has no contours.
 ///
-/// The exceptions are those of `compute_reeb_graph_distributed()`, but for the three that refuse surfaces that are not
+/// The exceptions are those of `compute_reeb_graph_distributed()`, except the three that refuse surfaces that are not
 /// oriented.
 template <class VertexRange,
           class TriangleRange,
