@@ -49,8 +49,9 @@ namespace Reeb_graph {
 /// always a field</b>: ask for it then.
 ///
 /// On the subject, see U. Bauer, C. Lange, M. Wardetzky, *Optimal Topological Simplification of Discrete Functions on
-/// Surfaces*, 2012, and J. Tierny, V. Pascucci, *Generalized Topological Simplification of Scalar Fields on Surfaces*,
-/// 2012. It takes the time of `compute_reeb_graph()` twice, once with the places of the vertices, and near-linear time.
+/// Surfaces*, 2012, and J. Tierny, V. Pascucci, *Generalized Topological Simplification of Scalar Fields on
+/// Surfaces*, 2012. It takes the time of `compute_reeb_graph()` twice, once with the places of the vertices, and
+/// near-linear time besides.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
