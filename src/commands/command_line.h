@@ -165,7 +165,7 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
     ->check(CLI::IsMember({"centroids", "on-surface", "straight"}));
   add_file(*command, "--mesh-out", options.mesh_path,
            "Write the mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex, "
-           "and colours");
+           "and colors");
   add_file(*command, "--vertex-arcs", options.vertex_arcs_path,
            "Write the arc or node of each vertex to this file, one per line; in .npy, the number of the node, or the "
            "number of nodes plus that of the arc");
