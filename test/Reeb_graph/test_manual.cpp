@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/curves/Interpolating_visitor.h>
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/cut_along_contours.h>
+#include <CGAL/Reeb_graph/curves/cutting_system.h>
 #include <CGAL/Reeb_graph/curves/harmonic_pants_decomposition.h>
 #include <CGAL/Reeb_graph/curves/segmentation.h>
 #include <CGAL/Reeb_graph/curves/unfold_multi_saddles.h>
@@ -28,6 +29,7 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -153,7 +155,10 @@ BOOST_AUTO_TEST_CASE(graphs)
   std::vector<std::size_t> component(num_vertices(graph));
   const std::size_t number = CGAL::Reeb_graph::number_components(
     graph, boost::make_iterator_property_map(component.begin(), get(boost::vertex_index, graph)));
+  std::vector<Graph::vertex_descriptor> tips;
+  CGAL::Reeb_graph::leaves(graph, std::back_inserter(tips));
   //! [components]
+  BOOST_TEST(tips.size() == 2);
   BOOST_TEST(number == 1);
   BOOST_TEST(component.back() == 0);
 
@@ -235,7 +240,21 @@ BOOST_AUTO_TEST_CASE(curves)
     namespace parameters = CGAL::parameters;
     std::vector<CGAL::Reeb_graph::Curve<halfedge_descriptor>> curves;
     CGAL::Reeb_graph::branch_curves(mesh, scalar_map, std::back_inserter(curves), parameters::area_threshold(0.5));
+    // or by a function object, of a Reeb_graph::Branch whose weight is its area:
+    CGAL::Reeb_graph::branch_curves(
+      mesh, scalar_map, std::back_inserter(curves),
+      parameters::measure_threshold(0.5).branch_measure([](const auto& branch) { return branch.weight; }));
     //! [branch_curves]
+    curves.clear();
+    //! [choice_of_curves]
+    // near the middles of arcs, and in at most a million faces
+    CGAL::Reeb_graph::cutting_system(
+      mesh, scalar_map, std::back_inserter(curves),
+      parameters::number_of_candidates(32)
+        .curve_cost([](const CGAL::Reeb_graph::Candidate_curve& place) { return std::abs(place.position - 0.5); })
+        .face_count_callback([](std::size_t number_of_faces) { return number_of_faces <= 1000000; }));
+    //! [choice_of_curves]
+    BOOST_TEST(curves.size() == 2);
     curves.clear();
     //! [harmonic_pants]
     CGAL::Reeb_graph::harmonic_pants_decomposition(mesh, std::back_inserter(curves));
