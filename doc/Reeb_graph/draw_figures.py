@@ -7,10 +7,10 @@
 """Draws the figures of README and manual from what the program makes of the surface of its demo and of the examples.
 
 Usage: draw_figures.py PROGRAM FOLDER [NAME...], all figures or those whose file names are given; FOLDER is fig/ beside
-this script for the manual. It needs NumPy, and for the figures of the page Chromium and Selenium. The files that are
-drawn stay in a folder for them, FOLDER/files, to be deleted. The three schemes, torus.svg, link_sectors.svg and
-chain.svg, are their own sources; python/examples/ draws the figures of the page on Python. All figures suit light and
-dark pages: drawings follow the browser, and the ground of what is rendered is transparent.
+this script for the manual. It needs NumPy, for the figures of the page Chromium and Selenium, and for those of the page
+on Python its package, by PYTHONPATH. The files that are drawn stay in a folder for them, FOLDER/files, to be deleted.
+The three schemes, torus.svg, link_sectors.svg and chain.svg, are their own sources. All figures suit light and dark
+pages: drawings follow the browser, and the ground of what is rendered is transparent.
 """
 
 import colorsys
@@ -398,6 +398,15 @@ def draw_clean(name):
     draw_loops("clean.off", name)
 
 
+def draw_python(name):
+    """What an example in Python draws."""
+    picture = name[len("python_"):]
+    example = {"torus.svg": "first.py"}.get(picture, picture.replace(".svg", ".py"))
+    subprocess.run([sys.executable, pathlib.Path(__file__).resolve().parents[2] / "python" / "examples" / example],
+                   cwd=files, check=True, stdout=subprocess.DEVNULL)
+    copy_drawing(picture, name)
+
+
 def draw_page(name):
     """A picture of the page of the demo: its pieces, or the arc beside the bent arm and its contour."""
     from selenium import webdriver
@@ -434,5 +443,7 @@ figures = {
     "cutting_system.png": draw_cutting_system,
     "pants_decomposition.png": draw_pants_decomposition, "handles_of_a_knot.png": draw_handles_of_a_knot,
     "noise.png": draw_noise, "clean.png": draw_clean, "page_arcs.png": draw_page, "page_contour.png": draw_page}
+figures |= {f"python_{picture}.svg": draw_python for picture in (
+    "torus", "segment_scan", "handles", "compare_shapes", "pants", "tetrahedra")}
 for figure in wanted or figures:
     figures[figure](figure)
