@@ -215,8 +215,8 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 /// \exception Reeb_graph::Cancelled_error if `callback` returns `false`
 /// \exception Reeb_graph::Mesh_size_error if there are too many vertices or halfedges for 32-bit indices
 ///
-/// After one of these, `graph` is as it was before. After any other exception, such as `std::bad_alloc`, or if the order
-/// of the values contradicts itself, it can be empty.
+/// After one of these, `graph` is as it was before. After any other exception, such as `std::bad_alloc`, or if the
+/// order of the values contradicts itself, it can be empty.
 template <class ConcurrencyTag = Sequential_tag,
           class FaceListGraph,
           class ScalarMap,
