@@ -120,8 +120,8 @@ namespace CGAL {
 ///            together have too many critical vertices
 /// \exception Reeb_graph::Other_rank_error if another rank has thrown an exception of another kind
 ///
-/// When one of these but the last is thrown, `graph` is as it was before. When anything else is, it can be
-/// empty instead, or, if a visitor throws at the end of the last stage, complete.
+/// After one of these but the last, `graph` is as it was before. After any other exception, it can be empty, or, if a
+/// visitor throws at the end of the last stage, complete.
 template <class VertexRange,
           class TriangleRange,
           class ScalarRange,
