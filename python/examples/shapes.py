@@ -10,11 +10,9 @@ COLOURS = np.array([[68, 119, 170], [238, 102, 119], [34, 136, 51], [204, 187, 6
 
 def read_off(name):
     """Return the triangles and the points of a mesh beside the C++ examples."""
-    numbers = (DATA / name).read_text().split()
-    n, m = int(numbers[1]), int(numbers[2])
-    points = np.array(numbers[4 : 4 + 3 * n], dtype=float).reshape(n, 3)
-    triangles = np.array(numbers[4 + 3 * n : 4 + 3 * n + 4 * m], dtype=int).reshape(m, 4)[:, 1:]
-    return triangles, points
+    _, sizes, *lines = filter(None, (DATA / name).read_text().splitlines())
+    n = int(sizes.split()[0])
+    return np.loadtxt(lines[n:], dtype=int)[:, 1:], np.loadtxt(lines[:n])
 
 
 def draw(path, triangles, points, pieces, lines=(), to_viewer=(0, -0.6, 1), both_sides=False):
@@ -23,23 +21,19 @@ def draw(path, triangles, points, pieces, lines=(), to_viewer=(0, -0.6, 1), both
     right = np.cross([0, 0, 1], front) / np.linalg.norm(np.cross([0, 0, 1], front))
     view = np.stack([right, -np.cross(front, right), front], axis=1)
     low, size = (points @ view).min(axis=0), np.ptp(points @ view, axis=0)
-    scale = 480 / size[:2].max()
-    place = lambda p: ((p @ view - low) * scale + 10).round(1)
-    corners = place(points)[triangles]
-    normals = np.cross(points[triangles[:, 1]] - points[triangles[:, 0]], points[triangles[:, 2]] - points[triangles[:, 0]])
+    place = lambda p: (p @ view - low) * 480 / size[:2].max() + 10
+    text = lambda corners, rest: f'<path d="M{"L".join(f"{x:.1f} {y:.1f}" for x, y, _ in corners)}{rest}/>'
+    normals = np.cross(*(points[triangles[:, 1:]] - points[triangles[:, :1]]).swapaxes(0, 1))
     facing = normals @ front / np.linalg.norm(normals, axis=1)
-    shown = np.flatnonzero(both_sides | (facing > 0))
     shapes = []
-    for triangle in shown:
-        colour = "#%02x%02x%02x" % tuple((COLOURS[pieces[triangle] % 7] * (0.45 + 0.55 * abs(facing[triangle]))).astype(int))
-        path_of = "M" + "L".join(f"{x:g} {y:g}" for x, y, _ in corners[triangle]) + "Z"
-        shapes.append((corners[triangle, :, 2].mean(), f'<path d="{path_of}" color="{colour}"/>'))
+    for triangle in np.flatnonzero(both_sides | (facing > 0)):
+        corners, shade = place(points[triangles[triangle]]), 0.45 + 0.55 * abs(facing[triangle])
+        colour = "#%02x%02x%02x" % tuple((COLOURS[pieces[triangle] % 7] * shade).astype(int))
+        shapes.append((corners[:, 2].mean(), text(corners, f'Z" color="{colour}"')))
     for line in lines:
-        for (x, y, z), (u, v, w) in zip(place(line)[:-1], place(line)[1:]):
-            text = f'<path d="M{x:g} {y:g}L{u:g} {v:g}" style="stroke-width:3"/>'
-            shapes.append(((z + w) / 2 + 4, text))
-    width, height = size[:2] * scale + 20
-    content = "".join(text for _, text in sorted(shapes))
+        for piece in np.stack([place(line)[:-1], place(line)[1:]], axis=1):
+            shapes.append((piece[:, 2].mean() + 4, text(piece, '" style="stroke-width:3"')))
+    width, height, _ = place(points).max(axis=0) + 10
     head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}">'
     style = "<style>path{fill:currentColor;stroke:currentColor;stroke-width:.6;stroke-linecap:round}</style>"
-    Path(path).write_text(f"{head}{style}\n{content}\n</svg>\n")
+    Path(path).write_text("\n".join([head + style, *(shape for _, shape in sorted(shapes)), "</svg>\n"]))

@@ -1,16 +1,16 @@
 """Isosurfaces in tetrahedra: a field in a cube, and the surface in the middle of each arc of its Reeb graph."""
 
+import itertools
+
 import numpy as np
 import reeb_graph
 import shapes
 
 n = 12
-numbers = np.arange((n + 1) ** 3).reshape(n + 1, n + 1, n + 1)
-corner = lambda x, y, z: numbers[x : n + x, y : n + y, z : n + z].ravel()
-cube = [corner(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
-paths = [(0, 1, 3, 7), (0, 1, 5, 7), (0, 2, 3, 7), (0, 2, 6, 7), (0, 4, 5, 7), (0, 4, 6, 7)]
-tetrahedra = np.concatenate([np.stack([cube[i] for i in path], axis=-1) for path in paths])
-points = np.stack(np.unravel_index(np.arange((n + 1) ** 3), (n + 1,) * 3), axis=-1) / n
+numbers = np.arange((n + 1) ** 3).reshape((n + 1,) * 3)
+paths = [np.cumsum([0, *steps]) for steps in itertools.permutations((1, n + 1, (n + 1) ** 2))]  # through the cube
+tetrahedra = np.concatenate([numbers[:-1, :-1, :-1].reshape(-1, 1) + path for path in paths])
+points = np.stack(np.unravel_index(numbers.ravel(), numbers.shape), axis=-1) / n
 centers = np.array([[0.3, 0.3, 0.5], [0.7, 0.7, 0.5]])
 field = -np.min(np.linalg.norm(points[:, None] - centers, axis=-1), axis=1)
 

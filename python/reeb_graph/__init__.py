@@ -1,7 +1,16 @@
 """Exact Reeb graphs of scalar fields on triangle meshes, from NumPy arrays.
 
 `compute` makes a `ReebGraph` of triangles and scalars. `harmonic`, `poisson`, `unit_gradient`, `geodesic` and `height`
-compute scalars; `cutting_system`, `pants` and `branches` cut a surface along curves.
+compute scalars; `cutting_system`, `pants` and `branches` cut a surface along curves. Their docstrings tell the rest.
+
+Examples
+--------
+Cut a scan into head, body, and limbs, by the distance from its highest vertex:
+
+>>> distance = reeb_graph.geodesic(triangles, points, sources=points[:, 2].argmax())
+>>> graph = reeb_graph.compute(triangles, distance, points=points).simplify("auto")
+>>> segments = graph.vertex_arcs  # the arc that each vertex belongs to; negative at nodes
+>>> graph.write("scan.ply")  # the scan, each segment in its colour; graph.svg is the drawing of the graph
 """
 
 try:

@@ -1,12 +1,11 @@
-"""What is handed in: arrays are looked at here, and copied and checked by the extension."""
+"""What is handed in. Here, all but the numbers in arrays of a mesh is checked; the extension copies and checks those."""
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any, Iterable, NamedTuple
 
 import numpy as np
 
-from . import _core
 from ._errors import MeshError
 
 LARGEST_NUMBER = 2**32 - 2  # of vertices
@@ -14,16 +13,9 @@ LARGEST_NUMBER_OF_CELLS = 2**32 // 12
 
 
 class Mesh(NamedTuple):
-    """The arrays of a mesh.
+    """The arrays of a mesh, as `mesh_arrays` returns them: three indices a triangle, and two or three numbers a point.
 
-    Attributes
-    ----------
-    triangles : (m, 3) array of integers, or None
-    points : (n, 3) array of floats, or None
-    edges : (k, 2) array of integers, or None
-    tetrahedra : (l, 4) array of integers, or None
-    point_data : mapping from names to arrays
-        What the mesh has for its vertices.
+    What the mesh has for its vertices is in `point_data`, a mapping from names to arrays.
     """
 
     triangles: np.ndarray | None
@@ -32,8 +24,21 @@ class Mesh(NamedTuple):
     tetrahedra: np.ndarray | None = None
     point_data: Any = {}
 
+    def checked(self, number: int) -> tuple[np.ndarray | None, ...]:
+        """Return the arrays of a mesh with so many vertices as the extension takes them."""
+        columns = {"triangles": 3, "edges": 2, "tetrahedra": 4}
+        cells = {name: _cells(getattr(self, name), width, name) for name, width in columns.items()}
+        return cells["triangles"], _points(self.points, number), cells["edges"], cells["tetrahedra"]
 
-def _numbers(array: Any, name: str, kinds: str = "iufb", what: str = "real numbers", largest: int = LARGEST_NUMBER) -> Any:
+
+def one_of(name: str, names: Iterable[str], what: str) -> str:
+    """Return the name, if it is one of these."""
+    if name not in names:
+        raise ValueError(f"{what} is one of {', '.join(names)}, not {name!r}")
+    return name
+
+
+def numbers(array: Any, name: str, kinds: str = "iufb", what: str = "real numbers", largest: int = LARGEST_NUMBER) -> Any:
     """Return an array of numbers of these kinds, of which there are not too many."""
     array = np.asarray(array)
     if array.dtype.kind not in kinds and array.size > 0:
@@ -43,79 +48,69 @@ def _numbers(array: Any, name: str, kinds: str = "iufb", what: str = "real numbe
     return array
 
 
-def indices(array: Any, columns: int, name: str) -> np.ndarray | None:
-    """Return `array` as one of integers that the extension takes, with so many columns, or None if there are no rows."""
+def _cells(array: Any, columns: int, name: str) -> np.ndarray | None:
     if array is None or np.shape(array) in ((0,), (0, columns)):
         return None
     if name == "triangles" and np.asarray(array).dtype.kind == "f":
         raise TypeError("triangles are integers; what is handed in looks like points, which come as points=, behind them")
-    array = _numbers(array, name, "iu", "integers, the numbers of vertices", LARGEST_NUMBER_OF_CELLS)
+    array = numbers(array, name, "iu", "integers, the numbers of vertices", LARGEST_NUMBER_OF_CELLS)
     if array.ndim != 2 or array.shape[1] != columns:
         raise ValueError(f"{name} has the shape {array.shape}; it has to be (number, {columns})")
-    return np.require(array, np.int64, ["C_CONTIGUOUS", "ALIGNED"])
+    return np.require(array, np.int64, ["C", "ALIGNED"])
 
 
-def points_array(points: Any, number: int | None = None) -> np.ndarray | None:
-    """Return `points` as C-contiguous doubles, three a row; two coordinates get 0 as third one."""
+def _points(points: Any, number: int) -> np.ndarray | None:
     if points is None:
         return None
-    points = _numbers(points, "points")
-    if points.size == 0 and points.ndim < 2:
+    points = numbers(points, "points")
+    if points.size == 0:
         points = np.zeros((0, 3))
     if points.ndim != 2 or points.shape[1] not in (2, 3):
         raise ValueError(f"points has the shape {points.shape}; it has to be (number of vertices, 3)")
-    if number is not None and points.shape[0] != number:
-        raise ValueError(f"there are {points.shape[0]} points and {number} scalars; there has to be one of each per vertex")
+    if len(points) != number:
+        raise ValueError(f"there are {len(points)} points and {number} scalars; there has to be one of each per vertex")
     if points.shape[1] == 2:
-        points = np.column_stack([points, np.zeros(len(points))])
-    return np.ascontiguousarray(points, dtype=np.float64)
+        points = np.column_stack([points, np.zeros(number)])
+    return np.require(points, np.float64, ["C", "ALIGNED"])
 
 
 def values_array(scalars: Any, name: str = "scalars") -> np.ndarray:
     """Return `scalars` as an array of one dimension of real numbers, in the byte order of the machine."""
-    if isinstance(scalars, np.ma.MaskedArray) and np.ma.getmaskarray(scalars).any():
-        vertex = int(np.flatnonzero(np.ma.getmaskarray(scalars).ravel())[0])
+    if np.ma.is_masked(scalars):
+        vertex = int(np.ma.getmaskarray(scalars).argmax())
         raise MeshError(f"vertex {vertex} has no value: it is masked", "vertex", vertex)
-    scalars = _numbers(scalars, name)
+    scalars = numbers(scalars, name)
     if scalars.ndim != 1:
         raise ValueError(f"{name} has the shape {scalars.shape}; it has to be (number of vertices,)")
-    if scalars.dtype.kind == "b" or scalars.size == 0:
+    if scalars.dtype.kind not in "iuf":  # truth values, or none at all
         return scalars.astype(np.uint8 if scalars.dtype.kind == "b" else np.float64)
     return scalars.astype(scalars.dtype.newbyteorder("="), copy=False)
 
 
 def are_doubles(values: np.ndarray) -> bool:
     """Tell whether the values survive the way to `double` and back."""
-    if values.dtype.itemsize < 8 or values.dtype == np.float64 or values.size == 0:
+    if values.dtype.itemsize < 8 or values.dtype == np.float64:
         return True
+    with np.errstate(over="ignore"):
+        there = values.astype(np.float64)
     if values.dtype.kind == "f":
-        with np.errstate(over="ignore"):
-            doubles = values.astype(np.float64)
-        return bool(np.all((doubles == values) | np.isnan(values)))
-    if int(values.max()) <= 2**53 and int(values.min()) >= -(2**53):
-        return True
-    doubles = values.astype(np.float64)
-    if float(doubles.max()) >= float(np.iinfo(values.dtype).max):
-        return False
-    return bool(np.all(doubles.astype(values.dtype) == values))
+        return np.array_equal(there, values, equal_nan=True)
+    are_inside = there < float(np.iinfo(values.dtype).max)  # which is one more than the greatest integer
+    return bool(are_inside.all()) and np.array_equal(there.astype(values.dtype), values)
 
 
 def settled(values: np.ndarray) -> np.ndarray:
-    """Return values as contiguous doubles, read-only if nobody else can write them: the extension copies others."""
-    result = np.ascontiguousarray(values, dtype=np.float64)
-    if result is values:
-        owner: Any = values
-        while type(owner) is np.ndarray and not owner.flags.writeable:
-            owner = owner.base
-        if values.flags.writeable or owner is None or isinstance(owner, bytes):
-            return values
-        result = values.copy()
-    result.flags.writeable = False
-    return result
+    """Return values as contiguous doubles that nobody can change any more: a copy, unless they are that already."""
+    result = np.require(values, np.float64, ["C", "ALIGNED"])
+    owner: Any = result
+    while type(owner) is np.ndarray and not owner.flags.writeable:
+        owner = owner.base
+    is_shared = result is values and owner is not None and not isinstance(owner, bytes)
+    return result.copy() if is_shared else result
 
 
 def doubles(scalars: Any, name: str = "scalars") -> np.ndarray:
-    """Return values as doubles; those that would change are refused."""
+    """Return values as settled doubles; those that would change are refused."""
     values = values_array(scalars, name)
     if not are_doubles(values):
         raise ValueError(f"{name} has the dtype {values.dtype}, and values that no double has: this function computes with doubles")
@@ -132,18 +127,13 @@ def _rows(cells: Any, size: int, what: str) -> np.ndarray:
     return cells.reshape(-1, size + 1)[:, 1:]
 
 
-def _of_cells(cells: Any) -> dict[str, np.ndarray]:
-    """Return the cells that meshio lists in blocks, and PyVista in a dict, by their types."""
-    if isinstance(cells, dict):
-        blocks = [({5: "triangle", 10: "tetra", 3: "line", 1: "vertex"}.get(int(k), str(k)), v) for k, v in cells.items()]
-    else:
-        blocks = [(block.type, block.data) for block in cells]
-    found: dict[str, list[np.ndarray]] = {}
-    for name, rows in blocks:
-        if name not in ("triangle", "tetra", "line", "vertex"):
-            raise ValueError(f"the mesh has cells of the type {name}; only triangles, tetrahedra and lines are possible")
-        found.setdefault(name, []).append(np.asarray(rows))
-    return {name: np.concatenate(rows) for name, rows in found.items()}
+def _cells_by_type(mesh: Any) -> dict[str, np.ndarray]:
+    """Return the cells, which meshio has by their names, and PyVista by the numbers of VTK, by their names."""
+    names = {1: "vertex", 3: "line", 5: "triangle", 10: "tetra"}
+    cells = {names.get(kind, kind): rows for kind, rows in mesh.cells_dict.items()}
+    for name in set(cells) - set(names.values()):
+        raise ValueError(f"the mesh has cells of the type {name}; only triangles, tetrahedra and lines are possible")
+    return cells
 
 
 def mesh_arrays(mesh: Any) -> Mesh:
@@ -153,40 +143,32 @@ def mesh_arrays(mesh: Any) -> Mesh:
     ----------
     mesh : trimesh.Trimesh, pyvista.PolyData, pyvista.UnstructuredGrid, meshio.Mesh, or alike
         `vertices` and `faces`; or `points` and `faces`, with the number of vertices before those of each face; or
-        `points` and `cells` or `cells_dict`, with triangles, tetrahedra and lines.
+        `points` and `cells_dict`, with triangles, tetrahedra and lines. Other cells are a ValueError.
 
     Returns
     -------
     Mesh
         A named tuple of `triangles`, `points`, `edges`, `tetrahedra`, and `point_data`.
-
-    Raises
-    ------
-    TypeError
-        if the object has none of these attributes
-    ValueError
-        if there are other cells
     """
     if isinstance(mesh, Mesh):
         return mesh
     data = getattr(mesh, "point_data", getattr(mesh, "vertex_attributes", {}))
-    if hasattr(mesh, "points") and hasattr(mesh, "cells"):
-        cells = _of_cells(mesh.cells if isinstance(mesh.cells, (list, tuple)) else mesh.cells_dict)
-        return Mesh(cells.get("triangle"), np.asarray(mesh.points), cells.get("line"), cells.get("tetra"), data)
-    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
-        return Mesh(np.asarray(mesh.faces), np.asarray(mesh.vertices), None, None, data)
-    if hasattr(mesh, "points") and hasattr(mesh, "faces"):
+    points = getattr(mesh, "points", getattr(mesh, "vertices", None))
+    if points is not None and hasattr(mesh, "cells_dict"):
+        cells = _cells_by_type(mesh)
+        return Mesh(cells.get("triangle"), np.asarray(points), cells.get("line"), cells.get("tetra"), data)
+    if points is not None and hasattr(mesh, "faces"):
         lines = _rows(getattr(mesh, "lines", ()), 2, "lines of more than two points")
-        return Mesh(_rows(mesh.faces, 3, "faces that are no triangles"), np.asarray(mesh.points), lines, None, data)
+        return Mesh(_rows(mesh.faces, 3, "faces that are no triangles"), np.asarray(points), lines, None, data)
     raise TypeError(
         f"a {type(mesh).__name__} is no array of triangles, and no mesh: it has neither vertices and faces, nor points and "
-        "faces or cells"
+        "faces or cells_dict"
     )
 
 
 def take(triangles: Any, points: Any = None, edges: Any = None, tetrahedra: Any = None) -> Mesh:
     """Return the arrays of a mesh, which stands in the place of the triangles, or those that are given."""
-    if not any(hasattr(triangles, name) for name in ("faces", "cells", "tetrahedra")):
+    if not any(hasattr(triangles, name) for name in ("faces", "cells_dict", "tetrahedra")):
         return Mesh(triangles, points, edges, tetrahedra)
     given = {"points": points, "edges": edges, "tetrahedra": tetrahedra}
     return mesh_arrays(triangles)._replace(**{name: array for name, array in given.items() if array is not None})
@@ -199,24 +181,3 @@ def scalars_of(mesh: Mesh, scalars: Any) -> Any:
     if scalars not in mesh.point_data:
         raise ValueError(f"the mesh has no data {scalars!r} of its vertices")
     return mesh.point_data[scalars]
-
-
-def to_core(mesh: Mesh, number: int | None = None) -> Any:
-    """Return the arrays of a mesh as the extension takes them."""
-    return _core.MeshArrays(
-        indices(mesh.triangles, 3, "triangles"),
-        points_array(mesh.points, number),
-        indices(mesh.edges, 2, "edges"),
-        indices(mesh.tetrahedra, 4, "tetrahedra"),
-    )
-
-
-def threads_number(threads: int | None) -> int:
-    """Return the number of threads, 0 for one per core."""
-    if threads is None:
-        return 0
-    if isinstance(threads, (bool, np.bool_)) or not isinstance(threads, (int, np.integer)):
-        raise TypeError(f"threads has to be an integer, not {threads!r}")
-    if not 1 <= threads <= 1024:
-        raise ValueError(f"threads has to be from 1 to 1024, not {threads}")
-    return int(threads)

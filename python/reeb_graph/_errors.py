@@ -14,16 +14,12 @@ class MeshError(ValueError):
         The same as `triangle`.
     """
 
-    vertex: int | None = None
-    triangle: int | None = None
-    edge: int | None = None
-    tetrahedron: int | None = None
-    face = property(lambda self: self.triangle)
-
     def __init__(self, message: str, item: str | None = None, number: int | None = None) -> None:
         super().__init__(message, item, number)
-        if item is not None:
-            setattr(self, item, number)
+        self.vertex = number if item == "vertex" else None
+        self.triangle = self.face = number if item == "triangle" else None
+        self.edge = number if item == "edge" else None
+        self.tetrahedron = number if item == "tetrahedron" else None
 
     def __str__(self) -> str:
         return str(self.args[0])

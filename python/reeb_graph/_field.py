@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import bisect
 import math
 from typing import Any
 
@@ -39,8 +40,7 @@ class Field:
             if not _arrays.are_doubles(levels) and np.isfinite(levels).all():
                 self.base = levels[0]
             self.places = _moved_apart(self._differences(levels))
-            if not np.isnan(self.places).any():
-                self.levels = levels
+            self.levels = None if np.isnan(self.places).any() else levels
         self.doubles = _arrays.settled(ranks if self.levels is None else self.places[ranks])
 
     def _differences(self, levels: np.ndarray) -> np.ndarray:
@@ -49,30 +49,24 @@ class Field:
         with np.errstate(over="ignore"):
             return (levels - self.base).astype(np.float64)
 
+    def of_vertices(self, vertices: Any, doubles: np.ndarray) -> np.ndarray:
+        """Return the values of vertices that have these doubles."""
+        return doubles.astype(self.dtype) if self.values is None else self.values[vertices]
+
     def place(self, level: Any) -> float:
         """Return the double of the level just above the last value that is at most `level`."""
         if self.values is None:
             return float(level)
         if self.levels is None:
             raise ValueError("the order that was given is not that of the scalars: there are no levels of values")
-        level = int(level) if isinstance(level, np.integer) else level
-        value = level
-        if self.dtype.kind in "iu" and math.isfinite(level):
-            limits = np.iinfo(self.dtype)
-            value = min(math.floor(level), int(limits.max))
-            if value < limits.min:
-                return -math.inf
-            value = self.dtype.type(value)
-        rank = int(np.searchsorted(self.levels, value, side="right")) - 1
+        # numbers of Python compare exactly
+        level = level.item() if isinstance(level, np.generic) else level
+        base, key = (int(self.base), int) if self.dtype.kind in "iu" else (self.base, None)
+        rank = bisect.bisect_right(self.levels, level, key=key) - 1
         if rank < 0:
             return -math.inf
         upper = self.places[rank + 1] if rank + 1 < len(self.places) else math.inf
-        return min(max(float(level - self.offset), self.places[rank]), np.nextafter(upper, -math.inf))
-
-    @property
-    def offset(self) -> Any:
-        """The base as a number of Python if it is an integer."""
-        return int(self.base) if self.dtype.kind in "iu" else self.base
+        return min(max(float(level - base), self.places[rank]), np.nextafter(upper, -math.inf))
 
 
 def _checked(values: np.ndarray) -> np.ndarray:

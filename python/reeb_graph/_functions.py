@@ -9,32 +9,29 @@ from typing import Any
 import numpy as np
 
 from . import _arrays, _core
-from ._progress import Progress, progress_function
+from ._run import Progress, run
+
+LEVEL_BORDERS = "with level borders"
 
 
-def _vertex_numbers(numbers: Any, name: str) -> list[int]:
-    array = np.atleast_1d(np.asarray(numbers))
-    if array.size > 0 and array.dtype.kind not in "iu":
-        raise TypeError(f"{name} are integers, the numbers of vertices, not {numbers!r}")
+def _vertex_numbers(given: Any, name: str) -> list[int]:
+    array = np.atleast_1d(_arrays.numbers(given, name, "iu", "integers, the numbers of vertices"))
     if array.ndim > 1 or np.any(array < 0):
-        raise ValueError(f"{name} are the numbers of vertices, from 0, not {numbers!r}")
-    return [int(number) for number in array]
+        raise ValueError(f"{name} are the numbers of vertices, from 0, not {given!r}")
+    return array.astype(int).tolist()
 
 
-def _run(function: Any, mesh: _arrays.Mesh, number: Any, arguments: Any, threads: Any, progress: Any, name: str) -> Any:
-    arrays, threads = _arrays.to_core(mesh, number), _arrays.threads_number(threads)
-    return function(arrays, *arguments, threads, progress_function(progress, name))
-
-
-def _field(name: str, mesh: _arrays.Mesh, threads: Any, progress: Any, scalars: Any = None, **settings: Any) -> np.ndarray:
-    if mesh.points is None:
+def _field(
+    name: str, mesh: _arrays.Mesh, threads: Any = None, progress: Any = None, scalars: Any = None, **settings: Any
+) -> np.ndarray:
+    if mesh.points is None and name != LEVEL_BORDERS:
         raise ValueError(f"the field {name} needs points: they come behind the triangles")
     options = _core.FieldOptions()
     for key, value in {"field": name, **settings}.items():
         setattr(options, key, value)
     scalars = None if scalars is None else _arrays.doubles(_arrays.scalars_of(mesh, scalars))
-    number = len(mesh.points) if scalars is None else len(scalars)
-    return _run(_core.field, mesh, number, (number, options, scalars), threads, progress, name)
+    number = len(mesh.points if scalars is None else scalars)
+    return run(_core.field, mesh.checked(number), number, options, scalars, threads=threads, progress=progress, name=name)
 
 
 def harmonic(
@@ -64,11 +61,9 @@ def harmonic(
     -----
     M. S. Floater, *Mean value coordinates*, 2003.
     """
-    if weights not in ("mean-value", "cotangent", "uniform"):
-        raise ValueError(f"weights are 'mean-value', 'cotangent', or 'uniform', not {weights!r}")
     if (minimum is None) != (maximum is None):
         raise ValueError("minimum and maximum go together")
-    settings: dict[str, Any] = {"weights": weights}
+    settings: dict[str, Any] = {"weights": _arrays.one_of(weights, ("mean-value", "cotangent", "uniform"), "weights")}
     if minimum is not None:
         settings["minimum"], settings["maximum"] = _vertex_numbers([minimum, maximum], "minimum and maximum")
     name = "harmonic-between-borders" if between_borders else "harmonic"
@@ -78,14 +73,9 @@ def harmonic(
 def poisson(
     triangles: Any, points: Any = None, *, sources: Any = (), threads: int | None = None, progress: Progress = None
 ) -> np.ndarray:
-    """Compute the field whose Laplacian is the mean curvature, as an (n,) array of float.
+    """Compute the field whose Laplacian is the mean curvature.
 
-    Parameters
-    ----------
-    triangles : (m, 3) array of integers, or a mesh
-    points : (n, 3) array
-    sources : int or sequence of int
-        The vertices where it is 0; by default one in each component.
+    The parameters and the result are those of `geodesic`, but for edges and tetrahedra.
     """
     mesh = _arrays.take(triangles, points)
     return _field("poisson", mesh, threads, progress, sources=_vertex_numbers(sources, "sources"))
@@ -96,17 +86,7 @@ def unit_gradient(
 ) -> np.ndarray:
     """Compute a field whose gradient has about unit length, with about the level sets of another one.
 
-    Parameters
-    ----------
-    triangles : (m, 3) array of integers, or a mesh
-    points : (n, 3) array
-    scalars : (n,) array, optional
-        The other field; by default the harmonic one.
-
-    Returns
-    -------
-    (n,) array of float
-        In units of length.
+    That is `scalars`, by default the harmonic field. The other parameters are those of `harmonic`.
     """
     return _field("unit-gradient", _arrays.take(triangles, points), threads, progress, scalars)
 
@@ -146,8 +126,8 @@ def height(triangles: Any, points: Any = None, direction: Any = (0, 0, 1)) -> np
     vector = np.asarray(direction, dtype=np.float64)
     if vector.shape != (3,):
         raise ValueError(f"the direction has three coordinates, not the shape {vector.shape}")
-    mesh = _arrays.take(triangles, points)._replace(triangles=None, edges=None, tetrahedra=None)
-    return _field("height", mesh, None, None, direction=vector.tolist())
+    mesh = _arrays.Mesh(None, _arrays.take(triangles, points).points)
+    return _field("height", mesh, direction=vector.tolist())
 
 
 def make_borders_level(
@@ -157,9 +137,7 @@ def make_borders_level(
 
     That is what functions that cut need, which do it by default. The points play no role.
     """
-    mesh = _arrays.take(triangles, points)
-    values = _arrays.doubles(_arrays.scalars_of(mesh, scalars))
-    return _run(_core.make_borders_level, mesh, len(values), (values,), threads, progress, "borders")
+    return _field(LEVEL_BORDERS, _arrays.take(triangles, points), threads, progress, scalars)
 
 
 @dataclass(frozen=True)
@@ -193,36 +171,30 @@ class Cut:
         return int(self.patches.max(initial=-1)) + 1
 
 
-def _columns(arrays: Mapping[str, np.ndarray], number: int) -> list[np.ndarray]:
-    """Return the columns of all arrays, as doubles."""
-    columns: list[np.ndarray] = []
-    for name, array in arrays.items():
-        if array.ndim == 0 or len(array) != number:
-            raise ValueError(f"the vertex array {name!r} has the shape {array.shape} for {number} vertices")
-        columns += [_arrays.doubles(c, f"the vertex array {name!r}") for c in array.reshape(number, _width(array)).T]
-    return columns
+def _columns(array: np.ndarray, name: str, number: int) -> list[np.ndarray]:
+    """Return what a vertex array has for the vertices, each number of it as an array of doubles."""
+    if array.ndim == 0 or len(array) != number:
+        raise ValueError(f"the vertex array {name!r} has the shape {array.shape} for {number} vertices")
+    table = array.reshape(number, int(np.prod(array.shape[1:])))
+    return [_arrays.doubles(column, f"the vertex array {name!r}") for column in table.T]
 
 
-def _width(array: np.ndarray) -> int:
-    return int(np.prod(array.shape[1:], dtype=np.int64))
-
-
-def _arrays_of_columns(given: Mapping[str, np.ndarray], columns: list[np.ndarray]) -> dict[str, np.ndarray]:
-    result = {}
-    for name, array in given.items():
-        table = np.stack([columns.pop(0) for _ in range(_width(array))], axis=-1)
-        table = np.rint(table) if array.dtype.kind in "iub" else table
-        result[name] = table.reshape(-1, *array.shape[1:]).astype(array.dtype)
-    return result
+def _of_columns(columns: list[np.ndarray], like: np.ndarray) -> np.ndarray:
+    table = np.stack(columns, axis=-1).reshape(-1, *like.shape[1:])
+    return (np.rint(table) if like.dtype.kind in "iub" else table).astype(like.dtype)
 
 
 def _cut(
     kind: Any, triangles: Any, scalars: Any, points: Any, *, vertex_arrays: Mapping[str, Any] | None = None,
     borders: str = "make-level", cut_open: bool = False, max_triangles: int | None = None, threads: int | None = None,
-    progress: Progress = None, **thresholds: float | None,
+    progress: Progress = None, persistence: float | None = None, area: float | None = None,
 ) -> Cut:
-    if borders not in ("make-level", "level"):
-        raise ValueError(f"borders is 'make-level' or 'level', not {borders!r}")
+    manners = _core.Borders.__members__
+    for name, threshold in (("persistence", persistence), ("area", area)):
+        if threshold is not None and not threshold >= 0:
+            raise ValueError(f"{name} must not be negative or NaN, as {threshold} is")
+    manner = manners[_arrays.one_of(borders, manners, "borders")]
+    options = _core.CutOptions(kind, persistence, area, bool(cut_open), manner)
     if max_triangles is not None and max_triangles < 1:
         raise ValueError(f"max_triangles has to be positive, not {max_triangles}")
     mesh = _arrays.take(triangles, points)
@@ -230,16 +202,11 @@ def _cut(
         raise ValueError("to cut a surface needs its points: they come behind the scalars")
     values = _arrays.doubles(_arrays.scalars_of(mesh, scalars))
     given = {name: np.asarray(array) for name, array in (vertex_arrays or {}).items()}
-    options = _core.CutOptions()
-    options.type, options.cut_open = kind, bool(cut_open)
-    options.borders = _core.Borders.level if borders == "level" else _core.Borders.make_level
-    for name, threshold in thresholds.items():
-        if threshold is not None and not threshold >= 0:
-            raise ValueError(f"{name} must not be negative or NaN, as {threshold} is")
-        setattr(options, name, threshold)
-    arguments = (values, _columns(given, len(values)), options, max_triangles or 2**62)
-    *found, columns = _run(_core.cut, mesh, len(values), arguments, threads, progress, "cut")
-    return Cut(*found, _arrays_of_columns(given, columns))
+    columns = {name: _columns(array, name, len(values)) for name, array in given.items()}
+    arguments = mesh.checked(len(values)), values, sum(columns.values(), []), options, max_triangles or 2**62
+    *found, of_result = run(_core.cut, *arguments, threads=threads, progress=progress, name="cut")
+    rest = iter(of_result)
+    return Cut(*found, {name: _of_columns([next(rest) for _ in columns[name]], array) for name, array in given.items()})
 
 
 def cutting_system(triangles: Any, scalars: Any, points: Any = None, **options: Any) -> Cut:
@@ -287,5 +254,4 @@ def branches(
     Those with values that differ by less than `persistence`, or of less area than `area`, are left out. The other
     parameters and the result are those of `cutting_system`.
     """
-    thresholds = {"persistence": persistence, "area": area}
-    return _cut(_core.Curves.branches, triangles, scalars, points, **thresholds, **options)
+    return _cut(_core.Curves.branches, triangles, scalars, points, persistence=persistence, area=area, **options)

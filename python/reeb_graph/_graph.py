@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import html
 import json
-import math
 import operator
 import os
 import tempfile
@@ -17,17 +17,19 @@ import numpy as np
 from . import _arrays, _core
 from ._errors import NumberError
 from ._field import Field
-from ._progress import Progress, progress_function
 from ._results import Contour, CriticalSet, Embedding, Page
+from ._run import Progress, run
 
 KINDS = np.array(["isolated", "minimum", "saddle", "maximum", "degree-two"])
+FILES = ("graph", "page", "mesh", "pairs", "diagram", "loop", "vertex_arcs", "simplified_scalars")
 LARGEST_DRAWING = 2000  # arcs that a notebook shows without being asked
 
 
 class ReebGraph:
     """The Reeb graph of a scalar field on a mesh, made by `compute`.
 
-    Nodes, arcs, vertices and triangles are numbers from 0. The graph does not change; its arrays are read-only.
+    Nodes, arcs, vertices and triangles are numbers from 0. The graph does not change; its arrays are read-only. What can
+    take long has the parameter `progress` of `compute`.
 
     Attributes
     ----------
@@ -39,11 +41,10 @@ class ReebGraph:
         `minimum`, `saddle`, `maximum`, `isolated`, or `degree-two`.
     arcs : (arcs, 2) array of int
         The lower and the upper node of each arc. Two arcs can have the same ends.
-    vertex_places : (vertices,) array of int
-        The place of each vertex of the mesh, found when it is asked for: the number of a node, or that of an arc plus
-        the number of nodes.
     vertex_arcs : (vertices,) array of int
-        The same as the number of an arc, or -1 minus that of a node.
+        The segment of each vertex: the number of the arc that it belongs to, or -1 minus that of the node that it is at.
+    vertex_places : (vertices,) array of int
+        The same without negative numbers: the number of a node, or that of an arc plus the number of nodes.
     chains : list of arrays of int
         For each arc, the ascending path of vertices that begins at its lower node; the last edge crosses the level of
         the upper node.
@@ -55,17 +56,14 @@ class ReebGraph:
         Whether the mesh is an oriented manifold surface, or can be oriented as one.
     """
 
-    def __init__(self, core: Any, field: Field, threads: int) -> None:
+    def __init__(self, core: Any, field: Field, options: dict[str, Any], simplification: dict[str, Any]) -> None:
         self._core = core
         self._field = field
-        self._threads = threads
-        self._has_points = False
-        self._options: dict[str, Any] = {}  # of compute()
-        self._simplification: dict[str, Any] = {}
-        self.node_vertices, values, kinds = self._run("nodes")
-        self.node_values = values.astype(field.dtype) if field.values is None else field.values[self.node_vertices]
-        self.node_kinds = KINDS[kinds]
-        self.arcs = self._run("arcs")
+        self._options = options  # of compute(), and whether there are points
+        self._simplification = simplification
+        nodes, doubles, self.arcs = self._run("table")
+        self.node_vertices, kinds, self._components = np.ascontiguousarray(nodes.T)
+        self.node_values, self.node_kinds = field.of_vertices(self.node_vertices, doubles), KINDS[kinds]
         for array in (self.node_vertices, self.node_values, self.node_kinds, self.arcs):
             array.flags.writeable = False
 
@@ -77,33 +75,27 @@ class ReebGraph:
         places.flags.writeable = False
         return places
 
-    @property
-    def vertex_arcs(self) -> np.ndarray:
-        places = self.vertex_places
-        return np.where(places < self.n_nodes, -1 - places, places - self.n_nodes)
-
     @cached_property
     def chains(self) -> list[np.ndarray]:
         return self._run("chains")
 
+    @cached_property
+    def counts(self) -> dict[str, Any]:
+        return json.loads(self._run("write", _core.Files()))
+
+    vertex_arcs = property(lambda self: np.where(
+        self.vertex_places < self.n_nodes, -1 - self.vertex_places, self.vertex_places - self.n_nodes))
     is_surface = property(lambda self: self._core.is_surface)
     n_vertices = property(lambda self: self._field.size)
     n_nodes = property(lambda self: len(self.node_vertices))
     n_arcs = property(lambda self: len(self.arcs))
     n_leaves = property(lambda self: len(self.leaves()))
     n_loops = property(lambda self: self.n_arcs + self.n_components - self.n_nodes)
-
-    @cached_property
-    def n_components(self) -> int:
-        return int(self.components().max(initial=-1)) + 1
-
-    @cached_property
-    def counts(self) -> dict[str, Any]:
-        return json.loads(self._run("write", _core.Files()))
+    n_components = property(lambda self: int(self._components.max(initial=-1)) + 1)
 
     def components(self) -> np.ndarray:
         """Return the number of the connected component of each node."""
-        return self._run("components")
+        return self._components.copy()
 
     def leaves(self) -> np.ndarray:
         """Return the nodes at which one arc ends, ascending."""
@@ -114,26 +106,22 @@ class ReebGraph:
         return self._run("loops")
 
     def pairs(self) -> np.recarray:
-        """Find the pairs of extended persistence.
+        """Find the pairs of extended persistence, as a recarray with a row per pair.
 
-        Returns
-        -------
-        recarray
-            A row per pair, with `kind` (`minimum-saddle`, `saddle-maximum`, `minimum-maximum`, or `loop`), `lower_node`,
-            `upper_node`, `lower_value`, `upper_value`, `persistence`, and as GUDHI has them `dimension`, `birth`, and
-            `death`: saddles with maxima, and loops, have dimension 1, and are born at their upper node.
+        Its columns are `kind` (`minimum-saddle`, `saddle-maximum`, `minimum-maximum`, or `loop`), `lower_node`,
+        `upper_node`, `lower_value`, `upper_value`, `persistence`, and as GUDHI has them `dimension`, `birth`, and
+        `death`: saddles with maxima, and loops, have dimension 1, and are born at their upper node.
         """
-        lower, upper, kinds = self._run("pairs")
+        nodes, kinds = self._run("pairs")
+        lower, upper = nodes.T
         low, high = self.node_values[lower], self.node_values[upper]
         is_upper = np.isin(kinds, ["saddle-maximum", "loop"])
         with np.errstate(invalid="ignore"):
             persistence = np.where(low == high, 0, np.maximum(low, high) - np.minimum(low, high)).astype(np.float64)
-        columns = {
-            "kind": np.array(kinds, dtype="U15"), "lower_node": lower, "upper_node": upper, "lower_value": low,
-            "upper_value": high, "persistence": persistence, "dimension": is_upper.astype(np.int64),
-            "birth": np.where(is_upper, high, low), "death": np.where(is_upper, low, high),
-        }
-        return np.rec.fromarrays(list(columns.values()), names=list(columns))
+        birth, death = np.where(is_upper, [high, low], [low, high])
+        columns = [np.array(kinds, dtype="U15"), lower, upper, low, high, persistence, is_upper.astype(int), birth, death]
+        names = "kind,lower_node,upper_node,lower_value,upper_value,persistence,dimension,birth,death"
+        return np.rec.fromarrays(columns, names=names)
 
     # ---- simplification
 
@@ -143,7 +131,8 @@ class ReebGraph:
     ) -> ReebGraph:
         """Remove branches of little persistence.
 
-        It starts from the graph that has been computed, also if this one is simplified already.
+        It starts from the graph that has been computed, also if this one is simplified already. The simplified graph leads
+        back to the mesh as this one does.
 
         Parameters
         ----------
@@ -156,77 +145,51 @@ class ReebGraph:
             The least persistent branches are removed until so many leaves are left.
         cancel_loops : bool
             Whether loops are removed as well; with a threshold only.
-        progress : callable or bool, optional
-            As for `compute`.
-
-        Returns
-        -------
-        ReebGraph
-            The simplified graph, which leads back to the mesh as this one does.
         """
         given = {"threshold": threshold, "percent": percent, "leaves": leaves, "cancel_loops": cancel_loops}
-        if isinstance(threshold, str) and threshold.strip().endswith("%") and percent is None:
-            threshold, percent = None, float(threshold.strip()[:-1])
-        if threshold is not None and percent is not None:
-            raise ValueError("threshold and percent do not go together")
-        number = threshold if percent is None else percent
-        if number is None and (leaves is None or cancel_loops):
+        if percent is not None:
+            if threshold is not None:
+                raise ValueError("threshold and percent do not go together")
+            threshold = f"{percent}%"
+        if threshold is None and (leaves is None or cancel_loops):
             raise ValueError("a threshold or a percentage is needed, or without cancel_loops a number of leaves")
-        if number != "auto" and number is not None and not float(number) >= 0:
-            raise ValueError(f"the threshold must not be negative or NaN, as {number} is")
+        if isinstance(threshold, str):
+            threshold = threshold.strip()
+        elif threshold is not None and not threshold >= 0:
+            raise ValueError(f"the threshold must not be negative or NaN, as {threshold} is")
         if leaves is not None and operator.index(leaves) < 0:
             raise ValueError(f"the number of leaves must not be negative, as {leaves} is")
-        number = None if number is None else math.nan if number == "auto" else float(number)
-        core = self._run("simplify", number, percent is not None, leaves, bool(cancel_loops), progress=progress)
-        simplified = ReebGraph(core, self._field, self._threads)
-        simplified._has_points, simplified._options, simplified._simplification = self._has_points, self._options, given
-        return simplified
+        core = self._run("simplify", threshold, leaves, bool(cancel_loops), progress=progress)
+        return ReebGraph(core, self._field, self._options, given)
 
     def simplified_scalars(self, *, progress: Progress = None) -> np.ndarray:
         """Compute a field on the mesh that has this simplified graph.
 
         Pieces that have been removed get values next to that of their saddle, or, where no field has the graph
-        otherwise, that value itself: then there is a warning, and `ties='contract'` gives the graph.
-
-        Returns
-        -------
-        (vertices,) array of float
-            The given scalars, if nothing has been removed.
-
-        Raises
-        ------
-        ValueError
-            if the mesh is no surface, loops have been cancelled, or the scalars are ranked
+        otherwise, that value itself: then there is a warning, and `ties='contract'` gives the graph. If nothing has been
+        removed, it is the given field. It is a ValueError if the mesh is no surface, or loops have been cancelled, or the
+        scalars are ranked.
         """
         if not self._simplification:
-            return self._run("mesh_arrays")[-1] if self._field.values is None else self._field.values.copy()
+            return self._scalars()
         if not self.is_surface or self._field.values is not None or self._simplification["cancel_loops"]:
             raise ValueError("only simplified graphs of surfaces and of doubles, with all their loops, have such a field")
         scalars, are_ties_contracted = self._run("simplified_scalars", progress=progress)
-        if are_ties_contracted[0]:
+        if are_ties_contracted:
             warnings.warn("the simplified field has its graph with ties='contract' only", stacklevel=2)
         return scalars
 
     # ---- the way back to the mesh
 
     def contour(self, arc: int, t: float) -> Contour:
-        """Trace the contour of an arc.
+        """Trace the contour of an arc at the place `t` between its lower node, 0, and its upper one, 1, both excluded.
 
-        Parameters
-        ----------
-        arc : int
-        t : float
-            The place between the lower node, 0, and the upper one, 1, both excluded; linear in the values.
-
-        Returns
-        -------
-        Contour
-            An array of points that tells more, see there.
+        `t` is linear in the values. The contour is an array of points that knows more, see `Contour`.
         """
         return self._contours(self._number(arc, self.n_arcs, "arc"), float(t), None)[0]
 
     def contours(self, level: float) -> list[Contour]:
-        """Trace all contours at a level: those just above the last vertex whose scalar is at most `level`."""
+        """Trace all contours of the level of a value: those just above the last vertex whose scalar is at most `level`."""
         if np.isnan(level):
             raise ValueError("the level is not a number (NaN)")
         return self._contours(None, None, self._field.place(level))
@@ -256,22 +219,19 @@ class ReebGraph:
     def embed(self, manner: str | None = None, *, progress: Progress = None) -> Embedding:
         """Put the graph into space.
 
-        Parameters
-        ----------
-        manner : {'centroids', 'on-surface', 'straight'}, optional
-            Through the centroids of contours, ascending on the surface, or straight from node to node. By default the
-            first one, or the last one where contours are very long, or the mesh is no surface.
-
-        Returns
-        -------
-        Embedding
+        The manner is `'centroids'`, through the centroids of contours, `'on-surface'`, ascending there, or `'straight'`,
+        from node to node. It is the first one by default, but the last one where contours are very long, or the mesh is
+        no surface.
         """
         self._need_points("an embedding")
-        by_default = _core.Manner.by_cost if self.is_surface else _core.Manner.straight
-        found, points, polylines, values = self._run("embed", _manner(manner) or by_default, progress=progress)
+        manner_of_it, points, polylines, values = self._run("embed", _manner(manner), progress=progress)
         base = float(self._field.base)
-        name = _core.Manner(int(found[0])).name.replace("_", "-")
-        return Embedding(name, points, polylines, [numbers + base for numbers in values])
+        return Embedding(manner_of_it.name, points, polylines, [numbers + base for numbers in values])
+
+    def longest_loop(self) -> np.ndarray:
+        """Return the points of a closed curve on the surface along the most persistent loop of the graph."""
+        self._need_points("a loop")
+        return self._run("longest_loop")
 
     # ---- files and other packages
 
@@ -281,14 +241,14 @@ class ReebGraph:
     ) -> None:
         """Write a file; the end of its name tells which one.
 
-        `.graphml`, `.dot`, `.svg`, and in space `.vtp`, `.obj`, `.polylines.txt`, `.json`, and `.csv`, which stands for
-        the tables `.nodes.csv` and `.arcs.csv`: the graph; `.html`: a page that shows it with the surface; `.ply`: the
-        surface with the arc of each vertex, and colours; `.pers`: the pairs before it was simplified, as GUDHI has them.
+        `.svg`, a drawing, `.graphml`, `.dot`, and in space `.vtp`, `.obj`, `.polylines.txt`, `.json`, and `.csv`, which
+        stands for the tables `.nodes.csv` and `.arcs.csv`: the graph; `.html`: a page that shows it with the surface;
+        `.ply`: the surface with the arc of each vertex, and colours; `.pers`: the pairs before it was simplified.
 
         Parameters
         ----------
         path : path
-        what : {'graph', 'page', 'mesh', 'pairs', 'diagram', 'vertex_arcs', 'simplified_scalars'}, optional
+        what : {'graph', 'page', 'mesh', 'pairs', 'diagram', 'loop', 'vertex_arcs', 'simplified_scalars'}, optional
             What is written, if that is not what the end of the name stands for. The formats are those of the program.
         title : str
             The title of a page.
@@ -296,32 +256,22 @@ class ReebGraph:
             What drawings call the field, and what it is measured in.
         embedding : {'centroids', 'on-surface', 'straight'}, optional
             Where arcs are in space, as for `embed`.
-        progress : callable or bool, optional
-            As for `compute`.
-
-        Raises
-        ------
-        ValueError
-            if there is no such format, or it needs points, or a surface
-        OSError
-            if the file cannot be written
 
         Notes
         -----
+        What needs points or a surface that are not there is a ValueError, and a file that cannot be written an OSError.
         Of integers that no double has, pages, drawings, and meshes show the differences to the least one; the name of
         the field tells so. Other files have the doubles next to the values.
         """
         path = Path(path)
         what = what or {".html": "page", ".ply": "mesh", ".pers": "pairs"}.get(path.suffix, "graph")
         in_space = path.name.endswith((".vtp", ".obj", ".polylines.txt", ".json", ".csv"))
-        if what in ("page", "mesh") or (what == "graph" and in_space):
+        if what in ("page", "mesh", "loop") or (what == "graph" and in_space):
             self._need_points(path.suffix)
-        files = _core.Files()
-        if what not in ("graph", "page", "mesh", "pairs", "diagram", "vertex_arcs", "simplified_scalars"):
-            raise ValueError(f"there is no {what!r} to write")
-        setattr(files, what, os.fsencode(path))
-        base = self._field.base
         is_seen = what in ("page", "mesh", "diagram") or path.suffix == ".svg"
+        base = self._field.base
+        files = _core.Files()
+        setattr(files, _arrays.one_of(what, FILES, "what is written"), os.fsencode(path))
         files.base = 0 if is_seen else float(base)
         files.name = f"{name} - {base}" if is_seen and base != 0 else name
         files.title, files.unit, files.embedding = title, unit, _manner(embedding)
@@ -338,7 +288,8 @@ class ReebGraph:
 
     def to_iframe(self, width: str | int = "100%", height: int = 600, **options: Any) -> Page:
         """Return the page in a frame for notebooks. `options` are those of `write`."""
-        return Page(self._text(".html", **options), width, height)
+        page = html.escape(self._text(".html", **options))
+        return Page(f'<iframe srcdoc="{page}" width="{width}" height="{height}" style="border: 0"></iframe>')
 
     def _repr_svg_(self) -> str | None:
         return self._text(".svg") if self.n_arcs <= LARGEST_DRAWING else None
@@ -352,18 +303,16 @@ class ReebGraph:
         """
         import networkx
 
+        nodes = {"vertex": self.node_vertices, "value": self.node_values, "kind": self.node_kinds}
+        lower_values, upper_values = self.node_values[self.arcs].T
+        arcs = {"index": np.arange(self.n_arcs), "lower_value": lower_values, "upper_value": upper_values}
         graph = networkx.MultiDiGraph() if directed else networkx.MultiGraph()
-        points = self._run("embed", _core.Manner.straight)[1].tolist() if self._has_points else []
-        values = self.node_values.tolist()
-        for node, vertex in enumerate(self.node_vertices.tolist()):
-            graph.add_node(node, vertex=vertex, value=values[node], kind=str(self.node_kinds[node]))
-            if points:
-                graph.nodes[node]["point"] = tuple(points[node])
-        measures = {name: column.tolist() for name, column in self._measures.items()} if self._has_points else {}
-        for arc, (lower, upper) in enumerate(self.arcs.tolist()):
-            attributes = {name: column[arc] for name, column in measures.items()}
-            attributes.update(index=arc, lower_value=values[lower], upper_value=values[upper])
-            graph.add_edge(lower, upper, key=arc, **attributes)
+        graph.add_nodes_from(enumerate(_rows(nodes)))
+        if self._options["has_points"]:
+            arcs.update(self._measures)
+            points = self.embed("straight").node_points.tolist()
+            networkx.set_node_attributes(graph, dict(enumerate(map(tuple, points))), "point")
+        graph.add_edges_from((*ends, arc["index"], arc) for ends, arc in zip(self.arcs.tolist(), _rows(arcs)))
         return graph
 
     def to_pyvista(self, manner: str | None = None) -> Any:
@@ -373,11 +322,8 @@ class ReebGraph:
         embedding = self.embed(manner)
         sizes = [len(polyline) for polyline in embedding.arc_polylines]
         starts = np.cumsum([0, *sizes])
-        lines = [np.r_[size, start : start + size] for size, start in zip(sizes, starts)]
-        graph = pyvista.PolyData(
-            np.concatenate([*embedding.arc_polylines, np.zeros((0, 3))]),
-            lines=np.concatenate([*lines, np.zeros(0, dtype=np.int64)]).astype(np.int64),
-        )
+        lines = np.insert(np.arange(starts[-1]), starts[:-1], sizes)  # each begins with its number of points
+        graph = pyvista.PolyData(np.concatenate([*embedding.arc_polylines, np.zeros((0, 3))]), lines=lines)
         graph.cell_data["arc"] = np.arange(self.n_arcs)
         graph.point_data["scalars"] = np.concatenate([*embedding.arc_values, np.zeros(0)])
         return graph
@@ -395,24 +341,25 @@ class ReebGraph:
     def __len__(self) -> int:
         return self.n_nodes
 
-    def __copy__(self) -> ReebGraph:
-        copy = ReebGraph.__new__(ReebGraph)
-        copy.__dict__.update(self.__dict__)
-        return copy
+    def __copy__(self, memo: Any = None) -> ReebGraph:
+        return self  # nothing of it changes
 
-    def __deepcopy__(self, memo: dict[int, Any]) -> ReebGraph:
-        return self.__copy__()  # nothing of it changes
+    __deepcopy__ = __copy__
 
     def __reduce__(self) -> tuple[Any, ...]:
-        triangles, points, edges, tetrahedra, scalars = self._run("mesh_arrays")
-        values = scalars.astype(self._field.dtype) if self._field.values is None else self._field.values
-        arrays = {"points": points if self._has_points else None, "edges": edges, "tetrahedra": tetrahedra}
-        return _rebuild, (triangles, values, {**arrays, **self._options}, self._simplification)
+        triangles, points, edges, tetrahedra, _ = self._run("mesh_arrays")
+        arguments = {"edges": edges, "tetrahedra": tetrahedra, **self._options}
+        arguments["points"] = points if arguments.pop("has_points") else None
+        return _rebuild, (triangles, self._scalars(), arguments, self._simplification)
 
     # ---- what the methods share
 
     def _run(self, name: str, *arguments: Any, progress: Progress = None) -> Any:
-        return getattr(self._core, name)(*arguments, self._threads, progress_function(progress, name))
+        threads = self._options["threads"]
+        return run(getattr(self._core, name), *arguments, threads=threads, progress=progress, name=name)
+
+    def _scalars(self) -> np.ndarray:
+        return self._field.of_vertices(slice(None), self._run("mesh_arrays")[-1])
 
     def _text(self, ending: str, **options: Any) -> str:
         with tempfile.TemporaryDirectory() as folder:
@@ -431,7 +378,7 @@ class ReebGraph:
         return self._measures[name].copy()
 
     def _need_points(self, what: str) -> None:
-        if not self._has_points:
+        if not self._options["has_points"]:
             raise ValueError(f"{what} needs the points of the vertices: compute(triangles, scalars, points=points)")
 
     @staticmethod
@@ -445,22 +392,23 @@ class ReebGraph:
         self._need_points("a contour")
         return [self._contour(contour) for contour in self._run("contours", arc, t, level)]
 
-    def _contour(self, found: dict[str, Any]) -> Contour:
-        points = found.pop("points")
-        if self.is_surface and found["closed"]:
+    def _contour(self, found: tuple[Any, ...]) -> Contour:
+        arc, value, closed, edges, points, polylines, triangles = found
+        if self.is_surface and closed:
             points = np.concatenate([points, points[:1]])
         contour = points.view(Contour)
-        contour.__dict__.update(found, value=found["value"] + float(self._field.base))
+        contour.arc, contour.value, contour.closed = arc, value + float(self._field.base), closed
+        contour.edges, contour.polylines, contour.triangles = edges, polylines, triangles
         return contour
 
 
 def _manner(name: str | None) -> Any:
-    if name is None:
-        return None
-    manners = {"centroids": _core.Manner.centroids, "on-surface": _core.Manner.on_surface, "straight": _core.Manner.straight}
-    if name not in manners:
-        raise ValueError(f"the manner of an embedding is one of {', '.join(manners)}, not {name!r}")
-    return manners[name]
+    manners = _core.Manner.__members__
+    return None if name is None else manners[_arrays.one_of(name, manners, "the manner of an embedding")]
+
+
+def _rows(columns: dict[str, np.ndarray]) -> list[dict[str, Any]]:
+    return [dict(zip(columns, row)) for row in zip(*(column.tolist() for column in columns.values()))]
 
 
 def _rebuild(triangles: Any, scalars: Any, arguments: dict[str, Any], simplification: dict[str, Any]) -> ReebGraph:
@@ -509,10 +457,8 @@ def compute(
     ------
     MeshError
         a ValueError: a vertex does not exist, or a scalar is NaN; its attributes `vertex` and `face` tell which one
-    ValueError
-        for another shape than those above
-    TypeError
-        for another dtype
+    ValueError, TypeError
+        for another shape, or another dtype, than those above
     StoppedError
         if `progress` returns False
 
@@ -531,18 +477,13 @@ def compute(
     >>> reeb_graph.compute(triangles, [0.0, 1.0, 2.0, 3.0]).arcs
     array([[0, 1]])
     """
-    if ties not in ("perturb", "contract"):
-        raise ValueError(f"ties is 'perturb' or 'contract', not {ties!r}")
+    all_ties = _core.Ties.__members__
+    _arrays.one_of(ties, all_ties, "ties")
     mesh = _arrays.take(triangles, points, edges, tetrahedra)
     order = None if order is None else np.array(order)
     field = Field(_arrays.scalars_of(mesh, scalars), order)
-    number = _arrays.threads_number(threads)
-    core = _core.compute(
-        _arrays.to_core(mesh, field.size), field.doubles, ties == "contract", bool(keep_degree_2), number,
-        progress_function(progress, "Reeb graph"),
-    )
-    field.doubles = None  # the extension has them
-    graph = ReebGraph(core, field, number)
-    graph._has_points = mesh.points is not None
-    graph._options = {"order": order, "ties": ties, "keep_degree_2": keep_degree_2, "threads": threads}
-    return graph
+    arguments = mesh.checked(field.size), field.doubles, all_ties[ties], bool(keep_degree_2)
+    core = run(_core.compute, *arguments, threads=threads, progress=progress, name="Reeb graph")
+    del field.doubles  # the extension has them
+    options = {"order": order, "ties": ties, "keep_degree_2": keep_degree_2, "threads": threads}
+    return ReebGraph(core, field, {**options, "has_points": mesh.points is not None}, {})

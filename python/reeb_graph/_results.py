@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 from dataclasses import dataclass
 
 import numpy as np
@@ -84,11 +83,7 @@ class Embedding:
 
 
 class Page(str):
-    """A page in a frame, which notebooks show: the HTML of the frame."""
-
-    def __new__(cls, text: str, width: str | int, height: int) -> Page:
-        frame = f'<iframe srcdoc="{html.escape(text)}" width="{width}" height="{height}" style="border: 0"></iframe>'
-        return super().__new__(cls, frame)
+    """HTML that notebooks show: a page in a frame."""
 
     def _repr_html_(self) -> str:
         return str(self)

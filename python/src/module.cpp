@@ -6,35 +6,40 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "arrays.h"
-#include "run.h"
+#include "objects.h"
 
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
+#include "computation/complex_counts.h"
+#include "computation/curves.h"
+#include "computation/distances_along_edges.h"
+#include "computation/longest_loop.h"
+#include "computation/scalar_fields.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/mesh_input.h"
+#include "input/threshold_input.h"
 #include "output/report_output.h"
 
+#include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <pybind11/stl/filesystem.h>
 
-#include <cmath>
 #include <iterator>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <sstream>
-#include <tuple>
 #include <variant>
 
 // The module reeb_graph._core, on which the Python of the package reeb_graph stands: numbers and arrays only.
 namespace reeb_graph_python {
 namespace {
 typedef std::vector<std::size_t> Numbers;
+typedef CGAL::Reeb_graph::Ties Ties;
+typedef CGAL::Reeb_graph::Embedding_manner Manner;
 
 struct Input
 {
@@ -59,108 +64,84 @@ typedef std::shared_ptr<Graph_of_arrays> Graph_pointer;
 
 Graph_pointer compute(const Mesh_arrays& arrays,
                       const Value_array& scalars,
-                      bool are_ties_contracted,
+                      Ties ties,
                       bool are_degree_two_nodes_kept,
-                      std::size_t threads,
-                      const py::object& progress)
+                      Run& run)
 {
-  struct Work
-  {
-    Values scalars;
-    Polygon_soup soup;
-    Graph_pointer graph = std::make_shared<Graph_of_arrays>();
-  };
-  const auto work = std::make_shared<Work>();
-  work->scalars = Values(scalars);
-  work->soup = copy_arrays(arrays, work->scalars.size());
-  Graph_options& options = work->graph->options;
-  options.ties = are_ties_contracted ? CGAL::Reeb_graph::Ties::CONTRACT : CGAL::Reeb_graph::Ties::PERTURB;
-  options.are_degree_two_nodes_kept = are_degree_two_nodes_kept;
-  run(
-    progress, threads,
-    [work] {
-      Graph_of_arrays& graph = *work->graph;
-      Input& input = *graph.input;
-      input.mesh = make_mesh(work->soup, "the mesh");
-      work->soup = Polygon_soup();
-      input.scalar_map = work->scalars.add_to(input.mesh.surface, "v:scalar");
-      work->scalars = Values();
-      graph.mesh_graph = compute_mesh_graph(input.mesh, input.scalar_map, graph.options, {}, 0, graph.report);
-    },
-    true);
-  return work->graph;
+  Polygon_soup soup = copy_arrays(arrays, scalars.size());
+  const auto graph = std::make_shared<Graph_of_arrays>();
+  graph->options.ties = ties;
+  graph->options.are_degree_two_nodes_kept = are_degree_two_nodes_kept;
+  run([&] {
+    Input& input = *graph->input;
+    input.mesh = make_mesh(soup, "the mesh");
+    soup = Polygon_soup();
+    input.scalar_map = add_map(input.mesh.surface, "v:scalar", &scalars);
+    graph->mesh_graph = compute_mesh_graph(input.mesh, input.scalar_map, graph->options, {}, 0, graph->report);
+  });
+  return graph;
 }
 
 // A function that does `work` on the graph without the interpreter's lock, and makes an object of the result.
 template <class Result, class... Arguments>
 auto running(Result (*work)(Graph_of_arrays&, Arguments...))
 {
-  return [work](Graph_of_arrays& graph, Arguments... arguments, std::size_t threads, const py::object& progress) {
+  return [work](Graph_of_arrays& graph, Arguments... arguments, Run& run) {
     std::optional<Result> result;
-    run(progress, threads, [&] {
+    run([&] {
       const std::lock_guard lock(graph.input->mutex);
       result.emplace(work(graph, arguments...));
     });
-    if constexpr(std::is_same_v<Result, Graph_pointer>)
-      return *result;
-    else
-      return to_object(*result);
+    return to_object(*result);
   };
 }
 
-// With an option of the program: a threshold in units of the field or in percent, NaN for the one that the graph
-// suggests, or a number of leaves.
+// With a threshold in units of the field, or as the program reads it, or a number of leaves.
 Graph_pointer simplify(Graph_of_arrays& graph,
-                       std::optional<double> threshold,
-                       bool is_percentage,
+                       std::optional<std::variant<double, std::string>> threshold,
                        std::optional<std::size_t> leaves,
                        bool are_loops_cancelled)
 {
-  const auto result = std::make_shared<Graph_of_arrays>();
-  result->input = graph.input;
-  result->options = graph.options;
-  result->report = graph.report;
+  Simplification_options options{std::nullopt, leaves, are_loops_cancelled};
   if(threshold)
-    result->simplification.threshold = Threshold{*threshold, is_percentage, std::isnan(*threshold)};
-  result->simplification.number_of_leaves = leaves;
-  result->simplification.are_loops_cancelled = are_loops_cancelled;
-  result->mesh_graph = graph.mesh_graph->simplify(
-    result->simplification,
-    threshold_in_units(result->simplification, graph.input->mesh.surface, graph.input->scalar_map));
-  return result;
+    options.threshold = threshold->index() == 0 ? Threshold{std::get<double>(*threshold), false, false}
+                                                : parse_threshold(std::get<std::string>(*threshold));
+  auto simplified = graph.mesh_graph->simplify(
+    options, threshold_in_units(options, graph.input->mesh.surface, graph.input->scalar_map));
+  return std::make_shared<Graph_of_arrays>(
+    Graph_of_arrays{graph.input, graph.options, options, graph.report, std::move(simplified)});
 }
 
-std::tuple<Numbers, std::vector<double>, Numbers> nodes(Graph_of_arrays& given)
+// The vertex, the kind, and the component of each node, its value, and the ends of each arc.
+auto table(Graph_of_arrays& given)
 {
   const Graph& graph = given.graph();
-  std::tuple<Numbers, std::vector<double>, Numbers> result;
+  Numbers components(num_vertices(graph));
+  CGAL::Reeb_graph::number_components(
+    graph, boost::make_iterator_property_map(components.begin(), boost::typed_identity_property_map<std::size_t>()));
+  std::vector<std::array<std::size_t, 3>> nodes;
+  std::vector<std::array<std::size_t, 2>> arcs;
+  std::vector<double> values;
   for(const auto node : CGAL::make_range(vertices(graph)))
   {
-    std::get<0>(result).push_back(graph[node].vertex);
-    std::get<1>(result).push_back(graph[node].value);
-    std::get<2>(result).push_back(static_cast<std::size_t>(graph[node].kind));
+    nodes.push_back({graph[node].vertex, static_cast<std::size_t>(graph[node].kind), components[node]});
+    values.push_back(graph[node].value);
   }
-  return result;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+    arcs.push_back({source(arc, graph), target(arc, graph)});
+  return std::make_tuple(nodes, values, arcs);
 }
 
-std::vector<std::array<std::size_t, 2>> arcs(Graph_of_arrays& given)
+auto pairs(Graph_of_arrays& given)
 {
-  std::vector<std::array<std::size_t, 2>> ends;
-  for(const auto arc : CGAL::make_range(edges(given.graph())))
-    ends.push_back({source(arc, given.graph()), target(arc, given.graph())});
-  return ends;
-}
-
-std::tuple<Numbers, Numbers, std::vector<std::string>> pairs(Graph_of_arrays& given)
-{
-  std::tuple<Numbers, Numbers, std::vector<std::string>> result;
+  std::vector<std::array<std::size_t, 2>> nodes;
+  std::vector<std::string> kinds;
   for(const Persistence_pair& pair : find_persistence_pairs(given.graph()))
   {
-    std::get<0>(result).push_back(pair.lower_node);
-    std::get<1>(result).push_back(pair.upper_node);
-    std::get<2>(result).push_back(to_string(pair.kind));
+    nodes.push_back({pair.lower_node, pair.upper_node});
+    kinds.emplace_back(to_string(pair.kind));
   }
-  return result;
+  return std::make_tuple(nodes, kinds);
 }
 
 std::vector<Numbers> loops(Graph_of_arrays& given)
@@ -175,15 +156,6 @@ std::vector<Numbers> loops(Graph_of_arrays& given)
       numbers.back().push_back(get(boost::edge_index, given.graph(), arc));
   }
   return numbers;
-}
-
-Numbers components(Graph_of_arrays& given)
-{
-  Numbers components(num_vertices(given.graph()));
-  CGAL::Reeb_graph::number_components(
-    given.graph(),
-    boost::make_iterator_property_map(components.begin(), boost::typed_identity_property_map<std::size_t>()));
-  return components;
 }
 
 // Those at the place `t` of all arcs, or of one, or at a level.
@@ -202,38 +174,34 @@ std::vector<Contour> contours(Graph_of_arrays& graph,
 }
 
 // The names of the measures of arcs, and a column for each.
-std::tuple<std::vector<std::string>, std::vector<std::vector<double>>> measures(Graph_of_arrays& graph)
+auto measures(Graph_of_arrays& graph)
 {
-  std::tuple<std::vector<std::string>, std::vector<std::vector<double>>> result;
-  for(const CGAL::Reeb_graph::Attribute& attribute :
-      attributes_of_arcs(graph.graph(), graph.mesh_graph->measure_arcs()))
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> columns;
+  for(const auto& attribute : attributes_of_arcs(graph.graph(), graph.mesh_graph->measure_arcs()))
   {
-    std::get<0>(result).push_back(attribute.name);
-    std::visit([&](const auto& values) { std::get<1>(result).emplace_back(values.begin(), values.end()); },
-               attribute.numbers);
+    names.push_back(attribute.name);
+    std::visit([&](const auto& numbers) { columns.emplace_back(numbers.begin(), numbers.end()); }, attribute.numbers);
   }
-  return result;
+  return std::make_tuple(names, columns);
 }
 
-typedef CGAL::Reeb_graph::Embedding_manner Manner;
-
-std::tuple<Numbers, std::vector<Point>, std::vector<Polyline>, std::vector<std::vector<double>>> embed(
-  Graph_of_arrays& graph,
-  Manner manner)
+// By default in the manner of the program.
+auto embed(Graph_of_arrays& graph, std::optional<Manner> manner)
 {
-  const auto embedding = graph.mesh_graph->embed(manner, nullptr).embedding;
-  return {
-    {static_cast<std::size_t>(embedding.manner)}, embedding.node_points, embedding.arc_polylines, embedding.arc_values};
+  const Manner by_default = graph.input->mesh.complex ? Manner::STRAIGHT : Manner::BY_COST;
+  const auto embedding = graph.mesh_graph->embed(manner.value_or(by_default), nullptr).embedding;
+  return std::make_tuple(embedding.manner, embedding.node_points, embedding.arc_polylines, embedding.arc_values);
 }
 
 // A field that has the graph, and whether ties were contracted for it, though not asked for.
-std::tuple<std::vector<double>, Numbers> simplified_scalars(Graph_of_arrays& graph)
+std::tuple<std::vector<double>, bool> simplified_scalars(Graph_of_arrays& graph)
 {
   Surface& surface = graph.input->mesh.surface;
-  const Scalar_map map = surface.add_property_map<Surface::Vertex_index, double>("v:simplified").first;
+  const Scalar_map map = add_map(surface, "v:simplified", nullptr);
   const Simplified_field field = compute_simplified_field(surface, graph.input->scalar_map, graph.simplification,
                                                           graph.mesh_graph->threshold(), graph.options.ties, map);
-  return {std::vector<double>(map.begin(), map.end()), Numbers(1, field.are_ties_contracted ? 1 : 0)};
+  return {std::vector<double>(map.begin(), map.end()), field.are_ties_contracted};
 }
 
 // Writes the files that are asked for, and returns the report of the program as JSON.
@@ -263,21 +231,113 @@ auto mesh_arrays(Graph_of_arrays& graph)
                          std::vector<double>(map.begin(), map.end()));
 }
 
+std::vector<double> values_of(const Scalar_map& map) { return {map.begin(), map.end()}; }
+
+Mesh make_surface(const Polygon_soup& soup, const std::string& what)
+{
+  Mesh mesh = make_mesh(soup, "the mesh");
+  if(mesh.complex)
+    throw std::runtime_error(what + " needs an oriented manifold surface; " + describe_obstacle(*mesh.complex));
+  return mesh;
+}
+
+// The field of this name, with options as the program has them; for unit gradients, of the scalars if there are any. Or
+// "with level borders": the scalars, changed so that they have them.
+py::object field(const Mesh_arrays& arrays,
+                 std::size_t number_of_vertices,
+                 Input_options options,
+                 const std::optional<Value_array>& scalars,
+                 Run& run)
+{
+  options.scalars_path = scalars ? "scalars" : "";
+  const Value_array* const given = scalars ? &*scalars : nullptr;
+  const Polygon_soup soup = copy_arrays(arrays, number_of_vertices);
+  std::vector<double> values;
+  run([&] {
+    const bool is_for_complexes = options.field == "geodesic" || options.field == "height";
+    Mesh mesh = is_for_complexes ? make_mesh(soup, "the mesh") : make_surface(soup, "the field " + options.field);
+    const Scalar_map map = add_map(mesh.surface, "v:scalar", given);
+    Work_report report;
+    if(options.field == "with level borders")
+      CGAL::Reeb_graph::make_borders_level(mesh.surface, map);
+    else if(mesh.complex && options.field == "geodesic")
+      compute_distances_along_edges(mesh, options.source_vertices, map);
+    else
+      compute_scalar_field(options, mesh.surface, map, report);
+    values = values_of(map);
+  });
+  return to_object(values);
+}
+
+// Points, triangles, their patches, curves, scalars, and vertex arrays of what has been cut.
+py::object cut(const Mesh_arrays& arrays,
+               const Value_array& scalars,
+               const std::vector<Value_array>& vertex_arrays,
+               const Cut_options& options,
+               std::size_t largest_number_of_faces,
+               Run& run)
+{
+  const Polygon_soup soup = copy_arrays(arrays, scalars.size());
+  Mesh mesh;
+  Scalar_map map;
+  std::vector<Any_vertex_property> properties;
+  Cut_result result;
+  run([&] {
+    mesh = make_surface(soup, "cutting");
+    map = add_map(mesh.surface, "v:scalar", &scalars);
+    for(const Value_array& array : vertex_arrays)
+      properties.emplace_back(add_map(mesh.surface, "v:array" + std::to_string(properties.size()), &array));
+    result = cut_along_curves(mesh.surface, map, properties, options,
+                              [&](std::size_t number_of_faces) { return number_of_faces <= largest_number_of_faces; });
+  });
+  std::vector<int> patches;
+  for(const Surface::Face_index f : mesh.surface.faces())
+    patches.push_back(result.patch_map[f]);
+  std::vector<std::vector<double>> columns;
+  for(const Any_vertex_property& property : properties)
+    columns.push_back(values_of(std::get<Scalar_map>(property)));
+  return to_object(
+    std::make_tuple(points_of(mesh.surface), triangles_of(mesh), patches, result.polylines, values_of(map), columns));
+}
+
+void add_functions(py::module_& module)
+{
+  using CGAL::Reeb_graph::Borders;
+  py::class_<Input_options>(module, "FieldOptions")
+    .def(py::init<>())
+    .def_readwrite("field", &Input_options::field)
+    .def_readwrite("weights", &Input_options::weights)
+    .def_readwrite("minimum", &Input_options::lowest_vertex)
+    .def_readwrite("maximum", &Input_options::highest_vertex)
+    .def_readwrite("sources", &Input_options::source_vertices)
+    .def_readwrite("direction", &Input_options::direction);
+  py::class_<Cut_options>(module, "CutOptions")
+    .def(py::init<Curves_type, std::optional<double>, std::optional<double>, bool, Borders>());
+  py::enum_<Borders>(module, "Borders").value("make-level", Borders::MAKE_LEVEL).value("level", Borders::LEVEL);
+  py::enum_<Curves_type>(module, "Curves")
+    .value("cutting_system", Curves_type::CUTTING_SYSTEM)
+    .value("pants", Curves_type::PANTS)
+    .value("branches", Curves_type::BRANCH);
+  module.def("field", &field);
+  module.def("cut", &cut);
+}
+
 void add_graph(py::module_& module)
 {
   typedef Graph_of_arrays G;
+  py::enum_<Ties>(module, "Ties").value("perturb", Ties::PERTURB).value("contract", Ties::CONTRACT);
   py::enum_<Manner>(module, "Manner")
     .value("centroids", Manner::CENTROIDS)
-    .value("on_surface", Manner::ON_SURFACE)
-    .value("straight", Manner::STRAIGHT)
-    .value("by_cost", Manner::BY_COST);
-  py::class_<Compute_options> options(module, "Files");
-  options.def(py::init<>())
+    .value("on-surface", Manner::ON_SURFACE)
+    .value("straight", Manner::STRAIGHT);
+  py::class_<Compute_options>(module, "Files")
+    .def(py::init<>())
     .def_readwrite("graph", &Compute_options::graph_path)
     .def_readwrite("page", &Compute_options::page_path)
     .def_readwrite("mesh", &Compute_options::mesh_path)
     .def_readwrite("pairs", &Compute_options::pairs_path)
     .def_readwrite("diagram", &Compute_options::diagram_path)
+    .def_readwrite("loop", &Compute_options::loop_path)
     .def_readwrite("vertex_arcs", &Compute_options::vertex_arcs_path)
     .def_readwrite("simplified_scalars", &Compute_options::simplified_scalars_path)
     .def_readwrite("embedding", &Compute_options::embedding_manner)
@@ -289,21 +349,21 @@ void add_graph(py::module_& module)
       [](Compute_options& o, const std::string& name) { o.input.field = name; });
   py::class_<G, Graph_pointer>(module, "Graph")
     .def_property_readonly("is_surface", [](const G& g) { return !g.input->mesh.complex; })
-    .def("nodes", running(&nodes))
-    .def("arcs", running(&arcs))
+    .def("table", running(&table))
     .def("pairs", running(&pairs))
     .def("chains", running(+[](G& g) { return g.mesh_graph->chains(); }))
     .def("loops", running(&loops))
-    .def("components", running(&components))
     .def("mesh_arrays", running(&mesh_arrays))
     .def("simplify", running(&simplify))
     .def("places", running(+[](G& g) { return g.mesh_graph->places(); }))
     .def("contours", running(&contours))
     .def("critical_set", running(+[](G& g, std::size_t node) { return g.mesh_graph->critical_set(node); }))
+    .def("longest_loop", running(+[](G& g) { return find_longest_loop(*g.mesh_graph).polylines.front(); }))
     .def("measures", running(&measures))
     .def("embed", running(&embed))
     .def("simplified_scalars", running(&simplified_scalars))
     .def("write", running(&write));
+  module.def("compute", &compute);
 }
 
 } // namespace
@@ -312,12 +372,13 @@ void add_graph(py::module_& module)
 PYBIND11_MODULE(_core, module)
 {
   namespace py = pybind11;
-  using namespace reeb_graph_python; // NOLINT(google-build-using-namespace)
-  translate_exceptions();
-  py::class_<Mesh_arrays>(module, "MeshArrays").def(py::init<py::object, py::object, py::object, py::object>());
-  add_functions(module);
-  add_graph(module);
-  module.def("compute", &compute);
-  py::module_::import("atexit").attr("register")(py::cpp_function(&wait_for_stopped_work));
+  using reeb_graph_python::Run;
+  py::register_exception_translator(&reeb_graph_python::translate);
+  py::class_<Run>(module, "Run")
+    .def(py::init<std::size_t>())
+    .def_property_readonly("fraction", [](const Run& run) { return run.fraction.load(); })
+    .def("stop", [](Run& run) { run.is_stopped = true; });
+  reeb_graph_python::add_functions(module);
+  reeb_graph_python::add_graph(module);
   module.attr("__version__") = REEB_GRAPH_VERSION;
 }

@@ -1,5 +1,6 @@
 """Generated meshes, and the results of the program for them."""
 
+import itertools
 import json
 import os
 import subprocess
@@ -56,10 +57,9 @@ def random_soup(random, vertices, cells):
 
 def tetrahedra_of_cubes(n):
     """Return the tetrahedra and points of n cubes in each direction."""
-    numbers = np.arange((n + 1) ** 3).reshape(n + 1, n + 1, n + 1)
-    corners = [numbers[x : n + x, y : n + y, z : n + z].ravel() for x in (0, 1) for y in (0, 1) for z in (0, 1)]
-    paths = [(0, 1, 3, 7), (0, 1, 5, 7), (0, 2, 3, 7), (0, 2, 6, 7), (0, 4, 5, 7), (0, 4, 6, 7)]
-    tetrahedra = np.concatenate([np.stack([corners[i] for i in path], -1) for path in paths])
+    numbers = np.arange((n + 1) ** 3).reshape((n + 1,) * 3)
+    paths = [np.cumsum([0, *steps]) for steps in itertools.permutations((1, n + 1, (n + 1) ** 2))]
+    tetrahedra = np.concatenate([numbers[:-1, :-1, :-1].reshape(-1, 1) + path for path in paths])
     return tetrahedra, np.stack(np.unravel_index(np.arange((n + 1) ** 3), (n + 1,) * 3), -1).astype(float)
 
 

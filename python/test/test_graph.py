@@ -1,6 +1,7 @@
 """What a graph can tell: simplification, contours, files, other packages."""
 
 import copy
+import importlib.util
 import pickle
 import sys
 import types
@@ -231,7 +232,8 @@ def test_complexes_have_measures_and_embeddings(tmp_path, kind):
     for manner in ("centroids", "on-surface", "straight"):
         embedding = graph.embed(manner)
         assert embedding.manner == manner and len(embedding.arc_polylines) == graph.n_arcs
-    assert all("length" in data for *_, data in graph.to_networkx().edges(data=True))
+    if kind == "tetrahedra" and importlib.util.find_spec("networkx"):
+        assert all(data["volume"] >= 0 for *_, data in graph.to_networkx().edges(data=True))
     graph.write(tmp_path / "graph.vtp", embedding="centroids")
     with pytest.raises(ValueError, match="surface"):
         graph.write(tmp_path / "page.html")
@@ -240,36 +242,46 @@ def test_complexes_have_measures_and_embeddings(tmp_path, kind):
 def test_all_that_can_be_written(tmp_path, torus):
     simplified = torus[3].simplify("auto")
     for what, name in (("diagram", "d.svg"), ("pairs", "p.csv"), ("vertex_arcs", "arcs.npy"), ("mesh", "mesh.vtp"),
-                       ("simplified_scalars", "s.npy")):
+                       ("simplified_scalars", "s.npy"), ("loop", "loop.polylines.txt")):
         simplified.write(tmp_path / name, what=what)
     assert np.array_equal(np.load(tmp_path / "arcs.npy"), simplified.vertex_places)
     assert np.array_equal(np.load(tmp_path / "s.npy"), simplified.simplified_scalars())
-    with pytest.raises(ValueError, match="no 'x'"):
+    (loop,) = polylines((tmp_path / "loop.polylines.txt").read_text())
+    assert np.allclose(loop, simplified.longest_loop(), rtol=0, atol=1e-12) and np.array_equal(loop[0], loop[-1])
+    with pytest.raises(ValueError, match="no longest loop"):
+        simplified.simplify(9, cancel_loops=True).longest_loop()
+    with pytest.raises(ValueError, match="not 'x'"):
         simplified.write(tmp_path / "x.svg", what="x")
+
+
+def test_meshio(torus):
+    meshio = pytest.importorskip("meshio")
+    triangles, points, scalars, graph = torus
+    mesh = meshio.Mesh(points, [("triangle", triangles[:9]), ("triangle", triangles[9:])], {"f": scalars})
+    assert np.array_equal(reeb_graph.compute(mesh, "f").arcs, graph.arcs)
 
 
 def test_meshes_of_other_packages(torus):
     triangles, points, scalars, graph = torus
     padded = np.column_stack([np.full(len(triangles), 3), triangles]).ravel()
-    block = types.SimpleNamespace(type="triangle", data=triangles)
     tetrahedra, corners = meshes.tetrahedra_of_cubes(2)
     data = {"f": scalars}
     for mesh in (
         types.SimpleNamespace(vertices=points, faces=triangles, vertex_attributes=data),
         types.SimpleNamespace(points=points, faces=padded, lines=np.array([], dtype=int), point_data=data),
-        types.SimpleNamespace(points=points, cells=[block], point_data=data),
-        types.SimpleNamespace(points=points, cells=padded, cells_dict={5: triangles}, point_data=data),
+        types.SimpleNamespace(points=points, cells_dict={"triangle": triangles}, point_data=data),
+        types.SimpleNamespace(points=points, cells_dict={5: triangles}, point_data=data),
     ):
         for given in (scalars, "f"):
             result = reeb_graph.compute(mesh, given)
             assert np.array_equal(result.arcs, graph.arcs) and len(result.contour(0, 0.5)) > 0
         assert np.array_equal(reeb_graph.mesh_arrays(mesh).triangles, triangles)
         assert np.array_equal(reeb_graph.height(mesh), points[:, 2])
-    grid = types.SimpleNamespace(points=corners, cells=np.zeros(1), cells_dict={10: tetrahedra}, point_data={})
+    grid = types.SimpleNamespace(points=corners, cells_dict={10: tetrahedra}, point_data={})
     assert not reeb_graph.compute(grid, corners[:, 0]).is_surface
     with pytest.raises(ValueError, match="triangles"):
         reeb_graph.compute(types.SimpleNamespace(points=points, faces=np.array([4, 0, 1, 2, 3])), scalars)
     with pytest.raises(ValueError, match="hexahedron"):
-        reeb_graph.compute(types.SimpleNamespace(points=points, cells=[types.SimpleNamespace(type="hexahedron", data=0)]), 0)
+        reeb_graph.compute(types.SimpleNamespace(points=points, cells_dict={"hexahedron": 0}), 0)
     with pytest.raises(TypeError):
         reeb_graph.mesh_arrays(Path("mesh.off"))
