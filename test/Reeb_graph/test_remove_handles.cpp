@@ -10,6 +10,7 @@
 
 #include "generated_surfaces/standing_figure.h"
 #include "handle_samples.h"
+#include "random_meshes.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -316,6 +317,28 @@ BOOST_AUTO_TEST_CASE(what_pierces_the_faces_beside_a_cut_is_in_the_way)
   const auto rows = remove_and_check(mesh, 1);
   BOOST_TEST(rows.size() == 1u);
   BOOST_TEST((rows[0].result == Removal_result::INTERSECTS));
+}
+
+BOOST_AUTO_TEST_CASE(loops_that_pass_a_vertex_twice_are_refused)
+{
+  // many handles and few vertices at random places
+  std::size_t number_of_crossed = 0;
+  for(const std::size_t seed : {1, 2, 3, 4})
+  {
+    random_meshes::Random random(seed);
+    auto sum = random_meshes::seven_vertex_torus();
+    for(int i = 1; i != 24; ++i)
+      sum = random_meshes::connected_sum(sum, random_meshes::seven_vertex_torus(), random);
+    Triangle_soup soup;
+    const auto coordinate = [&] { return static_cast<double>(random.below(1000)); };
+    for(std::size_t v = 0; v != sum.number_of_vertices; ++v)
+      soup.points.push_back({coordinate(), coordinate(), coordinate()});
+    for(const auto& t : sum.triangles)
+      soup.triangles.push_back({t[0], t[1], t[2]});
+    Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
+    number_of_crossed += count(remove_and_check(mesh, infinity), Removal_result::CROSSES_ITSELF);
+  }
+  BOOST_TEST(number_of_crossed > 0u);
 }
 
 BOOST_AUTO_TEST_CASE(holes_stay)
