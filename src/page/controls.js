@@ -71,8 +71,8 @@ function setUpPatches(page) {
   })), number => scene.setLitPatch(number));
 }
 
-// Handles, tunnels and other loops, the shortest first: a click shows one from near. Where there are handles, the graph is
-// hidden at first, as it lies on them.
+// Handles, tunnels and other loops, the shortest first: a click shows one from near. Where there are handles, the graph
+// is hidden at first, as it lies on them.
 function setUpLoops(page) {
   const {scene, data} = page;
   element("show_graph").checked = !data.loops.some(loop => loop.kind === "handle");
