@@ -14,6 +14,7 @@ pages: drawings follow the browser, and the ground of what is rendered is transp
 """
 
 import colorsys
+import itertools
 import json
 import pathlib
 import re
@@ -332,70 +333,106 @@ def make_knot(along=240, around=20):
     write_off("knot.off", points.reshape(-1, 3), faces)
 
 
-def add_noise(number=25):
-    """The scan with false handles: thin bridges between two of its triangles."""
-    points, faces = read_off(files / scan)
-    points, triangles = points.tolist(), faces.tolist()
-    corners = numpy.array(points)[faces]
-    middles = corners.mean(axis=1)
-    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    normals /= numpy.linalg.norm(normals, axis=1, keepdims=True)
-    random = numpy.random.default_rng(3)
-    used, removed = [], []
-    while len(removed) < 2 * number:
-        a = random.integers(len(faces))
-        distances = numpy.linalg.norm(middles - middles[a], axis=1)
-        candidates = numpy.flatnonzero((distances > 0.06) & (distances < 0.08) & (normals @ normals[a] > 0.9))
-        if len(candidates) == 0 or any(numpy.linalg.norm(middles[a] - m) < 0.16 for m in used):
-            continue
-        b = random.choice(candidates)
-        used.append((middles[a] + middles[b]) / 2)
-        removed += [a, b]
-        # The corners of b, the other way around, from the one that is nearest to the first corner of a.
-        end = faces[b][::-1]
-        end = min((numpy.roll(end, k) for k in range(3)),
-                  key=lambda order: numpy.linalg.norm(corners[a] - numpy.array(points)[order], axis=1).sum())
-        rings = [list(faces[a])]
-        for t in numpy.linspace(0, 1, 7)[1:-1]:
-            lift = 0.035 * numpy.sin(numpy.pi * t) * normals[a]
-            rings.append(list(range(len(points), len(points) + 3)))
-            points += [((1 - t) * corners[a][k] + t * numpy.array(points[end[k]]) + lift).tolist() for k in range(3)]
-        rings.append(list(end))
-        for low, high in zip(rings, rings[1:]):
-            for k in range(3):
-                m = (k + 1) % 3
-                triangles += [[low[k], low[m], high[m]], [low[k], high[m], high[k]]]
-    kept = [triangle for f, triangle in enumerate(triangles) if f not in set(removed)]
-    write_off("noise.off", numpy.array(points), numpy.array(kept))
+def surface_below(function, low, high, cell):
+    """The surface where a function of points is 0, by marching tetrahedra, with normals towards greater values."""
+    size = numpy.ceil((numpy.array(high) - low) / cell).astype(int) + 1
+    grid = numpy.stack(numpy.meshgrid(*map(numpy.arange, size), indexing="ij"), -1).reshape(-1, 3)
+    corners = low + cell * grid
+    values = function(corners)
+    strides = numpy.array([size[1] * size[2], size[2], 1])
+    cubes = (grid[(grid < size - 1).all(axis=1)] * strides).sum(axis=1)
+    pairs, insides, outsides = [], [], []  # of corners: three edges for each triangle, and where it has to face
+    for order in itertools.permutations(strides):
+        tetrahedra = cubes[:, None] + numpy.concatenate([[0], numpy.cumsum(order)])
+        tetrahedra = numpy.take_along_axis(tetrahedra, numpy.argsort(values[tetrahedra] >= 0, axis=1, kind="stable"), 1)
+        number_inside = (values[tetrahedra] < 0).sum(axis=1)
+        for number, triangles in ((1, [(0, 1, 0, 2, 0, 3)]), (3, [(0, 3, 1, 3, 2, 3)]),
+                                  (2, [(0, 2, 0, 3, 1, 3), (0, 2, 1, 3, 1, 2)])):
+            found = tetrahedra[number_inside == number]
+            for triangle in triangles:
+                pairs.append(found[:, triangle].reshape(-1, 2))
+                insides.append(found[:, 0])
+                outsides.append(found[:, 3])
+    pairs, inverse = numpy.unique(numpy.sort(numpy.concatenate(pairs), axis=1), axis=0, return_inverse=True)
+    a, b = values[pairs].T
+    t = numpy.clip(a / (a - b), 0.1, 0.9)[:, None]
+    points, faces = (1 - t) * corners[pairs[:, 0]] + t * corners[pairs[:, 1]], inverse.reshape(-1, 3)
+    p, q, r = points[faces].transpose(1, 0, 2)
+    outwards = corners[numpy.concatenate(outsides)] - corners[numpy.concatenate(insides)]
+    is_turned = (numpy.cross(q - p, r - p) * outwards).sum(axis=1) < 0
+    faces[is_turned] = faces[is_turned][:, ::-1]
+    return points, faces
 
 
-def draw_loops(mesh, name):
-    """The surface with handles in red, which shine through, and tunnels in blue."""
+def make_cup():
+    """A cup, with thin bridges on its wall and tunnels in it, as a scan may have them."""
+    random = numpy.random.default_rng(5)
+
+    def ring(p, center, axis, radius, thickness):
+        along = (p - center) @ axis
+        across = numpy.sqrt(numpy.maximum(((p - center) ** 2).sum(axis=1) - along ** 2, 0))
+        return numpy.hypot(across - radius, along) - thickness
+
+    def cup(p):
+        across = numpy.hypot(p[:, 0], p[:, 1])
+        body = numpy.maximum(across - 1, numpy.abs(p[:, 2]) - 1.1)
+        handle = numpy.maximum(ring(p, (1, 0, 0), (0, 1, 0), 0.6, 0.14), 0.85 - across)
+        hollow = numpy.maximum(across - 0.7, -0.8 - p[:, 2])
+        return numpy.maximum(numpy.minimum(body, handle), -hollow)
+
+    rings = []
+    while len(rings) < 12:
+        angle, height, turn = random.uniform(-2.6, -0.55), random.uniform(-0.85, 0.85), random.uniform(0, numpy.pi)
+        center = numpy.array([numpy.cos(angle), numpy.sin(angle), height])
+        axis = numpy.array([-numpy.sin(angle) * numpy.cos(turn), numpy.cos(angle) * numpy.cos(turn), numpy.sin(turn)])
+        if all(numpy.linalg.norm(center - other) > 0.42 for other, _ in rings):
+            rings.append((center, axis))
+
+    def with_noise(p):
+        result = cup(p)
+        for i, (center, axis) in enumerate(rings):
+            distance = ring(p, center, axis, 0.13, 0.055)
+            result = numpy.maximum(result, -distance) if i % 3 == 2 else numpy.minimum(result, distance)
+        return result
+
+    write_off("cup.off", *surface_below(with_noise, (-1.3, -1.4, -1.25), (1.9, 1.25, 1.25), 0.034))
+
+
+def find_loops(mesh):
+    """The loops of a mesh: whether it is a handle, and the polyline."""
     report = json.loads(subprocess.run([pathlib.Path(program).absolute(), "handles", mesh, "--json", "--loops",
                                         "loops.polylines.txt"], cwd=files, check=True, capture_output=True).stdout)
-    points, faces = read_off(files / mesh)
-    picture = Picture(points)
-    picture.draw_surface(points, faces, numpy.full((len(faces), 3), 205.0))
-    for loop, polyline in zip(report["loops"], read_polylines("loops.polylines.txt")):
-        is_handle = loop["kind"] == "handle"
-        picture.draw_line(polyline, (200, 30, 30) if is_handle else (20, 90, 200), 2.5, 1e9 if is_handle else 4.0)
-    picture.write(name)
+    return [(loop["kind"] == "handle", line)
+            for loop, line in zip(report["loops"], read_polylines("loops.polylines.txt"))]
+
+
+def draw_loops(picture, loops, offset=0):
+    """Handles in red and tunnels in blue."""
+    for is_handle, line in loops:
+        picture.draw_line(line + offset, (200, 30, 30) if is_handle else (20, 90, 200), 3, 6.0)
 
 
 def draw_handles_of_a_knot(name):
     make_knot()
-    draw_loops("knot.off", name)
+    points, faces = read_off(files / "knot.off")
+    picture = Picture(points, (420, 420))
+    picture.draw_surface(points, faces, numpy.full((len(faces), 3), 205.0))
+    draw_loops(picture, find_loops("knot.off"))
+    picture.write(name)
 
 
-def draw_noise(name):
-    add_noise()
-    draw_loops("noise.off", name)
-
-
-def draw_clean(name):
-    add_noise()
-    run("handles", "noise.off", "--remove-below", "0.12", "--output", "clean.off")
-    draw_loops("clean.off", name)
+def draw_false_handles(name):
+    """The cup before, and beside it after removal."""
+    make_cup()
+    run("handles", "cup.off", "--remove-below", "0.7", "--output", "clean.off")
+    surfaces = [read_off(files / mesh) for mesh in ("cup.off", "clean.off")]
+    away = numpy.array([1.15, 0.42, 0]) * numpy.ptp(surfaces[0][0][:, 0])
+    picture = Picture(numpy.concatenate([surfaces[0][0], surfaces[1][0] + away]), (720, 280))
+    for i, (points, faces) in enumerate(surfaces):
+        picture.draw_surface(points + i * away, faces, numpy.full((len(faces), 3), 205.0))
+    for i, mesh in enumerate(("cup.off", "clean.off")):
+        draw_loops(picture, find_loops(mesh), i * away)
+    picture.write(name)
 
 
 def draw_python(name):
@@ -442,7 +479,7 @@ figures = {
     "own_field.png": draw_own_field, "simplified.svg": draw_simplified, "drawing.svg": draw_drawing,
     "cutting_system.png": draw_cutting_system,
     "pants_decomposition.png": draw_pants_decomposition, "handles_of_a_knot.png": draw_handles_of_a_knot,
-    "noise.png": draw_noise, "clean.png": draw_clean, "page_arcs.png": draw_page, "page_contour.png": draw_page}
+    "false_handles.png": draw_false_handles, "page_arcs.png": draw_page, "page_contour.png": draw_page}
 figures |= {f"python_{picture}.svg": draw_python for picture in (
     "torus", "segment_scan", "handles", "compare_shapes", "pants", "tetrahedra")}
 for figure in wanted or figures:
