@@ -70,21 +70,21 @@ void add_contour_command(CLI::App& app, Contour_options& options)
   add_simplification_options(*command, choice.simplification);
   begin_group(*command, "Contours, one of --t, --level, --levels, and --closest");
   add_real_number(*command, "--t", choice.t,
-                  "Those at this place on each arc, greater than 0 (low) and less than 1 (high)");
+                  "The contour at this place of each arc, greater than 0 (low) and less than 1 (high)");
   add_whole_number(*command, "--arc", choice.arc,
-                   "With --t: that of this arc alone, numbered from 0 in the order of the graph file");
+                   "With --t: only the contour of this arc, by its number in files of the graph, from 0");
   const auto add_levels = [&choice](const std::vector<std::string>& texts) {
     for(const std::string& text : texts)
       choice.levels.push_back(parse_real_number("--level", text));
   };
   command
     ->add_option_function<std::vector<std::string>>("--level", add_levels,
-                                                    "All those just above this value; can "
+                                                    "The contours just above this value; can "
                                                     "be given several times")
     ->type_name("FLOAT")
     ->allow_extra_args(false);
   add_whole_number(*command, "--levels", choice.number_of_levels,
-                   "All those at this many values, which cut the range of the field into equal steps", {1});
+                   "The contours at this many values, which cut the range of the field into equal steps", {1});
   const auto set_point = [&choice](const std::vector<std::string>& texts) {
     std::array<double, 3> coordinates;
     std::transform(texts.begin(), texts.end(), coordinates.begin(),
@@ -93,14 +93,14 @@ void add_contour_command(CLI::App& app, Contour_options& options)
   };
   command
     ->add_option_function<std::vector<std::string>>(
-      "--closest", set_point, "The one through the place on the mesh that is nearest to the point X,Y,Z")
+      "--closest", set_point, "The contour through the place on the mesh that is closest to the point X,Y,Z")
     ->delimiter(',')
     ->type_name("FLOAT")
     ->expected(3);
   begin_group(*command, "Output");
   add_file(*command, "--output", options.output_path,
-           "Write the contours to this file: .polylines.txt; .vtp, .obj, or .json, with the arc, value, and length of "
-           "each, and whether it is closed; or .off for those in tetrahedra")
+           "Write the contours to this file: .polylines.txt, or .off in tetrahedra; .vtp, .obj, and .json also have "
+           "the arc, value, and length of each, and whether it is closed")
     ->required();
   add_json_option(*command, options.is_report_json);
   add_example(*command, "reeb_graph contour scan.ply --field geodesic --simplify auto --t 0.5 --output contours.vtp");
@@ -116,9 +116,8 @@ void add_curves_command(CLI::App& app, Curves_options& options)
                    "; by default harmonic-between-borders if the mesh has borders, else harmonic");
   begin_group(*command, "Graph");
   add_ties_option(*command, options.graph,
-                  "In the graph of the cut mesh, for --graph, --html, and --mesh-out: contract arcs of length zero "
-                  "(contract, the default), so that a border that is a level is one node, or order vertices of equal "
-                  "value by their numbers (perturb)");
+                  "For --graph, --html, and --mesh-out: contract arcs of length zero (contract, the default), which "
+                  "makes a level border one node, or order vertices of equal value by their numbers (perturb)");
   add_threads_option(*command, options.graph.number_of_threads);
   add_simplification_options(*command, options.simplification);
   begin_group(*command, "Curves");
@@ -131,32 +130,32 @@ void add_curves_command(CLI::App& app, Curves_options& options)
     ->check(CLI::IsMember({"cutting-system", "pants", "branch"}))
     ->required();
   add_real_number(*command, "--persistence", options.cut.persistence,
-                  "For branch: leave out branches whose values differ by less than this");
+                  "For branch: leave out branches that are less persistent than this");
   add_real_number(*command, "--area", options.cut.area, "For branch: leave out branches of less area than this");
   const auto set_borders = [&options](const std::string& name) {
     options.cut.borders = name == "level" ? CGAL::Reeb_graph::Borders::LEVEL : CGAL::Reeb_graph::Borders::MAKE_LEVEL;
   };
   command
     ->add_option_function<std::string>("--borders", set_borders,
-                                       "Change the field next to borders so that each is a level and an extremum "
-                                       "(make-level, the default), or refuse a field for which they are not (level)")
+                                       "Change the field next to borders, so that each is a level and an extremum "
+                                       "(make-level, the default), or refuse a field where one is not (level)")
     ->check(CLI::IsMember({"make-level", "level"}));
   command->add_flag("--cut-open", options.cut.is_cut_open, "Cut the mesh open along the curves");
   command->add_flag("--large", options.is_large_accepted,
-                    "Cut the mesh even if it will have more than 50 times its triangles, as noise on many handles has, "
-                    "and tell their number before");
+                    "Cut even if the cut mesh has more than 50 times as many triangles, as for noise on many handles; "
+                    "their number is printed first");
   begin_group(*command, "Output");
   add_file(*command, "--curves", options.curves_path, "Write the curves to this file, .polylines.txt");
   add_file(*command, "--cut-mesh", options.cut_mesh_path,
            "Write the mesh that is cut along the curves to this file, .off or .ply; PLY has the patches as "
-           "a property and as colours of the faces");
+           "a property and as colors of the faces");
   add_file(*command, "--patches", options.patches_path,
-           "Write to this file, for each face of the cut mesh on a line, the number of its patch");
+           "Write the number of the patch of each face of the cut mesh to this file, one per line");
   add_graph_file(*command, options.graph_path);
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_file(*command, "--mesh-out", options.mesh_path,
            "Write the cut mesh to this file, .ply or .vtp, with the value, the arc, and the node of each "
-           "vertex, the patch of each face, and colours");
+           "vertex, the patch of each face, and colors");
   add_json_option(*command, options.is_report_json);
   add_example(*command, "reeb_graph curves scan.ply --type pants --html page.html");
   command->callback(
@@ -168,7 +167,7 @@ void add_field_command(CLI::App& app, Field_options& options)
   CLI::App* command = app.add_subcommand("field", "Write a scalar field, one number per line");
   add_input_options(*command, options.input);
   add_list_of_fields(*command, "--type", computed_fields);
-  command->add_option("--type", options.input.field, "The field: one of the list at the end")
+  command->add_option("--type", options.input.field, "The field, one of the list at the end")
     ->check(CLI::IsMember({"harmonic", "harmonic-between-borders", "poisson", "unit-gradient", "geodesic", "height"}))
     ->required();
   add_threads_option(*command, options.number_of_threads);
@@ -185,16 +184,15 @@ void add_handles_command(CLI::App& app, Handles_options& options)
     app.add_subcommand("handles", "Find handles and tunnels of a surface, each by a short loop around it");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
-  command->add_flag("!--no-shortening", options.are_loops_shortened, "Leave the loops as they are found first");
   begin_group(*command, "Removal");
   add_real_number(*command, "--remove-below", options.size_to_remove,
-                  "Remove the handles and tunnels that are smaller: those with a loop shorter than this");
-  add_whole_number(*command, "--remove", options.number_to_remove, "Remove so many at most, the smallest ones");
+                  "Remove the handles and tunnels with a loop shorter than this");
+  add_whole_number(*command, "--remove", options.number_to_remove, "Remove at most this many, the smallest first");
   begin_group(*command, "Output");
   add_file(*command, "--loops", options.loops_path,
-           "Write the loops, of what is left, to this file, .vtp, .obj, or .polylines.txt");
-  add_file(*command, "--output", options.mesh_path,
-           "Write the mesh without what is removed to this file, .off or .ply");
+           "Write the loops, after the removal, to this file, .vtp, .obj, or .polylines.txt");
+  command->add_flag("!--no-shortening", options.are_loops_shortened, "Do not shorten the loops");
+  add_file(*command, "--output", options.mesh_path, "Write the mesh after the removal to this file, .off or .ply");
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
@@ -206,7 +204,7 @@ void add_demo_command(CLI::App& app, Demo_options& options)
 {
   CLI::App* command = app.add_subcommand("demo", "Show a Reeb graph of a generated surface; needs no input");
   begin_group(*command, "Output");
-  add_file(*command, "--out", options.folder, "Folder of the files that are written")->capture_default_str();
+  add_file(*command, "--out", options.folder, "The folder for the files")->capture_default_str();
   add_example(*command, "reeb_graph demo --out figure");
   command->callback([&options] { run_demo(options); });
 }

@@ -107,8 +107,8 @@ void write_files(const fs::path& folder, std::size_t number_of_vertices)
 }
 
 // What is measured: a command, the files that it reads or writes, and the step of the program that does so. The step
-// "read" ends with a surface that is checked; "output" begins when all that is written has been found, with the arcs of
-// the vertices ("locate") and the places of nodes and the persistences of arcs ("embed").
+// "read" ends with a surface that is checked; "output" begins when all that is written has been found, with the
+// measures of arcs ("measure") and the places of nodes and the persistences of arcs ("embed").
 struct Row
 {
   std::string name, arguments;

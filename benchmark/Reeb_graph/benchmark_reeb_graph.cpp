@@ -12,6 +12,7 @@
 // surfaces. All is generated.
 
 #include "complex_table.h"
+#include "handles_table.h"
 #include "shuffled_table.h"
 #include "simplification_table.h"
 #include "tables.h"
@@ -31,7 +32,7 @@
 int main(int argc, char* argv[])
 {
   benchmark::Options options;
-  std::vector<std::string> tables = {"comparison", "shuffled", "simplification", "growth", "complexes"};
+  std::vector<std::string> tables = {"comparison", "shuffled", "simplification", "growth", "complexes", "handles"};
   CLI::App app("Times and memory of Reeb graphs, beside sorting the field and sweeping over the faces");
   const auto add_list = [&](const std::string& name, auto& list, const std::string& description) {
     return app.add_option(name, list, description)->delimiter(',')->capture_default_str();
@@ -78,6 +79,7 @@ int main(int argc, char* argv[])
   print("simplification", benchmark::print_simplification);
   print("growth", benchmark::print_growth);
   print("complexes", benchmark::print_complexes);
+  print("handles", benchmark::print_handles);
 #ifdef CGAL_REEB_GRAPH_BENCHMARK_VTK
   print("vtk", [&](const benchmark::Options& options) { benchmark::print_vtk(options, vtk_size); });
 #endif

@@ -59,8 +59,8 @@ inline generated_surfaces::Triangle_soup make_surface(const std::string& name, s
     return with_sorted_vertices(isosurface(number_of_vertices, false));
   if(name == "subdivided")
     return subdivided_surface(number_of_vertices);
-  const unsigned genus = name == "genus-0" ? 0 : name == "genus-25" ? 25 : 3;
-  return generated_surfaces::closed_surface(genus, number_of_vertices);
+  const std::string genus = name.rfind("genus-", 0) == 0 ? name.substr(6) : "3";
+  return generated_surfaces::closed_surface(static_cast<unsigned>(std::stoul(genus)), number_of_vertices);
 }
 
 enum class Mesh_order

@@ -7,14 +7,17 @@
 """Draws the figures of README and manual from what the program makes of the surface of its demo and of the examples.
 
 Usage: draw_figures.py PROGRAM FOLDER [NAME...], all figures or those whose file names are given; FOLDER is fig/ beside
-this script for the manual. It needs NumPy, and for the figures of the page Chromium and Selenium. The files that are
-drawn stay in a folder for them, FOLDER/files, to be deleted. The three schemes, torus.svg, link_sectors.svg and
-chain.svg, are their own sources; python/examples/ draws the figures of the page on Python.
+this script for the manual. It needs NumPy, for the figures of the page Chromium and Selenium, and for those of the page
+on Python its package, by PYTHONPATH. The files that are drawn stay in a folder for them, FOLDER/files, to be deleted.
+The three schemes, torus.svg, link_sectors.svg and chain.svg, are their own sources. All figures suit light and dark
+pages: drawings follow the browser, and the ground of what is rendered is transparent.
 """
 
+import colorsys
+import itertools
 import json
 import pathlib
-import shutil
+import re
 import struct
 import subprocess
 import sys
@@ -38,7 +41,7 @@ def run(*arguments):
 
 
 def read_ply(name, by_arc=False):
-    """The points, colours of vertices or faces, and triangles of a binary file of triangles; or colours of arcs."""
+    """The points and triangles of a binary file, and the colours of triangles: of the field, or of patches or arcs."""
     header, body = (files / name).read_bytes().split(b"end_header\n", 1)
     types = {"double": "<f8", "float": "<f4", "int": "<i4", "uint": "<u4", "uchar": "u1"}
     elements = []
@@ -57,24 +60,38 @@ def read_ply(name, by_arc=False):
         body = body[number * dtype.itemsize:]
     vertices, faces = tables["vertex"], tables["face"]
     points = numpy.stack([vertices[c] for c in "xyz"], axis=1).astype(float)
-    if by_arc:
-        colours = numpy.array(PALETTE, dtype=float)[vertices["arc"] % len(PALETTE)]
-        return points, faces["corners"].astype(int), colours[faces["corners"]][:, 0]
-    coloured = faces if "red" in faces.dtype.names else vertices
-    colours = numpy.stack([coloured[c] for c in ("red", "green", "blue")], axis=1).astype(float)
     corners = faces["corners"].astype(int)
-    return points, corners, colours if coloured is faces else colours[corners].mean(axis=1)
+    if by_arc or "patch" in faces.dtype.names:
+        numbers = vertices["arc"][corners[:, 0]] if by_arc else faces["patch"]
+        return points, corners, numpy.array(PALETTE, dtype=float)[numbers % len(PALETTE)]
+    colours = numpy.stack([vertices[c] for c in ("red", "green", "blue")], axis=1).astype(float)
+    return points, corners, colours[corners].mean(axis=1)
+
+
+def follow_scheme(svg):
+    """The drawing with a style for dark pages: greys have their lightness turned, colours are made light enough."""
+    def turned(name):
+        hexadecimal = {"white": "ffffff", "black": "000000"}.get(name, name[1:])
+        hue, lightness, saturation = colorsys.rgb_to_hls(*(c / 255 for c in bytes.fromhex(hexadecimal)))
+        is_grey = saturation * min(lightness, 1 - lightness) < 0.1
+        lightness = 1 - 0.91 * lightness if is_grey else max(lightness, 0.5)  # white becomes the ground of the manual
+        return "#" + bytes(round(255 * c) for c in colorsys.hls_to_rgb(hue, lightness, saturation)).hex()
+
+    rules = "svg{fill:#fff;background:#171717}" + "".join(
+        f'[{name}="{colour}"]{{{name}:{turned(colour)}}}'
+        for name, colour in sorted(set(re.findall('(fill|stroke)="(white|black|#[0-9a-f]{6})"', svg))))
+    return re.sub("(<svg [^>]*>)", rf"\1\n<style>@media (prefers-color-scheme: dark){{{rules}}}</style>", svg, count=1)
 
 
 class Picture:
-    """A surface and lines, seen from the front, with a buffer of depths."""
+    """A surface and lines, seen from the front, with a buffer of depths. What they leave is transparent."""
 
     def __init__(self, points, size=PORTRAIT, view="figure"):
         self.size, self.view = numpy.array(size) * SCALE, view
         turned = self.turn(points)
         low, high = turned[:, :2].min(axis=0), turned[:, :2].max(axis=0)
         self.middle, self.zoom = (low + high) / 2, 0.94 * (self.size / (high - low)).min()
-        self.image = numpy.full((self.size[1], self.size[0], 3), 255.0)
+        self.image = numpy.zeros((self.size[1], self.size[0], 4))  # red, green, blue, and whether anything is there
         self.depth = numpy.full((self.size[1], self.size[0]), numpy.inf)
 
     def turn(self, points):
@@ -112,7 +129,8 @@ class Picture:
             seen = (numpy.minimum(numpy.minimum(wa, wb), wc) >= -1e-9) & (depth < self.depth[part])
             light = 0.45 + 0.55 * abs(normal @ numpy.array([0.3, -0.4, -0.87])) / length
             self.depth[part][seen] = depth[seen]
-            self.image[part][seen] = (1 - opacity) * 255 + opacity * numpy.minimum(colour * light, 255)
+            self.image[part][seen, :3] = (1 - opacity) * 255 + opacity * numpy.minimum(colour * light, 255)
+            self.image[part][seen, 3] = 255
 
     def draw_line(self, polyline, colour, width, bias):
         """A line that is drawn where it lies not deeper than `bias` points behind the surface."""
@@ -127,18 +145,20 @@ class Picture:
                 columns, rows = numpy.meshgrid(numpy.arange(low[0], high[0]), numpy.arange(low[1], high[1]))
                 part = (slice(low[1], high[1]), slice(low[0], high[0]))
                 disk = (columns - x) ** 2 + (rows - y) ** 2 <= radius ** 2
-                self.image[part][disk & (z - bias * SCALE < self.depth[part])] = colour
+                self.image[part][disk & (z - bias * SCALE < self.depth[part])] = (*colour, 255)
 
     def write(self, name):
         width, height = self.size // SCALE
-        small = self.image.reshape(height, SCALE, width, SCALE, 3).mean(axis=(1, 3)).astype(numpy.uint8)
+        small = self.image.reshape(height, SCALE, width, SCALE, 4).mean(axis=(1, 3))
+        small[..., :3] *= 255 / numpy.maximum(small[..., 3:], 1)  # as alpha is not multiplied into colours in files
+        small = small.astype(numpy.uint8)
         rows = b"".join(b"\0" + row.tobytes() for row in small)
 
         def chunk(kind, data):
             return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
         (folder / name).write_bytes(
-            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
+            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0))
             + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
 
 
@@ -186,9 +206,13 @@ def lines_of_json(name, kind):
     return [entry["polyline"] for entry in json.loads((files / name).read_text())[kind]]
 
 
+def copy_drawing(path, name):
+    (folder / name).write_text(follow_scheme((files / path).read_text()))
+
+
 def draw_limbs(name):
     run("compute", scan, "--field", "geodesic", "--simplify", "auto", "--graph", name)
-    shutil.copy(files / name, folder / name)
+    copy_drawing(name, name)
 
 
 def draw_segments(name):
@@ -215,7 +239,7 @@ def draw_pants(name):
 
 def draw_diagram(name):
     run("compute", scan, "--field", "z", "--pairs", "pairs.csv", "--diagram", name)
-    shutil.copy(files / name, folder / name)
+    copy_drawing(name, name)
 
 
 def draw_longest_loop(name):
@@ -241,11 +265,11 @@ def draw_simplified(name):
     noise = numpy.random.default_rng(1).uniform(-1, 1, len(points)) * 0.01 * numpy.ptp(points[:, 2])
     numpy.savetxt(files / "noise.txt", points[:, 2] + noise)
     run("compute", scan, "--scalars", "noise.txt", "--simplify", "auto", "--graph", name)
-    shutil.copy(files / name, folder / name)
+    copy_drawing(name, name)
 
 
 def draw_drawing(name):
-    shutil.copy(files / "demo" / "graph.svg", folder / name)
+    copy_drawing("demo/graph.svg", name)
 
 
 def draw_cutting_system(name):
@@ -277,7 +301,7 @@ def draw_reeb_graph_of_genus_3(name):
         picture.draw_line(line, (90, 90, 90), 1.2, 4.0)
     graph = json.loads((files / "tilted.json").read_text())
     for arc in graph["edges"]:
-        picture.draw_line(numpy.array(arc["polyline"]) + away, (69, 90, 100), 4, 1e9)
+        picture.draw_line(numpy.array(arc["polyline"]) + away, (120, 144, 156), 4, 1e9)
     for node in graph["nodes"]:
         colour = {"minimum": (21, 101, 192), "maximum": (216, 67, 21)}.get(node["kind"], (251, 192, 45))
         for place in (numpy.array(node["point"]), numpy.array(node["point"]) + away):
@@ -309,70 +333,115 @@ def make_knot(along=240, around=20):
     write_off("knot.off", points.reshape(-1, 3), faces)
 
 
-def add_noise(number=25):
-    """The scan with false handles: thin bridges between two of its triangles."""
-    points, faces = read_off(files / scan)
-    points, triangles = points.tolist(), faces.tolist()
-    corners = numpy.array(points)[faces]
-    middles = corners.mean(axis=1)
-    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    normals /= numpy.linalg.norm(normals, axis=1, keepdims=True)
-    random = numpy.random.default_rng(3)
-    used, removed = [], []
-    while len(removed) < 2 * number:
-        a = random.integers(len(faces))
-        distances = numpy.linalg.norm(middles - middles[a], axis=1)
-        candidates = numpy.flatnonzero((distances > 0.06) & (distances < 0.08) & (normals @ normals[a] > 0.9))
-        if len(candidates) == 0 or any(numpy.linalg.norm(middles[a] - m) < 0.16 for m in used):
-            continue
-        b = random.choice(candidates)
-        used.append((middles[a] + middles[b]) / 2)
-        removed += [a, b]
-        # The corners of b, the other way around, from the one that is nearest to the first corner of a.
-        end = faces[b][::-1]
-        end = min((numpy.roll(end, k) for k in range(3)),
-                  key=lambda order: numpy.linalg.norm(corners[a] - numpy.array(points)[order], axis=1).sum())
-        rings = [list(faces[a])]
-        for t in numpy.linspace(0, 1, 7)[1:-1]:
-            lift = 0.035 * numpy.sin(numpy.pi * t) * normals[a]
-            rings.append(list(range(len(points), len(points) + 3)))
-            points += [((1 - t) * corners[a][k] + t * numpy.array(points[end[k]]) + lift).tolist() for k in range(3)]
-        rings.append(list(end))
-        for low, high in zip(rings, rings[1:]):
-            for k in range(3):
-                m = (k + 1) % 3
-                triangles += [[low[k], low[m], high[m]], [low[k], high[m], high[k]]]
-    kept = [triangle for f, triangle in enumerate(triangles) if f not in set(removed)]
-    write_off("noise.off", numpy.array(points), numpy.array(kept))
+def surface_below(function, low, high, cell):
+    """The surface where a function of points is 0, by marching tetrahedra, with normals towards greater values."""
+    size = numpy.ceil((numpy.array(high) - low) / cell).astype(int) + 1
+    grid = numpy.stack(numpy.meshgrid(*map(numpy.arange, size), indexing="ij"), -1).reshape(-1, 3)
+    corners = low + cell * grid
+    values = function(corners)
+    strides = numpy.array([size[1] * size[2], size[2], 1])
+    cubes = (grid[(grid < size - 1).all(axis=1)] * strides).sum(axis=1)
+    pairs, insides, outsides = [], [], []  # of corners: three edges for each triangle, and where it has to face
+    for order in itertools.permutations(strides):
+        tetrahedra = cubes[:, None] + numpy.concatenate([[0], numpy.cumsum(order)])
+        tetrahedra = numpy.take_along_axis(tetrahedra, numpy.argsort(values[tetrahedra] >= 0, axis=1, kind="stable"), 1)
+        number_inside = (values[tetrahedra] < 0).sum(axis=1)
+        for number, triangles in ((1, [(0, 1, 0, 2, 0, 3)]), (3, [(0, 3, 1, 3, 2, 3)]),
+                                  (2, [(0, 2, 0, 3, 1, 3), (0, 2, 1, 3, 1, 2)])):
+            found = tetrahedra[number_inside == number]
+            for triangle in triangles:
+                pairs.append(found[:, triangle].reshape(-1, 2))
+                insides.append(found[:, 0])
+                outsides.append(found[:, 3])
+    pairs, inverse = numpy.unique(numpy.sort(numpy.concatenate(pairs), axis=1), axis=0, return_inverse=True)
+    a, b = values[pairs].T
+    t = numpy.clip(a / (a - b), 0.1, 0.9)[:, None]
+    points, faces = (1 - t) * corners[pairs[:, 0]] + t * corners[pairs[:, 1]], inverse.reshape(-1, 3)
+    p, q, r = points[faces].transpose(1, 0, 2)
+    outwards = corners[numpy.concatenate(outsides)] - corners[numpy.concatenate(insides)]
+    is_turned = (numpy.cross(q - p, r - p) * outwards).sum(axis=1) < 0
+    faces[is_turned] = faces[is_turned][:, ::-1]
+    return points, faces
 
 
-def draw_loops(mesh, name):
-    """The surface with handles in red, which shine through, and tunnels in blue."""
+def make_cup():
+    """A cup, with thin bridges on its wall and tunnels in it, as a scan may have them."""
+    random = numpy.random.default_rng(5)
+
+    def ring(p, center, axis, radius, thickness):
+        along = (p - center) @ axis
+        across = numpy.sqrt(numpy.maximum(((p - center) ** 2).sum(axis=1) - along ** 2, 0))
+        return numpy.hypot(across - radius, along) - thickness
+
+    def cup(p):
+        across = numpy.hypot(p[:, 0], p[:, 1])
+        body = numpy.maximum(across - 1, numpy.abs(p[:, 2]) - 1.1)
+        handle = numpy.maximum(ring(p, (1, 0, 0), (0, 1, 0), 0.6, 0.14), 0.85 - across)
+        hollow = numpy.maximum(across - 0.7, -0.8 - p[:, 2])
+        return numpy.maximum(numpy.minimum(body, handle), -hollow)
+
+    rings = []
+    while len(rings) < 12:
+        angle, height, turn = random.uniform(-2.6, -0.55), random.uniform(-0.85, 0.85), random.uniform(0, numpy.pi)
+        center = numpy.array([numpy.cos(angle), numpy.sin(angle), height])
+        axis = numpy.array([-numpy.sin(angle) * numpy.cos(turn), numpy.cos(angle) * numpy.cos(turn), numpy.sin(turn)])
+        if all(numpy.linalg.norm(center - other) > 0.42 for other, _ in rings):
+            rings.append((center, axis))
+
+    def with_noise(p):
+        result = cup(p)
+        for i, (center, axis) in enumerate(rings):
+            distance = ring(p, center, axis, 0.13, 0.055)
+            result = numpy.maximum(result, -distance) if i % 3 == 2 else numpy.minimum(result, distance)
+        return result
+
+    write_off("cup.off", *surface_below(with_noise, (-1.3, -1.4, -1.25), (1.9, 1.25, 1.25), 0.034))
+
+
+def find_loops(mesh):
+    """The loops of a mesh: whether it is a handle, and the polyline."""
     report = json.loads(subprocess.run([pathlib.Path(program).absolute(), "handles", mesh, "--json", "--loops",
                                         "loops.polylines.txt"], cwd=files, check=True, capture_output=True).stdout)
-    points, faces = read_off(files / mesh)
-    picture = Picture(points)
-    picture.draw_surface(points, faces, numpy.full((len(faces), 3), 205.0))
-    for loop, polyline in zip(report["loops"], read_polylines("loops.polylines.txt")):
-        is_handle = loop["kind"] == "handle"
-        picture.draw_line(polyline, (200, 30, 30) if is_handle else (20, 90, 200), 2.5, 1e9 if is_handle else 4.0)
-    picture.write(name)
+    return [(loop["kind"] == "handle", line)
+            for loop, line in zip(report["loops"], read_polylines("loops.polylines.txt"))]
+
+
+def draw_loops(picture, loops, offset=0):
+    """Handles in red and tunnels in blue."""
+    for is_handle, line in loops:
+        picture.draw_line(line + offset, (200, 30, 30) if is_handle else (20, 90, 200), 3, 6.0)
 
 
 def draw_handles_of_a_knot(name):
     make_knot()
-    draw_loops("knot.off", name)
+    points, faces = read_off(files / "knot.off")
+    picture = Picture(points, (420, 420))
+    picture.draw_surface(points, faces, numpy.full((len(faces), 3), 205.0))
+    draw_loops(picture, find_loops("knot.off"))
+    picture.write(name)
 
 
-def draw_noise(name):
-    add_noise()
-    draw_loops("noise.off", name)
+def draw_false_handles(name):
+    """The cup before, and beside it after removal."""
+    make_cup()
+    run("handles", "cup.off", "--remove-below", "0.7", "--output", "clean.off")
+    surfaces = [read_off(files / mesh) for mesh in ("cup.off", "clean.off")]
+    away = numpy.array([1.15, 0.42, 0]) * numpy.ptp(surfaces[0][0][:, 0])
+    picture = Picture(numpy.concatenate([surfaces[0][0], surfaces[1][0] + away]), (720, 280))
+    for i, (points, faces) in enumerate(surfaces):
+        picture.draw_surface(points + i * away, faces, numpy.full((len(faces), 3), 205.0))
+    for i, mesh in enumerate(("cup.off", "clean.off")):
+        draw_loops(picture, find_loops(mesh), i * away)
+    picture.write(name)
 
 
-def draw_clean(name):
-    add_noise()
-    run("handles", "noise.off", "--remove-below", "0.12", "--output", "clean.off")
-    draw_loops("clean.off", name)
+def draw_python(name):
+    """What an example in Python draws."""
+    picture = name[len("python_"):]
+    example = {"torus.svg": "first.py"}.get(picture, picture.replace(".svg", ".py"))
+    subprocess.run([sys.executable, pathlib.Path(__file__).resolve().parents[2] / "python" / "examples" / example],
+                   cwd=files, check=True, stdout=subprocess.DEVNULL)
+    copy_drawing(picture, name)
 
 
 def draw_page(name):
@@ -410,6 +479,8 @@ figures = {
     "own_field.png": draw_own_field, "simplified.svg": draw_simplified, "drawing.svg": draw_drawing,
     "cutting_system.png": draw_cutting_system,
     "pants_decomposition.png": draw_pants_decomposition, "handles_of_a_knot.png": draw_handles_of_a_knot,
-    "noise.png": draw_noise, "clean.png": draw_clean, "page_arcs.png": draw_page, "page_contour.png": draw_page}
+    "false_handles.png": draw_false_handles, "page_arcs.png": draw_page, "page_contour.png": draw_page}
+figures |= {f"python_{picture}.svg": draw_python for picture in (
+    "torus", "segment_scan", "handles", "compare_shapes", "pants", "tetrahedra")}
 for figure in wanted or figures:
     figures[figure](figure)

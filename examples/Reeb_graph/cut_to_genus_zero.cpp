@@ -27,7 +27,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // the input is kept, a copy is cut
+  // cuts a copy, to keep the input
   Mesh cut_mesh;
   CGAL::copy_face_graph(mesh, cut_mesh);
   const auto scalar_map = cut_mesh.add_property_map<vertex_descriptor, double>("v:scalar").first;

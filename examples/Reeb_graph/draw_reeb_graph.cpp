@@ -44,13 +44,13 @@ int main(int argc, char* argv[])
       "graph.svg", graph,
       parameters::field_name("x").field_unit("mm").vertex_index_map(get(boost::vertex_index, mesh)));
 
-    // The same for a drawing of one's own.
+    // The layout, for drawings of your own.
     const CGAL::Reeb_graph::Plane_layout layout = CGAL::Reeb_graph::lay_out_in_plane(graph);
     for(std::size_t node = 0; node != num_vertices(graph); ++node)
       std::cout << "node " << node << " is drawn at " << layout.node_positions[node] << ", " << graph[node].value
                 << std::endl;
 
-    // How long each arc stays when the graph is simplified, for the widths of its lines.
+    // The threshold up to which simplification keeps each arc, for the width of its line.
     const std::vector<double> persistences = CGAL::Reeb_graph::arc_persistences(graph);
     for(std::size_t arc = 0; arc != persistences.size(); ++arc)
       std::cout << "arc " << arc << " has " << layout.arc_polylines[arc].size() << " points, and the persistence "

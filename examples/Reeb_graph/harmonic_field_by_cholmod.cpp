@@ -1,4 +1,4 @@
-// Harmonic fields by CHOLMOD, a solver of SuiteSparse, in place of multigrid. Eigen knows it.
+// Harmonic fields by CHOLMOD, a solver of SuiteSparse, in place of multigrid. Eigen has an interface to it.
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Simple_cartesian.h>

@@ -53,7 +53,7 @@ int main(int argc, char* argv[])
   Tetrahedra tetrahedra;
   make_solid(static_cast<std::size_t>(size), points, tetrahedra);
 
-  // the product of the distances to two points: their surroundings are apart up to a value, and one above it
+  // the product of the distances to two points: isosurfaces of small values have two components, others one
   const Point a(0.31, 0.35, 0.42), b(0.72, 0.64, 0.55);
   std::vector<double> values;
   values.reserve(points.size());

@@ -42,7 +42,7 @@ int main(int argc, char* argv[])
   for(vertex_descriptor v : vertices(mesh))
     scalar_map[v] = static_cast<int>(10 * (mesh.point(v).x() + 10));
 
-  // Two named parameters of this package, and behind them one of CGAL's.
+  // Two named parameters of this package, then one of CGAL.
   const auto parameters = CGAL::parameters::ties(CGAL::Reeb_graph::Ties::CONTRACT)
                             .method(CGAL::Reeb_graph::Method::CRITICAL_SETS)
                             .geom_traits(Traits());

@@ -16,7 +16,7 @@ typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
 typedef Mesh::Property_map<vertex_descriptor, double> Scalar_map;
 typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Graph;
 
-// What is not hidden does nothing. A model of ReebGraphVisitor need not derive from the default one.
+// A model of ReebGraphVisitor. Functions that it does not redefine do nothing.
 struct Visitor : CGAL::Reeb_graph::Default_visitor
 {
   typedef std::chrono::steady_clock Clock;
@@ -48,7 +48,7 @@ int main(int argc, char* argv[])
   for(vertex_descriptor v : vertices(mesh))
     scalar_map[v] = mesh.point(v).x();
 
-  // Called by the calling thread only. Whoever returns false stops the computation.
+  // The calling thread alone calls this. Returning false stops the computation.
   double progress = 0;
   const std::function<bool(double)> callback = [&](double fraction) {
     progress = fraction;
@@ -58,7 +58,7 @@ int main(int argc, char* argv[])
   Graph graph;
   try
   {
-    // With CGAL::Parallel_tag instead, it does not compile without TBB. Small meshes are always left to one thread.
+    // With CGAL::Parallel_tag instead, it does not compile without TBB. One thread works on small meshes in any case.
     CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(
       mesh, scalar_map, graph, CGAL::parameters::callback(callback).visitor(std::ref(visitor)));
   }

@@ -17,7 +17,7 @@ typedef CGAL::Reeb_graph_soup_traits<double>::Graph Graph;
 
 int main(int argc, char* argv[])
 {
-  // two soap bubbles and the wall between them: no surface, as three faces meet at the edges of a circle
+  // two soap bubbles and the wall between them: not a manifold, as three faces meet at the edges of a circle
   const std::string filename = (argc > 1) ? argv[1] : "data/two_bubbles.off";
 
   std::vector<Point> points;

@@ -26,7 +26,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // A polyhedron has no property maps of its own: the values come from anywhere, one per vertex.
+  // A polyhedron has no property maps of its own: the values are a range, one per vertex.
   std::vector<double> values;
   for(vertex_descriptor v : vertices(mesh))
     values.push_back(v->point().x());

@@ -103,25 +103,26 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 /// Nodes are numbered in the order of their vertices, arcs are sorted by lower node, upper node, and the second, then
 /// the first vertex of their chain. The same input gives the same graph, whatever the type of the mesh.
 ///
-/// The named parameter `method` chooses between two methods. Critical sets are those of M. Hajij and P. Rosen, *An
-/// Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020. By default the surface is cut along one contour per
-/// loop of the graph, what is left has a contour tree, made as by Y. Chiang, T. Lenz, X. Lu, G. Rote, *Simple and
-/// optimal output-sensitive construction of contour trees using monotone paths*, 2005, and H. Carr, J. Snoeyink, U.
-/// Axen, *Computing contour trees in all dimensions*, 2003, and the cuts are glued: the loop surgery of J. Tierny, A.
-/// Gyulassy, E. Simon, V. Pascucci, *Loop surgery for volumetric meshes: Reeb graphs reduced to contour trees*, 2009.
-/// With \f$ n \f$ vertices and faces,
-/// \f$ c \f$ critical vertices, and \f$ l \f$ the length of the contours at the vertices where loops close, this
-/// takes \f$ O(n + c \log c + l \log l) \f$ time and \f$ O(n + l) \f$ memory. On a closed surface of genus
-/// \f$ g \f$ there are at most \f$ 2g \f$ such vertices.
+/// The named parameter `method` chooses between two methods. `CRITICAL_SETS` is that of M. Hajij and P. Rosen, *An
+/// Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020. By default, the surface is cut along one contour for
+/// each loop of the graph. The cut surface has a contour tree, which is made as by Y. Chiang, T. Lenz, X. Lu, G. Rote,
+/// *Simple and optimal output-sensitive construction of contour trees using monotone paths*, 2005, and H. Carr, J.
+/// Snoeyink, U. Axen, *Computing contour trees in all dimensions*, 2003. Then the cuts are glued. This is the loop
+/// surgery of J. Tierny, A. Gyulassy, E. Simon, V. Pascucci, *Loop surgery for volumetric meshes: Reeb graphs reduced
+/// to contour trees*, 2009.
+///
+/// Let there be \f$ n \f$ vertices and faces, and \f$ c \f$ critical vertices, and let \f$ l \f$ be the length of the
+/// contours at the vertices where loops close. The default takes \f$ O(n + c \log c + l \log l) \f$ time and
+/// \f$ O(n + l) \f$ memory. On a closed surface of genus \f$ g \f$ there are at most \f$ 2g \f$ such vertices.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`. It has no influence on the
-///         result. `Parallel_tag` needs TBB; the threads are those of the calling `tbb::task_arena`. Meshes of fewer
-///         than 20,000 faces are always worked on by one thread.
+///         result. `Parallel_tag` needs TBB; the threads are those of the calling `tbb::task_arena`. One thread works
+///         on meshes of fewer than 20,000 faces.
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. The value
-///         type is the scalar type of the traits class. With `Parallel_tag`, built-in numbers are read from several
-///         threads at once, except from a dynamic property map of a mesh that is no `Surface_mesh`; and values of any
-///         type are copied and compared by several threads
+///         type is the scalar type of the traits class. With `Parallel_tag`, several threads copy and compare values
+///         at the same time. They also read built-in numbers from the map, but not from a dynamic property map of a
+///         mesh that is not a `Surface_mesh`.
 /// \tparam ReebGraph the type `Graph` of the traits class
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
@@ -171,7 +172,7 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///     \cgalParamExtra{use the functions `parameters::vertex_place_map()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1. If it returns
+///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1. If it returns
 ///                           `false`, the computation stops; not any more at 1, when the graph has been written.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}
@@ -198,7 +199,7 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///     \cgalParamDefault{`Reeb_graph_traits<FaceListGraph, ScalarMap>`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of the beginning and the end of each stage, and of the critical vertices}
+///     \cgalParamDescription{is called when each stage begins and ends, and with the counts of critical vertices}
 ///     \cgalParamType{a model of `ReebGraphVisitor`, by value or as `std::reference_wrapper`}
 ///     \cgalParamDefault{`Reeb_graph::Default_visitor`}
 ///   \cgalParamNEnd
@@ -208,14 +209,14 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 /// \exception Reeb_graph::Degenerate_face_error if a face has one vertex at two corners
 /// \exception Reeb_graph::Edge_without_face_error if an edge is on no face, and the mesh lists its edges
 /// \exception Reeb_graph::Non_manifold_vertex_error if the faces of a vertex form more than one fan
-/// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN, or the order of the values is found to be
-///            none
+/// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN, or if the order of the values is found to
+///            contradict itself
 /// \exception Reeb_graph::Invalid_index_map_error if an index map is not one to one
 /// \exception Reeb_graph::Cancelled_error if `callback` returns `false`
 /// \exception Reeb_graph::Mesh_size_error if there are too many vertices or halfedges for 32-bit indices
 ///
-/// When one of these is thrown, `graph` is as it was before. When anything else is, such as `std::bad_alloc`, or as the
-/// order of the values contradicts itself, it can be empty instead.
+/// After one of these, `graph` is as it was before. After any other exception, such as `std::bad_alloc`, or if the
+/// order of the values contradicts itself, it can be empty.
 template <class ConcurrencyTag = Sequential_tag,
           class FaceListGraph,
           class ScalarMap,

@@ -43,14 +43,14 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
 ///
 /// The soup need not be a surface: any number of triangles can meet at an edge, and any number of fans of triangles at
 /// a vertex. It need not be orientable. Edges and vertices may be on no triangle. The field is linear on each triangle.
-/// A vertex is known by its index, and triangles by those of their vertices; if one is listed twice, it counts once.
-/// Nothing is asked of the points, only how many they are.
+/// A vertex is an index, and a triangle consists of three of them. A triangle that is listed twice counts once. Points
+/// are only counted.
 ///
-/// The graph is exact and has the same nodes, arcs, order and chains as that of `compute_reeb_graph()`, and on a soup
-/// that is an oriented surface, this is the same graph. Here vertices are indices, and the chains of the arcs are
-/// ascending pairs of indices.
+/// The graph is exact. Its nodes, arcs, order and chains are as for `compute_reeb_graph()`, and for a soup that is an
+/// oriented surface, the two graphs are the same. Here vertices are indices, and the chains of the arcs are ascending
+/// pairs of indices.
 ///
-/// \tparam ConcurrencyTag as for `compute_reeb_graph()`. The complex is built by one thread.
+/// \tparam ConcurrencyTag as for `compute_reeb_graph()`. One thread builds the complex.
 /// \tparam PointsOrNumber any range of points, as they are only counted, or an integer type; the constructors of
 ///         `Reeb_graph::Soup_augmentation` and `Reeb_graph::Tetrahedra_augmentation` need a random access range
 /// \tparam TriangleRange a range of ranges of indices, as for the polygon soups of \cgal, such as
@@ -94,13 +94,13 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
 /// \exception Reeb_graph::Degenerate_edge_error if an edge has not two different vertices
 /// \exception Reeb_graph::Vertex_out_of_range_error if an index is not one of a vertex
 /// \exception Reeb_graph::Scalar_count_error if there is not one value for each vertex
-/// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN, or the order of the values is found to be
-///            none
+/// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN, or if the order of the values is found to
+///            contradict itself
 /// \exception Reeb_graph::Cancelled_error if `callback` returns `false`
 /// \exception Reeb_graph::Mesh_size_error if there are too many vertices, edges or triangles for 32-bit indices
 ///
-/// When one of these is thrown, `graph` is as it was before. When anything else is, such as `std::bad_alloc`, or as the
-/// order of the values contradicts itself, it can be empty instead.
+/// After one of these, `graph` is as it was before. After any other exception, such as `std::bad_alloc`, or if the
+/// order of the values contradicts itself, it can be empty.
 template <class ConcurrencyTag = Sequential_tag,
           class PointsOrNumber,
           class TriangleRange,

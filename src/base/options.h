@@ -49,6 +49,8 @@ struct Graph_options
   // These have no influence on the result, and are chosen by the program if they are 0.
   std::size_t number_of_threads = 0;
   std::size_t number_of_slabs = 0;
+  // Whether the places of the vertices are found with the graph, which takes less time than to find them later.
+  bool are_places_wanted = false;
 };
 
 enum class Curves_type

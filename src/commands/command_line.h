@@ -26,16 +26,16 @@ namespace reeb_graph_program {
 inline void add_input_options(CLI::App& command, Input_options& options)
 {
   begin_group(command, "Input");
-  add_file(command, "MESH", options.mesh_path, "Mesh: OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file")->required();
+  add_file(command, "MESH", options.mesh_path, "The mesh: an OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file")
+    ->required();
   command.add_flag("--triangulate", options.are_faces_triangulated, "Cut faces that are not triangles into triangles");
   begin_group(command, "Field");
-  add_file(
-    command, "--scalars", options.scalars_path,
-    "The field: file of one number per line, in the vertex order of the mesh file, or CSV file, or NumPy's .npy");
+  add_file(command, "--scalars", options.scalars_path,
+           "A file with the field: one number per line, in the vertex order of the mesh file, or CSV, or NumPy's .npy");
   command.add_option("--column", options.column,
-                     "The column of the CSV file, by its name, or its number from 0, if there is more than one");
+                     "The column of a CSV file with several columns: its name, or its number from 0");
   add_whole_number(command, "--min", options.lowest_vertex,
-                   "For harmonic: the vertex of value 0, from 0 as in the mesh file");
+                   "For harmonic: the vertex of value 0, by its number in the mesh file, from 0");
   add_whole_number(command, "--max", options.highest_vertex, "For harmonic: the vertex of value 1");
   command
     .add_option("--weights", options.weights, "For harmonic fields: mean-value (the default), cotangent, or uniform")
@@ -55,7 +55,7 @@ inline void add_input_options(CLI::App& command, Input_options& options)
 
 inline void add_field_option(CLI::App& command, Input_options& options, const std::string& default_field = "")
 {
-  command.add_option("--field", options.field, "The field: one of the list at the end" + default_field)
+  command.add_option("--field", options.field, "The field, one of the list at the end" + default_field)
     ->check(is_not_empty());
   add_list_of_fields(command, "--field", coordinate_fields + computed_fields + fields_of_files);
 }
@@ -64,10 +64,12 @@ inline void add_page_options(CLI::App& command, std::string& page_path, std::str
 {
   add_file(command, "--html", page_path, "Write a page to this file, .html, that shows the graph on the surface");
   command
-    .add_option(
-      "--up", up,
-      "With --html: which way is up, x, y, z, -x, -y, or -z; by default that of a height, else away from the "
-      "largest flat side that the mesh stands on, else y for a mesh that is as tall in y as it is wide, else z")
+    .add_option("--up", up,
+                "With --html: the upward direction, x, y, z, -x, -y, or -z. By default, it is the direction of a "
+                "height. For other "
+                "fields, it is away from the largest flat side, as if the mesh stands on that. Without such a side, it "
+                "is y for a "
+                "mesh that is as tall in y as it is wide, and z for others")
     ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
   command.add_option("--unit", unit, "The unit of the field, for the page and for the drawing of the graph");
 }
@@ -109,7 +111,7 @@ inline void add_graph_options(CLI::App& command, Graph_options& options)
   };
   command
     .add_option_function<std::string>("--method", set_method,
-                                      "How the arcs are found: auto (the default), critical-sets, or "
+                                      "The method that finds the arcs: auto (the default), critical-sets, or "
                                       "contour-trees; the graph is the same")
     ->check(CLI::IsMember({"auto", "critical-sets", "contour-trees"}));
   add_threads_option(command, options.number_of_threads);
@@ -123,8 +125,8 @@ inline void add_simplification_options(CLI::App& command, Simplification_options
   begin_group(command, "Simplification");
   command.add_option_function<std::string>(
     "--simplify", [&options](const std::string& text) { options.threshold = parse_threshold(text); },
-    "Remove branches of the graph that are less persistent: X in units of the field, P% of its range, or auto, the "
-    "threshold that tells noise from features best");
+    "Remove branches of the graph that are less persistent than this: X in units of the field, P% of its range, or "
+    "auto, the threshold that best separates noise from features");
   add_whole_number(command, "--leaves", options.number_of_leaves,
                    "Remove branches until the graph has this many leaves");
   command.add_flag("--cancel-loops", options.are_loops_cancelled, "With --simplify: remove loops as well");
@@ -133,8 +135,8 @@ inline void add_simplification_options(CLI::App& command, Simplification_options
 inline void add_graph_file(CLI::App& command, std::string& path)
 {
   add_file(command, "--graph", path,
-           "Write the graph to this file: .graphml, .dot, .svg, or in space .vtp, .obj, .polylines.txt, "
-           ".json, or .csv, which stands for two files, .nodes.csv and .arcs.csv");
+           "Write the graph to this file: .graphml, .dot, .svg, or as lines in space .vtp, .obj, .polylines.txt, "
+           ".json, or .csv, which makes two files, .nodes.csv and .arcs.csv");
 }
 
 // The command without what it does.
@@ -156,33 +158,34 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
   command
     ->add_option_function<std::string>(
       "--embedding", set_embedding,
-      "Where the arcs of a graph in space are: centroids of contours (centroids, the "
-      "default), chains (on-surface), or straight lines (straight, the default for "
-      ".csv, where contours are very long, or where the mesh is no oriented manifold surface), which leave nodes at "
-      "their vertices")
+      "The way of arcs in space: through centroids of contours (centroids), along chains (on-surface), or straight "
+      "from vertex to vertex (straight). The default is centroids, but straight for .csv, where contours are very "
+      "long, "
+      "and if the mesh is not an oriented manifold surface")
     ->check(CLI::IsMember({"centroids", "on-surface", "straight"}));
   add_file(*command, "--mesh-out", options.mesh_path,
            "Write the mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex, "
-           "and colours");
+           "and colors");
   add_file(*command, "--vertex-arcs", options.vertex_arcs_path,
-           "Write to this file, for each vertex on a line, the arc or node of the graph that it belongs to; as .npy, "
-           "the number of the node, or that of the arc plus the number of nodes");
+           "Write the arc or node of each vertex to this file, one per line; in .npy, the number of the node, or the "
+           "number of nodes plus that of the arc");
   add_file(*command, "--pairs", options.pairs_path,
-           "Write the pairs of extended persistence of the given graph to this file, .csv, or .pers for GUDHI");
-  add_file(*command, "--diagram", options.diagram_path, "Draw the persistence diagram of the given graph, .svg");
+           "Write the pairs of extended persistence to this file, .csv, or .pers for GUDHI; as before --simplify");
+  add_file(*command, "--diagram", options.diagram_path,
+           "Draw the persistence diagram of these pairs to this file, .svg");
   add_file(*command, "--longest-loop", options.loop_path,
            "Write the most persistent loop of the graph to this file, as a closed curve on the surface: .vtp, .obj, or "
-           ".polylines.txt; --html shows it as well");
+           ".polylines.txt; --html shows it, too");
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_file(*command, "--simplified-scalars", options.simplified_scalars_path,
-           "With --simplify or --leaves: write a field that has the simplified graph to this file; .npy for NumPy");
+           "With --simplify or --leaves: write a field whose graph is the simplified one to this file; .npy for NumPy");
   CLI::Option* table = command->add_flag_callback(
     "--table", [&options] { options.is_table_wanted = true; },
     "Print a table of the arcs with their ends, lengths, areas and numbers of vertices; by default for graphs of up to "
     "40 arcs");
   command
     ->add_flag_callback(
-      "--no-table", [&options] { options.is_table_wanted = false; }, "Print no such table")
+      "--no-table", [&options] { options.is_table_wanted = false; }, "Do not print this table")
     ->excludes(table);
   add_json_option(*command, options.is_report_json);
   add_example(*command, "reeb_graph compute scan.ply --field geodesic --simplify auto --html page.html");

@@ -43,6 +43,21 @@ bool is_graph_in_space(const Compute_options& options)
   return !options.graph_path.empty() && is_format_in_space(options.graph_path);
 }
 
+// Whether the file of the graph has measures of arcs. On what is no surface, that can take long, and is left to who asks
+// for the table.
+bool are_attributes_written(const Compute_options& options, bool is_surface)
+{
+  return !options.graph_path.empty() && has_arc_attributes(options.graph_path)
+      && (is_surface || options.is_table_wanted.value_or(false));
+}
+
+// What needs the places of vertices, but for the table of a graph of few arcs, which is not known before.
+bool are_places_wanted(const Compute_options& options, bool is_surface)
+{
+  return options.is_table_wanted.value_or(false) || are_attributes_written(options, is_surface)
+      || !options.vertex_arcs_path.empty() || !options.mesh_path.empty() || !options.page_path.empty();
+}
+
 std::vector<std::filesystem::path> output_files(const Compute_options& options)
 {
   std::vector<std::filesystem::path> paths = graph_files(options.graph_path);
@@ -77,8 +92,7 @@ Graph_in_space embed_and_time(const Compute_options& options,
   return result;
 }
 
-// The vertices are located, and arcs measured, if one of the files or the table needs it. On what is no surface, that can
-// take longer than the graph, so arcs are measured there with --table only. Returns the arcs that have been measured.
+// Arcs are measured if a file or the table needs it. Returns those that have been measured.
 std::vector<Arc_row> write_files_of_mesh(const Compute_options& options,
                                          Mesh_graph& graph,
                                          const Mesh& mesh,
@@ -90,18 +104,15 @@ std::vector<Arc_row> write_files_of_mesh(const Compute_options& options,
   const bool is_surface = !mesh.complex;
   const bool has_table = options.is_table_wanted.value_or(is_surface && num_edges(graph.result()) <= few_arcs);
   const bool has_places = !options.vertex_arcs_path.empty() || !options.mesh_path.empty();
-  const bool has_attributes =
-    !options.graph_path.empty() && has_arc_attributes(options.graph_path) && (is_surface || has_table);
+  const bool has_attributes = are_attributes_written(options, is_surface);
   std::vector<Arc_row> arcs;
-  if(has_table || has_attributes || has_places)
+  if(has_table || has_attributes)
   {
     const Stopwatch stopwatch;
-    graph.locate_vertices();
-    if(has_table || has_attributes)
-      arcs = graph.measure_arcs();
+    arcs = graph.measure_arcs();
     if(has_table)
       report.arc_table = arcs;
-    report.seconds.emplace_back("locate", stopwatch.seconds());
+    report.seconds.emplace_back("measure", stopwatch.seconds());
   }
   std::optional<Graph_in_space> graph_in_space;
   if(is_graph_in_space(options))
@@ -139,7 +150,7 @@ void write_graph_file(const Compute_options& options,
 }
 
 void write_page_file(const Compute_options& options,
-                     const Graph& given,
+                     Mesh_graph& graph,
                      const Surface& surface,
                      Scalar_map scalar_map,
                      double threshold,
@@ -151,7 +162,7 @@ void write_page_file(const Compute_options& options,
   const Stopwatch stopwatch;
   write_page(
     options.page_path,
-    {surface, scalar_map, given, options.graph,
+    {surface, scalar_map, graph, options.graph,
      options.title.empty() ? std::filesystem::path(options.input.mesh_path).filename().string() : options.title,
      field_label(options.input, options.unit), options.simplification, threshold, options.up, std::nullopt,
      loops.polylines, loops.rows});
@@ -251,7 +262,7 @@ void write_results(const Compute_options& options, Mesh& mesh, Scalar_map scalar
   write_pairs_and_diagram(options, graph.given(), threshold, report);
   const std::vector<Arc_row> arcs = write_files_of_mesh(options, graph, mesh, scalar_map, report);
   write_graph_file(options, graph.result(), arcs, report);
-  write_page_file(options, graph.given(), mesh.surface, scalar_map, threshold, loops, report);
+  write_page_file(options, graph, mesh.surface, scalar_map, threshold, loops, report);
 }
 
 void write_pairs_and_diagram(const Compute_options& options,
@@ -284,7 +295,9 @@ void run_compute(const Compute_options& options)
   if(mesh.complex)
     check_for_complex(options, *mesh.complex);
   const Scalar_map scalar_map = add_field(options.input, mesh, report);
-  const auto graph = compute_mesh_graph(mesh, scalar_map, options.graph, options.simplification,
+  Graph_options graph_options = options.graph;
+  graph_options.are_places_wanted = are_places_wanted(options, !mesh.complex);
+  const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, options.simplification,
                                         threshold_in_units(options.simplification, mesh.surface, scalar_map), report);
   write_results(options, mesh, scalar_map, *graph, report);
   write_report(options, report);

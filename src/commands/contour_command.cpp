@@ -28,7 +28,7 @@ void check_choice(const Contour_choice& choice)
   if(int(choice.t.has_value()) + int(!choice.levels.empty()) + int(choice.number_of_levels.has_value())
        + int(choice.point.has_value())
      != 1)
-    throw std::runtime_error("which contours is told by one of --t, --level, --levels, and --closest");
+    throw std::runtime_error("one of --t, --level, --levels, and --closest is needed");
 }
 
 } // namespace

@@ -131,7 +131,10 @@ void write_files_of_graph(const Curves_options& options,
     return;
   const Stopwatch graph_stopwatch;
   Report unused;
-  const auto graph = compute_mesh_graph(mesh, scalar_map, options.graph, {}, 0, unused);
+  Graph_options graph_options = options.graph;
+  graph_options.are_places_wanted = !options.mesh_path.empty() || !options.page_path.empty()
+                                 || (!options.graph_path.empty() && has_arc_attributes(options.graph_path));
+  const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, {}, 0, unused);
   if(!options.graph_path.empty())
     write_graph_file(options, *graph);
   report.add_seconds("graph", graph_stopwatch.seconds());
@@ -147,7 +150,7 @@ void write_files_of_graph(const Curves_options& options,
     const Stopwatch stopwatch;
     Page_request request = {mesh.surface,
                             scalar_map,
-                            graph->result(),
+                            *graph,
                             options.graph,
                             std::filesystem::path(options.input.mesh_path).filename().string(),
                             field_label(options.input, options.unit)};

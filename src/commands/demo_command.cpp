@@ -8,8 +8,8 @@
 
 #include "base/stopwatch.h"
 #include "commands/commands.h"
+#include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
-#include "computation/augmentation.h"
 #include "computation/embedding.h"
 #include "generated_surfaces/build_mesh.h"
 #include "generated_surfaces/standing_figure.h"
@@ -19,6 +19,7 @@
 #include "page/page_output.h"
 
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,25 +46,29 @@ void run_demo(const Demo_options& options)
 
   Report report;
   const Stopwatch stopwatch;
-  Surface surface = generated_surfaces::make_mesh<Surface>(generated_surfaces::standing_figure(number_of_vertices));
+  Mesh mesh = {generated_surfaces::make_mesh<Surface>(generated_surfaces::standing_figure(number_of_vertices)),
+               std::nullopt};
+  Surface& surface = mesh.surface;
   const Scalar_map scalar_map = add_height(surface);
   report.seconds.emplace_back("generate", stopwatch.seconds());
-  const Graph graph = compute_and_time(surface, scalar_map, Graph_options(), report);
+  Graph_options graph_options;
+  graph_options.are_places_wanted = true;
+  const auto mesh_graph = compute_mesh_graph(mesh, scalar_map, graph_options, {}, 0, report);
+  const Graph& graph = mesh_graph->result();
   count_all(surface, graph, report);
 
   write_surface(folder / "surface.off", surface);
   write_scalars(folder / "scalars.txt", surface, scalar_map);
   write_coloured_surface(folder / "surface_coloured.ply", surface, scalar_map);
   const Field_label field_label = {"height", "m"};
-  const Augmentation augmentation(surface, scalar_map, graph);
-  const std::vector<Arc_row> arcs = measure_arcs(surface, scalar_map, graph, locate_vertices(augmentation));
+  const std::vector<Arc_row> arcs = mesh_graph->measure_arcs();
   for(const char* name : {"graph.svg", "graph.graphml", "graph.dot"})
     write_graph(folder / name, graph, field_label, {}, attributes_of_arcs(graph, arcs));
 
   if(is_page_available())
   {
     write_page(folder / "page.html",
-               {surface, scalar_map, graph, Graph_options(), "Figure with a hand on its hip", field_label});
+               {surface, scalar_map, *mesh_graph, graph_options, "Figure with a hand on its hip", field_label});
     std::cout << "Open this page in a web browser to see the surface and its Reeb graph:\n\n  "
               << fs::absolute(folder / "page.html").lexically_normal().string() << "\n\n";
   }

@@ -8,7 +8,7 @@
 
 #include "base/stopwatch.h"
 #include "commands/commands.h"
-#include "computation/augmentation.h"
+#include "computation/Mesh_graph.h"
 #include "computation/handles.h"
 #include "input/field_input.h"
 #include "input/mesh_formats.h"
@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -70,16 +71,19 @@ void remove(const Handles_options& options, Surface& surface, Scalar_map scalar_
 
 // The page shows the Reeb graph of the field with the loops.
 void write_page_of_loops(const Handles_options& options,
-                         const Surface& surface,
+                         const Mesh& mesh,
                          Scalar_map scalar_map,
                          const Loops_of_surface& loops,
                          const std::string& field)
 {
-  const Graph graph = compute_graph(surface, scalar_map, Graph_options());
-  Page_request request = {surface,
+  Graph_options graph_options;
+  graph_options.are_places_wanted = true;
+  Report unused;
+  const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, {}, 0, unused);
+  Page_request request = {mesh.surface,
                           scalar_map,
-                          graph,
-                          Graph_options(),
+                          *graph,
+                          graph_options,
                           std::filesystem::path(options.input.mesh_path).filename().string(),
                           {field, options.unit}};
   request.up = options.up;
@@ -97,7 +101,8 @@ void run_handles(const Handles_options& options)
   Input_options input = options.input;
   if(input.field.empty() && input.scalars_path.empty())
     input.field = "z"; // until the mesh is known
-  Surface surface = read_surface(input, report);
+  Mesh mesh = {read_surface(input, report), std::nullopt};
+  Surface& surface = mesh.surface;
   const Stopwatch field_stopwatch;
   const Scalar_map scalar_map = add_field_or_height(options.input, surface, report);
   report.add_seconds("field", field_stopwatch.seconds());
@@ -113,7 +118,7 @@ void run_handles(const Handles_options& options)
   if(!options.loops_path.empty())
     write_loops(options.loops_path, loops);
   if(!options.page_path.empty())
-    write_page_of_loops(options, surface, scalar_map, loops, report.field);
+    write_page_of_loops(options, mesh, scalar_map, loops, report.field);
   if(!options.mesh_path.empty() || !options.loops_path.empty() || !options.page_path.empty())
     report.add_seconds("output", output_stopwatch.seconds());
   if(options.is_report_json)

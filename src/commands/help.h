@@ -43,13 +43,13 @@ inline const std::string coordinate_fields = "  x, y, z                   a coor
 inline const std::string height_field = "  height                    along --direction, by default 0,0,1\n";
 inline const std::string computed_fields =
   height_field
-  + "  harmonic                  0 at the vertex --min and 1 at --max, or at two vertices of each\n"
+  + "  harmonic                  0 at the vertex --min and 1 at --max, or between two vertices of each\n"
     "                            component that are far apart\n"
-    "  harmonic-between-borders  0 on the border of the first vertex, and 1 on the other borders of the\n"
-    "                            component, or at a vertex far from its only one\n"
-    "  poisson                   by mean curvature, 0 at the vertices --source, or at one far out\n"
-    "  geodesic                  the distance from the vertices --source, or from one far out\n"
-    "  unit-gradient             of the file --scalars, else of harmonic\n";
+    "  harmonic-between-borders  0 on the first border of a component and 1 on its others; if there is\n"
+    "                            one border only, 1 at a vertex far from it\n"
+    "  poisson                   follows mean curvature, with 0 at the vertices --source, or at a tip\n"
+    "  geodesic                  the distance from the vertices --source, or from a tip\n"
+    "  unit-gradient             follows --scalars, or else harmonic, with gradients of length 1\n";
 inline const std::string fields_of_files =
   "  NAME                      a property of the vertices of a PLY, VTK, or VTU file\n";
 

@@ -44,11 +44,10 @@ public:
   // What follows is that of the result. The vertices of the chain of each arc, ascending.
   virtual std::vector<std::vector<std::size_t>> chains() const = 0;
 
-  // Vertices are located when one of the next two functions is called, if they have not been before.
-  virtual void locate_vertices() = 0;
-
-  // The place of each vertex, numbered as in the graph files.
+  // The place of each vertex, by its index, numbered as in the graph files: in the result, and in the given graph. If the
+  // options have not asked for places, the first call computes the graph again.
   virtual const std::vector<std::size_t>& places() = 0;
+  virtual const std::vector<std::size_t>& given_places() = 0;
 
   // The arcs, by their numbers.
   virtual std::vector<Arc_row> measure_arcs() = 0;

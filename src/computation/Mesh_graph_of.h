@@ -18,7 +18,9 @@
 #include "computation/simplification.h"
 
 #include <CGAL/Reeb_graph/IO/json.h>
+#include <CGAL/property_map.h>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -53,8 +55,8 @@ public:
                 Report& report)
     : kind_(mesh, scalar_map),
       options_(options),
-      given_(new Any_graph( // not make_shared(), which copies it
-        compute_and_time(options, report, [&](const auto& np) { return kind_.compute(np); })))
+      given_places_(options.are_places_wanted ? std::make_shared<std::vector<std::size_t>>() : nullptr),
+      given_(new Any_graph(compute(given_places_.get(), report))) // not make_shared(), which copies it
   {
     const Stopwatch stopwatch;
     simplified_.emplace(*given_, simplification, threshold);
@@ -65,6 +67,7 @@ public:
   Mesh_graph_of(const Mesh_graph_of& other, const Simplification_options& simplification, double threshold)
     : kind_(other.kind_),
       options_(other.options_),
+      given_places_(other.given_places_),
       given_(other.given_)
   {
     simplified_.emplace(*given_, simplification, threshold);
@@ -100,27 +103,30 @@ public:
     return chains;
   }
 
-  void locate_vertices() override
+  const std::vector<std::size_t>& given_places() override
   {
-    if(locations_)
-      return;
-    const Any_augmentation& a = augmentation();
-    Progress_bar progress_bar("places");
-    locations_ =
-      a.template locate_vertices<CGAL::Parallel_if_available_tag>(CGAL::parameters::callback(std::ref(progress_bar)));
-    places_ = places_of(kind_.vertices(), *locations_);
+    if(!given_places_)
+    {
+      const auto places = std::make_shared<std::vector<std::size_t>>();
+      Report unused;
+      compute(places.get(), unused);
+      given_places_ = places;
+    }
+    return *given_places_;
   }
 
   const std::vector<std::size_t>& places() override
   {
-    locate_vertices();
-    return places_;
+    const auto& simplification = simplified_->simplification();
+    if(simplification && !places_)
+      places_ = simplified_places(given_places(), *simplification);
+    return simplification ? *places_ : given_places();
   }
 
   std::vector<Arc_row> measure_arcs() override
   {
-    locate_vertices();
-    return kind_.measure_arcs(augmentation(), *locations_);
+    return kind_.measure_arcs(simplified_->result(), places(),
+                              [this]() -> const Any_augmentation& { return augmentation(); });
   }
 
   Graph_in_space embed(CGAL::Reeb_graph::Embedding_manner manner, const std::vector<Arc_row>* arcs) override
@@ -160,6 +166,17 @@ public:
   }
 
 private:
+  // With the places of the vertices, if they are wanted.
+  Any_graph compute(std::vector<std::size_t>* places, Report& report) const
+  {
+    return compute_and_time(options_, report, [&](const auto& np) {
+      if(!places)
+        return kind_.compute(np);
+      places->resize(kind_.end_of_vertices());
+      return kind_.compute(CGAL::parameters::vertex_place_map(CGAL::make_property_map(*places), np));
+    });
+  }
+
   Contour convert(const typename Any_augmentation::Contour& contour)
   {
     Contour result = kind_.contour(augmentation(), contour);
@@ -184,12 +201,12 @@ private:
 
   const Kind kind_;
   const Graph_options options_;
+  std::shared_ptr<std::vector<std::size_t>> given_places_; // null while nobody has asked for them
   const std::shared_ptr<const Any_graph> given_;
   std::optional<Simplified_graph_of<Any_graph>> simplified_;
   mutable std::optional<Graph> given_on_surface_, result_on_surface_;
   std::unique_ptr<const Any_augmentation> augmentation_;
-  std::optional<typename Any_augmentation::Vertex_locations> locations_;
-  std::vector<std::size_t> places_;
+  std::optional<std::vector<std::size_t>> places_; // in a simplified graph
 };
 
 } // namespace reeb_graph_program

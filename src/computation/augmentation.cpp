@@ -51,7 +51,7 @@ public:
   }
 
   const Graph& on_surface(const Graph& graph, std::optional<Graph>&) const { return graph; }
-  auto vertices() const { return surface_.vertices(); }
+  std::size_t end_of_vertices() const { return surface_.number_of_vertices() + surface_.number_of_removed_vertices(); }
   auto vertex_numbers() const { return get(boost::vertex_index, surface_); }
 
   template <class NamedParameters>
@@ -60,9 +60,12 @@ public:
     return CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(augmentation, np);
   }
 
-  std::vector<Arc_row> measure_arcs(const Augmentation& augmentation, const Vertex_locations& locations) const
+  template <class MakeAugmentation>
+  std::vector<Arc_row> measure_arcs(const Graph& graph,
+                                    const std::vector<std::size_t>& places,
+                                    const MakeAugmentation&) const
   {
-    return reeb_graph_program::measure_arcs(surface_, scalar_map_, augmentation.graph(), locations);
+    return reeb_graph_program::measure_arcs(surface_, scalar_map_, graph, places);
   }
 
   std::pair<std::size_t, std::size_t> ends(Surface::Halfedge_index h) const
@@ -137,20 +140,13 @@ Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_o
   return compute_and_time(surface, scalar_map, options, unused);
 }
 
-Vertex_locations locate_vertices(const Augmentation& augmentation)
-{
-  Progress_bar progress_bar("places");
-  return augmentation.locate_vertices<CGAL::Parallel_if_available_tag>(
-    CGAL::parameters::callback(std::ref(progress_bar)));
-}
-
 std::vector<Arc_row> measure_arcs(const Surface& surface,
                                   Scalar_map scalar_map,
                                   const Graph& graph,
-                                  const Vertex_locations& locations)
+                                  const std::vector<std::size_t>& places)
 {
-  return rows_of_arcs(graph, locations, CGAL::Reeb_graph::arc_lengths(surface, scalar_map, graph),
-                      CGAL::Reeb_graph::arc_areas(surface, graph, locations));
+  return rows_of_arcs(graph, surface.vertices(), places, CGAL::Reeb_graph::arc_lengths(surface, scalar_map, graph),
+                      CGAL::Reeb_graph::arc_areas(surface, graph, Vertex_places{places}));
 }
 
 std::unique_ptr<Mesh_graph> compute_mesh_graph(const Mesh& mesh,

@@ -19,35 +19,51 @@
 #include <vector>
 
 namespace reeb_graph_program {
-typedef Augmentation::Vertex_locations Vertex_locations;
-
 // Computes the Reeb graph, and adds what it took to the report.
 Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report);
 
 // Without a report.
 Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options);
 
-// The places are numbered as in the graph files.
-Vertex_locations locate_vertices(const Augmentation& augmentation);
+// The places of vertices, by their indices, as functions that measure pieces of a mesh ask for them.
+struct Vertex_places
+{
+  const std::vector<std::size_t>& places;
+  std::size_t index(std::size_t v) const { return places[v]; }
+};
+
+// How many of the vertices are at each place.
+template <class VertexRange>
+std::vector<std::size_t> count_by_place(const VertexRange& vertices,
+                                        const std::vector<std::size_t>& places,
+                                        std::size_t number_of_places)
+{
+  std::vector<std::size_t> counts(number_of_places, 0);
+  for(const std::size_t v : vertices)
+    ++counts[places[v]];
+  return counts;
+}
 
 // The arcs of the graph, by their numbers.
 std::vector<Arc_row> measure_arcs(const Surface& surface,
                                   Scalar_map scalar_map,
                                   const Graph& graph,
-                                  const Vertex_locations& locations);
+                                  const std::vector<std::size_t>& places);
 
-template <class AnyGraph, class AnyVertexLocations>
+template <class AnyGraph, class VertexRange>
 std::vector<Arc_row> rows_of_arcs(const AnyGraph& graph,
-                                  const AnyVertexLocations& locations,
+                                  const VertexRange& vertices,
+                                  const std::vector<std::size_t>& places,
                                   const std::vector<double>& lengths,
                                   const std::vector<double>& areas)
 {
+  const std::vector<std::size_t> counts = count_by_place(vertices, places, num_vertices(graph) + num_edges(graph));
   std::vector<Arc_row> rows;
   for(const auto arc : CGAL::make_range(edges(graph)))
   {
     const std::size_t i = get(boost::edge_index, graph, arc), lower = source(arc, graph), upper = target(arc, graph);
-    rows.push_back({lower, upper, graph[lower].value, graph[upper].value, lengths[i], areas[i],
-                    locations.vertices_of_arc(i).size()});
+    rows.push_back(
+      {lower, upper, graph[lower].value, graph[upper].value, lengths[i], areas[i], counts[num_vertices(graph) + i]});
   }
   return rows;
 }
@@ -64,12 +80,14 @@ const AnyGraph& with_base(const AnyGraph& graph, double base, std::optional<AnyG
   return *copy;
 }
 
-template <class VertexRange, class AnyVertexLocations>
-std::vector<std::size_t> places_of(const VertexRange& vertices, const AnyVertexLocations& locations)
+// The places in a simplified graph of what has the given ones in the graph before.
+template <class AnySimplification>
+std::vector<std::size_t> simplified_places(std::vector<std::size_t> places, const AnySimplification& simplification)
 {
-  std::vector<std::size_t> places;
-  for(const auto v : vertices)
-    places.push_back(locations.index(v));
+  const std::size_t number_of_nodes = simplification.number_of_old_nodes();
+  for(std::size_t& place : places)
+    place = place < number_of_nodes ? simplification.index_of_node(place)
+                                    : simplification.index_of_arc(place - number_of_nodes);
   return places;
 }
 

@@ -59,7 +59,7 @@ public:
     return *result;
   }
 
-  auto vertices() const { return boost::irange(std::size_t(0), number_of_vertices()); }
+  std::size_t end_of_vertices() const { return number_of_vertices(); }
   boost::typed_identity_property_map<std::size_t> vertex_numbers() const { return {}; }
 
   template <class Any_augmentation, class NamedParameters>
@@ -98,6 +98,7 @@ public:
 protected:
   const Complex& complex() const { return *mesh_.complex; }
   std::size_t number_of_vertices() const { return mesh_.surface.number_of_vertices(); }
+  auto vertices() const { return boost::irange(std::size_t(0), number_of_vertices()); }
   auto points() const { return CGAL::make_range(mesh_.surface.points().begin(), mesh_.surface.points().end()); }
   auto scalars() const { return CGAL::make_range(scalar_map_.begin(), scalar_map_.end()); }
 
@@ -162,11 +163,14 @@ public:
     });
   }
 
-  std::vector<Arc_row> measure_arcs(const Augmentation& augmentation,
-                                    const Augmentation::Vertex_locations& locations) const
+  template <class MakeAugmentation>
+  std::vector<Arc_row> measure_arcs(const Complex_graph& graph,
+                                    const std::vector<std::size_t>& places,
+                                    const MakeAugmentation& make_augmentation) const
   {
-    return rows_of_arcs(augmentation.graph(), locations, CGAL::Reeb_graph::arc_lengths(augmentation, points()),
-                        CGAL::Reeb_graph::arc_areas(augmentation, points(), locations));
+    const Augmentation& augmentation = make_augmentation();
+    return rows_of_arcs(graph, vertices(), places, CGAL::Reeb_graph::arc_lengths(augmentation, points()),
+                        CGAL::Reeb_graph::arc_areas(augmentation, points(), Vertex_places{places}));
   }
 
   Contour contour(const Augmentation& augmentation, const Augmentation::Contour& contour) const
@@ -205,12 +209,15 @@ public:
                                                 with_edges(np));
   }
 
-  std::vector<Arc_row> measure_arcs(const Augmentation& augmentation,
-                                    const Augmentation::Vertex_locations& locations) const
+  template <class MakeAugmentation>
+  std::vector<Arc_row> measure_arcs(const Complex_graph& graph,
+                                    const std::vector<std::size_t>& places,
+                                    const MakeAugmentation& make_augmentation) const
   {
-    const std::vector<double> volumes = CGAL::Reeb_graph::arc_volumes(augmentation, points(), locations);
+    const Augmentation& augmentation = make_augmentation();
+    const std::vector<double> volumes = CGAL::Reeb_graph::arc_volumes(augmentation, points(), Vertex_places{places});
     std::vector<Arc_row> rows =
-      rows_of_arcs(augmentation.graph(), locations, CGAL::Reeb_graph::arc_lengths(augmentation, points()), volumes);
+      rows_of_arcs(graph, vertices(), places, CGAL::Reeb_graph::arc_lengths(augmentation, points()), volumes);
     for(std::size_t i = 0; i < rows.size(); ++i)
       rows[i].volume = volumes[i];
     return rows;

@@ -31,7 +31,7 @@ void check_simplification_options(const Simplification_options& options)
 void check_simplification_of_field(const Simplification_options& options)
 {
   if(options.are_loops_cancelled)
-    throw std::runtime_error("--cancel-loops does not go with a field: on this mesh, each field has its loops");
+    throw std::runtime_error("--cancel-loops does not go with a field: loops belong to the mesh");
 }
 
 double threshold_in_units(const Simplification_options& options,

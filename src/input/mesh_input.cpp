@@ -44,8 +44,8 @@ Polygon_soup read_soup(const std::string& path, const std::string& vertex_proper
     return read_vtu(path, vertex_property);
   if(!vertex_property.empty())
     throw Input_error(path, "there is no field " + quote(vertex_property)
-                              + ": it is x, y, z, height, harmonic, poisson, geodesic, unit-gradient, or the name of a "
-                                "property of the vertices of a PLY, VTK, or VTU file");
+                              + ": fields are x, y, z, height, harmonic, harmonic-between-borders, poisson, geodesic, "
+                                "unit-gradient, and the properties of the vertices of PLY, VTK, and VTU files");
   if(extension == ".off")
     return read_off(path);
   if(extension == ".obj")

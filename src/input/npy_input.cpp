@@ -111,7 +111,7 @@ std::vector<double> decode_array(const std::string& path, const Npy_array& array
   if(kind == "u8")
     return decode_as(std::uint64_t());
   throw Input_error(path, "the array has the dtype " + quote(array.type)
-                            + ": it is to be one of integers, float32, or float64");
+                            + ": it must be one of integers, float32, or float64");
 }
 
 } // namespace
@@ -121,7 +121,7 @@ std::vector<double> read_npy(const std::string& path, std::size_t number_of_vert
   const File_contents file(path);
   const Npy_array array = split_npy(path, file.text());
   if(!std::regex_match(array.shape, std::regex(" *" + std::to_string(number_of_vertices) + ", *")))
-    throw Input_error(path, "the array has the shape (" + array.shape + "): it is to be ("
+    throw Input_error(path, "the array has the shape (" + array.shape + "): it must be ("
                               + std::to_string(number_of_vertices) + ",), one number for each vertex of the mesh");
   return decode_array(path, array, number_of_vertices);
 }

@@ -123,7 +123,7 @@ Polygon_soup read_obj(const std::string& path)
   });
   Polygon_soup soup = join(std::move(parts));
   if(soup.points.empty() || soup.polygons.size() == 0)
-    throw Input_error(path, blocks.number_of_lines(), "the file ends, and has no face");
+    throw Input_error(path, blocks.number_of_lines(), "the file ends without a face");
   const auto first =
     std::max_element(highest.begin(), highest.end(),
                      [](const Highest_vertex& a, const Highest_vertex& b) { return a.number < b.number; });

@@ -39,7 +39,7 @@ public:
     for(std::size_t i = 0; i < cells_.size(); ++i)
       add_vtk_cell(path_, types_[i], cells_[i], 0, soup_);
     if(!vertex_property_.empty() && soup_.scalars.size() != soup_.points.size())
-      throw Input_error(path_, "there is no field " + quote(vertex_property_) + ": the points have no such scalars");
+      throw Input_error(path_, "there is no field " + quote(vertex_property_) + ": its points have no such scalars");
     return std::move(soup_);
   }
 

@@ -231,7 +231,7 @@ private:
     if(!vertex_property_.empty())
     {
       if(piece.arrays.count("scalars") == 0)
-        fail("there is no field " + quote(vertex_property_) + ": the points have no such numbers");
+        fail("there is no field " + quote(vertex_property_) + ": its points have no such numbers");
       const std::vector<double> scalars = numbers(piece, "scalars", piece.number_of_points, 1);
       soup.scalars.insert(soup.scalars.end(), scalars.begin(), scalars.end());
     }

@@ -56,7 +56,7 @@ typedef CGAL::Reeb_graph::Distributed_slab<double> Slab;
 
 [[noreturn]] void refuse(const std::string& option, const std::string& reason)
 {
-  throw std::runtime_error(option + " cannot be had on ranks: " + reason);
+  throw std::runtime_error(option + " is not available on ranks: " + reason);
 }
 
 std::vector<std::filesystem::path> output_files(const Compute_options& options)

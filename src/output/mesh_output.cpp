@@ -125,7 +125,7 @@ struct Mesh_columns
   {
     for(const Surface::Vertex_index v : surface.vertices())
     {
-      const std::size_t place = results.places[values.size()];
+      const std::size_t place = results.places[v.idx()];
       const bool is_node = place < results.number_of_nodes;
       values.push_back(results.scalar_map[v]);
       arcs.push_back(is_node ? -1 : static_cast<int>(place - results.number_of_nodes));

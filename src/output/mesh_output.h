@@ -31,7 +31,7 @@ void check_mesh_format(const std::filesystem::path& path);
 struct Mesh_results
 {
   Scalar_map scalar_map;
-  const std::vector<std::size_t>& places; // of the vertices, as those of a Mesh_graph
+  const std::vector<std::size_t>& places; // of the vertices, by their indices
   std::size_t number_of_nodes = 0;        // of the graph
   std::optional<Patch_map> patch_map;     // of a mesh that has been cut
 };

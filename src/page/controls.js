@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-/* global addElement, element, formatNumber, loopColors, measurePatches, plural, toHex */
+/* global addElement, element, formatNumber, loopColors, measurePatches, normalized, plural, toHex */
 /* exported setUpControls */
 
 // What the controls, mouse, touch and keys call of the page.
@@ -71,14 +71,20 @@ function setUpPatches(page) {
   })), number => scene.setLitPatch(number));
 }
 
-// Handles, tunnels and other loops, the shortest first.
+// Handles, tunnels and other loops, the shortest first: a click shows one from near. Where there are handles, the graph
+// is hidden at first, as it lies on them.
 function setUpLoops(page) {
   const {scene, data} = page;
+  element("show_graph").checked = !data.loops.some(loop => loop.kind === "handle");
+  scene.setLayers({graph: element("show_graph").checked, curves: true});
   const loops = data.loops.map((loop, number) => Object.assign({number}, loop)).sort((a, b) => a.length - b.length);
   setUpList(plural(loops.length, "loop"), ["loop", "length", "persistence"], loops.map(loop => ({
     number: loop.number, color: loopColors[loop.kind], name: loop.kind + " " + loop.number,
     cells: [formatNumber(loop.length), loop.persistence === null ? "" : formatNumber(loop.persistence)],
-    click: () => {}
+    click: () => {
+      const center = scene.centerOfCurve(loop.number);
+      scene.eye.showPart(center, loop.length / Math.PI, normalized(center));
+    }
   })), number => scene.setLitLoop(number));
 }
 

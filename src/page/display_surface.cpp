@@ -36,7 +36,6 @@ std::int32_t page_place(std::size_t place, std::size_t number_of_nodes)
 template <class OriginMap>
 Display_surface show(const Page_subject& subject,
                      const Page_frame& frame,
-                     const Vertex_locations& locations,
                      const Surface& surface,
                      OriginMap origin,
                      const std::optional<Patch_map>& patch_map)
@@ -49,7 +48,7 @@ Display_surface show(const Page_subject& subject,
     for(int i = 0; i != 3; ++i)
       result.positions.push_back(static_cast<float>(surface.point(v)[i] - frame.origin[i]));
     result.values.push_back(subject.scalar_map[origin(v)]);
-    result.vertex_arcs.push_back(page_place(locations.index(origin(v)), num_vertices(subject.graph())));
+    result.vertex_arcs.push_back(page_place(subject.places[origin(v).idx()], num_vertices(subject.graph())));
   }
   for(const Surface::Face_index f : surface.faces())
     for(const Surface::Vertex_index v : surface.vertices_around_face(surface.halfedge(f)))
@@ -98,20 +97,20 @@ std::array<double, 3> Page_frame::coordinates(const Point& point) const
   return result;
 }
 
-Display_surface display_surface(const Page_subject& subject, const Page_frame& frame, const Vertex_locations& locations)
+Display_surface display_surface(const Page_subject& subject, const Page_frame& frame)
 {
   constexpr std::size_t largest_number_of_faces = 200000;
   const Surface& surface = subject.surface();
   if(surface.number_of_faces() <= largest_number_of_faces)
     return show(
-      subject, frame, locations, surface, [](const Surface::Vertex_index v) { return v; }, subject.patch_map);
+      subject, frame, surface, [](const Surface::Vertex_index v) { return v; }, subject.patch_map);
   std::vector<Surface::Vertex_index> node_vertices;
   for(const auto node : CGAL::make_range(vertices(subject.graph())))
     node_vertices.push_back(subject.graph()[node].vertex);
   const Decimated_surface decimated = decimate(surface, largest_number_of_faces, node_vertices, subject.patch_map);
   Display_surface result = show(
-    subject, frame, locations, decimated.surface,
-    [&](const Surface::Vertex_index v) { return decimated.origin_map[v]; }, decimated.patch_map);
+    subject, frame, decimated.surface, [&](const Surface::Vertex_index v) { return decimated.origin_map[v]; },
+    decimated.patch_map);
   result.is_decimated = true;
   result.new_numbers.clear();
   return result;

@@ -47,9 +47,7 @@ struct Display_surface
 };
 
 // A surface of more than 200000 faces is decimated.
-Display_surface display_surface(const Page_subject& subject,
-                                const Page_frame& frame,
-                                const Vertex_locations& locations);
+Display_surface display_surface(const Page_subject& subject, const Page_frame& frame);
 
 } // namespace reeb_graph_program
 

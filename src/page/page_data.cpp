@@ -37,7 +37,7 @@ std::vector<double> values(const Page_subject& subject)
   return result;
 }
 
-Embedded_graph embed(const Page_subject& subject, const Vertex_locations& locations)
+Embedded_graph embed(const Page_subject& subject)
 {
   namespace parameters = CGAL::parameters;
   Progress_bar progress_bar("embedding");
@@ -45,16 +45,17 @@ Embedded_graph embed(const Page_subject& subject, const Vertex_locations& locati
   const auto at_nodes = parameters::number_of_contours_at_nodes(2, smoothing);
   auto embedding = CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(
     subject.augmentation, parameters::number_of_contours(16, at_nodes));
-  std::vector<std::size_t> node_sizes;
-  for(const auto node : CGAL::make_range(vertices(subject.graph())))
-    node_sizes.push_back(locations.vertices_of_node(node).size());
+  const Graph& graph = subject.graph();
+  std::vector<std::size_t> node_sizes =
+    count_by_place(subject.surface().vertices(), subject.places, num_vertices(graph) + num_edges(graph));
+  node_sizes.resize(num_vertices(graph));
   const Surface_follower follow(subject.surface());
   for(Point& point : embedding.node_points)
     point = follow(point);
   for(Polyline& line : embedding.arc_polylines)
     line = follow(line);
-  return {subject.graph(), std::move(embedding.node_points), std::move(node_sizes), std::move(embedding.arc_polylines),
-          measure_arcs(subject.surface(), subject.scalar_map, subject.graph(), locations)};
+  return {graph, std::move(embedding.node_points), std::move(node_sizes), std::move(embedding.arc_polylines),
+          measure_arcs(subject.surface(), subject.scalar_map, graph, subject.places)};
 }
 
 nlohmann::ordered_json page_surface(const Page_subject& subject,
@@ -166,9 +167,8 @@ nlohmann::ordered_json page_data(const Page_subject& subject)
 {
   const Page_frame frame(subject.surface());
   const Value_scale value_scale(values(subject));
-  const Vertex_locations locations = locate_vertices(subject.augmentation);
-  const Display_surface surface = display_surface(subject, frame, locations);
-  const Embedded_graph embedded = embed(subject, locations);
+  const Display_surface surface = display_surface(subject, frame);
+  const Embedded_graph embedded = embed(subject);
 
   nlohmann::ordered_json data;
   data["version"] = 1;

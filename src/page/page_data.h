@@ -16,6 +16,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,8 @@ namespace reeb_graph_program {
 // What the data of a page are made of: a graph on its surface, with patches and curves if there are any.
 struct Page_subject
 {
-  const Augmentation& augmentation; // the way from the graph to the surface
+  const Augmentation& augmentation;       // the way from the graph to the surface
+  const std::vector<std::size_t>& places; // of the vertices, by their indices
   Scalar_map scalar_map;
   std::string title;
   Field_label field_label;

@@ -118,8 +118,9 @@ void check_page(const fs::path& path, const std::string& up)
 
 void write_page(const fs::path& path, const Page_request& request)
 {
-  const Simplified_graph wanted(request.graph, request.simplification, request.threshold);
-  const std::optional<double> threshold = threshold_for_page(request.graph, wanted.result(), request.threshold);
+  const Graph& given = request.graph.given();
+  const Simplified_graph wanted(given, request.simplification, request.threshold);
+  const std::optional<double> threshold = threshold_for_page(given, wanted.result(), request.threshold);
   std::optional<Simplified_graph> smaller;
   if(threshold)
   {
@@ -127,11 +128,14 @@ void write_page(const fs::path& path, const Page_request& request)
     options.threshold = {*threshold, false};
     options.number_of_leaves.reset();
     options.are_loops_cancelled = true;
-    smaller.emplace(request.graph, options, *threshold);
+    smaller.emplace(given, options, *threshold);
   }
   const Simplified_graph& shown = smaller ? *smaller : wanted;
   const Augmentation augmentation = shown.augmentation(request.surface, request.scalar_map, request.graph_options);
-  nlohmann::ordered_json data = page_data({augmentation, request.scalar_map, request.title, request.field_label,
+  const auto& simplification = shown.simplification();
+  const std::vector<std::size_t> places =
+    simplification ? simplified_places(request.graph.given_places(), *simplification) : request.graph.given_places();
+  nlohmann::ordered_json data = page_data({augmentation, places, request.scalar_map, request.title, request.field_label,
                                            request.up, request.patch_map, request.curves, request.loops});
   data["graph"]["is_simplified"] = threshold.has_value();
   data["graph"]["arcs_of_input"] = num_edges(wanted.result());

@@ -12,6 +12,7 @@
 #include "base/Field_label.h"
 #include "base/options.h"
 #include "base/surface.h"
+#include "computation/Mesh_graph.h"
 #include "page/page_data.h"
 
 #include <filesystem>
@@ -31,7 +32,7 @@ struct Page_request
 {
   const Surface& surface;
   Scalar_map scalar_map;
-  const Graph& graph; // as it has been computed, with these options
+  Mesh_graph& graph; // which is computed with these options; it is the given one that is simplified
   Graph_options graph_options;
   std::string title;
   Field_label field_label;

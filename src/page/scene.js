@@ -272,6 +272,15 @@ class Scene {
     this.requestDrawing(true);
   }
 
+  // The mean of the points of a curve, in the frame of the view.
+  centerOfCurve(number) {
+    const {points} = this.polylines[number], sums = [0, 0, 0];
+    points.forEach((x, i) => {
+      sums[i % 3] += 3 * x / points.length;
+    });
+    return sums.map((x, i) => x - this.pose.center[i]);
+  }
+
   // Lights one of the loops and dims the other ones, or none.
   setLitLoop(number) {
     this.remove(this.litLoop);

@@ -238,7 +238,7 @@ BOOST_AUTO_TEST_CASE(files_that_are_written_and_read)
     return [text](const File_error& error) { return std::string(error.what()).find(text) != std::string::npos; };
   };
   BOOST_CHECK_EXCEPTION(CGAL::Reeb_graph::read_graphml(name, mesh, read), File_error,
-                        says(name + ": this is no GraphML: line 1: "));
+                        says(name + ": this is not GraphML: line 1: "));
   CGAL::Reeb_graph::write_graphml(name, graph, vertex_map);
   BOOST_CHECK_EXCEPTION(CGAL::Reeb_graph::read_graphml(name, mesh, read), File_error,
                         says("no data chain: write_graphml() writes chains if"));

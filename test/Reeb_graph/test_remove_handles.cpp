@@ -10,6 +10,7 @@
 
 #include "generated_surfaces/standing_figure.h"
 #include "handle_samples.h"
+#include "random_meshes.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -22,6 +23,7 @@
 #include <boost/mpl/list.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -150,6 +152,23 @@ std::vector<Ring> noise(std::size_t number, std::size_t seed)
   return rings;
 }
 
+std::array<long, 3> cube_of(const Vector& p, double size)
+{
+  return {std::lround(p[0] / size), std::lround(p[1] / size), std::lround(p[2] / size)};
+}
+
+// Whether the cube of a point, or one beside it, is among those.
+bool is_near(const Vector& p, double size, const std::set<std::array<long, 3>>& cubes)
+{
+  const auto [x, y, z] = cube_of(p, size);
+  for(long i = x - 1; i <= x + 1; ++i)
+    for(long j = y - 1; j <= y + 1; ++j)
+      for(long k = z - 1; k <= z + 1; ++k)
+        if(cubes.count({i, j, k}) != 0)
+          return true;
+  return false;
+}
+
 // A ring whose hole is narrow, with what passes through it.
 template <class Other>
 double narrow_ring_with(const Vector& p, const Other& other)
@@ -182,15 +201,35 @@ BOOST_AUTO_TEST_CASE(noise_goes_and_the_handle_of_the_figure_stays)
     const auto rows = remove_and_check(mesh, 1);
     BOOST_TEST(2 * static_cast<long>(rows.size()) == -given_characteristic);
     BOOST_TEST(euler_characteristic(mesh) == 0);
+    // Each point of one surface is near to the other one, and nothing has moved.
+    const auto is_noise = [&](const Vector& p) {
+      return std::any_of(rings.begin(), rings.end(), [&](const Ring& r) { return r.distance(p) < 3 * cell; });
+    };
+    std::set<std::array<long, 3>> passed; // cubes with vertices
     for(const auto v : mesh.vertices())
     {
       const Vector p = {mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
-      const bool is_noise =
-        std::any_of(rings.begin(), rings.end(), [&](const Ring& r) { return r.distance(p) < 3 * cell; });
-      BOOST_TEST((is_noise || std::abs(fat_ring(p)) < 3 * cell));
-      BOOST_TEST((is_noise || v.idx() < given));
+      BOOST_TEST((is_noise(p) || (std::abs(fat_ring(p)) < 3 * cell && v.idx() < given)));
+      passed.insert(cube_of(p, 0.85 * cell));
     }
+    for(int i = 0; i != 200; ++i)
+      for(int j = 0; j != 80; ++j)
+      {
+        const double pi = generated_surfaces::internal::pi, t = 2 * pi * i / 200, u = 2 * pi * j / 80;
+        const double across = 1 + 0.4 * std::cos(u);
+        const Vector p = {across * std::cos(t), across * std::sin(t), 0.4 * std::sin(u)};
+        BOOST_TEST((is_noise(p) || is_near(p, 0.85 * cell, passed))); // less than three cells away
+      }
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_figure_loses_the_loop_of_its_arm)
+{
+  Surface_mesh mesh = make_mesh<Surface_mesh>(generated_surfaces::standing_figure(12000));
+  BOOST_TEST(!does_self_intersect(mesh));
+  const auto rows = remove_and_check(mesh, infinity);
+  BOOST_TEST(rows.size() == 1u);
+  BOOST_TEST(euler_characteristic(mesh) == 2);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(all_handles_or_some_or_none, Mesh, Meshes)
@@ -261,6 +300,45 @@ BOOST_AUTO_TEST_CASE(what_passes_through_is_in_the_way)
     BOOST_TEST((rows[0].kind == CGAL::Reeb_graph::Loop_kind::TUNNEL));
     BOOST_TEST((rows[0].result == (is_finger ? Removal_result::NO_DISC : Removal_result::OTHER_COMPONENT)));
   }
+}
+
+BOOST_AUTO_TEST_CASE(what_pierces_the_faces_beside_a_cut_is_in_the_way)
+{
+  // a torus whose tube is narrow at one place, and opposite a spike that reaches into the faces there, but not into the disc
+  const std::size_t around = 16, along = 60;
+  const double pi = generated_surfaces::internal::pi;
+  auto soup = generated_surfaces::internal::grid(around, along, true, true, [&](std::size_t column, std::size_t row) {
+    const double t = 2 * pi * row / along, u = 2 * pi * column / around, radius = 0.35 - 0.2 * std::cos(t);
+    const double across = 1 + radius * std::cos(u);
+    return Vector{across * std::cos(t), across * std::sin(t), radius * std::sin(u)};
+  });
+  soup.points[along / 2 * around + around / 2] = {0.87, 0.05, 0.01};
+  Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
+  const auto rows = remove_and_check(mesh, 1);
+  BOOST_TEST(rows.size() == 1u);
+  BOOST_TEST((rows[0].result == Removal_result::INTERSECTS));
+}
+
+BOOST_AUTO_TEST_CASE(loops_that_pass_a_vertex_twice_are_refused)
+{
+  // many handles and few vertices at random places
+  std::size_t number_of_crossed = 0;
+  for(const std::size_t seed : {1, 2, 3, 4})
+  {
+    random_meshes::Random random(seed);
+    auto sum = random_meshes::seven_vertex_torus();
+    for(int i = 1; i != 24; ++i)
+      sum = random_meshes::connected_sum(sum, random_meshes::seven_vertex_torus(), random);
+    Triangle_soup soup;
+    const auto coordinate = [&] { return static_cast<double>(random.below(1000)); };
+    for(std::size_t v = 0; v != sum.number_of_vertices; ++v)
+      soup.points.push_back({coordinate(), coordinate(), coordinate()});
+    for(const auto& t : sum.triangles)
+      soup.triangles.push_back({t[0], t[1], t[2]});
+    Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
+    number_of_crossed += count(remove_and_check(mesh, infinity), Removal_result::CROSSES_ITSELF);
+  }
+  BOOST_TEST(number_of_crossed > 0u);
 }
 
 BOOST_AUTO_TEST_CASE(holes_stay)

@@ -16,7 +16,11 @@
 #include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
+#include <CGAL/Reeb_graph/arc_measures.h>
+#include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/tetrahedra.h>
+#include <CGAL/compute_reeb_graph_of_soup.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -109,6 +113,32 @@ BOOST_AUTO_TEST_CASE(tetrahedra_of_a_triangulation_are_its_finite_cells)
                               cell->vertex(3)->point());
       BOOST_TEST(sixfold_volume(tetrahedra) == sum);
     }
+}
+
+// The manual shows what is between marks.
+BOOST_AUTO_TEST_CASE(a_triangulation_has_a_graph_in_space_and_volumes)
+{
+  Triangulation triangulation;
+  for(const int corner : {0, 1, 2, 3, 4, 5, 6, 7})
+    triangulation.insert(Point(corner & 1, corner & 2, (corner & 4) * 0.75));
+  CGAL::Reeb_graph_soup_traits<double>::Graph graph;
+  //! [tetrahedra_of_triangulation]
+  const auto cells = CGAL::Reeb_graph::tetrahedra_of_triangulation(triangulation);
+  std::vector<double> scalars;
+  for(const auto& point : cells.points)
+    scalars.push_back(point.z());
+  CGAL::compute_reeb_graph_of_tetrahedra(cells.points, cells.tetrahedra, scalars, graph);
+  //! [tetrahedra_of_triangulation]
+  BOOST_TEST(num_edges(graph) == 1);
+
+  const auto& points = cells.points;
+  const CGAL::Reeb_graph::Tetrahedra_augmentation augmentation(points, cells.tetrahedra, scalars, graph);
+  //! [embed_complex]
+  const auto embedding = CGAL::Reeb_graph::embed(augmentation, points);
+  const auto volumes = CGAL::Reeb_graph::arc_volumes(augmentation, points, augmentation.locate_vertices());
+  //! [embed_complex]
+  BOOST_TEST(embedding.node_points.size() == 2);
+  BOOST_TEST(volumes.at(0) == 6, boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(a_triangulation_in_a_plane_has_no_tetrahedra)

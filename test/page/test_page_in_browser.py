@@ -50,9 +50,9 @@ def start_browser():
 # Meshes and pages
 
 
-def write_torus(name, rows, columns):
-    """A torus that stands upright, with bumps, so that it has a few more extrema."""
-    lines = [f"OFF\n{rows * columns} {2 * rows * columns} 0"]
+def write_torus(name, rows, columns, holes=()):
+    """A torus that stands upright, with bumps, so that it has a few more extrema; without the cells (row, column)."""
+    lines = [f"OFF\n{rows * columns} {2 * (rows * columns - len(holes))} 0"]
     for i in range(rows):
         for j in range(columns):
             a, b = 2 * math.pi * i / rows, 2 * math.pi * j / columns
@@ -63,8 +63,28 @@ def write_torus(name, rows, columns):
         for j in range(columns):
             p, q = i * columns, (i + 1) % rows * columns
             k = (j + 1) % columns
+            if (i, j) in holes:
+                continue
             lines.append(f"3 {p + j} {q + j} {q + k}\n3 {p + j} {q + k} {p + k}")
     (folder / name).write_text("\n".join(lines) + "\n")
+
+
+def distance_out_of_torus(x, y, z):
+    """How far a point is from what the torus encloses, about: negative inside."""
+    a = math.atan2(z, x)
+    for _ in range(4):
+        a = math.atan2(z - 0.3 * math.cos(a), x)
+    across = math.hypot(x, z - 0.3 * math.cos(a)) - 3
+    return math.hypot(across, y) - 1 - 0.15 * math.sin(5 * a) * math.cos(3 * math.atan2(y, across))
+
+
+def assert_lines_are_inside(data):
+    """The lines of the arcs of a torus do not leave it, seen at their points and between these."""
+    for number, arc in enumerate(data["graph"]["arcs"]):
+        line = [arc["polyline"][i:i + 3] for i in range(0, len(arc["polyline"]), 3)]
+        places = [[(1 - t) * x + t * y for x, y in zip(p, q)] for p, q in zip(line, line[1:]) for t in (0, 0.5)]
+        worst = max(distance_out_of_torus(*place) for place in places)
+        assert worst < 0.06, (number, worst)
 
 
 def write_sphere_with_holes(name, rows, columns, holes):
@@ -429,10 +449,24 @@ def test_patches_and_curves():
     assert "mm" in browser.find_element(By.ID, "color_bar").text
 
 
+def hue_counts(pixels):
+    """How many of the colours are those of handles, and of tunnels: orange, and blue."""
+    colours = [(pixel >> 16, pixel >> 8 & 255, pixel & 255) for pixel in pixels if pixel >= 0]
+    return (sum(r > 1.6 * g and g > 1.3 * b for r, g, b in colours), sum(b > 1.3 * g and g > 1.5 * r for r, g, b in colours))
+
+
 def test_loops():
     """What handles shows: a list of loops, the shortest first, of which each lights up when it is pointed at."""
     run("handles", "torus.off", "--html", "loops.html")
     load("loops.html")
+    browser.execute_script("""const opacity = document.getElementById('opacity');
+                              opacity.value = 0; opacity.dispatchEvent(new Event('input'))""")
+    assert not browser.find_element(By.ID, "show_graph").is_selected()
+    handles, tunnels = hue_counts(picture())
+    assert handles > 20 and tunnels > 50, (handles, tunnels)
+    browser.find_element(By.ID, "show_curves").click()
+    assert hue_counts(picture()) == (0, 0)
+    browser.find_element(By.ID, "show_curves").click()
     assert [loop["kind"] for loop in data_of_page()["loops"]] == ["handle", "tunnel"]
     rows = browser.find_elements(By.CSS_SELECTOR, "#patches_list tr")
     assert len(rows) == 2 and "2 loops" in browser.find_element(By.ID, "patches_heading").text
@@ -445,6 +479,20 @@ def test_loops():
     assert difference(before, first) > 50 and difference(first, picture()) > 50
     ActionChains(browser).move_to_element(browser.find_element(By.ID, "title")).perform()
     assert difference(before, picture()) == 0
+    eye = state()["eye"]
+    rows[0].find_element(By.TAG_NAME, "button").click()
+    assert state()["eye"] != eye and hue_counts(picture())[0] > 2 * handles
+
+
+def test_removal():
+    """The page of a mesh whose handle has been removed shows what is left: no loop, and a surface without a tunnel."""
+    run("handles", "torus.off", "--remove", 1, "--output", "clean.off", "--html", "clean.html")
+    load("clean.html")
+    data = data_of_page()
+    assert data["loops"] == [] and data["surface"]["faces_of_input"] > 2 * 48 * 24
+    assert not browser.find_element(By.ID, "patches").is_displayed()
+    assert len(data["graph"]["arcs"]) == len(data["graph"]["nodes"]) - 1
+    assert len(set(picture())) > 200
 
 
 def test_cut_scan():
@@ -472,6 +520,17 @@ def test_cut_scan():
     click(*in_drawing(longest_arc(data), 0.5))
     assert len(state()["contour"]["points"]) > 9
     assert state()["arcs"] == len(data["graph"]["arcs"])
+
+
+def test_lines_inside_of_a_cut_scan():
+    """Lines stay inside where curves has made the borders level, as those of a height do."""
+    write_torus("pierced.off", 48, 24, [(5, 3), (20, 10), (33, 17), (40, 2)])
+    run("curves", "pierced.off", "--type", "pants", "--html", "pierced.html")
+    load("pierced.html")
+    assert len(set(picture())) > 200
+    assert_lines_are_inside(data_of_page())
+    load("torus.html")
+    assert_lines_are_inside(data_of_page())
 
 
 def test_nothing_lies_on_the_scale(data):
@@ -534,7 +593,7 @@ def test_all():
         test(data)
         assert_no_complaint(test.__name__)
         print(f"ok: {test.__name__}")
-    for test in [test_patches_and_curves, test_loops, test_cut_scan, test_least_surfaces, test_large_surface]:
+    for test in [test_patches_and_curves, test_loops, test_removal, test_cut_scan, test_lines_inside_of_a_cut_scan, test_least_surfaces, test_large_surface]:
         test()
         assert_no_complaint(test.__name__)
         print(f"ok: {test.__name__}")

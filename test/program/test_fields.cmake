@@ -137,7 +137,7 @@ expect_success(compute tetrahedron.ply --field z --graph file.graphml)
 expect_same_file(property.graphml file.graphml)
 expect_error("no property 'speed', but value, x, y, z, height" compute tetrahedron.ply --field speed)
 expect_error("'neighbors' of the vertices is a list" compute tetrahedron.ply --field neighbors)
-expect_error("torus.off: there is no field 'speed': it is x, y, z, height, harmonic" compute torus.off --field speed)
+expect_error("torus.off: there is no field 'speed': fields are x, y, z, height, harmonic" compute torus.off --field speed)
 expect_error("--field" compute torus.off --field "")
 expect_error("--scalars goes with" compute tetrahedron.ply --field value --scalars values.txt)
 

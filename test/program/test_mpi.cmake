@@ -212,11 +212,11 @@ expect_error_on_ranks(1 "other.raw: the file does not begin as a raw file" compu
 expect_error_on_ranks(1 "there is no surface 'cube'" compute --generate cube --field x)
 expect_error_on_ranks(1 "has at most 1099511627776 triangles" compute --generate genus-3 --triangles 9000000000000000000 --field x)
 
-# what cannot be had on ranks is refused, and output that cannot be written is an error
-expect_error_on_ranks(1 "--html cannot be had on ranks" compute ${smooth} --html page.html)
+# what is not available on ranks is refused, and output that cannot be written is an error
+expect_error_on_ranks(1 "--html is not available on ranks" compute ${smooth} --html page.html)
 foreach(options "--table" "--graph graph.vtp" "--graph new.obj" "--threads 2")
   separate_arguments(options)
-  expect_error_on_ranks(1 "cannot be had on ranks" compute ${smooth} ${options})
+  expect_error_on_ranks(1 "is not available on ranks" compute ${smooth} ${options})
 endforeach()
 expect_error_on_ranks(2 "missing/graph.dot: the file cannot be written" compute ${smooth} --graph missing/graph.dot)
 expect_error_on_ranks(2 "missing/new.ply: the file cannot be written" generate missing/new.ply)

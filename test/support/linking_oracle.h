@@ -63,14 +63,38 @@ public:
   // `distance` is less than half of the smallest width of the surface and of the space between its parts.
   Offset(const Mesh& mesh, double distance) : mesh_(mesh), distance_(distance)
   {
+    std::map<vertex_descriptor, std::vector<Vector>> normals;
     for(const auto f : faces(mesh))
     {
       const auto h = halfedge(f, mesh);
       const Vector p = point(source(h, mesh)), q = point(target(h, mesh)), r = point(target(next(h, mesh), mesh));
-      const Vector normal = cross(sum(q, -1, p), sum(r, -1, p));
+      const Vector normal = unit(cross(sum(q, -1, p), sum(r, -1, p)));
       for(const auto v : CGAL::vertices_around_face(h, mesh))
-        normals_[v] = sum(normals_.emplace(v, Vector{0, 0, 0}).first->second, 1, normal);
+        normals[v].push_back(normal);
     }
+    for(const auto& [v, around] : normals)
+      directions_[v] = direction_in_front(around);
+  }
+
+  // A direction that leads to the front of all faces with these normals, if there is one: that of a perceptron.
+  static Vector direction_in_front(const std::vector<Vector>& normals)
+  {
+    Vector direction = {0, 0, 0};
+    for(const Vector& normal : normals)
+      direction = sum(direction, 1, normal);
+    bool is_in_front = false;
+    for(int step = 0; step != 1000 && !is_in_front; ++step)
+    {
+      is_in_front = true;
+      for(const Vector& normal : normals)
+      {
+        if(dot(normal, direction) > 0.02 * std::sqrt(dot(direction, direction)))
+          continue;
+        direction = sum(direction, 1, normal);
+        is_in_front = false;
+      }
+    }
+    return unit(direction);
   }
 
   // The loop moved to the side of the normals by so many times the distance.
@@ -79,7 +103,7 @@ public:
   {
     Polygon result;
     for(const auto h : loop)
-      result.push_back(sum(point(source(h, mesh_)), times * distance_, unit(normals_.at(source(h, mesh_)))));
+      result.push_back(sum(point(source(h, mesh_)), times * distance_, directions_.at(source(h, mesh_))));
     return result;
   }
 
@@ -92,7 +116,7 @@ private:
 
   const Mesh& mesh_;
   double distance_;
-  std::map<vertex_descriptor, Vector> normals_;
+  std::map<vertex_descriptor, Vector> directions_; // to the front
 };
 
 } // namespace linking_oracle

@@ -2,8 +2,8 @@
 \ingroup PkgReebGraphConcepts
 \cgalConcept
 
-The concept `ReebGraphVisitor` describes what `CGAL::compute_reeb_graph()` tells while it works: for progress, for
-timing, and for the critical vertices, which are more than the nodes.
+The concept `ReebGraphVisitor` describes the functions that `CGAL::compute_reeb_graph()` calls while it works. Use them
+for progress, for timing, and for the critical vertices, of which there are more than nodes.
 
 An exception that a member throws ends the computation and reaches the caller. Unless it comes from the end of the
 last stage, the graph is as it was before.

@@ -24,7 +24,7 @@ namespace Reeb_graph {
 /// \brief numbers that are written to a file with a name: one for each arc, vertex, or face.
 struct Attribute
 {
-  /// the name, in files a column or an array; in files of XML and JSON, bytes that are no UTF-8 become U+FFFD
+  /// the name, in files a column or an array; in files of XML and JSON, bytes that are not UTF-8 become U+FFFD
   std::string name;
 
   /// the numbers, in the order of `edges(graph)`, `vertices(mesh)`, or `faces(mesh)`

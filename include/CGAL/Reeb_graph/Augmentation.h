@@ -44,7 +44,7 @@ namespace Reeb_graph {
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. Values that
-///         are no numbers are those of contours only if the traits class converts them, see `ReebGraphTraits`
+///         are not numbers are those of contours only if the traits class converts them, see `ReebGraphTraits`
 /// \tparam ReebGraph the type `Graph` of the traits class
 /// \tparam Traits a model of `ReebGraphTraits`: the type of the named parameter `geom_traits`, if that is given. It is
 ///         deduced by `Augmentation augmentation(mesh, scalar_map, graph, np)`.

@@ -81,7 +81,7 @@ public:
   /// \brief returns the contour of an arc at a place between its ends.
   ///
   /// The values along the arc are parametrized linearly, `t` = 0 at the lower node and `t` = 1 at the upper one. The
-  /// contour is one of the arc for any `t`; where no value lies between those of the ends, or values are no numbers,
+  /// contour is one of the arc for any `t`; where no value lies between those of the ends, or values are not numbers,
   /// the vertices of the chain are counted instead.
   ///
   /// \exception Parameter_error if `t` is not greater than 0 and less than 1

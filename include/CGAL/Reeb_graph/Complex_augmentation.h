@@ -30,10 +30,10 @@ namespace Reeb_graph {
 /// It holds a copy of the field and of the complex, so that only the graph has to outlive it.
 ///
 /// The contour of an arc takes time linear in the triangles at the crossed edges, or in the tetrahedra at their lower
-/// vertices, and in the degrees of the ends of the arc and of the edge it starts from. To locate vertices takes hardly
-/// longer than computing the graph again where arcs are long for the size of the cells. Otherwise it takes the time of
-/// sorting all vertices and computing the graph with all of them: near-linear for any field. Where many contours meet
-/// few vertices, as in solids, the first is so for very smooth fields only.
+/// vertices. It also takes time linear in the degrees of the ends of the arc and of the edge it starts from. Locating
+/// vertices takes hardly longer than computing the graph again if arcs are long for the size of the cells. In solids,
+/// where many contours meet few vertices, this is so for very smooth fields only. Otherwise it takes the time of
+/// sorting all vertices and computing the graph with all of them: near-linear for any field.
 ///
 /// \tparam GraphOnCells unspecified: a graph with the triangles, or the tetrahedra, that it is of
 template <class GraphOnCells>
@@ -51,9 +51,9 @@ public:
   /// \param cells the triangles, or the tetrahedra, that the graph has been computed of
   /// \param scalars the values that it has been computed of
   /// \param graph the graph
-  /// \param np the named parameters that the graph has been computed with: `ties`, `keep_degree_two_nodes`, `edges` and
-  ///        `geom_traits` count; `callback`, as for `compute_reeb_graph()`; and for a graph made by `simplify()`, what
-  ///        that has returned, as named parameter `simplification`, if vertices are to be located
+  /// \param np the named parameters that the graph has been computed with, of which `ties`, `keep_degree_two_nodes`,
+  ///        `edges` and `geom_traits` count; and `callback`, as for `compute_reeb_graph()`. To locate vertices in a
+  ///        graph made by `simplify()`, the named parameter `simplification` takes the result of that
   ///
   /// \exception Graph_mismatch_error if a node is not a vertex with its value, or an arc none that `ties` gives. That
   ///            all nodes and arcs are there is checked by `locate_vertices()` only.

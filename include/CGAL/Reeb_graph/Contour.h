@@ -29,7 +29,7 @@ struct Contour
   ArcDescriptor arc;
 
   /// the value of the level. For a level that only the order of equal values tells apart, it is their value; for one
-  /// just below a node, that of the node. It is NaN if the values of the field are no numbers.
+  /// just below a node, that of the node. It is NaN if the values of the field are not numbers.
   double value = 0;
 
   /// `true` if the contour is a closed curve, `false` if it leads from border to border

@@ -42,7 +42,7 @@ struct Embedding
   std::vector<std::vector<Point>> arc_polylines;
 
   /// the value of each point of `arc_polylines`: that of the contour or of the place on the surface that the point
-  /// stands for. Values ascend weakly, if their order is that of numbers, and are NaN if they are no numbers
+  /// stands for. Values ascend weakly, if their order is that of numbers, and are NaN if they are not numbers
   std::vector<std::vector<double>> arc_values;
 };
 

@@ -119,7 +119,7 @@ public:
 #ifndef DOXYGEN_RUNNING
   typedef internal::Flat_surface<FaceListGraph, Scalar> Flat_surface;
 
-  // What all who are given the field as scalar map of `mesh` share.
+  // What all functions share that take the field as scalar map of `mesh`.
   std::shared_ptr<const Flat_surface> flat_surface(const FaceListGraph& mesh) const
   {
     check_mesh(mesh);

@@ -34,7 +34,7 @@ struct Crossed_edges
   ArcDescriptor arc;
 
   /// the value of the level. For a level that only the order of equal values tells apart, it is their value; for one
-  /// just below a node, that of the node. It is NaN if the values of the field are no numbers.
+  /// just below a node, that of the node. It is NaN if the values of the field are not numbers.
   double value = 0;
 
   /// the crossed edges: point number `i` of the contour is on `edges[i]`. The first one is on the chain of the arc.

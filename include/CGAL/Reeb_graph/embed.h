@@ -21,29 +21,29 @@ namespace CGAL {
 namespace Reeb_graph {
 
 template <class GraphOnCells>
-class Complex_augmentation; // whoever calls embed() with one has it
+class Complex_augmentation; // callers of embed() with one have included it
 
 /// \ingroup PkgReebGraphEmbedding
 ///
 /// \brief puts a Reeb graph into space: finds a point for each node, and for each arc a polyline from node to node.
 ///
-/// The polylines begin and end exactly at the points of the nodes. In the manner `CENTROIDS` a node with arcs above and
-/// below is at the centroid of the contours just below it, a leaf at its vertex, or in the middle of the border loop or
-/// of the tied vertices around it. In the other manners each node is at its vertex.
+/// The polylines begin and end exactly at the points of the nodes. In the manner `CENTROIDS`, a node with arcs above
+/// and below is at the centroid of the contours just below it. A leaf is at its vertex, or in the middle of the border
+/// loop or of the tied vertices around it. In the other manners each node is at its vertex.
 ///
 /// - `CENTROIDS`: the polyline of an arc leads through the centroids, by length, of `number_of_contours` contours, at
 ///   equal steps of the field. Two arcs of the same nodes can have lines that coincide, as a tube inside of a round
-///   tube. If they are nowhere further apart than a hundredth and a half of the extent of all contours, about the width
-///   of a line in a picture, they are moved halfway to the surface. It takes time proportional to the lengths of these
-///   contours and of those just below the nodes, and to the square of the number of arcs that join the same two nodes.
+///   tube. If they are nowhere further apart than 1.5 percent of the extent of all contours, about the width of a line
+///   in a picture, they are moved halfway to the surface. It takes time proportional to the lengths of these contours
+///   and of those just below the nodes, and to the square of the number of arcs that join the same two nodes.
 /// - `ON_SURFACE`: the polyline follows the chain of the arc. Where that passes by the upper node, or by a node that
 ///   has been removed, it goes on along the contour just below that, the shorter way. It stays on the surface, and its
 ///   values ascend, and stay the same on this part of a contour. It takes time proportional to the lengths of the
 ///   chains and of these contours.
-/// - `STRAIGHT`: two points; parallel arcs have the same ones.
-/// - `BY_COST`: `CENTROIDS`, unless its contours of arcs cross more edges than 64 for each vertex of the mesh, and
-///   \f$ 2^{20} \f$ besides; then `STRAIGHT`. No more than that many are crossed to find out, and the result tells which
-///   it is. It does not depend on threads.
+/// - `STRAIGHT`: the polyline has two points; parallel arcs have the same ones.
+/// - `BY_COST`: `STRAIGHT` if the contours of `CENTROIDS` cross more than 64 edges for each vertex of the mesh, and
+///   \f$ 2^{20} \f$ besides; otherwise `CENTROIDS`. Finding out crosses no more edges than that. The result says which
+///   manner it is, which does not depend on threads.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether arcs are embedded
 ///         in parallel; the point map and `parametrization_map` are then read by several threads
@@ -53,31 +53,30 @@ class Complex_augmentation; // whoever calls embed() with one has it
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{embedding_manner}
-///     \cgalParamDescription{where the arcs are}
+///     \cgalParamDescription{the way of the arcs}
 ///     \cgalParamType{`Reeb_graph::Embedding_manner`}
 ///     \cgalParamDefault{`Embedding_manner::BY_COST`}
 ///     \cgalParamExtra{use the functions `parameters::embedding_manner()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_contours}
-///     \cgalParamDescription{for `CENTROIDS`: how many contours of an arc its polyline leads through; 0 gives straight
-///                           lines}
+///     \cgalParamDescription{for `CENTROIDS`: the number of contours that the polyline of an arc leads through; 0 gives
+///                           straight lines}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{12}
 ///     \cgalParamExtra{use the functions `parameters::number_of_contours()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_contours_at_nodes}
-///     \cgalParamDescription{for `CENTROIDS`: how many more contours it leads through between each node and the next
-///                           one of these contours, each a quarter as far from the node as the one before. From a
-///                           saddle, whose contours have another centroid than those just beyond it, a line then goes
-///                           to the middle of its own contours first, and does not leave the surface on a straight
-///                           way.}
+///     \cgalParamDescription{for `CENTROIDS`: the number of further contours between each node and the next one of
+///                           these contours, each a quarter as far from the node as the one before. The contours of a
+///                           saddle have another centroid than those just beyond it. With further contours, a line goes
+///                           from the saddle to the middle of its own contours first, and does not leave the surface.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
 ///     \cgalParamExtra{use the functions `parameters::number_of_contours_at_nodes()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_smoothing_steps}
-///     \cgalParamDescription{for `CENTROIDS`: how many times each inner point of a polyline is replaced by the mean of
-///                           itself and of the middle of its neighbors}
+///     \cgalParamDescription{for `CENTROIDS`: the number of times that each inner point of a polyline is replaced by
+///                           the mean of itself and of the middle of its neighbors}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
 ///     \cgalParamExtra{use the functions `parameters::number_of_smoothing_steps()`}
@@ -97,7 +96,7 @@ class Complex_augmentation; // whoever calls embed() with one has it
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is told the fraction of the work that is done; if it returns `false`, the work ends}
+///     \cgalParamDescription{is called with the fraction of the work done; if it returns `false`, the work ends}
 ///     \cgalParamType{a function object that is called with a `double` from 0 to 1 and returns a `bool`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

@@ -95,7 +95,7 @@ public:
   {}
 };
 
-/// \brief thrown for a 3-cell that is no tetrahedron with four different vertices.
+/// \brief thrown for a 3-cell that is not a tetrahedron with four different vertices.
 class Non_tetrahedral_cell_error : public Error
 {
 public:
@@ -157,7 +157,7 @@ public:
   static Unordered_scalar_error contradiction_near(std::size_t vertex)
   {
     return Unordered_scalar_error(vertex, message("the order of the scalar values contradicts itself near vertex ",
-                                                  vertex, ": it is no strict weak order of them"));
+                                                  vertex, ": it is not a strict weak order"));
   }
 
 private:

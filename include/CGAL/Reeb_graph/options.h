@@ -26,10 +26,10 @@ enum class Ties
 
 /// \ingroup PkgReebGraphEnums
 ///
-/// \brief how the arcs are found; the graph is the same.
+/// \brief the method that finds the arcs; the graph is the same for each.
 enum class Method
 {
-  AUTOMATIC,     ///< the same as `CONTOUR_TREES`, which is the faster one for smooth fields as well as for noise
+  AUTOMATIC,     ///< `CONTOUR_TREES`, which is the faster one for smooth fields as well as for noise
   CRITICAL_SETS, ///< critical sets and ascending paths: the method of the paper, quadratic for noise
   CONTOUR_TREES  ///< contour trees joined by loop surgery: near-linear for any field
 };
@@ -51,7 +51,7 @@ enum class Laplacian_weights
 
 /// \ingroup PkgReebGraphEnums
 ///
-/// \brief what `make_borders_level()` makes of a border component that is no extremal level yet.
+/// \brief what `make_borders_level()` makes of a border component that is not an extremal level yet.
 enum class Border_extremum
 {
   AUTOMATIC, ///< what changes less

@@ -35,8 +35,8 @@ struct Plane_layout
 {
   /// by number of node, its horizontal position. Neighboring columns are 1 apart, those of short branches half of that,
   /// and those with many nodes of nearly one value more. Such nodes, whose signs would lie on each other in the drawing
-  /// of `write_svg()`, are 0.25 apart, or less if they are more than 24. The position is greater than -0.5. The vertical
-  /// position of a node is its value, or in an order that is not that of numbers up or down its number.
+  /// of `write_svg()`, are 0.25 apart, or less if they are more than 24. The position is greater than -0.5. The
+  /// vertical position of a node is its value, or in an order that is not that of numbers up or down its number.
   std::vector<double> node_positions;
 
   /// by arc, in the order of `edges(graph)`, the points of a curve from its lower node to its upper one, horizontal and
@@ -49,16 +49,16 @@ struct Plane_layout
 ///
 /// \brief lays out a Reeb graph in the plane: the height of a node is its value, arcs ascend.
 ///
-/// In another order than that of `operator<`, larger numbers may come first: then the axis is to be drawn with the
-/// largest number at the bottom, and arcs ascend again. If the numbers neither ascend nor fall from node to node, the
-/// height of a node is its number, its place in the order.
+/// In another order than that of `operator<`, larger numbers may come first. Then draw the axis with the largest number
+/// at the bottom, and arcs ascend again. If the numbers neither ascend nor fall from node to node, the height of a node
+/// is its number, its place in the order.
 ///
-/// The graph is taken apart into branches, from the least persistent one to the trunk of each component, as by
-/// `simplify()`; of the sides of a loop, all but one are branches that end where the loop closes. A branch is drawn in
-/// a column of its own, and is led in a curve to the branch at which it is attached. Branches share a column where they
-/// are at different heights. Their sides and their order are chosen so that few arcs cross: none in a graph whose
-/// branches all go up, as in a merge tree, or all go down. Components lie side by side, the tallest first. Nodes of
-/// nearly one value lie beside each other.
+/// The graph consists of branches, from the least persistent one to the trunk of each component, as for `simplify()`.
+/// Of the sides of a loop, all but one are branches that end where the loop closes. A branch is drawn in a column of
+/// its own, and is led in a curve to the branch at which it is attached. Branches share a column where they are at
+/// different heights. Their sides and their order are chosen so that few arcs cross: none in a graph whose branches all
+/// go up, as in a merge tree, or all go down. Components lie side by side, the tallest first. Nodes of nearly one value
+/// lie beside each other.
 ///
 /// With \f$ n \f$ nodes and arcs it takes \f$ O(n \log^2 n) \f$ time. Equal graphs have equal layouts.
 ///

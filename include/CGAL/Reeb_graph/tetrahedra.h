@@ -181,7 +181,7 @@ tetrahedra_of_complex(const MeshComplex& complex)
 ///
 /// \param complex the linear cell complex
 ///
-/// \exception Non_tetrahedral_cell_error if a 3-cell is no tetrahedron, or one with a vertex at two of its corners
+/// \exception Non_tetrahedral_cell_error if a 3-cell is not a tetrahedron, or one with a vertex at two of its corners
 template <class LinearCellComplex>
 #ifdef DOXYGEN_RUNNING
 Tetrahedra<unspecified_type, typename LinearCellComplex::Point>

@@ -29,7 +29,7 @@ enum class Stage
 
 /// \ingroup PkgReebGraphRef
 ///
-/// \brief a visitor of `compute_reeb_graph()` that does nothing; derive from it to hide one or more members.
+/// \brief a visitor of `compute_reeb_graph()` that does nothing; derive from it, and redefine one or more members.
 ///
 /// \cgalModels{ReebGraphVisitor}
 struct Default_visitor

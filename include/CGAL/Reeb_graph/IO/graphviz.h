@@ -77,7 +77,7 @@ inline std::string dot_text(const std::string& text)
 /// \brief writes a Reeb graph in the <A HREF="https://graphviz.org/">Graphviz</A> format, to be drawn by its
 /// program `dot` with lower nodes below upper ones.
 ///
-/// The label of a node is its number, the index of its mesh vertex and its scalar value to six digits, its colour tells
+/// The label of a node is its number, the index of its mesh vertex and its scalar value to six digits. Its color shows
 /// the kind. The label of an arc is its number, if the graph has the property `boost::edge_index`. The attributes
 /// `vertex`, `value`, and `kind` are those of `write_graphml()`, with all digits. Equal graphs give equal files.
 /// Values that have no `operator<<` are written as the numbers that the traits class makes of them.

@@ -77,7 +77,7 @@ void write_json_of_graph(std::ostream& out,
 ///
 /// The object has the members `directed` and `multigraph`, which are `true`, `nodes`, and `edges`, the arcs, in their
 /// order, so that NetworkX makes a graph of it by `node_link_graph(json.load(file))` from its version 3.6 on. In the
-/// versions 3.4 and 3.5, `edges="edges"` has to be told, in older ones `link="edges"`.
+/// versions 3.4 and 3.5, `edges="edges"` is needed, in older ones `link="edges"`.
 ///
 /// - Nodes have `id`, their number, `vertex`, the index of their mesh vertex, `value`, `kind`, and `point`.
 /// - Arcs have `index`, their number, `source` and `target`, the numbers of the lower and the upper node, `polyline`,

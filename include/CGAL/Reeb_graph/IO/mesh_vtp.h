@@ -40,7 +40,7 @@ inline void write_attributes(Vtp_document& document, const std::vector<Attribute
     std::visit([&](const auto& numbers) { document.write_array(attribute.name, numbers); }, attribute.numbers);
 }
 
-// Writes the colours of things, if there is a map of them.
+// Writes the colors of vertices or faces, if there is a map of them.
 template <class Range, class ColorMap>
 void write_colors(Vtp_document& document, const Range& range, const ColorMap& color_map)
 {
@@ -90,13 +90,13 @@ inline std::string name_of_first(const std::vector<Attribute>& attributes)
 ///     \cgalParamExtra{use the functions `parameters::face_attributes()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_color_map}
-///     \cgalParamDescription{colours of the vertices, written as an array `color` of red, green and blue}
+///     \cgalParamDescription{colors of the vertices, written as an array `color` of red, green and blue}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type and `CGAL::IO::Color` as
 ///                    value type}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_color_map}
-///     \cgalParamDescription{the colours of the faces}
+///     \cgalParamDescription{the colors of the faces}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptors as key type and `CGAL::IO::Color` as
 ///                    value type}
 ///     \cgalParamDefault{none}

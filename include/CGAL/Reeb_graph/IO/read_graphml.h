@@ -43,11 +43,11 @@ namespace Reeb_graph {
 /// The result is the same graph: nodes, values to the last digit, kinds, arcs with their numbers and chains, all in the
 /// same order. The mesh has to be the one that the graph has been computed of, or one with the same order of vertices
 /// and of halfedges. The file must have their positions, as the maps of `make_vertex_index_map()` and
-/// `make_halfedge_index_map()` give them. `Augmentation` tells if the graph is not one of the mesh.
+/// `make_halfedge_index_map()` give them. `Augmentation` throws an exception if the graph is not one of the mesh.
 ///
 /// \param in the stream
 /// \param mesh the mesh
-/// \param graph the result. Values that are no built-in numbers are read by their `operator>>`, or if they have none,
+/// \param graph the result. Values that are not built-in numbers are read by their `operator>>`, or if they have none,
 ///        as numbers, of which the traits class makes values. They have to be the same values as before.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, a model of
 ///        `ReebGraphTraits` whose `scalar_from_double_object()` does so

@@ -46,13 +46,13 @@ inline std::string counted(std::size_t number, const std::string& name)
 ///
 /// \brief draws a Reeb graph as a picture in the format SVG, which web browsers show and vector graphics programs edit.
 ///
-/// The height of a node is its value, as the axis tells. The axis falls if larger numbers come first in the order, and
-/// counts the nodes in any order but that of numbers. See `lay_out_in_plane()` for where nodes and arcs lie. The
-/// colours and shapes of the nodes tell their kinds, colours that people with colour blindness can tell apart. Nodes
-/// are labelled with `n` and their number, and in a small graph with their value. Arcs have their number in the order
-/// of `edges(graph)`. Labels are where there is room: none lies on another one, on a node, or on an arc. A graph of
-/// more than 5,000 nodes has none. All of it is shown where the pointer rests on a node or an arc. There is no script
-/// in the file. Equal graphs give equal files. Bytes of names that are no UTF-8 become U+FFFD.
+/// The height of a node is its value, as the axis shows. The axis falls if larger numbers come first in the order, and
+/// counts the nodes in any order but that of numbers. `lay_out_in_plane()` puts nodes and arcs in their places. Colors
+/// and shapes of nodes show their kinds; people with color blindness can distinguish the colors. The label of a node
+/// is `n` and its number, and in a small graph its value, too. The label of an arc is its number in the order of
+/// `edges(graph)`. Labels are where there is room: none lies on another one, on a node, or on an arc. A graph of more
+/// than 5,000 nodes has no labels. Point at a node or an arc to read all about it. There is no script in the file.
+/// Equal graphs give equal files. Bytes of names that are not UTF-8 become U+FFFD.
 ///
 /// \tparam ReebGraph the type `Graph` of a model of `ReebGraphTraits`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -33,8 +33,7 @@ namespace Reeb_graph {
 ///
 /// \brief writes a Reeb graph in space as an XML file of VTK, `.vtp`, which ParaView, PyVista and other programs open.
 ///
-/// Points and cells come as numbers that can be coloured by; where a number makes no sense it is -1, or NaN for one of
-/// floating point.
+/// Points and cells have numbers, to color them by. Where a number makes no sense it is -1, or NaN in floating point.
 ///
 /// - The points are first the nodes, then the inner points of the polylines of the arcs, arc by arc. Their arrays are
 ///   `value`, and `node`, `kind` and `vertex` of nodes, and `arc` of inner points.

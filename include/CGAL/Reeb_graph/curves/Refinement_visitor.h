@@ -18,7 +18,7 @@ namespace Reeb_graph {
 
 /// \ingroup PkgReebGraphCurves
 ///
-/// \brief a visitor of a refinement that does nothing; derive from it to hide one or more members.
+/// \brief a visitor of a refinement that does nothing; derive from it, and redefine one or more members.
 ///
 /// \tparam FaceGraph the type of the mesh
 ///

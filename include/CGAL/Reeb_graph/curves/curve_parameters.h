@@ -97,8 +97,8 @@
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_count_callback}
-///     \cgalParamDescription{is told once how many faces the cut mesh is going to have: after the curves are found,
-///                           before the mesh is cut along them. On noise, many curves can cross one face, and each
+///     \cgalParamDescription{is called once with the number of faces that the cut mesh will have, when the curves
+///                           are found and before the mesh is cut. On noise, many curves can cross one face, and each
 ///                           adds two. If it returns `false`, `Reeb_graph::Face_count_error` is thrown, and the mesh
 ///                           is as `callback` leaves it.}
 ///     \cgalParamType{a function object that can be called with a `std::size_t` and returns `bool`}
@@ -116,7 +116,7 @@
 /// curve it is that of the contour, elsewhere one next to that of the vertex that has been unfolded or of the border.
 /// Both lie strictly between the values of the vertices below and above wherever there is such a number. So the Reeb
 /// graph of the refined mesh has the nodes and arcs that it had, but for multi-saddles, which have been unfolded, and
-/// for the cuts of `cut_open`. Three kinds of maps are only read: those that are no model of `ReadWritePropertyMap`,
+/// for the cuts of `cut_open`. Three kinds of maps are only read: those that are not a model of `ReadWritePropertyMap`,
 /// those over a range of fixed size, such as `boost::iterator_property_map`, and dynamic property maps of a
 /// `Surface_mesh` that is `const`, which `make_scalar_map()` returns. Other property maps are carried over by an
 /// `Interpolating_visitor`.
@@ -131,14 +131,14 @@
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of all edges and faces that are split, so that attributes can be carried over}
+///     \cgalParamDescription{is called for all edges and faces that are split, so that attributes can be carried over}
 ///     \cgalParamType{a model of `ReebGraphRefinementVisitor`, by value or as `std::reference_wrapper`}
 ///     \cgalParamDefault{`Reeb_graph::Default_refinement_visitor`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object, or
-///                           that are no numbers: `scalar_to_double_object()` makes these, and values that are added
-///                           are those of `scalar_from_double_object()` where the order has them between the ones
+///                           that are not numbers. `scalar_to_double_object()` converts values to numbers. New vertices
+///                           get values of `scalar_from_double_object()`, where the order has them between the ones
 ///                           around them. The order has to take any value between those of the field, if the scalar
 ///                           map can be written.}
 ///     \cgalParamType{a model of `ReebGraphTraits`}
@@ -150,13 +150,13 @@
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1, by the calling
+///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1, by the calling
 ///                           thread. If it returns `false`, the work stops with `Reeb_graph::Cancelled_error`; not any
 ///                           more once all faces are split, when only the result is to be written. Splits that have
 ///                           been made are undone then: the mesh has the vertices, edges and faces that it had, with
 ///                           the same descriptors, the field has its values there, and nothing has been output. The
-///                           visitor has been told of the splits, and a `Surface_mesh` has garbage. To be undone, each
-///                           split takes 24 bytes on it until all are made.}
+///                           visitor has been called for the splits, and a `Surface_mesh` has garbage. To be undone,
+///                           each split takes 24 bytes on it until all are made.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

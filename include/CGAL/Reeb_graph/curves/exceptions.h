@@ -80,7 +80,7 @@ private:
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown for a sequence of halfedges that is no contour of the scalar field.
+/// \brief thrown for a sequence of halfedges that is not a contour of the scalar field.
 class Invalid_contour_error : public Error
 {
 public:

@@ -33,8 +33,8 @@ namespace Reeb_graph {
 ///
 /// By default, the shortest contour of several candidates along each arc is taken.
 ///
-/// The method follows M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, Section
-/// 7. In advance, saddles of higher multiplicity, which could hide handles, are made simple as in
+/// The method follows Section 7 of M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*,
+/// of 2020. First, saddles of higher multiplicity, which could hide handles, are made simple as in
 /// `unfold_multi_saddles()`. The time is that of `cutting_system()`.
 ///
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as

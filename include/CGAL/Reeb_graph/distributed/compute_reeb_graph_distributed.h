@@ -44,7 +44,7 @@ namespace CGAL {
 ///
 /// Triangles that meet many slabs are copied to many ranks, as on noise. If by a sample of the triangles they would
 /// meet more than two slabs on average, fewer slabs than ranks are used; `Reeb_graph::Distributed_slab` tells. Surfaces
-/// of less than 2<sup>15</sup> triangles are sliced all the same.
+/// of less than 2<sup>15</sup> triangles are sliced nevertheless.
 ///
 /// With \f$ n \f$ vertices and triangles on \f$ k \f$ ranks, a rank takes the time and the memory of
 /// `compute_reeb_graph()` for the triangles that meet its slab, about \f$ n / k \f$ of them where the field is smooth.
@@ -90,13 +90,13 @@ namespace CGAL {
 ///     \cgalParamExtra{use the functions `parameters::slab()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{that of rank 0 is told now and then which fraction of the work is done, from 0 to 1. If it
-///                           returns `false`, the computation stops on all ranks; not any more at 1.}
+///     \cgalParamDescription{that of rank 0 is called now and then with the fraction of the work done, from 0 to 1.
+///                           If it returns `false`, the computation stops on all ranks; not any more at 1.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told on each rank of the beginning and the end of each stage,
+///     \cgalParamDescription{is called on each rank at the beginning and the end of each stage,
 ///                           `Reeb_graph::Stage::FLATTEN` being the distribution of the surface, and of the critical
 ///                           vertices of all ranks}
 ///     \cgalParamType{a model of `ReebGraphVisitor`, by value or as `std::reference_wrapper`}
@@ -120,8 +120,8 @@ namespace CGAL {
 ///            together have too many critical vertices
 /// \exception Reeb_graph::Other_rank_error if another rank has thrown an exception of another kind
 ///
-/// When one of these but the last is thrown, `graph` is as it was before. When anything else is, it can be
-/// empty instead, or, if a visitor throws at the end of the last stage, complete.
+/// After one of these but the last, `graph` is as it was before. After any other exception, it can be empty, or, if a
+/// visitor throws at the end of the last stage, complete.
 template <class VertexRange,
           class TriangleRange,
           class ScalarRange,
@@ -146,13 +146,13 @@ void compute_reeb_graph_distributed(const boost::mpi::communicator& communicator
 /// \brief computes the augmented Reeb graph of a scalar field on any set of triangles that is spread over the ranks of
 /// a communicator of MPI.
 ///
-/// All that is said of `compute_reeb_graph_distributed()` holds here, but that the triangles need not be a surface: any
-/// number of them can meet at an edge, and any number of fans at a vertex; they need not be orientable, nor oriented
-/// alike. If one is listed twice, it counts once. The graph is that of `compute_reeb_graph_of_soup()`. It takes
-/// the time and about the memory of that function for the triangles that meet a slab, which is more than for a surface.
+/// It works as `compute_reeb_graph_distributed()`, but the triangles need not be a surface. Any number of them can meet
+/// at an edge, and any number of fans at a vertex. They need not be orientable, nor oriented alike. A triangle that is
+/// listed twice counts once. The graph is that of `compute_reeb_graph_of_soup()`. A rank takes the time and about the
+/// memory of that function for the triangles that meet a slab, which is more than for a surface.
 /// `Reeb_graph::Distributed_slab` counts no borders and has no contours.
 ///
-/// The exceptions are those of `compute_reeb_graph_distributed()`, but for the three that refuse surfaces that are not
+/// The exceptions are those of `compute_reeb_graph_distributed()`, except the three that refuse surfaces that are not
 /// oriented.
 template <class VertexRange,
           class TriangleRange,

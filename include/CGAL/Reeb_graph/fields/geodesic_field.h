@@ -34,8 +34,7 @@ namespace Reeb_graph {
 ///
 /// The distances are those of the heat method with intrinsic Delaunay triangulations, \cgal's
 /// `Heat_method_3::Surface_mesh_geodesic_distances_3`, for each connected component on its own: an estimate, which gets
-/// better as the mesh gets finer. The field has its extrema where it has them; other than a harmonic one it makes no
-/// promise.
+/// better as the mesh gets finer. Other than a harmonic field, it can have extrema anywhere.
 ///
 /// On a component where the heat method fails, the distances are those of a front that marches from vertex to vertex,
 /// along the edges and straight through the triangles: M. Novotni and R. Klein, *Computing Geodesic Distances on

@@ -54,9 +54,9 @@ struct Border_level_changes
 ///   again. It consists of all vertices on no border that are at most `collar_width()` edges away. The basin of a new
 ///   minimum is filled to just above its lowest pass, so that each of its vertices has a lower and a higher neighbor;
 ///   that of a new maximum is cut down likewise. All other values in the collar stay. So the only new critical points
-///   are the borders, and the saddles that belong to them by the Euler characteristic. The extremum stays, and nothing
-///   is changed for it, where the pass lies outside of the collar, is tied with the next vertex around the basin, or is
-///   beyond the border: for instance, if a border at the bottom of a valley becomes a maximum.
+///   are the borders, and the saddles that belong to them by the Euler characteristic. An extremum stays, and nothing
+///   changes for it, if its pass is outside of the collar, or tied with the next vertex around the basin. It also stays
+///   if the pass is beyond the border: for instance, if a border at the bottom of a valley becomes a maximum.
 ///
 /// <b>How much changes:</b> Values outside of the collar stay as they are. With \f$ r \f$ for the range of the values
 /// of a border and the vertices next to it, no value of the border changes by more than \f$ (1 + 1/1024)\, r \f$ if it
@@ -68,10 +68,10 @@ struct Border_level_changes
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph` with dynamic property maps
 /// \tparam ScalarMap a model of `ReadWritePropertyMap` with the vertex descriptors of the mesh as key type, and with a
-///         value type of numbers, or one that `geom_traits` makes numbers of. If it is no built-in floating point type,
-///         or is ordered by another function object, there is no arithmetic. Then a border gets a value of one of its
-///         vertices or of those next to them. It has no higher neighbor, or no lower one, but can have equal ones, and
-///         nothing else changes.
+///         value type of numbers, or one that `geom_traits` makes numbers of. If it is not a built-in floating-point
+///         type, or is ordered by another function object, there is no arithmetic. Then a border gets a value of one of
+///         its vertices or of those next to them. It has no higher neighbor, or no lower one, but can have equal ones,
+///         and nothing else changes.
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the triangulated surface; it is only read
@@ -98,7 +98,7 @@ struct Border_level_changes
 ///     \cgalParamDefault{`Reeb_graph_traits<FaceListGraph, ScalarMap>`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1. If it returns
+///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1. If it returns
 ///                           `false`, the work stops; not any more at 1, when the field has been written.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}

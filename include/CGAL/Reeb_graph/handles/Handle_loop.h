@@ -133,7 +133,7 @@ struct Handle_removal
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown for a sequence of halfedges that is no closed walk.
+/// \brief thrown for a sequence of halfedges that is not a closed walk.
 class Open_loop_error : public Error
 {
 public:

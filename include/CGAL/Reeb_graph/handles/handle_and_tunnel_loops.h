@@ -77,7 +77,7 @@ public:
   ///
   /// \param halfedges consecutive halfedges of the mesh, a range; may pass anything more than once
   ///
-  /// \exception Open_loop_error if the halfedges are no closed walk
+  /// \exception Open_loop_error if the halfedges are not a closed walk
   template <class HalfedgeRange>
   bool is_handle(const HalfedgeRange& halfedges) const
   {
@@ -88,7 +88,7 @@ public:
   ///
   /// \param halfedges as above
   ///
-  /// \exception Open_loop_error if the halfedges are no closed walk
+  /// \exception Open_loop_error if the halfedges are not a closed walk
   template <class HalfedgeRange>
   bool is_tunnel(const HalfedgeRange& halfedges) const
   {
@@ -200,7 +200,7 @@ private:
 ///     \cgalParamDefault{`Reeb_graph_traits<FaceListGraph, ScalarMap>`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1. If it returns
+///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1. If it returns
 ///                           `false`, the work stops with `Reeb_graph::Cancelled_error`.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}

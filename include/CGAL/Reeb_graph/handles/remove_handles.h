@@ -60,7 +60,7 @@ namespace Reeb_graph {
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{number_of_handles}
-///     \cgalParamDescription{so many are removed at most, the smallest ones}
+///     \cgalParamDescription{at most this many are removed, the smallest first}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{all that are smaller than the size}
 ///     \cgalParamExtra{use the functions `parameters::number_of_handles()`}
@@ -73,9 +73,9 @@ namespace Reeb_graph {
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of the vertices and halfedges of loops that are doubled, and of the faces of discs, as
-///                           if they were split off from a face beside them. An `Interpolating_visitor` carries property
-///                           maps over.}
+///     \cgalParamDescription{is called for the vertices and halfedges of loops that are doubled, and for the faces of
+///                           discs, as if they were split off from a face beside them. An `Interpolating_visitor`
+///                           carries property maps over.}
 ///     \cgalParamType{a model of `ReebGraphRefinementVisitor`, by value or as `std::reference_wrapper`}
 ///     \cgalParamDefault{`Reeb_graph::Default_refinement_visitor`}
 ///   \cgalParamNEnd
@@ -86,7 +86,7 @@ namespace Reeb_graph {
 ///     \cgalParamExtra{use the functions `parameters::check_self_intersections()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is told now and then which fraction of the work is done, from 0 to 1. If it returns
+///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1. If it returns
 ///                           `false`, the work stops with `Reeb_graph::Cancelled_error`; what has been removed by then is
 ///                           removed.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}

@@ -18,7 +18,7 @@ namespace Reeb_graph {
 
 /// \ingroup PkgReebGraphSimplification
 ///
-/// \brief a threshold of persistence that tells noise from features, and the graph that `simplify()` gives with it.
+/// \brief a threshold of persistence that separates noise from features, and the graph that `simplify()` gives with it.
 struct Simplification_threshold
 {
   double threshold;   ///< the middle of a gap between two persistences, on a logarithmic scale

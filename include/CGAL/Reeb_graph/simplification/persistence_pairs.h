@@ -108,8 +108,8 @@ double persistence(const ReebGraph& graph,
 ///
 /// \brief finds the pairs of the extended persistence of a Reeb graph.
 ///
-/// Level sets are followed upwards, and then superlevel sets downwards; what is born at one node dies at another one,
-/// and the values of these two tell how much of the field it takes part in.
+/// Sublevel sets are followed upwards, and then superlevel sets downwards. A component or loop that is born at one node
+/// dies at another one. The difference of their values is its persistence.
 ///
 /// - Where several components of a sublevel set meet, all die but the one of the lowest minimum (the elder rule): a
 ///   pair of a minimum and a saddle for each.

@@ -93,17 +93,17 @@ inline std::vector<Simplification_threshold> choose_thresholds(std::vector<Simpl
 
 /// \ingroup PkgReebGraphSimplification
 ///
-/// \brief finds the few thresholds that matter for `simplify()`: those that have a wide gap of the persistences around
-/// them, so that what is removed is clearly smaller than what stays.
+/// \brief finds the few thresholds that matter for `simplify()`. They lie in wide gaps of the persistences, so branches
+/// that are removed are clearly smaller than those that stay.
 ///
 /// Noise gives many pairs whose persistences are close together, up to about twice its amplitude, and features are more
 /// persistent; see F. Chazal, L. J. Guibas, S. Y. Oudot, P. Skraba, *Persistence-Based Clustering in Riemannian
-/// Manifolds*, 2013, who choose the widest gap. Here, a gap is the ratio of two persistences that follow each other. So
-/// units do not matter, and a limb that is ten times as long as another one does not hide the gap below that one.
+/// Manifolds*, 2013, which takes the widest gap. Here, a gap is the ratio of two persistences that follow each other.
+/// So units do not matter, and a limb that is ten times as long as another one does not hide the gap below that one.
 /// The persistences are those with which `simplify()` removes branches, and with `cancel_loops` loops; the range of the
-/// largest connected component lies above all of them. What is smaller than a thousandth of this range is not seen, and
-/// counts as that: below the least of a few features of a smooth field there is a wide gap, and they all stay. A gap is
-/// wide if the ratio is 1.25 or more.
+/// largest connected component lies above all of them. Persistences below a thousandth of this range count as that. So
+/// there is a wide gap below the few features of a smooth field, and they all stay. A gap is wide if the ratio is 1.25
+/// or more.
 ///
 /// Let \f$ r \f$ be the ratio, and \f$ l \f$ the number of leaves that stay. The suggested threshold has the greatest
 /// \f$ \ln r - 1.5\, |\ln (l / 7)| \f$: the widest gap, with a prior expectation of about seven leaves, as head, tail
@@ -118,8 +118,8 @@ inline std::vector<Simplification_threshold> choose_thresholds(std::vector<Simpl
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param graph a Reeb graph, computed with any named parameters
-/// \param thresholds the output: the suggested threshold, and of the other ones the best by the same measure, at most
-/// six in all, ascending; none if nothing can be removed, or if no gap is wide
+/// \param thresholds the output, ascending: the suggested threshold, and the best of the others by the same measure, at
+/// most six in all. There is none if nothing can be removed, or if no gap is wide
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `cancel_loops` and `geom_traits`, as
 /// for `simplify()`
 ///

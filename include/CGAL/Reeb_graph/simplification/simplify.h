@@ -46,8 +46,8 @@ struct Branch
 ///
 /// The leaf arc of least measure is removed; of several, the one whose leaf has the lowest number. If one arc below its
 /// saddle and one above are left, they become one, which can be a leaf arc of a larger measure. So it goes on until no
-/// measure is below the threshold. A leaf arc that is the only one on its side of the saddle is no branch, as what is
-/// left would end there. So a branch with a loop stays as long as the loop does. See H. Carr, J. Snoeyink, M. van de
+/// measure is below the threshold. A leaf arc that is the only one on its side of the saddle is not a branch, as what
+/// is left would end there. So a branch with a loop stays as long as the loop does. See H. Carr, J. Snoeyink, M. van de
 /// Panne, *Simplifying Flexible Isosurfaces Using Local Geometric Measures*, 2004.
 ///
 /// The measure of a leaf arc is its persistence by default: the largest difference between the value of the saddle and
@@ -76,7 +76,7 @@ struct Branch
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{number_of_leaves}
-///     \cgalParamDescription{no arc is removed any more when so many leaves are left, nodes with a single arc}
+///     \cgalParamDescription{no more arcs are removed when this many leaves are left, nodes with a single arc}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
 ///     \cgalParamExtra{use the functions `parameters::number_of_leaves()`}

@@ -49,8 +49,9 @@ namespace Reeb_graph {
 /// always a field</b>: ask for it then.
 ///
 /// On the subject, see U. Bauer, C. Lange, M. Wardetzky, *Optimal Topological Simplification of Discrete Functions on
-/// Surfaces*, 2012, and J. Tierny, V. Pascucci, *Generalized Topological Simplification of Scalar Fields on Surfaces*,
-/// 2012. It takes the time of `compute_reeb_graph()` twice, once with the places of the vertices, and near-linear time.
+/// Surfaces*, 2012, and J. Tierny, V. Pascucci, *Generalized Topological Simplification of Scalar Fields on
+/// Surfaces*, 2012. It takes the time of `compute_reeb_graph()` twice, once with the places of the vertices, and
+/// near-linear time besides.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
@@ -70,8 +71,8 @@ namespace Reeb_graph {
 /// \returns the largest absolute difference between a value of the result and the given one.
 ///
 /// \exception Reeb_graph::Perturbed_ties_error with `Reeb_graph::Ties::PERTURB` only, if the result would have another
-///            graph, or there are too few numbers next to the value of a saddle to give each vertex of a piece another
-///            one, as for infinite values
+///            graph, or if there are too few numbers next to the value of a saddle for the vertices of a piece, as for
+///            infinite values
 /// \exception Reeb_graph::Loop_cancellation_error if `cancel_loops` is `true`
 ///
 /// and the exceptions of `compute_reeb_graph()` and `simplify()`. When one is thrown, `simplified_scalar_map` is as it

@@ -23,7 +23,6 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Interval_nt.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -107,27 +106,66 @@ public:
   std::size_t place_of(Index v) const { return places_[trees_.component_of(v)]; }
 
 private:
+  template <class FT>
+  using Corners = std::array<std::array<FT, 3>, 3>;
+
+  // Six times the volume between a face and the origin.
+  template <class FT>
+  static FT volume(const Corners<FT>& p)
+  {
+    return p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) + p[0][1] * (p[1][2] * p[2][0] - p[1][0] * p[2][2])
+         + p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
+  }
+
+  // A volume with a bound of what rounding has changed: interval arithmetic takes ten times as long.
+  struct Rounded_volume
+  {
+    double sum = 0, magnitude = 0, largest = 0;
+    std::size_t number_of_faces = 0;
+
+    void add(const Corners<double>& p)
+    {
+      Corners<double> m;
+      for(std::size_t i = 0; i != 3; ++i)
+        for(std::size_t k = 0; k != 3; ++k)
+        {
+          m[i][k] = std::abs(p[i][k]);
+          largest = (std::max)(largest, m[i][k]);
+        }
+      sum += volume(p);
+      magnitude += m[0][0] * (m[1][1] * m[2][2] + m[1][2] * m[2][1]) + m[0][1] * (m[1][2] * m[2][0] + m[1][0] * m[2][2])
+                 + m[0][2] * (m[1][0] * m[2][1] + m[1][1] * m[2][0]);
+      ++number_of_faces;
+    }
+
+    // Whether the sign is that of the volume. Each face is rounded at most 8 times, and the sum once for each face; numbers
+    // beyond the limits could underflow or overflow.
+    bool is_clear() const
+    {
+      const double error =
+        (static_cast<double>(number_of_faces) + 8) * std::numeric_limits<double>::epsilon() * magnitude;
+      return largest < 1e100 && magnitude > 1e-150 && std::abs(sum) > error;
+    }
+  };
+
   // The sign of the volume tells on which side the bounded part of space is.
   void find_sides()
   {
-    std::vector<Interval_nt<>> volumes(components_.size(), Interval_nt<>(0));
-    add_volumes(volumes, [](const Component&) { return true; });
+    std::vector<Rounded_volume> volumes(components_.size());
+    visit_faces<double>([](const Component&) { return true; },
+                        [&](std::size_t place, const auto& corners) { volumes[place].add(corners); });
     std::vector<Exact_rational> exact_volumes(components_.size(), Exact_rational(0));
-    const auto is_unclear = [&](const Component& component) {
-      const Interval_nt<>& volume = volumes[places_[component.number]];
-      return !(volume.inf() > 0) && !(volume.sup() < 0);
-    };
-    bool is_any_unclear = false;
-    for(const Component& component : components_)
-      is_any_unclear = is_any_unclear || is_unclear(component);
-    if(is_any_unclear)
-      add_volumes(exact_volumes, is_unclear);
+    const auto is_unclear = [&](const Component& component) { return !volumes[places_[component.number]].is_clear(); };
+    if(std::any_of(components_.begin(), components_.end(), is_unclear))
+      visit_faces<Exact_rational>(
+        is_unclear, [&](std::size_t place, const auto& corners) { exact_volumes[place] += volume(corners); });
     for(std::size_t i = 0; i != components_.size(); ++i)
-      components_[i].is_front_outside = is_unclear(components_[i]) ? exact_volumes[i] > 0 : volumes[i].inf() > 0;
+      components_[i].is_front_outside = is_unclear(components_[i]) ? exact_volumes[i] > 0 : volumes[i].sum > 0;
   }
 
-  template <class FT, class Filter>
-  void add_volumes(std::vector<FT>& volumes, const Filter& filter) const
+  // Calls act(place of the component, corners as seen from its root) for each face of closed components.
+  template <class FT, class Filter, class Act>
+  void visit_faces(const Filter& filter, const Act& act) const
   {
     for(const Index h : surface_.halfedge)
     {
@@ -135,7 +173,7 @@ private:
       if(!component || component->loops.component().has_border || !filter(*component))
         continue;
       const auto& o = surface_.points[component->loops.component().root];
-      std::array<std::array<FT, 3>, 3> p;
+      Corners<FT> p;
       Index g = h;
       for(auto& point : p)
       {
@@ -143,9 +181,7 @@ private:
           point[k] = FT(surface_.points[surface_.source(g)][k]) - FT(o[k]);
         g = surface_.next[g];
       }
-      volumes[places_[component->number]] += p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1])
-                                           + p[0][1] * (p[1][2] * p[2][0] - p[1][0] * p[2][2])
-                                           + p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
+      act(places_[component->number], p);
     }
   }
 

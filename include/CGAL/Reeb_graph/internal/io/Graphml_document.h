@@ -78,7 +78,7 @@ inline Node_kind parse_node_kind(const std::string& text)
     if(text == to_string(kind))
       return kind;
   }
-  throw File_error("'" + text + "' is no kind of a node");
+  throw File_error("'" + text + "' is not a kind of node");
 }
 
 template <class Descriptor>
@@ -109,11 +109,11 @@ public:
     }
     catch(const boost::property_tree::file_parser_error& error)
     {
-      throw File_error("this is no GraphML: line " + std::to_string(error.line()) + ": " + error.message());
+      throw File_error("this is not GraphML: line " + std::to_string(error.line()) + ": " + error.message());
     }
     catch(const boost::property_tree::ptree_error& error)
     {
-      throw File_error(std::string("this is no GraphML: ") + error.what());
+      throw File_error(std::string("this is not GraphML: ") + error.what());
     }
   }
 

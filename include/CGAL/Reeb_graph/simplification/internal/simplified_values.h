@@ -315,7 +315,7 @@ auto simplified_values(FlatField& flat_field,
     return values;
   }
   else
-    throw Perturbed_ties_error("the values are no floating point numbers");
+    throw Perturbed_ties_error("the values are not floating-point numbers");
 }
 
 // Writes them, and returns the largest difference.
