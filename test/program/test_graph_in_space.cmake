@@ -44,9 +44,9 @@ expect_match("${content}" "^arc,source,target,lower_value,upper_value,persistenc
 expect_success(compute ${z} --graph vertices.csv)
 expect_same_file(table.nodes.csv vertices.nodes.csv)
 
-# Where the nodes and arcs are is found before files are written.
+# Arcs are measured, and nodes and arcs placed, before files are written.
 expect_success(compute ${z} --graph vertices.csv --json)
-foreach(step locate embed output)
+foreach(step measure embed output)
   string(JSON seconds GET "${output}" seconds ${step})
   expect_match("${seconds}" "^[0-9]")
 endforeach()
