@@ -265,8 +265,19 @@ void check_place_map(const Mesh& mesh,
   const CGAL::Reeb_graph::Augmentation augmentation(mesh, scalar_map, graph, np);
   const auto locations = augmentation.locate_vertices();
   BOOST_TEST(places.size() == values.size());
+  const auto place_map = boost::make_assoc_property_map(places);
+  const auto given_locations = augmentation.locate_vertices(CGAL::parameters::vertex_place_map(place_map));
   for(const auto& [vertex, place] : places)
+  {
     BOOST_TEST(static_cast<std::size_t>(place) == locations.index(vertex));
+    BOOST_TEST(static_cast<std::size_t>(place) == given_locations.index(vertex));
+  }
+  for(const int wrong : {-1, static_cast<int>(num_vertices(graph) + num_edges(graph))})
+  {
+    places.begin()->second = wrong;
+    BOOST_CHECK_THROW(augmentation.locate_vertices(CGAL::parameters::vertex_place_map(place_map)),
+                      CGAL::Reeb_graph::Graph_mismatch_error);
+  }
 }
 
 auto graph_parameters(Ties ties, bool keeps_degree_two_nodes)

@@ -161,15 +161,18 @@ public:
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   ///
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `callback`, as for
-  ///        `compute_reeb_graph()`
+  ///        `compute_reeb_graph()`, and `vertex_place_map`, a model of `ReadablePropertyMap`: the map that
+  ///        `compute_reeb_graph()` has written with the graph, before it was simplified if it has been. The places are
+  ///        then read from it, in linear time. Only the range of its numbers is checked.
   ///
-  /// \exception Graph_mismatch_error if the graph is not the one that has been computed of this input
+  /// \exception Graph_mismatch_error if the graph is not the one that has been computed of this input, or if
+  ///            `vertex_place_map` has a number that is none of a place
   /// \exception Cancelled_error if `callback` returns `false`
   template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
   Vertex_locations locate_vertices(const NamedParameters& np = parameters::default_values()) const
   {
     return internal::locate_vertices<ConcurrencyTag>(on_mesh_, ties_, are_degree_two_nodes_kept_, simplified_places_,
-                                                     internal::Progress(np));
+                                                     np);
   }
 
 #ifndef DOXYGEN_RUNNING

@@ -59,26 +59,55 @@ Vertex_places find_places(const Complex& complex,
     .template find<ConcurrencyTag>();
 }
 
+// The places of all vertices in the exact graph as a map has them, which compute_reeb_graph() has been given.
+template <class GraphOnMesh, class PlaceMap>
+Vertex_places read_places(const GraphOnMesh& on_mesh, const PlaceMap& map, std::size_t number_of_places)
+{
+  using boost::get; // for a pointer, whatever has been included before
+  Vertex_places places(on_mesh.complex().number_of_vertices(), no_index);
+  for(const Vertex_index v : places.keys())
+  {
+    if(!on_mesh.complex().has_vertex(v))
+      continue;
+    const auto place = static_cast<std::size_t>(get(map, on_mesh.vertex(v))); // A negative one is too large then.
+    if(place >= number_of_places)
+      throw Graph_mismatch_error();
+    places[v] = static_cast<Index>(place);
+  }
+  return places;
+}
+
 // The places of all vertices in the graph, which has to be the exact one, or one that this has been simplified to.
-template <class ConcurrencyTag, class GraphOnMesh>
+template <class ConcurrencyTag, class GraphOnMesh, class NamedParameters>
 auto locate_vertices(const GraphOnMesh& on_mesh,
                      Ties ties,
                      bool are_degree_two_nodes_kept,
                      const Simplified_places& simplified_places,
-                     const Progress& progress)
+                     const NamedParameters& np)
 {
   typedef typename GraphOnMesh::vertex_descriptor vertex_descriptor;
-  const auto check_graph = [&](const Flat_graph& graph) { check_same_graph(on_mesh, graph, simplified_places); };
-  const auto place_of_vertex = std::make_shared<Vertex_places>(find_places<ConcurrencyTag>(
-    on_mesh.complex(), on_mesh.order(), ties, are_degree_two_nodes_kept, check_graph, progress));
+  const Progress progress(np);
+  const auto& graph = on_mesh.graph();
+  const std::size_t number_of_places = num_vertices(graph) + num_edges(graph);
+  const auto given_map = parameters::get_parameter(np, vertex_place_map);
+  auto place_of_vertex = std::make_shared<Vertex_places>();
+  if constexpr(is_given<decltype(given_map)>)
+    *place_of_vertex =
+      read_places(on_mesh, given_map, simplified_places.is_simplified() ? simplified_places.size() : number_of_places);
+  else
+  {
+    const auto check_graph = [&](const Flat_graph& flat_graph) {
+      check_same_graph(on_mesh, flat_graph, simplified_places);
+    };
+    *place_of_vertex = find_places<ConcurrencyTag>(on_mesh.complex(), on_mesh.order(), ties, are_degree_two_nodes_kept,
+                                                   check_graph, progress);
+  }
   if(simplified_places.is_simplified())
   {
     for(Index& place : *place_of_vertex)
       place = place == no_index ? place : simplified_places(place);
   }
-  const auto& graph = on_mesh.graph();
   const auto arcs = edges(graph);
-  const std::size_t number_of_places = num_vertices(graph) + num_edges(graph);
   progress.report_end();
   return Reeb_graph::Vertex_locations<vertex_descriptor, typename GraphOnMesh::Graph>(
     on_mesh.vertex_numbers(), num_vertices(graph), {arcs.first, arcs.second}, place_of_vertex,
