@@ -106,8 +106,8 @@ struct Branch
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{an instance of a traits class whose `scalar_to_double_object()` makes numbers of the
-///                           values. Values that are numbers need none, in whatever order they are: persistence is an
-///                           absolute difference.}
+///                           values. Values that are numbers need none if the order sorts them up or down:
+///                           persistence is an absolute difference.}
 ///     \cgalParamType{a model of `ReebGraphTraits`}
 ///     \cgalParamDefault{none: `CGAL::to_double()` of the values}
 ///   \cgalParamNEnd
