@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any, Iterable, NamedTuple
 
 import numpy as np
@@ -168,6 +169,8 @@ def mesh_arrays(mesh: Any) -> Mesh:
 
 def take(triangles: Any, points: Any = None, edges: Any = None, tetrahedra: Any = None) -> Mesh:
     """Return the arrays of a mesh, which stands in the place of the triangles, or those that are given."""
+    if isinstance(triangles, (str, os.PathLike)):
+        raise TypeError(f"{triangles!r} names a file, which is not read here: read it with trimesh or meshio first")
     if not any(hasattr(triangles, name) for name in ("faces", "cells_dict", "tetrahedra")):
         return Mesh(triangles, points, edges, tetrahedra)
     given = {"points": points, "edges": edges, "tetrahedra": tetrahedra}
