@@ -147,15 +147,15 @@ void add_curves_command(CLI::App& app, Curves_options& options)
   begin_group(*command, "Output");
   add_file(*command, "--curves", options.curves_path, "Write the curves to this file, .polylines.txt");
   add_file(*command, "--cut-mesh", options.cut_mesh_path,
-           "Write the mesh that is cut along the curves to this file, .off or .ply; PLY has the patches as "
-           "a property and as colors of the faces");
+           "Write the mesh that is cut along the curves to this file, .off or .ply. PLY has the patches as a property "
+           "and as colors of the faces, and keeps the properties of vertices of a PLY input");
   add_file(*command, "--patches", options.patches_path,
            "Write the number of the patch of each face of the cut mesh to this file, one per line");
   add_graph_file(*command, options.graph_path);
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_file(*command, "--mesh-out", options.mesh_path,
-           "Write the cut mesh to this file, .ply or .vtp, with the value, the arc, and the node of each "
-           "vertex, the patch of each face, and colors");
+           "Write the cut mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex in the "
+           "place of other properties, the patch of each face, and colors");
   add_json_option(*command, options.is_report_json);
   add_example(*command, "reeb_graph curves scan.ply --type pants --html page.html");
   command->callback(

@@ -140,7 +140,7 @@ def make_borders_level(
     return _field(LEVEL_BORDERS, _arrays.take(triangles, points), threads, progress, scalars)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Cut:
     """A surface that has been cut along curves, which run along edges of it.
 
@@ -169,6 +169,10 @@ class Cut:
     @property
     def n_patches(self) -> int:
         return int(self.patches.max(initial=-1)) + 1
+
+    def __repr__(self) -> str:
+        size = f"{len(self.points)} points, {len(self.triangles)} triangles"
+        return f"<Cut: {size}, {self.n_patches} patches, {len(self.curves)} curves>"
 
 
 def _columns(array: np.ndarray, name: str, number: int) -> list[np.ndarray]:

@@ -27,8 +27,6 @@ class Contour(np.ndarray):
         The lines as numbers of points.
     triangles : (l, 3) array of int
         The triangles, of a contour in tetrahedra.
-    points : (n, 3) array of float
-        The points as a plain array.
     """
 
     arc: int
@@ -37,10 +35,14 @@ class Contour(np.ndarray):
     edges: np.ndarray
     polylines: list[np.ndarray]
     triangles: np.ndarray
-    points = property(np.asarray)
+
+    @property
+    def points(self) -> np.ndarray:
+        """The points as a plain array."""
+        return np.asarray(self)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class CriticalSet:
     """What a node stands for.
 
@@ -60,8 +62,12 @@ class CriticalSet:
     star: np.ndarray
     border_loop: np.ndarray
 
+    def __repr__(self) -> str:
+        below, above = len(self.lower_contours), len(self.upper_contours)
+        return f"<CriticalSet: {below} contours below and {above} above, star of {len(self.star)}>"
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, repr=False)
 class Embedding:
     """A Reeb graph in space.
 
@@ -80,6 +86,9 @@ class Embedding:
     node_points: np.ndarray
     arc_polylines: list[np.ndarray]
     arc_values: list[np.ndarray]
+
+    def __repr__(self) -> str:
+        return f"<Embedding, {self.manner}: {len(self.node_points)} nodes, {len(self.arc_polylines)} arcs>"
 
 
 class Page(str):

@@ -124,8 +124,8 @@ template <class Map>
 struct Map_is_property_map : Has<Key_and_value_of, Map>
 {
   static_assert(Map_is_property_map::value,
-                "A property map is needed, and this type is none. For values in the order of the vertices, "
-                "CGAL::Reeb_graph::make_scalar_map() makes one.");
+                "A property map is needed here, and this type is none. Are the arguments in their order? For values in "
+                "the order of the vertices, CGAL::Reeb_graph::make_scalar_map() makes one.");
 };
 
 // The value type of a property map, or another one if it is none, so that only the message of a function says so.
