@@ -119,6 +119,25 @@ struct Traits_of_pairs : CGAL::Reeb_graph_traits<Mesh, Pair_map>
   }
 };
 //! [traits]
+
+typedef Mesh::Property_map<vertex_descriptor, int> Key_map;
+//! [traits_of_keys]
+struct Traits_of_keys : CGAL::Reeb_graph_traits<Mesh, Key_map>
+{
+  struct Less_scalar
+  {
+    const std::vector<double>* table;
+    bool operator()(int a, int b) const { return (*table)[a] < (*table)[b]; }
+  };
+  Less_scalar less_scalar_object() const { return {table}; }
+  auto scalar_to_double_object() const
+  {
+    return [table = table](int key) { return (*table)[key]; };
+  }
+
+  const std::vector<double>* table = nullptr;
+};
+//! [traits_of_keys]
 } // namespace
 
 BOOST_AUTO_TEST_CASE(graphs)
@@ -168,6 +187,26 @@ BOOST_AUTO_TEST_CASE(graphs)
   Traits_of_pairs::Graph graph_of_pairs;
   CGAL::compute_reeb_graph(mesh, pairs, graph_of_pairs, parameters::geom_traits(Traits_of_pairs()));
   CGAL::Reeb_graph::arc_persistences(graph_of_pairs, parameters::geom_traits(Traits_of_pairs()));
+
+  Key_map keys = torus.mesh.add_property_map<vertex_descriptor, int>("v:key").first;
+  std::vector<double> table;
+  for(const vertex_descriptor v : vertices(mesh))
+  {
+    keys[v] = int(mesh.number_of_vertices()) - 1 - int(table.size()); // falls as the vertices go on
+    table.push_back(scalar_map[v]);
+  }
+  std::reverse(table.begin(), table.end());
+  Traits_of_keys traits;
+  traits.table = &table;
+  Traits_of_keys::Graph graph_of_keys, simplified_by_keys;
+  CGAL::compute_reeb_graph(mesh, keys, graph_of_keys, parameters::geom_traits(traits));
+  CGAL::Reeb_graph::simplify(graph_of_keys, 0.1, simplified_by_keys,
+                             parameters::cancel_loops(true).geom_traits(traits));
+  Graph plain_graph, simplified;
+  CGAL::compute_reeb_graph(mesh, scalar_map, plain_graph);
+  CGAL::Reeb_graph::simplify(plain_graph, 0.1, simplified, parameters::cancel_loops(true));
+  BOOST_TEST(num_vertices(graph_of_keys) == num_vertices(plain_graph));
+  BOOST_TEST(num_vertices(simplified_by_keys) == num_vertices(simplified));
 }
 
 BOOST_AUTO_TEST_CASE(way_back)

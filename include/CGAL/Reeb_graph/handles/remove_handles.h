@@ -87,8 +87,7 @@ namespace Reeb_graph {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1. If it returns
-///                           `false`, the work stops with `Reeb_graph::Cancelled_error`; what has been removed by then is
-///                           removed.}
+///                           `false`, the work stops with `Reeb_graph::Cancelled_error`}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
@@ -100,6 +99,8 @@ namespace Reeb_graph {
 /// \exception Reeb_graph::Non_finite_point_error if a coordinate of a point is infinite or NaN
 ///
 /// and the exceptions of `compute_reeb_graph()` for meshes. When one of these is thrown, the mesh is as it was before.
+///
+/// \exception Reeb_graph::Cancelled_error if `callback` returns `false`; handles that are removed by then stay removed
 template <class MutableFaceGraph, class NamedParameters = parameters::Default_named_parameters>
 std::vector<Handle_removal> remove_handles(MutableFaceGraph& mesh,
                                            double size,
