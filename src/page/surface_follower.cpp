@@ -70,17 +70,23 @@ public:
     }
     orientation_ = volume < 0 ? -1 : 1;
     tree_.insert(triangles_.begin(), triangles_.end());
-    if(!triangles_.empty())
-      tree_.build();
+    if(triangles_.empty())
+      return;
+    tree_.build();
+    // The search begins at the last place: to find a place to begin at, the tree would sort the corners, and calls itself
+    // once for each of thousands of triangles with one corner.
+    tree_.do_not_accelerate_distance_queries();
+    nearest_ = {triangles_.front().vertex(0), triangles_.cbegin()};
   }
 
   bool are_known() const { return !triangles_.empty(); }
   double size() const { return size_; } // of the surface
 
   // The nearest place if the point is outside.
-  std::optional<Point> place_on_surface(const Point& point) const
+  std::optional<Point> place_on_surface(const Point& point)
   {
-    const auto [place, triangle] = tree_.closest_point_and_primitive(point);
+    nearest_ = tree_.closest_point_and_primitive(point, nearest_);
+    const auto& [place, triangle] = nearest_;
     const Vector way = point - place;
     const double least_distance = 1e-4 * size_;
     if(!(way.squared_length() > least_distance * least_distance))
@@ -150,9 +156,10 @@ private:
   Triangles triangles_; // with area
   std::vector<Surface::Face_index> faces_;
   Tree tree_;
+  Tree::Point_and_primitive_id nearest_; // to the last point
 };
 
-Surface_follower::Surface_follower(const Surface& surface) : sides_(std::make_unique<const Sides>(surface)) {}
+Surface_follower::Surface_follower(const Surface& surface) : sides_(std::make_unique<Sides>(surface)) {}
 
 Surface_follower::~Surface_follower() = default;
 

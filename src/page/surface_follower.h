@@ -28,7 +28,7 @@ public:
 
 private:
   class Sides;
-  std::unique_ptr<const Sides> sides_;
+  std::unique_ptr<Sides> sides_; // changes with each call
 };
 
 } // namespace reeb_graph_program

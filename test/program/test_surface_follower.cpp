@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <random>
+#include <vector>
 
 // The lines of a page do not leave the surface: of a torus, whose inside is known by a formula.
 
@@ -69,6 +70,26 @@ Surface torus(bool is_inside_out, std::size_t left_out)
   return surface;
 }
 
+// Two cones with the tip at the origin and above it, between which a ring goes up and down.
+Surface hub(std::size_t size)
+{
+  Surface surface;
+  const auto low = surface.add_vertex(Point(0, 0, 0)), high = surface.add_vertex(Point(0, 0, 0.5));
+  std::vector<Surface::Vertex_index> ring;
+  for(std::size_t i = 0; i < size; ++i)
+  {
+    const double part = static_cast<double>(i) / static_cast<double>(size), angle = 2 * std::acos(-1.) * part;
+    ring.push_back(
+      surface.add_vertex(Point(std::cos(angle), std::sin(angle), (i % 2 == 0 ? 1 : -1) * (1 + part / 10))));
+  }
+  for(std::size_t i = 0; i < size; ++i)
+  {
+    surface.add_face(high, ring[i], ring[(i + 1) % size]);
+    surface.add_face(low, ring[(i + 1) % size], ring[i]);
+  }
+  return surface;
+}
+
 double depth(const Point& p) { return 1 - std::hypot(std::hypot(p.x(), p.y()) - 2, p.z()); }
 
 double least_depth(const Polyline& line)
@@ -109,6 +130,9 @@ int main()
   expect(follow(inside) == inside, "a line inside is moved", 0);
   expect(follow(outwards) == outwards, "a line through a hole is moved", 0);
   expect(follow(Polyline()).empty(), "no points give some", 0);
+  const Surface fan = hub(40000);
+  const Polyline through = {Point(0, 0, 0.25), Point(0, 0, 3)};
+  expect(Surface_follower(fan)(through).front() == through.front(), "a point between two tips is moved", 0);
   const Surface nothing;
   expect(Surface_follower(nothing)(outwards) == outwards, "a line is moved though there is no surface", 0);
   return number_of_failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
