@@ -482,6 +482,9 @@ def test_loops():
     eye = state()["eye"]
     rows[0].find_element(By.TAG_NAME, "button").click()
     assert state()["eye"] != eye and hue_counts(picture())[0] > 2 * handles
+    run("compute", "torus.off", "--field", "z", "--longest-loop", "loop.vtp", "--html", "loop.html")
+    load("loop.html")
+    assert browser.find_element(By.ID, "patches_heading").text == "most persistent loop"
 
 
 def test_removal():
@@ -544,6 +547,9 @@ def test_nothing_lies_on_the_scale(data):
         assert scale[2] > scale[0]
         for other in others:
             assert scale[2] <= other[0] or other[2] <= scale[0] or scale[3] <= other[1] or other[3] <= scale[1], width
+    browser.find_element(By.CSS_SELECTOR, "input[value=arcs]").click()  # without a scale
+    canvas, buttons = (browser.find_element(By.ID, name).rect for name in ("canvas", "view_buttons"))
+    assert buttons["y"] + buttons["height"] <= canvas["y"], "buttons lie on the surface of a narrow page"
     load("torus.html")
 
 
