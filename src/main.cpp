@@ -147,15 +147,15 @@ void add_curves_command(CLI::App& app, Curves_options& options)
   begin_group(*command, "Output");
   add_file(*command, "--curves", options.curves_path, "Write the curves to this file, .polylines.txt");
   add_file(*command, "--cut-mesh", options.cut_mesh_path,
-           "Write the mesh that is cut along the curves to this file, .off or .ply. PLY has the patches as a property "
-           "and as colors of the faces, and keeps the properties of vertices of a PLY input");
+           "Write the cut mesh to this file, .off or .ply. PLY has the patch of each face, also as its color, and "
+           "keeps the properties of vertices of a PLY input");
   add_file(*command, "--patches", options.patches_path,
            "Write the number of the patch of each face of the cut mesh to this file, one per line");
   add_graph_file(*command, options.graph_path);
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_file(*command, "--mesh-out", options.mesh_path,
-           "Write the cut mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex in the "
-           "place of other properties, the patch of each face, and colors");
+           "Write the cut mesh to this file, .ply or .vtp, as --cut-mesh does, but with the value, the arc, and the "
+           "node of each vertex in the place of other properties");
   add_json_option(*command, options.is_report_json);
   add_example(*command, "reeb_graph curves scan.ply --type pants --html page.html");
   command->callback(
@@ -183,7 +183,7 @@ void add_handles_command(CLI::App& app, Handles_options& options)
   CLI::App* command =
     app.add_subcommand("handles", "Find handles and tunnels of a surface, each by a short loop around it");
   add_input_options(*command, options.input);
-  add_field_option(*command, options.input);
+  add_field_option(*command, options.input, "; by default the coordinate x, y, or z that is least noisy");
   begin_group(*command, "Removal");
   add_real_number(*command, "--remove-below", options.size_to_remove,
                   "Remove the handles and tunnels with a loop shorter than this");
@@ -191,7 +191,8 @@ void add_handles_command(CLI::App& app, Handles_options& options)
   begin_group(*command, "Output");
   add_file(*command, "--loops", options.loops_path,
            "Write the loops, after the removal, to this file, .vtp, .obj, or .polylines.txt");
-  command->add_flag("!--no-shortening", options.are_loops_shortened, "Do not shorten the loops");
+  command->add_flag_callback(
+    "--no-shortening", [&options] { options.are_loops_shortened = false; }, "Do not shorten the loops");
   add_file(*command, "--output", options.mesh_path, "Write the mesh after the removal to this file, .off or .ply");
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_threads_option(*command, options.number_of_threads);
@@ -237,6 +238,8 @@ int main(int argc, char** argv)
   CLI::App app("Exact Reeb graphs of scalar fields on triangle meshes", "reeb_graph");
   app.formatter(std::make_shared<reeb_graph_program::Help_formatter>());
   app.require_subcommand(1);
+  app.footer("Options of a command:\n  reeb_graph compute --help\n");
+  add_example(app, "reeb_graph compute scan.ply --field z --html page.html");
   app.set_version_flag("--version", "reeb_graph " REEB_GRAPH_VERSION " (CGAL " CGAL_VERSION_STR ")");
   Compute_options compute_options;
   Contour_options contour_options;

@@ -45,7 +45,7 @@ void run(Mesh& mesh)
   CGAL::compute_reeb_graph(mesh, distance, graph);
   for(const auto arc : CGAL::make_range(edges(graph)))
     std::cout << graph[source(arc, graph)].value << " to " << graph[target(arc, graph)].value << '\n';
-  std::cout << num_vertices(graph) << " nodes, " << CGAL::Reeb_graph::number_of_loops(graph) << " loops\n";
+  std::cout << "nodes: " << num_vertices(graph) << ", loops: " << CGAL::Reeb_graph::number_of_loops(graph) << '\n';
   //! [graph]
 
   //! [simplify]

@@ -173,7 +173,7 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1. If it returns
-///                           `false`, the computation stops; not any more at 1, when the graph has been written.}
+///                           `false`, the computation stops, except at 1, when the graph is written.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

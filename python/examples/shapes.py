@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 DATA = Path(__file__).parents[2] / "examples" / "Reeb_graph" / "data"
-COLOURS = np.array([[68, 119, 170], [238, 102, 119], [34, 136, 51], [204, 187, 68], [102, 204, 238], [170, 51, 119], [187, 187, 187]])
+COLORS = np.array([[68, 119, 170], [238, 102, 119], [34, 136, 51], [204, 187, 68], [102, 204, 238], [170, 51, 119], [187, 187, 187]])
 
 
 def read_off(name):
@@ -16,7 +16,7 @@ def read_off(name):
 
 
 def draw(path, triangles, points, pieces, lines=(), to_viewer=(0, -0.6, 1), both_sides=False):
-    """Draw triangles in the colours of their pieces, and lines on them, from behind to the front, as SVG."""
+    """Draw triangles in the colors of their pieces, and lines on them, from behind to the front, as SVG."""
     front = np.array(to_viewer) / np.linalg.norm(to_viewer)
     right = np.cross([0, 0, 1], front) / np.linalg.norm(np.cross([0, 0, 1], front))
     view = np.stack([right, -np.cross(front, right), front], axis=1)
@@ -28,8 +28,8 @@ def draw(path, triangles, points, pieces, lines=(), to_viewer=(0, -0.6, 1), both
     shapes = []
     for triangle in np.flatnonzero(both_sides | (facing > 0)):
         corners, shade = place(points[triangles[triangle]]), 0.45 + 0.55 * abs(facing[triangle])
-        colour = "#%02x%02x%02x" % tuple((COLOURS[pieces[triangle] % 7] * shade).astype(int))
-        shapes.append((corners[:, 2].mean(), text(corners, f'Z" color="{colour}"')))
+        color = "#%02x%02x%02x" % tuple((COLORS[pieces[triangle] % 7] * shade).astype(int))
+        shapes.append((corners[:, 2].mean(), text(corners, f'Z" color="{color}"')))
     for line in lines:
         for piece in np.stack([place(line)[:-1], place(line)[1:]], axis=1):
             shapes.append((piece[:, 2].mean() + 4, text(piece, '" style="stroke-width:3"')))

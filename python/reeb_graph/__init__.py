@@ -1,7 +1,18 @@
 """Exact Reeb graphs of scalar fields on triangle meshes, from NumPy arrays.
 
-`compute` makes a `ReebGraph` of triangles and scalars. `harmonic`, `poisson`, `unit_gradient`, `geodesic` and `height`
-compute scalars; `cutting_system`, `pants` and `branches` cut a surface along curves. Their docstrings tell the rest.
+Read `help(reeb_graph.compute)` and `help(reeb_graph.ReebGraph)` first.
+
+compute             makes the `ReebGraph` of triangles and scalars; its contours are arrays, `reeb_graph.Contour`
+height              the height of each vertex along a direction
+geodesic            the distance from vertices
+harmonic            one minimum and one maximum, nothing else between
+poisson             follows the mean curvature
+unit_gradient       rises by one for each unit of length
+make_borders_level  changes scalars so that each border is a level
+cutting_system      cuts a surface to genus 0
+pants               cuts a surface into pieces with three borders each
+branches            cuts branches off a surface
+mesh_arrays         takes the arrays of a mesh of trimesh, PyVista, or meshio
 
 Examples
 --------
@@ -10,7 +21,7 @@ Cut a scan into head, body, and limbs, by the distance from its highest vertex:
 >>> distance = reeb_graph.geodesic(triangles, points, sources=points[:, 2].argmax())
 >>> graph = reeb_graph.compute(triangles, distance, points=points).simplify("auto")
 >>> segments = graph.vertex_arcs  # the arc that each vertex belongs to; negative at nodes
->>> graph.write("scan.ply")  # the scan, each segment in its colour; graph.svg is the drawing of the graph
+>>> graph.write("scan.ply")  # the scan, each segment in its color; graph.svg is the drawing of the graph
 """
 
 try:

@@ -114,7 +114,7 @@ def doubles(scalars: Any, name: str = "scalars") -> np.ndarray:
     """Return values as settled doubles; those that would change are refused."""
     values = values_array(scalars, name)
     if not are_doubles(values):
-        raise ValueError(f"{name} has the dtype {values.dtype}, and values that no double has: this function computes with doubles")
+        raise ValueError(f"{name} has the dtype {values.dtype}, and values that a double cannot hold: this function computes with doubles")
     return settled(values)
 
 

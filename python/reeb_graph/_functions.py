@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from . import _arrays, _core
+from ._results import count
 from ._run import Progress, run
 
 LEVEL_BORDERS = "with level borders"
@@ -172,7 +173,7 @@ class Cut:
 
     def __repr__(self) -> str:
         size = f"{len(self.points)} points, {len(self.triangles)} triangles"
-        return f"<Cut: {size}, {self.n_patches} patches, {len(self.curves)} curves>"
+        return f"<Cut: {size}, {count(self.n_patches, 'patch', 'es')}, {count(len(self.curves), 'curve')}>"
 
 
 def _columns(array: np.ndarray, name: str, number: int) -> list[np.ndarray]:
@@ -189,9 +190,8 @@ def _of_columns(columns: list[np.ndarray], like: np.ndarray) -> np.ndarray:
 
 
 def _cut(
-    kind: Any, triangles: Any, scalars: Any, points: Any, *, vertex_arrays: Mapping[str, Any] | None = None,
-    borders: str = "make-level", cut_open: bool = False, max_triangles: int | None = None, threads: int | None = None,
-    progress: Progress = None, persistence: float | None = None, area: float | None = None,
+    kind: Any, triangles: Any, scalars: Any, points: Any, vertex_arrays: Any, borders: str, cut_open: bool,
+    max_triangles: int | None, threads: int | None, progress: Progress, *, persistence: Any = None, area: Any = None,
 ) -> Cut:
     manners = _core.Borders.__members__
     for name, threshold in (("persistence", persistence), ("area", area)):
@@ -213,7 +213,11 @@ def _cut(
     return Cut(*found, {name: _of_columns([next(rest) for _ in columns[name]], array) for name, array in given.items()})
 
 
-def cutting_system(triangles: Any, scalars: Any, points: Any = None, **options: Any) -> Cut:
+def cutting_system(
+    triangles: Any, scalars: Any, points: Any = None, *, vertex_arrays: Mapping[str, Any] | None = None,
+    borders: str = "make-level", cut_open: bool = False, max_triangles: int | None = None, threads: int | None = None,
+    progress: Progress = None,
+) -> Cut:
     """Find curves along which a surface is cut to genus 0: one for each handle.
 
     Parameters
@@ -223,7 +227,7 @@ def cutting_system(triangles: Any, scalars: Any, points: Any = None, **options: 
     scalars : (n,) array, or the name of data of the mesh
     points : (n, 3) array
     vertex_arrays : mapping from names to arrays with n rows, optional
-        Are interpolated at points that are added.
+        Arrays that are interpolated at added points.
     borders : {'make-level', 'level'}
         Whether the field is changed so that borders are levels, or it is an error if they are not.
     cut_open : bool
@@ -237,25 +241,34 @@ def cutting_system(triangles: Any, scalars: Any, points: Any = None, **options: 
     -------
     Cut
     """
-    return _cut(_core.Curves.cutting_system, triangles, scalars, points, **options)
+    options = vertex_arrays, borders, cut_open, max_triangles, threads, progress
+    return _cut(_core.Curves.cutting_system, triangles, scalars, points, *options)
 
 
-def pants(triangles: Any, scalars: Any, points: Any = None, **options: Any) -> Cut:
+def pants(
+    triangles: Any, scalars: Any, points: Any = None, *, vertex_arrays: Mapping[str, Any] | None = None,
+    borders: str = "make-level", cut_open: bool = False, max_triangles: int | None = None, threads: int | None = None,
+    progress: Progress = None,
+) -> Cut:
     """Cut a surface into pairs of pants, spheres with three holes.
 
     The parameters and the result are those of `cutting_system`. A sphere, disk, annulus, or torus has no such cut, which
     is a ValueError.
     """
-    return _cut(_core.Curves.pants, triangles, scalars, points, **options)
+    options = vertex_arrays, borders, cut_open, max_triangles, threads, progress
+    return _cut(_core.Curves.pants, triangles, scalars, points, *options)
 
 
 def branches(
     triangles: Any, scalars: Any, points: Any = None, *, persistence: float | None = None, area: float | None = None,
-    **options: Any,
+    vertex_arrays: Mapping[str, Any] | None = None, borders: str = "make-level", cut_open: bool = False,
+    max_triangles: int | None = None, threads: int | None = None, progress: Progress = None,
 ) -> Cut:
     """Cut the branches off a surface, where they begin.
 
-    Those with values that differ by less than `persistence`, or of less area than `area`, are left out. The other
-    parameters and the result are those of `cutting_system`.
+    Those with values that differ by less than `persistence`, or of less area than `area`, are left out. There is no
+    'auto': `ReebGraph.counts` has thresholds that matter. The other parameters and the result are those of
+    `cutting_system`.
     """
-    return _cut(_core.Curves.branches, triangles, scalars, points, persistence=persistence, area=area, **options)
+    options = vertex_arrays, borders, cut_open, max_triangles, threads, progress
+    return _cut(_core.Curves.branches, triangles, scalars, points, *options, persistence=persistence, area=area)

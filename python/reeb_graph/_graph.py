@@ -17,7 +17,7 @@ import numpy as np
 from . import _arrays, _core
 from ._errors import NumberError
 from ._field import Field
-from ._results import Contour, CriticalSet, Embedding, Page
+from ._results import Contour, CriticalSet, Embedding, Page, count
 from ._run import Progress, run
 
 KINDS = np.array(["isolated", "minimum", "saddle", "maximum", "degree-two"])
@@ -28,8 +28,8 @@ LARGEST_DRAWING = 2000  # arcs that a notebook shows without being asked
 class ReebGraph:
     """The Reeb graph of a scalar field on a mesh, made by `compute`.
 
-    Nodes, arcs, vertices and triangles are numbers from 0. The graph does not change; its arrays are read-only. What can
-    take long has the parameter `progress` of `compute`.
+    Nodes, arcs, vertices and triangles are numbers from 0. The graph does not change; its arrays are read-only.
+    Methods that can take long take `progress`, as `compute` does.
 
     Attributes
     ----------
@@ -51,7 +51,8 @@ class ReebGraph:
     n_nodes, n_arcs, n_loops, n_leaves, n_components, n_vertices : int
         Counts.
     counts : dict
-        What the report of the program tells of mesh and graph.
+        What the program reports of mesh and graph. `thresholds` has those that matter for `simplify` as dicts of
+        `threshold`, `gap`, `nodes`, `leaves`, `loops`, and `suggested`; `suggested_threshold` is that of `'auto'`.
     is_surface : bool
         Whether the mesh is an oriented manifold surface, or can be oriented as one.
     """
@@ -137,8 +138,8 @@ class ReebGraph:
         Parameters
         ----------
         threshold : float or str, optional
-            What is less persistent is removed, in units of the field, or as `'5%'`; `'auto'` is the threshold that the
-            graph suggests: below the widest gap of persistences.
+            Removes what is less persistent, in units of the field, or as `'5%'`; `'auto'` is the threshold that the
+            graph suggests, `counts["suggested_threshold"]`.
         percent : float, optional
             The same in percent of the range of the field.
         leaves : int, optional
@@ -184,7 +185,7 @@ class ReebGraph:
     def contour(self, arc: int, t: float) -> Contour:
         """Trace the contour of an arc at the place `t` between its lower node, 0, and its upper one, 1, both excluded.
 
-        `t` is linear in the values. The contour is an array of points that knows more, see `Contour`.
+        `t` is linear in the values. The contour is an array of points that knows more, see `reeb_graph.Contour`.
         """
         return self._contours(self._number(arc, self.n_arcs, "arc"), float(t), None)[0]
 
@@ -243,7 +244,7 @@ class ReebGraph:
 
         `.svg`, a drawing, `.graphml`, `.dot`, and in space `.vtp`, `.obj`, `.polylines.txt`, `.json`, and `.csv`, which
         stands for the tables `.nodes.csv` and `.arcs.csv`: the graph; `.html`: a page that shows it with the surface;
-        `.ply`: the surface with the arc of each vertex, and colours; `.pers`: the pairs before it was simplified.
+        `.ply`: the surface with the arc of each vertex, and colors; `.pers`: the pairs before it was simplified.
 
         Parameters
         ----------
@@ -260,8 +261,8 @@ class ReebGraph:
         Notes
         -----
         What needs points or a surface that are not there is a ValueError, and a file that cannot be written an OSError.
-        Of integers that no double has, pages, drawings, and meshes show the differences to the least one; the name of
-        the field tells so. Other files have the doubles next to the values.
+        Pages, drawings, and meshes show large integers, which a double cannot hold, as differences from the least one;
+        the name of the field tells so. Other files have the doubles next to the values.
         """
         path = Path(path)
         what = what or {".html": "page", ".ply": "mesh", ".pers": "pairs"}.get(path.suffix, "graph")
@@ -333,10 +334,8 @@ class ReebGraph:
     def __repr__(self) -> str:
         simplified = "simplified " if self._simplification else ""
         mesh = "surface" if self.is_surface else "complex"
-        return (
-            f"<{simplified}ReebGraph of a {mesh} with {self.n_vertices} vertices: {self.n_nodes} nodes, {self.n_arcs} arcs, "
-            f"{self.n_loops} loops, {self.n_components} components>"
-        )
+        parts = ", ".join(count(getattr(self, f"n_{noun}s"), noun) for noun in ("node", "arc", "loop", "component"))
+        return f"<{simplified}ReebGraph of a {mesh} with {self.n_vertices} vertices: {parts}>"
 
     def __len__(self) -> int:
         return self.n_nodes
@@ -422,7 +421,7 @@ def compute(
 ) -> ReebGraph:
     """Compute the Reeb graph of a scalar field on a mesh.
 
-    It is exact: only comparisons of the scalars decide it. What has no points has the graph all the same.
+    It is exact: only comparisons of the scalars decide it. The graph needs no points.
 
     Parameters
     ----------
@@ -430,8 +429,8 @@ def compute(
         The numbers of the vertices of each triangle. Or a mesh of another package, as `mesh_arrays` takes it, whose
         points, edges and tetrahedra are those that are not given.
     scalars : (n,) array of real numbers
-        The value of each vertex: n is the number of vertices. Integers that no double has are compared as they are. With
-        a mesh, it can be the name of its data.
+        The value of each vertex: n is the number of vertices. Large integers, which a double cannot hold, are compared
+        as they are. With a mesh, it can be the name of its data.
     points : (n, 3) array of real numbers, optional
         The points of the vertices, which contours and pictures need; the third coordinate may be left out.
     edges : (k, 2) array of integers, optional

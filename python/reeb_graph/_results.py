@@ -7,6 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 
+def count(number: int, noun: str, ending: str = "s") -> str:
+    """Return the number with the noun, which has this ending unless there is one."""
+    return f"{number} {noun}{'' if number == 1 else ending}"
+
+
 class Contour(np.ndarray):
     """A contour: the array of its points, in the order in which they follow each other.
 
@@ -63,8 +68,8 @@ class CriticalSet:
     border_loop: np.ndarray
 
     def __repr__(self) -> str:
-        below, above = len(self.lower_contours), len(self.upper_contours)
-        return f"<CriticalSet: {below} contours below and {above} above, star of {len(self.star)}>"
+        below, above = count(len(self.lower_contours), "contour"), len(self.upper_contours)
+        return f"<CriticalSet: {below} below and {above} above, star of {len(self.star)}>"
 
 
 @dataclass(frozen=True, repr=False)
@@ -88,7 +93,8 @@ class Embedding:
     arc_values: list[np.ndarray]
 
     def __repr__(self) -> str:
-        return f"<Embedding, {self.manner}: {len(self.node_points)} nodes, {len(self.arc_polylines)} arcs>"
+        parts = f"{count(len(self.node_points), 'node')}, {count(len(self.arc_polylines), 'arc')}"
+        return f"<Embedding, {self.manner}: {parts}>"
 
 
 class Page(str):

@@ -221,11 +221,11 @@ def test_counts():
     assert graph.leaves().tolist() == np.flatnonzero(graph.node_kinds != "saddle").tolist()
     (loop,) = graph.loops()
     assert len(loop) == 2 and graph.counts["genus"] == 1
-    assert "1 loops" in repr(graph)
+    assert " 1 loop, 1 component>" in repr(graph)
     cut, embedding = reeb_graph.cutting_system(triangles, points[:, 0], points), graph.embed()
     for result in cut, embedding, graph.critical_set(0):
         assert len(repr(result)) < 100, repr(result)
-    assert f"{cut.n_patches} patches" in repr(cut) and f"{graph.n_arcs} arcs" in repr(embedding)
+    assert " 1 patch, 1 curve>" in repr(cut) and f"{graph.n_arcs} arcs" in repr(embedding)
     assert len(pydoc.render_doc(reeb_graph).splitlines()) < 1000
     assert np.array_equal(np.sort(np.unique(graph.vertex_places)), np.unique(graph.vertex_places))
     assert np.all((graph.vertex_arcs >= 0) == (graph.vertex_places >= graph.n_nodes))

@@ -98,7 +98,7 @@ struct Arc_row
   std::optional<double> volume = std::nullopt; // in tetrahedra, in the place of the area
 };
 
-// Where a harmonic field has been given its values. A border is named by its first vertex.
+// Where a field has been given its values. A border is named by its first vertex.
 struct Fixed_values
 {
   struct Place
@@ -107,14 +107,15 @@ struct Fixed_values
     double value = 0;
   };
 
-  std::vector<Place> borders, vertices;
+  std::string field; // its name: harmonic for one that is made of that
+  std::vector<Place> vertices, borders;
 };
 
 // What the field took, and each step of the work.
 struct Work_report
 {
   std::optional<CGAL::Reeb_graph::Field_report> field; // of a field that depends on the geometry of faces
-  std::optional<Fixed_values> fixed_values;            // of a harmonic field, or of one that is made of it
+  std::optional<Fixed_values> fixed_values;            // of a field that solves equations, or of distances
   std::vector<std::pair<std::string, double>> seconds; // in the order in which they were spent
 
   // Adds to the seconds of a step, which is a new one if there is none of this name.

@@ -102,7 +102,7 @@ std::vector<Arc_row> write_files_of_mesh(const Compute_options& options,
   constexpr std::size_t few_arcs = 40;
   const std::size_t number_of_nodes = num_vertices(graph.result());
   const bool is_surface = !mesh.complex;
-  const bool has_table = options.is_table_wanted.value_or(is_surface && num_edges(graph.result()) <= few_arcs);
+  const bool has_table = options.is_table_wanted.value_or(num_edges(graph.result()) <= few_arcs);
   const bool has_places = !options.vertex_arcs_path.empty() || !options.mesh_path.empty();
   const bool has_attributes = are_attributes_written(options, is_surface);
   std::vector<Arc_row> arcs;

@@ -110,7 +110,9 @@ std::vector<std::size_t> far_sources(const Surface& surface, const Edges& edges)
 
 } // namespace
 
-void compute_distances_along_edges(const Mesh& mesh, const std::vector<std::size_t>& sources, Scalar_map scalar_map)
+std::vector<std::size_t> compute_distances_along_edges(const Mesh& mesh,
+                                                       std::vector<std::size_t> sources,
+                                                       Scalar_map scalar_map)
 {
   const Surface& surface = mesh.surface;
   for(const std::size_t source : sources)
@@ -118,8 +120,9 @@ void compute_distances_along_edges(const Mesh& mesh, const std::vector<std::size
       throw std::runtime_error("there is no vertex " + std::to_string(source) + ": the mesh has "
                                + std::to_string(surface.number_of_vertices()) + ", numbered from 0");
   const Edges edges = directed_edges(*mesh.complex);
-  const std::vector<double> distances =
-    distances_from(surface, edges, sources.empty() ? far_sources(surface, edges) : sources);
+  if(sources.empty())
+    sources = far_sources(surface, edges);
+  const std::vector<double> distances = distances_from(surface, edges, sources);
   for(const Surface::Vertex_index v : surface.vertices())
   {
     if(!std::isfinite(distances[v]))
@@ -127,6 +130,7 @@ void compute_distances_along_edges(const Mesh& mesh, const std::vector<std::size
                                + ": --source needs a vertex of each component");
     scalar_map[v] = distances[v];
   }
+  return sources;
 }
 
 } // namespace reeb_graph_program

@@ -16,9 +16,11 @@
 
 namespace reeb_graph_program {
 // Sets the map to the lengths of the shortest paths along edges of the complex from the sources or, if there are none,
-// from a vertex of each component that is farthest away from its first vertex. Throws std::runtime_error if there is no
-// such source, or no path from a source to a vertex.
-void compute_distances_along_edges(const Mesh& mesh, const std::vector<std::size_t>& sources, Scalar_map scalar_map);
+// from a vertex of each component that is farthest away from its first vertex. Returns the sources. Throws
+// std::runtime_error if there is no such source, or no path from a source to a vertex.
+std::vector<std::size_t> compute_distances_along_edges(const Mesh& mesh,
+                                                       std::vector<std::size_t> sources,
+                                                       Scalar_map scalar_map);
 
 } // namespace reeb_graph_program
 

@@ -108,7 +108,7 @@ Loops_of_surface find_longest_loop(Mesh_graph& mesh_graph)
                              }),
               pairs.end());
   if(pairs.empty())
-    throw std::runtime_error("there is no longest loop: the graph has none");
+    throw std::runtime_error("the graph has no loop");
   const auto pair = std::max_element(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
     return CGAL::Reeb_graph::persistence(graph, a) < CGAL::Reeb_graph::persistence(graph, b);
   });

@@ -40,12 +40,14 @@ Vertex vertex(const Surface& surface, std::size_t number)
   return Vertex(static_cast<Surface::size_type>(number));
 }
 
-// The vertices that are given, else one in each component, far away from another one.
-std::vector<Vertex> sources(const Input_options& options, const Surface& surface)
+typedef std::vector<std::pair<Vertex, double>> Constraints;
+
+// The value 0 at the vertices that are given, else at one in each component, far away from another one.
+Constraints sources(const Input_options& options, const Surface& surface)
 {
-  std::vector<Vertex> result;
+  Constraints result;
   for(const std::size_t number : options.source_vertices)
-    result.push_back(vertex(surface, number));
+    result.emplace_back(vertex(surface, number), 0);
   if(!result.empty())
     return result;
   std::vector<std::pair<Vertex, Vertex>> pairs;
@@ -53,7 +55,7 @@ std::vector<Vertex> sources(const Input_options& options, const Surface& surface
   CGAL::Reeb_graph::find_far_apart_vertices(surface, std::back_inserter(pairs),
                                             CGAL::parameters::callback(std::ref(progress_bar)));
   for(const auto& pair : pairs)
-    result.push_back(pair.first);
+    result.emplace_back(pair.first, 0);
   return result;
 }
 
@@ -66,7 +68,7 @@ CGAL::Reeb_graph::Laplacian_weights weights(const Input_options& options)
 }
 
 // The two vertices that are given, else two in each component that are far apart.
-std::vector<std::pair<Vertex, double>> poles(const Input_options& options, const Surface& surface)
+Constraints poles(const Input_options& options, const Surface& surface)
 {
   if(options.lowest_vertex)
     return {{vertex(surface, *options.lowest_vertex), 0}, {vertex(surface, *options.highest_vertex), 1}};
@@ -74,7 +76,7 @@ std::vector<std::pair<Vertex, double>> poles(const Input_options& options, const
   Progress_bar progress_bar("far vertices");
   CGAL::Reeb_graph::find_far_apart_vertices(surface, std::back_inserter(pairs),
                                             CGAL::parameters::callback(std::ref(progress_bar)));
-  std::vector<std::pair<Vertex, double>> result;
+  Constraints result;
   for(const auto& [lowest, highest] : pairs)
   {
     result.emplace_back(lowest, 0);
@@ -85,9 +87,9 @@ std::vector<std::pair<Vertex, double>> poles(const Input_options& options, const
 }
 
 // Which vertices have been given a value; isolated ones are left out.
-Fixed_values fixed_values(const Surface& surface, const std::vector<std::pair<Vertex, double>>& constraints)
+Fixed_values fixed_values(const std::string& field, const Surface& surface, const Constraints& constraints)
 {
-  Fixed_values fixed;
+  Fixed_values fixed = {field, {}, {}};
   for(const auto& [v, value] : constraints)
     if(!surface.is_isolated(v))
       fixed.vertices.push_back({v, value});
@@ -96,11 +98,11 @@ Fixed_values fixed_values(const Surface& surface, const std::vector<std::pair<Ve
 
 void compute_harmonic(const Input_options& options, const Surface& surface, Scalar_map scalar_map, Work_report& report)
 {
-  const std::vector<std::pair<Vertex, double>> constraints = poles(options, surface);
+  const Constraints constraints = poles(options, surface);
   Progress_bar progress_bar("harmonic field");
   const auto np = CGAL::parameters::laplacian_weights(weights(options)).callback(std::ref(progress_bar));
   report.field = CGAL::Reeb_graph::compute_harmonic_field(surface, scalar_map, constraints, np);
-  report.fixed_values = fixed_values(surface, constraints);
+  report.fixed_values = fixed_values("harmonic", surface, constraints);
 }
 
 void compute_between_borders(const Input_options& options,
@@ -112,31 +114,33 @@ void compute_between_borders(const Input_options& options,
   const auto np = CGAL::parameters::laplacian_weights(weights(options)).callback(std::ref(progress_bar));
   const CGAL::Reeb_graph::internal::scalar_fields::Harmonic_constraints<Surface> constraints(surface, np);
   report.field = CGAL::Reeb_graph::compute_harmonic_field(surface, scalar_map, constraints.range(), np);
-  std::vector<std::pair<Vertex, double>> inner;
+  Constraints inner;
   for(const auto& constraint : constraints.range())
     if(!surface.is_border(constraint.first, false))
       inner.push_back(constraint);
-  report.fixed_values = fixed_values(surface, inner);
+  report.fixed_values = fixed_values("harmonic", surface, inner);
   for(const auto& border : CGAL::Reeb_graph::internal::find_border_cycles(surface))
     report.fixed_values->borders.push_back({border.first_vertex, scalar_map[surface.target(border.halfedge)]});
 }
 
-Field_report compute_poisson(const Input_options& options, const Surface& surface, Scalar_map scalar_map)
+void compute_from_sources(const Input_options& options,
+                          const Surface& surface,
+                          Scalar_map scalar_map,
+                          Work_report& report)
 {
-  std::vector<std::pair<Vertex, double>> constraints;
-  for(const Vertex v : sources(options, surface))
-    constraints.emplace_back(v, 0.);
-  Progress_bar progress_bar("Poisson field");
-  return CGAL::Reeb_graph::compute_curvature_poisson_field(surface, scalar_map, constraints,
-                                                           CGAL::parameters::callback(std::ref(progress_bar)));
-}
-
-Field_report compute_geodesic(const Input_options& options, const Surface& surface, Scalar_map scalar_map)
-{
-  const std::vector<Vertex> source_vertices = sources(options, surface);
-  Progress_bar progress_bar("geodesic field");
-  return CGAL::Reeb_graph::compute_geodesic_field(surface, scalar_map, source_vertices,
-                                                  CGAL::parameters::callback(std::ref(progress_bar)));
+  const Constraints constraints = sources(options, surface);
+  report.fixed_values = fixed_values(options.field, surface, constraints);
+  Progress_bar progress_bar(options.field + " field");
+  const auto np = CGAL::parameters::callback(std::ref(progress_bar));
+  if(options.field == "poisson")
+  {
+    report.field = CGAL::Reeb_graph::compute_curvature_poisson_field(surface, scalar_map, constraints, np);
+    return;
+  }
+  std::vector<Vertex> source_vertices;
+  for(const auto& constraint : constraints)
+    source_vertices.push_back(constraint.first);
+  report.field = CGAL::Reeb_graph::compute_geodesic_field(surface, scalar_map, source_vertices, np);
 }
 
 // The map holds the field to start from.
@@ -197,10 +201,8 @@ void compute_scalar_field(const Input_options& options,
     compute_harmonic(options, surface, scalar_map, report);
   if(options.field == "harmonic-between-borders")
     compute_between_borders(options, surface, scalar_map, report);
-  else if(options.field == "poisson")
-    report.field = compute_poisson(options, surface, scalar_map);
-  else if(options.field == "geodesic")
-    report.field = compute_geodesic(options, surface, scalar_map);
+  else if(options.field == "poisson" || options.field == "geodesic")
+    compute_from_sources(options, surface, scalar_map, report);
   else if(options.field == "unit-gradient")
     report.field = compute_unit_gradient(surface, scalar_map);
   else if(options.field == "height")

@@ -96,7 +96,9 @@ Scalar_map add_field(const Input_options& options, Mesh& mesh, Work_report& repo
     return add_field(options, mesh.surface, report);
   Scalar_map scalar_map = add_given_field(options, mesh.surface, report);
   const Stopwatch field_stopwatch;
-  compute_distances_along_edges(mesh, options.source_vertices, scalar_map);
+  report.fixed_values = Fixed_values{options.field, {}, {}};
+  for(const std::size_t source : compute_distances_along_edges(mesh, options.source_vertices, scalar_map))
+    report.fixed_values->vertices.push_back({source, 0});
   report.add_seconds("field", field_stopwatch.seconds());
   return scalar_map;
 }

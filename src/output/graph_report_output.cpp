@@ -289,7 +289,7 @@ void write_text(std::ostream& out, const Report& report)
         << (report.simplification->are_ties_contracted ? ", which needs --ties contract" : "");
   write_thresholds(out, report.thresholds);
   if(report.longest_loop)
-    out << "\n         longest loop: persistence " << *report.longest_loop->persistence << ", length "
+    out << "\n         most persistent loop: persistence " << *report.longest_loop->persistence << ", length "
         << report.longest_loop->length;
   if(report.embedding_manner)
     out << "\n         in space: " << name_of(*report.embedding_manner);

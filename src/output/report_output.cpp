@@ -54,8 +54,8 @@ void write_fixed_values(std::ostream& out, const Fixed_values& fixed)
     const std::string borders = names_of(fixed.borders, value, "on the border of vertex", "on the borders of vertices");
     const std::string vertices = names_of(fixed.vertices, value, "at vertex", "at vertices");
     if(!borders.empty() || !vertices.empty())
-      out << "         harmonic: " << value << ' ' << borders << (borders.empty() || vertices.empty() ? "" : ", ")
-          << vertices << '\n';
+      out << "         " << fixed.field << ": " << value << ' ' << borders
+          << (borders.empty() || vertices.empty() ? "" : ", ") << vertices << '\n';
   }
 }
 
@@ -81,16 +81,16 @@ void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report
 
 void write_field_text(std::ostream& out, const Work_report& report)
 {
-  if(!report.field) // one that does not depend on the geometry
-    return;
-  if(report.field->number_of_bad_faces > 0)
-    out << "         " << count(report.field->number_of_bad_faces, "face") << " without area: ";
-  else if(report.field->added_length > 0)
+  // A field that does not depend on the geometry has none.
+  const CGAL::Reeb_graph::Field_report field = report.field.value_or(CGAL::Reeb_graph::Field_report());
+  if(field.number_of_bad_faces > 0)
+    out << "         " << count(field.number_of_bad_faces, "face") << " without area: ";
+  else if(field.added_length > 0)
     out << "         the equations are too badly conditioned: ";
-  if(report.field->added_length > 0)
-    out << "edges are taken to be longer by " << report.field->added_length << '\n';
-  if(report.field->number_of_marched_components > 0)
-    out << "         the heat method fails on " << count(report.field->number_of_marched_components, "component")
+  if(field.added_length > 0)
+    out << "edges are taken to be longer by " << field.added_length << '\n';
+  if(field.number_of_marched_components > 0)
+    out << "         the heat method fails on " << count(field.number_of_marched_components, "component")
         << ": distances of a marching front\n";
   if(report.fixed_values)
     write_fixed_values(out, *report.fixed_values);

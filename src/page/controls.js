@@ -78,7 +78,9 @@ function setUpLoops(page) {
   element("show_graph").checked = !data.loops.some(loop => loop.kind === "handle");
   scene.setLayers({graph: element("show_graph").checked, curves: true});
   const loops = data.loops.map((loop, number) => Object.assign({number}, loop)).sort((a, b) => a.length - b.length);
-  setUpList(plural(loops.length, "loop"), ["loop", "length", "persistence"], loops.map(loop => ({
+  const isOfGraph = loops.length === 1 && loops[0].kind === "loop"; // what --longest-loop writes
+  const heading = isOfGraph ? "most persistent loop" : plural(loops.length, "loop");
+  setUpList(heading, ["loop", "length", "persistence"], loops.map(loop => ({
     number: loop.number, color: loopColors[loop.kind], name: loop.kind + " " + loop.number,
     cells: [formatNumber(loop.length), loop.persistence === null ? "" : formatNumber(loop.persistence)],
     click: () => {

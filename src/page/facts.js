@@ -45,14 +45,15 @@ class Facts {
   explain(text) {
     element("facts_heading").textContent = "How to read it";
     const first = addElement(text, "p", "Let the value rise, and follow the lines on which it is the same. Each line"
-      + " in one piece is a contour. What a contour sweeps until it meets another one is a piece of the surface: ");
+      + " in one piece is a contour. The surface that a contour sweeps, until it splits, joins or ends, is"
+      + " a piece: ");
     addElement(first, "b", "an arc");
     first.append(" of the graph. ");
     addElement(first, "b", "A node");
     first.append(" is where contours begin, join, split or end.");
     if (this.loops > 0) {
-      addElement(text, "p", "A loop goes around a handle or hole of the surface. Here "
-        + (this.loops === 1 ? "is one." : "are " + this.loops.toLocaleString("en") + "."));
+      addElement(text, "p", "A loop goes around a handle or hole of the surface. This surface has "
+        + (this.loops === 1 ? "one." : this.loops.toLocaleString("en") + "."));
     }
     const canSimplify = this.view.arcs.length > 40 && this.data.levels.length > 1;
     addElement(text, "p", "Point at an arc, here or there, to see its piece; click to keep it, and move its contour."

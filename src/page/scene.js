@@ -11,6 +11,12 @@
 // The view in space: the surface, the graph in it, curves and a contour. It is drawn when something has changed only.
 
 const coloringNumbers = {field: 0, arcs: 1, patches: 2};
+
+// How thick tubes are, relative to few of them: the more there are, the thinner.
+function thicknessOf(number, few) {
+  return Math.max(0.4, Math.min(1, Math.sqrt(few / number)));
+}
+
 class Scene {
   constructor(canvas, data) {
     this.canvas = canvas;
@@ -109,7 +115,8 @@ class Scene {
     this.polylines = this.data.curves.map((curve, id) => Object.assign({id}, curve));
     this.curveTable = new ColorTable(this.polylines.length);
     if (this.polylines.length > 0) {
-      const geometry = this.tubeGeometry(this.polylines, 0.0032 * this.pose.size, 6, () => 0);
+      const radius = 0.0032 * thicknessOf(this.polylines.length, 12) * this.pose.size;
+      const geometry = this.tubeGeometry(this.polylines, radius, 6, () => 0);
       this.curves.push(this.add(this.scene, geometry, this.tubeMaterial(this.curveTable, {}), 0));
     }
     this.contourTable = new ColorTable(1);
@@ -147,10 +154,10 @@ class Scene {
     this.setLit(null);
   }
 
-  // The tubes and the nodes of the graph, to be seen and to be pointed at. Those of large graphs are thinner.
+  // The tubes and the nodes of the graph, to be seen and to be pointed at.
   makeGraph() {
     const {view} = this;
-    const thickness = Math.max(0.4, Math.min(1, 6 / Math.sqrt(view.arcs.length)));
+    const thickness = thicknessOf(view.arcs.length, 36);
     const radius = this.tubeRadius = 0.006 * thickness * this.pose.size;
     const polylines = view.arcs.map((arc, id) => ({points: arc.polyline, isClosed: false, id}));
     const tubes = this.tubeGeometry(polylines, radius, 8, (arc, t) => view.value(arc, t));

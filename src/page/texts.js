@@ -86,13 +86,13 @@ class ColorBar {
     for (let i = 0; i <= 16; ++i)
       stops.push(toHex(viridis(i / 16)));
     this.range = data.range;
-    bar.setAttribute("aria-label", "Colours of " + nameOfField(data) + ", from " + formatValue(low, unit) + " to "
+    bar.setAttribute("aria-label", "Colors of " + nameOfField(data) + ", from " + formatValue(low, unit) + " to "
       + formatValue(high, unit));
     addElement(bar, "div", nameWithUnit(data), "bar_title");
     const scale = addElement(bar, "div", "", "bar_scale");
-    scale.style.background = "linear-gradient(to top, " + stops.join(", ") + ")";
+    scale.style.background = "linear-gradient(var(--upwards), " + stops.join(", ") + ")";
     niceTicks(low, high, 5).forEach(tick => {
-      addElement(scale, "span", formatNumber(tick), "bar_tick").style.bottom = this.height(tick);
+      addElement(scale, "span", formatNumber(tick), "bar_tick").style.setProperty("--at", this.height(tick));
     });
     this.mark = addElement(scale, "div", "", "bar_marker");
   }
@@ -106,6 +106,6 @@ class ColorBar {
   setMark(value) {
     this.mark.hidden = value === null;
     if (value !== null)
-      this.mark.style.bottom = this.height(value);
+      this.mark.style.setProperty("--at", this.height(value));
   }
 }

@@ -9,6 +9,7 @@
 Usage: test_page_in_browser.py PROGRAM FOLDER
 """
 
+import itertools
 import json
 import math
 import pathlib
@@ -482,6 +483,9 @@ def test_loops():
     eye = state()["eye"]
     rows[0].find_element(By.TAG_NAME, "button").click()
     assert state()["eye"] != eye and hue_counts(picture())[0] > 2 * handles
+    run("compute", "torus.off", "--field", "z", "--longest-loop", "loop.vtp", "--html", "loop.html")
+    load("loop.html")
+    assert browser.find_element(By.ID, "patches_heading").text == "most persistent loop"
 
 
 def test_removal():
@@ -533,17 +537,17 @@ def test_lines_inside_of_a_cut_scan():
     assert_lines_are_inside(data_of_page())
 
 
-def test_nothing_lies_on_the_scale(data):
+def test_nothing_lies_on_the_surface(data):
     for width in [1400, 900, 400]:
         load("torus.html", width, 900)
-        scale, others = browser.execute_script("""
+        boxes = browser.execute_script("""
             const box = element => { const {left, top, right, bottom} = element.getBoundingClientRect();
                                      return [left, top, right, bottom]; };
-            return [box(document.getElementById('color_bar')),
-                    ['canvas', 'view_buttons', 'plane'].map(id => box(document.getElementById(id)))]""")
-        assert scale[2] > scale[0]
-        for other in others:
-            assert scale[2] <= other[0] or other[2] <= scale[0] or scale[3] <= other[1] or other[3] <= scale[1], width
+            document.querySelector('input[value=arcs]').click();  // which hides the scale, but keeps its place
+            return ['color_bar', 'view_buttons', 'canvas', 'plane'].map(id => box(document.getElementById(id)))""")
+        assert boxes[0][2] > boxes[0][0]
+        for a, b in itertools.combinations(boxes, 2):
+            assert a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1], width
     load("torus.html")
 
 
@@ -589,7 +593,7 @@ def test_all():
     for test in [test_canvas_is_drawn, test_pointing_in_the_plane_lights_the_piece, test_pointing_in_space,
                  test_slider_moves_the_contour, test_dragging_moves_the_contour, test_turning_is_not_choosing,
                  test_keys_reach_everything, test_switches_change_colors, test_slider_simplifies, test_touch,
-                 test_nothing_lies_on_the_scale, test_narrow_dark_and_still]:
+                 test_nothing_lies_on_the_surface, test_narrow_dark_and_still]:
         test(data)
         assert_no_complaint(test.__name__)
         print(f"ok: {test.__name__}")

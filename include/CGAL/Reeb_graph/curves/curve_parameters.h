@@ -151,8 +151,8 @@
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1, by the calling
-///                           thread. If it returns `false`, the work stops with `Reeb_graph::Cancelled_error`; not any
-///                           more once all faces are split, when only the result is to be written. Splits that have
+///                           thread. If it returns `false`, the work stops with `Reeb_graph::Cancelled_error`, except
+///                           when all faces are split, and only the result is to be written. Splits that have
 ///                           been made are undone then: the mesh has the vertices, edges and faces that it had, with
 ///                           the same descriptors, the field has its values there, and nothing has been output. The
 ///                           visitor has been called for the splits, and a `Surface_mesh` has garbage. To be undone,

@@ -91,7 +91,7 @@ namespace CGAL {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{that of rank 0 is called now and then with the fraction of the work done, from 0 to 1.
-///                           If it returns `false`, the computation stops on all ranks; not any more at 1.}
+///                           If it returns `false`, the computation stops on all ranks, except at 1.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

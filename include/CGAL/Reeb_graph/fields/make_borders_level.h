@@ -99,7 +99,7 @@ struct Border_level_changes
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1. If it returns
-///                           `false`, the work stops; not any more at 1, when the field has been written.}
+///                           `false`, the work stops, except at 1, when the field is written.}
 ///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
