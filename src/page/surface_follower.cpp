@@ -57,6 +57,9 @@ public:
     const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(surface);
     const Point middle((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2);
     size_ = 2 * distance(middle, Point(box.xmax(), box.ymax(), box.zmax()));
+    std::vector<std::size_t> degrees(surface.num_vertices(), 0);
+    for(const Surface::Halfedge_index h : surface.halfedges())
+      ++degrees[surface.target(h)];
     double volume = 0;
     for(const Surface::Face_index f : surface.faces())
     {
@@ -67,6 +70,9 @@ public:
         continue;
       triangles_.emplace_back(a, b, c);
       faces_.push_back(f);
+      numbers_of_neighbors_.push_back(0);
+      for(const Surface::Halfedge_index h : sides(surface, f))
+        numbers_of_neighbors_.back() += degrees[surface.target(h)];
     }
     orientation_ = volume < 0 ? -1 : 1;
     tree_.insert(triangles_.begin(), triangles_.end());
@@ -85,8 +91,11 @@ public:
   // The nearest place if the point is outside.
   std::optional<Point> place_on_surface(const Point& point)
   {
+    if(number_of_steps_ > most_steps)
+      return std::nullopt;
     nearest_ = tree_.closest_point_and_primitive(point, nearest_);
     const auto& [place, triangle] = nearest_;
+    number_of_steps_ += numbers_of_neighbors_[triangle - triangles_.begin()];
     const Vector way = point - place;
     const double least_distance = 1e-4 * size_;
     if(!(way.squared_length() > least_distance * least_distance))
@@ -157,6 +166,10 @@ private:
   std::vector<Surface::Face_index> faces_;
   Tree tree_;
   Tree::Point_and_primitive_id nearest_; // to the last point
+  // A search looks at all triangles of a fan that its place is in. After too many, points stay where they are.
+  static constexpr std::size_t most_steps = 100'000'000;
+  std::size_t number_of_steps_ = 0;
+  std::vector<std::size_t> numbers_of_neighbors_; // of the corners of each triangle
 };
 
 Surface_follower::Surface_follower(const Surface& surface) : sides_(std::make_unique<Sides>(surface)) {}
