@@ -159,10 +159,14 @@ private:
     const Vector<FT> d = direction<FT>(), along_a = difference(a1, a0), along_b = difference(b1, b0);
     const Vector<FT> across_a = cross(d, along_a), across_b = cross(d, along_b);
     const Vector<FT> between = difference(b0, a0);
-    if(checked(sign_of(dot(across_a, between))) == checked(sign_of(dot(across_a, difference(b1, a0)))))
+    const int sides_of_b = sign_of(dot(across_a, between)) * sign_of(dot(across_a, difference(b1, a0)));
+    if(sides_of_b > 0)
       return 0;
-    if(checked(sign_of(dot(across_b, between))) == checked(sign_of(dot(across_b, difference(b0, a1)))))
+    const int sides_of_a = sign_of(dot(across_b, between)) * sign_of(dot(across_b, difference(b0, a1)));
+    if(sides_of_a > 0) // also if `b` begins on the line of `a`, beyond its end: this looks so from everywhere
       return 0;
+    if(sides_of_b == 0 || sides_of_a == 0)
+      throw Degenerate_direction();
     // If they cross, the direction that is common to the normals of both tells which one is above.
     const Vector<FT> normal = cross(along_a, along_b);
     const int sign = checked(sign_of(dot(normal, d)));
