@@ -12,6 +12,8 @@
 #include "linking_oracle.h"
 #include "voxel_solids.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
 #include <CGAL/Reeb_graph/handles/handle_and_tunnel_loops.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
@@ -432,6 +434,30 @@ BOOST_AUTO_TEST_CASE(what_intersects_itself_has_no_inside)
   BOOST_TEST(found.loops().size() == 2u);
   BOOST_TEST(count(found.loops(), Loop_kind::LOOP) == 2u);
   check_list(mesh, found);
+}
+
+BOOST_AUTO_TEST_CASE(the_test_for_self_intersections_agrees_with_that_of_cgal)
+{
+  std::size_t number_of_crossed = 0;
+  const std::size_t number_of_seeds = 200;
+  for(std::size_t seed = 0; seed != number_of_seeds; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      random_meshes::Random random(seed);
+      generated_surfaces::Triangle_soup soup = generated_surfaces::torus(9, 14);
+      const double noise = 0.4 * static_cast<double>(random.below(100)) / 100;
+      const std::size_t steps = seed % 2 == 0 ? 3 : 1000; // few places, so that some are on a plane with others
+      for(auto& point : soup.points)
+        for(double& coordinate : point)
+          coordinate += noise * static_cast<double>(random.below(steps)) / static_cast<double>(steps);
+      const auto mesh =
+        make_mesh<CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>>(soup);
+      const bool is_crossed = CGAL::Polygon_mesh_processing::does_self_intersect(mesh);
+      BOOST_TEST(count(find_loops(mesh, seed).loops(), Loop_kind::LOOP) == (is_crossed ? 2u : 0u));
+      number_of_crossed += is_crossed ? 1 : 0;
+    }
+  BOOST_TEST(number_of_crossed > number_of_seeds / 5);
+  BOOST_TEST(number_of_crossed < number_of_seeds * 4 / 5);
 }
 
 BOOST_AUTO_TEST_CASE(meshes_without_handles_have_no_loops)

@@ -16,10 +16,9 @@
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
 
-#include <CGAL/Bbox_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Reeb_graph/handles/internal/Placed_triangle.h>
+
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/utility.h>
 
@@ -33,16 +32,6 @@
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
-
-// Triangles in space, by whose predicates it is told what intersects.
-typedef Exact_predicates_inexact_constructions_kernel Disc_kernel;
-typedef Disc_kernel::Point_3 Disc_point;
-
-struct Numbered_box : Box_intersection_d::Box_d<double, 3>
-{
-  Numbered_box(const Bbox_3& box, std::size_t n) : Box_intersection_d::Box_d<double, 3>(box), number(n) {}
-  std::size_t number;
-};
 
 template <class VertexDescriptor, class PointMap>
 Disc_point disc_point(VertexDescriptor v, const PointMap& point_map)
