@@ -83,7 +83,8 @@ public:
   Loop_search(const Closed_surface& surface, const Class_codes& codes)
     : surface_(surface),
       codes_(codes),
-      first_places_(surface.points.size(), no_index)
+      first_places_(surface.points.size(), no_index),
+      least_lengths_{std::vector<double>(surface.points.size(), 0), std::vector<double>(surface.points.size(), 0)}
   {}
 
   // Finds a loop shorter than `bound` whose class has no part in the half `closed_half`, and which is accepted: that is
@@ -94,8 +95,11 @@ public:
                   std::size_t largest_number_of_places,
                   const std::function<bool(const Halfedge_walk&)>& accept)
   {
-    begin(root);
     Loop best = {bound, {}};
+    if(least_lengths_[closed_half][root] >= bound)
+      return best;
+    begin(root);
+    least_length_ = bound;
     std::unordered_map<std::uint64_t, bool> is_accepted;
     while(!queue_.empty() && places_.size() < largest_number_of_places)
     {
@@ -114,6 +118,8 @@ public:
       });
     }
     best.is_shortest = places_.size() < largest_number_of_places;
+    if(best.is_shortest)
+      least_lengths_[closed_half][root] = least_length_;
     end();
     return best;
   }
@@ -193,6 +199,7 @@ private:
     const double length = distance + places_[other].distance;
     if(places_[other].code != code && length < best.length)
     {
+      least_length_ = (std::min)(least_length_, length);
       Halfedge_walk walk = walk_to(place);
       walk.push_back(h);
       const Halfedge_walk back = walk_to(other);
@@ -225,7 +232,9 @@ private:
 
   const Closed_surface& surface_;
   const Class_codes& codes_;
-  std::vector<Index> first_places_; // by vertex
+  std::vector<Index> first_places_;                  // by vertex
+  std::array<std::vector<double>, 2> least_lengths_; // by closed half and root: no loop of any class is shorter
+  double least_length_ = 0;                          // of loops seen in this search, or its bound
   std::vector<Place> places_;
   std::priority_queue<Queued, std::vector<Queued>, std::greater<Queued>> queue_;
 };
