@@ -6,27 +6,83 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_HANDLES_INTERNAL_SELF_INTERSECTIONS_H
-#define CGAL_REEB_GRAPH_HANDLES_INTERNAL_SELF_INTERSECTIONS_H
-
-#include <CGAL/license/Reeb_graph.h>
+#ifndef CGAL_REEB_GRAPH_HANDLES_INTERNAL_TRIANGLE_INTERSECTIONS_H
+#define CGAL_REEB_GRAPH_HANDLES_INTERNAL_TRIANGLE_INTERSECTIONS_H
 
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
-#include <CGAL/Reeb_graph/handles/internal/Placed_triangle.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
+#include <CGAL/license/Reeb_graph.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+// Triangles in space, by whose predicates it is told what intersects.
+typedef Exact_predicates_inexact_constructions_kernel Disc_kernel;
+typedef Disc_kernel::Point_3 Disc_point;
+
+struct Numbered_box : Box_intersection_d::Box_d<double, 3>
+{
+  Numbered_box(const Bbox_3& box, std::size_t n) : Box_intersection_d::Box_d<double, 3>(box), number(n) {}
+  std::size_t number;
+};
+
+// A triangle that is to be, or a face. A vertex of a loop that is cut has a copy on its left and one on its right.
+template <class VertexDescriptor>
+struct Placed_triangle
+{
+  struct Corner
+  {
+    VertexDescriptor vertex;
+    int copy; // 0 if it is not cut, 1 on the left, 2 on the right
+    Disc_point point;
+  };
+  std::array<Corner, 3> corners;
+
+  Disc_kernel::Triangle_3 triangle() const { return {corners[0].point, corners[1].point, corners[2].point}; }
+};
+
+// Whether two triangles have more in common than the corners that they share. One without area has nothing.
+template <class VertexDescriptor>
+bool do_intersect(Placed_triangle<VertexDescriptor> a, Placed_triangle<VertexDescriptor> b)
+{
+  typedef typename Placed_triangle<VertexDescriptor>::Corner Corner;
+  const auto is_same = [](const Corner& p, const Corner& q) { return p.vertex == q.vertex && p.copy == q.copy; };
+  std::size_t shared = 0; // the shared ones are put first
+  for(std::size_t i = 0; i != 3; ++i)
+    for(std::size_t j = shared; j != 3; ++j)
+    {
+      if(!is_same(a.corners[i], b.corners[j]))
+        continue;
+      std::swap(a.corners[i], a.corners[shared]);
+      std::swap(b.corners[j], b.corners[shared]);
+      ++shared;
+      break;
+    }
+  const Disc_kernel::Triangle_3 s = a.triangle(), t = b.triangle();
+  if(s.is_degenerate() || t.is_degenerate())
+    return false;
+  if(shared == 3)
+    return true;
+  if(shared == 2)
+    return CGAL::coplanar(s[0], s[1], s[2], t[2])
+        && CGAL::coplanar_orientation(s[0], s[1], s[2], t[2]) == CGAL::POSITIVE;
+  if(shared == 1)
+    return CGAL::do_intersect(s, Disc_kernel::Segment_3(t[1], t[2]))
+        || CGAL::do_intersect(t, Disc_kernel::Segment_3(s[1], s[2]));
+  return CGAL::do_intersect(s, t);
+}
 
 // Finds the closed components with handles that intersect themselves, or have faces without area. Other components may
 // pass through them. Pairs of faces whose boxes overlap, and those of their patches, are tested exactly, but for those
@@ -88,11 +144,6 @@ private:
     const Closed_surface::Point &p = surface_.points[u], &q = surface_.points[v];
     return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
   }
-  static Vector cross(const Vector& a, const Vector& b)
-  {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  }
-  static double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
   static Vector unit(const Vector& a)
   {
     const double length = std::sqrt(dot(a, a));
@@ -256,4 +307,4 @@ private:
 } // namespace Reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_SELF_INTERSECTIONS_H
+#endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_TRIANGLE_INTERSECTIONS_H
