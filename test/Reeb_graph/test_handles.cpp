@@ -10,7 +10,10 @@
 
 #include "handle_samples.h"
 #include "linking_oracle.h"
+#include "voxel_solids.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
 #include <CGAL/Reeb_graph/handles/handle_and_tunnel_loops.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
@@ -18,10 +21,12 @@
 #include <boost/mpl/list.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <utility>
 #include <vector>
 
 // Handles and tunnels: what bounds on which side, that they are dual, and short.
@@ -238,6 +243,80 @@ BOOST_AUTO_TEST_CASE(gyroids_and_plates_of_high_genus)
   }
 }
 
+// Each triangle in four, so that edges lie on straight lines.
+generated_surfaces::Triangle_soup subdivided(const generated_surfaces::Triangle_soup& soup)
+{
+  generated_surfaces::Triangle_soup result = {soup.points, {}};
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
+  const auto middle = [&](std::size_t a, std::size_t b) {
+    const auto entry = middles.emplace(std::minmax(a, b), result.points.size());
+    if(entry.second)
+      result.points.push_back(
+        handle_samples::sum(handle_samples::sum({0, 0, 0}, 0.5, soup.points[a]), 0.5, soup.points[b]));
+    return entry.first->second;
+  };
+  for(const auto& [a, b, c] : soup.triangles)
+  {
+    const std::size_t p = middle(a, b), q = middle(b, c), r = middle(c, a);
+    for(const std::array<std::size_t, 3>& t : {std::array{a, p, r}, {b, q, p}, {c, r, q}, {p, q, r}})
+      result.triangles.push_back(t);
+  }
+  return result;
+}
+
+BOOST_AUTO_TEST_CASE(coarse_tori_and_straight_edges)
+{
+  generated_surfaces::Triangle_soup seven_vertices = mesh_builders::make_soup(random_meshes::seven_vertex_torus());
+  seven_vertices.points = {{3, -3, 0}, {3, 3, 1}, {1, 2, 3}, {-1, -2, 3}, {-3, -3, 1}, {-3, 3, 0}, {0, 0, 15}};
+  generated_surfaces::Triangle_soup slanted = generated_surfaces::torus(3, 5);
+  for(auto& point : slanted.points)
+  {
+    point[0] *= 4;
+    point[1] += 3 * point[0];
+  }
+  for(const auto& soup :
+      {seven_vertices, generated_surfaces::torus(3, 3), slanted, subdivided(slanted), subdivided(subdivided(slanted))})
+  {
+    const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
+    const auto found = find_loops(mesh, 19);
+    BOOST_TEST(count(found.loops(), Loop_kind::HANDLE) == 1u);
+    BOOST_TEST(count(found.loops(), Loop_kind::TUNNEL) == 1u);
+    check_list(mesh, found);
+  }
+}
+
+// Coarse surfaces have too few edges for disjoint loops, but those that bound are the same.
+BOOST_AUTO_TEST_CASE(loops_of_random_cubes_bound_on_their_sides)
+{
+  std::size_t number_of_loops = 0, number_of_others = 0;
+  for(std::size_t seed = 0; seed != 200; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Voxel_solid solid(4, seed);
+      const Surface_mesh mesh = make_mesh<Surface_mesh>(solid.surface());
+      for(const bool are_short : {false, true})
+      {
+        const auto found = find_loops(mesh, seed, parameters::shorten_loops(are_short));
+        check_list(mesh, found);
+        for(const auto& loop : found.loops())
+        {
+          std::vector<Voxel_solid::Cell> polygon;
+          for(const auto h : loop.halfedges)
+          {
+            const auto& p = mesh.point(source(h, mesh));
+            polygon.push_back({int(p.x()), int(p.y()), int(p.z())});
+          }
+          BOOST_TEST(solid.is_bounding(polygon, true) == (loop.kind == Loop_kind::HANDLE));
+          BOOST_TEST(solid.is_bounding(polygon, false) == (loop.kind == Loop_kind::TUNNEL));
+          ++number_of_loops;
+          number_of_others += loop.is_simple ? 0 : 1;
+        }
+      }
+    }
+  BOOST_TEST(number_of_loops > 400u);
+  BOOST_TEST(number_of_others > 0u);
+}
+
 BOOST_AUTO_TEST_CASE(short_loops_of_a_gyroid)
 {
   const Surface_mesh mesh = make_mesh<Surface_mesh>(handle_samples::gyroid(5, 0.6));
@@ -355,6 +434,30 @@ BOOST_AUTO_TEST_CASE(what_intersects_itself_has_no_inside)
   BOOST_TEST(found.loops().size() == 2u);
   BOOST_TEST(count(found.loops(), Loop_kind::LOOP) == 2u);
   check_list(mesh, found);
+}
+
+BOOST_AUTO_TEST_CASE(the_test_for_self_intersections_agrees_with_that_of_cgal)
+{
+  std::size_t number_of_crossed = 0;
+  const std::size_t number_of_seeds = 200;
+  for(std::size_t seed = 0; seed != number_of_seeds; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      random_meshes::Random random(seed);
+      generated_surfaces::Triangle_soup soup = generated_surfaces::torus(9, 14);
+      const double noise = 0.4 * static_cast<double>(random.below(100)) / 100;
+      const std::size_t steps = seed % 2 == 0 ? 3 : 1000; // few places, so that some are on a plane with others
+      for(auto& point : soup.points)
+        for(double& coordinate : point)
+          coordinate += noise * static_cast<double>(random.below(steps)) / static_cast<double>(steps);
+      const auto mesh =
+        make_mesh<CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>>(soup);
+      const bool is_crossed = CGAL::Polygon_mesh_processing::does_self_intersect(mesh);
+      BOOST_TEST(count(find_loops(mesh, seed).loops(), Loop_kind::LOOP) == (is_crossed ? 2u : 0u));
+      number_of_crossed += is_crossed ? 1 : 0;
+    }
+  BOOST_TEST(number_of_crossed > number_of_seeds / 5);
+  BOOST_TEST(number_of_crossed < number_of_seeds * 4 / 5);
 }
 
 BOOST_AUTO_TEST_CASE(meshes_without_handles_have_no_loops)

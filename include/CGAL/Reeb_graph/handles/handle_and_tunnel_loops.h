@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/handles/Handle_loop.h>
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/handles/internal/Handle_homology.h>
-#include <CGAL/Reeb_graph/handles/internal/Reeb_loops.h>
 #include <CGAL/Reeb_graph/handles/internal/make_loops.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>

@@ -32,6 +32,18 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
+template <class FT>
+std::array<FT, 3> cross(const std::array<FT, 3>& a, const std::array<FT, 3>& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+template <class FT>
+FT dot(const std::array<FT, 3>& a, const std::array<FT, 3>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 // A closed walk: consecutive halfedges.
 typedef std::vector<Index> Halfedge_walk;
 
@@ -394,6 +406,22 @@ public:
   Index parent(Index piece) const { return parents_[piece]; }  // no_index at the root
   Index piece_of(Index node) const { return piece_of_[node]; } // no_index for a root
   const std::vector<Index>& nodes() const { return nodes_; }   // all that belong to a piece
+
+  // Adds the numbers of pieces up, from the roots downwards. There can be other numbers behind them.
+  void add_up(std::vector<long long>& sums) const
+  {
+    for(Index piece = 0; piece != size(); ++piece)
+    {
+      if(parents_[piece] != no_index)
+        sums[piece] += sums[parents_[piece]];
+    }
+  }
+
+  // The number of the piece of a node, 0 for a root.
+  long long at(const std::vector<long long>& sums, Index node) const
+  {
+    return piece_of_[node] == no_index ? 0 : sums[piece_of_[node]];
+  }
 
 private:
   std::vector<Index>& piece_of_;

@@ -9,26 +9,20 @@
 #ifndef CGAL_REEB_GRAPH_HANDLES_INTERNAL_HANDLE_HOMOLOGY_H
 #define CGAL_REEB_GRAPH_HANDLES_INTERNAL_HANDLE_HOMOLOGY_H
 
-#include <CGAL/license/Reeb_graph.h>
-
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
-#include <CGAL/Reeb_graph/handles/internal/Component_loops.h>
-#include <CGAL/Reeb_graph/handles/internal/Crossing_bounds.h>
-#include <CGAL/Reeb_graph/handles/internal/Integer_rows.h>
 #include <CGAL/Reeb_graph/handles/internal/Linking_numbers.h>
-#include <CGAL/Reeb_graph/handles/internal/Loop_choice.h>
-#include <CGAL/Reeb_graph/handles/internal/Loop_halves.h>
-#include <CGAL/Reeb_graph/handles/internal/Loop_search.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/license/Reeb_graph.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <limits>
 #include <unordered_map>
@@ -38,6 +32,154 @@
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+// The loops of one component: coordinates of closed walks in the basis b of its tree, and intersection numbers.
+class Component_loops
+{
+public:
+  // `pieces_of_vertices` and `pieces_of_faces` are places for numbers, no_index for this component.
+  Component_loops(const Closed_surface& surface,
+                  const Tree_and_cotree& trees,
+                  const Tree_and_cotree::Component& component,
+                  std::vector<Index>& pieces_of_vertices,
+                  std::vector<Index>& pieces_of_faces)
+    : surface_(surface),
+      trees_(trees),
+      component_(component),
+      pieces_(vertices_of_ends(), pieces_of_vertices, [&](Index v) { return trees.parent(v); }),
+      copieces_(faces_of_ends(), pieces_of_faces, [&](Index f) { return trees.parent_face(f); })
+  {
+    for(std::size_t k = 0; k != size(); ++k)
+      numbers_.emplace(component.left_over[k], k);
+  }
+
+  std::size_t size() const { return component_.left_over.size(); } // twice the genus
+  const Tree_and_cotree::Component& component() const { return component_; }
+  Halfedge_walk walk(std::size_t k) const { return trees_.walk_through(component_.left_over[k]); }
+
+  Integer_rows linking_numbers() const { return Linking_numbers(surface_, trees_, component_, pieces_, copieces_)(); }
+
+  // The coordinates of a closed walk in the basis b: how often each loop c crosses it from its right to its left.
+  std::vector<long long> coordinates(const Halfedge_walk& walk) const
+  {
+    std::vector<long long> result(size(), 0), sums(copieces_.size(), 0);
+    for(const Index h : walk)
+    {
+      const auto number = numbers_.find(h & ~Index(1));
+      if(number != numbers_.end())
+        result[number->second] += h == component_.left_over[number->second] ? 1 : -1;
+      for(const Index g : {h, surface_.opposite(h)})
+      {
+        // A loop c that leads to the parent of the face on the left of a halfedge crosses it from its left.
+        const Index face = surface_.face[g];
+        if(trees_.to_parent(face) == g && copieces_.piece_of(face) != no_index)
+          sums[copieces_.piece_of(face)] -= g == h ? 1 : -1;
+      }
+    }
+    copieces_.add_up(sums);
+    for(std::size_t k = 0; k != size(); ++k)
+    {
+      const Index h = component_.left_over[k];
+      result[k] += copieces_.at(sums, surface_.face[h]) - copieces_.at(sums, surface_.face[surface_.opposite(h)]);
+    }
+    return result;
+  }
+
+  // The intersection numbers of the loops b with each other, and of the loops c with each other. The second matrix
+  // has the coordinates of the loops c in the basis b, and its transpose is the inverse of the first one.
+  std::array<Integer_rows, 2> intersection_numbers() const
+  {
+    const std::vector<Index> ends = ends_around_tree();
+    std::unordered_map<Index, std::size_t> places;
+    for(std::size_t i = 0; i != ends.size(); ++i)
+      places.emplace(ends[i], i);
+    // The border of the polygon that is left if the surface is cut along the loops b, as it is passed counterclockwise.
+    std::vector<Index> sides;
+    for(std::size_t place = 0; sides.size() != ends.size();)
+    {
+      sides.push_back(ends[place]);
+      place = (places[surface_.opposite(ends[place])] + ends.size() - 1) % ends.size();
+    }
+    return {crossings(ends), crossings(sides)};
+  }
+
+private:
+  std::vector<Index> vertices_of_ends() const
+  {
+    std::vector<Index> result;
+    for(const Index h : component_.left_over)
+    {
+      result.push_back(surface_.source(h));
+      result.push_back(surface_.target[h]);
+    }
+    return result;
+  }
+  std::vector<Index> faces_of_ends() const
+  {
+    std::vector<Index> result;
+    for(const Index h : component_.left_over)
+    {
+      result.push_back(surface_.face[h]);
+      result.push_back(surface_.face[surface_.opposite(h)]);
+    }
+    return result;
+  }
+
+  bool is_in_pieces(Index h) const
+  {
+    const Index v = surface_.target[h], u = surface_.source(h);
+    return (trees_.to_vertex(v) == h && pieces_.piece_of(v) != no_index)
+        || (trees_.to_vertex(u) == surface_.opposite(h) && pieces_.piece_of(u) != no_index);
+  }
+
+  // The halfedges that leave the tree along an edge that is left over, as they lie around it, counterclockwise.
+  std::vector<Index> ends_around_tree() const
+  {
+    std::vector<Index> result;
+    const Index first = surface_.outgoing[component_.root];
+    Index h = first;
+    do
+    {
+      if(numbers_.count(h & ~Index(1)) != 0)
+        result.push_back(h);
+      h = surface_.turned(is_in_pieces(h) ? surface_.opposite(h) : h);
+    } while(h != first);
+    return result;
+  }
+
+  // The intersection numbers of chords of a circle: chord k leads from the place of left_over[k] to that of its
+  // opposite, and around the tree, the other way round on the outside. Counterclockwise, they begin, begin, end, end if
+  // the second one crosses the first one from its right to its left.
+  Integer_rows crossings(const std::vector<Index>& places) const
+  {
+    std::vector<std::array<std::size_t, 2>> chords(size());
+    for(std::size_t i = 0; i != places.size(); ++i)
+    {
+      const std::size_t k = numbers_.at(places[i] & ~Index(1));
+      chords[k][places[i] == component_.left_over[k] ? 0 : 1] = i;
+    }
+    Integer_rows result(size(), std::vector<long long>(size(), 0));
+    for(std::size_t i = 0; i != size(); ++i)
+      for(std::size_t j = 0; j != size(); ++j)
+      {
+        if(i == j)
+          continue;
+        const auto after_begin = [&](std::size_t place) {
+          return (place + places.size() - chords[i][0]) % places.size();
+        };
+        const bool begins_right = after_begin(chords[j][0]) < after_begin(chords[i][1]);
+        const bool ends_right = after_begin(chords[j][1]) < after_begin(chords[i][1]);
+        result[i][j] = begins_right == ends_right ? 0 : begins_right ? 1 : -1;
+      }
+    return result;
+  }
+
+  const Closed_surface& surface_;
+  const Tree_and_cotree& trees_;
+  const Tree_and_cotree::Component& component_;
+  Forest_pieces pieces_, copieces_;
+  std::unordered_map<Index, std::size_t> numbers_; // of the even halfedges that are left over
+};
 
 // All components of a surface, with the linking numbers of their loops.
 class Handle_homology
@@ -190,105 +332,6 @@ private:
   std::vector<Index> pieces_of_vertices_, pieces_of_faces_;
   std::deque<Component> components_;
   std::vector<std::size_t> places_; // in components_, by the number of the component
-};
-
-// Finds dual loops of all components. What is valid for `Integer` is written to `result`, by component; components whose
-// linking numbers are not those of a surface with two sides, or that have a border, get the loops of their tree.
-template <class Integer>
-class All_loops
-{
-public:
-  explicit All_loops(Handle_homology& homology) : homology_(homology), surface_(homology.surface()) {}
-
-  // Loops are shortened as far as that makes them shorter than `bound`, and than the `number`-th size of a pair.
-  std::vector<std::vector<Pair_of_loops>> operator()(double bound, std::size_t number, const Stage_progress& progress)
-  {
-    Class_codes codes(surface_.next.size() / 2, {0, 0});
-    for(auto& component : homology_.components())
-    {
-      if(!component.projection.empty())
-        halves_.emplace_back(component.loops, component.projection);
-      if(component.projection.empty() || !halves_.back().is_valid())
-      {
-        if(!component.projection.empty())
-          halves_.pop_back();
-        component.projection.clear();
-        halves_.emplace_back(component.loops, splitting<Integer>(component.loops));
-      }
-      const auto random = random_numbers(component.loops.size());
-      for(std::size_t k = 0; k != component.loops.size(); ++k)
-        codes[component.loops.component().left_over[k] / 2] = halves_.back().code(k, random);
-    }
-    complete_codes(surface_, homology_.trees(), codes);
-    for(std::size_t i = 0; i != halves_.size(); ++i)
-    {
-      const auto& component = homology_.components()[i];
-      choices_.emplace_back(surface_, component.loops, halves_[i], component.number_of_vertices);
-    }
-    add_loops_of_tree(codes);
-    std::vector<double> sizes;
-    for(auto& choice : choices_)
-    {
-      choice.choose();
-      const std::vector<double> its_sizes = choice.sizes();
-      sizes.insert(sizes.end(), its_sizes.begin(), its_sizes.end());
-    }
-    if(0 < number && number < sizes.size())
-    {
-      std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(number - 1), sizes.end());
-      bound = (std::min)(bound, std::nextafter(sizes[number - 1], std::numeric_limits<double>::infinity()));
-    }
-    Loop_search search(surface_, codes);
-    Crossing_bounds crossing_bounds(surface_);
-    std::vector<std::vector<Pair_of_loops>> result;
-    for(std::size_t i = 0; i != choices_.size(); ++i)
-    {
-      const double number_of_choices = static_cast<double>(choices_.size());
-      if(bound > 0)
-        choices_[i].shorten(search, crossing_bounds, bound,
-                            progress.part(i / number_of_choices, (i + 1) / number_of_choices));
-      result.push_back(choices_[i].take_pairs());
-    }
-    return result;
-  }
-
-private:
-  // The shortest loop of each class among those that an edge closes with the tree.
-  void add_loops_of_tree(const Class_codes& codes)
-  {
-    typedef std::unordered_map<std::uint64_t, std::pair<double, Index>> Shortest;
-    std::vector<std::array<Shortest, 2>> shortest(choices_.size());
-    const auto& trees = homology_.trees();
-    for(Index h = 0; h != surface_.number_of_given_halfedges; h += 2)
-    {
-      const auto& code = codes[h / 2];
-      if((code[0] == 0) == (code[1] == 0))
-        continue;
-      const int half = code[0] == 0 ? 1 : 0;
-      const Index u = surface_.source(h), v = surface_.target[h];
-      const double length = trees.distance(u) + surface_.length(h) + trees.distance(v);
-      const std::uint64_t key = (std::min)(code[half], std::uint64_t(0) - code[half]);
-      const std::size_t place = homology_.place_of(u);
-      const auto found = shortest[place][half].emplace(key, std::make_pair(length, h)).first;
-      if(length < found->second.first)
-        found->second = {length, h};
-    }
-    for(std::size_t place = 0; place != choices_.size(); ++place)
-      for(int half : {0, 1})
-      {
-        std::vector<std::pair<double, Index>> loops;
-        for(const auto& entry : shortest[place][half])
-          loops.push_back(entry.second);
-        std::sort(loops.begin(), loops.end());
-        for(const auto& loop : loops)
-          choices_[place].add_candidate(half, trees.walk_through(loop.second));
-      }
-  }
-
-  Handle_homology& homology_;
-  const Closed_surface& surface_;
-  std::deque<Loop_halves<Integer>> halves_;
-  std::deque<Loop_choice<Integer>> choices_;
 };
 
 } // namespace internal

@@ -12,8 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/handles/Handle_loop.h>
+#include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
-#include <CGAL/Reeb_graph/handles/internal/Disc_of_loop.h>
 #include <CGAL/Reeb_graph/handles/internal/Loop_cut.h>
 #include <CGAL/Reeb_graph/handles/internal/make_loops.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>

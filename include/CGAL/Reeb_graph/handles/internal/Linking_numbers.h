@@ -133,18 +133,6 @@ private:
   }
 
   template <class FT>
-  static Vector<FT> cross(const Vector<FT>& a, const Vector<FT>& b)
-  {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  }
-
-  template <class FT>
-  static FT dot(const Vector<FT>& a, const Vector<FT>& b)
-  {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-
-  template <class FT>
   static FT determinant(const Vector<FT>& a, const Vector<FT>& b, const Vector<FT>& c)
   {
     return dot(cross(a, b), c);
@@ -159,10 +147,14 @@ private:
     const Vector<FT> d = direction<FT>(), along_a = difference(a1, a0), along_b = difference(b1, b0);
     const Vector<FT> across_a = cross(d, along_a), across_b = cross(d, along_b);
     const Vector<FT> between = difference(b0, a0);
-    if(checked(sign_of(dot(across_a, between))) == checked(sign_of(dot(across_a, difference(b1, a0)))))
+    const int sides_of_b = sign_of(dot(across_a, between)) * sign_of(dot(across_a, difference(b1, a0)));
+    if(sides_of_b > 0)
       return 0;
-    if(checked(sign_of(dot(across_b, between))) == checked(sign_of(dot(across_b, difference(b0, a1)))))
+    const int sides_of_a = sign_of(dot(across_b, between)) * sign_of(dot(across_b, difference(b0, a1)));
+    if(sides_of_a > 0) // also if `b` begins on the line of `a`, beyond its end: this looks so from everywhere
       return 0;
+    if(sides_of_b == 0 || sides_of_a == 0)
+      throw Degenerate_direction();
     // If they cross, the direction that is common to the normals of both tells which one is above.
     const Vector<FT> normal = cross(along_a, along_b);
     const int sign = checked(sign_of(dot(normal, d)));
@@ -172,9 +164,7 @@ private:
   std::array<double, 3> direction_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+typedef std::vector<std::vector<long long>> Integer_rows;
 
 // The linking numbers of the loops of edges of a component with its loops of faces, pushed off the surface.
 //
@@ -185,13 +175,6 @@ private:
 // There, the pushed c turns around the edge from one side to the other on the front. It passes below the edge if and
 // only if what is just below the edge is in front of the surface, and this crossing has the sign of the intersection of
 // b and c. So no point has to be moved, and exact signs of determinants decide everything.
-
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-
-typedef std::vector<std::vector<long long>> Integer_rows;
-
 class Linking_numbers
 {
   typedef Projected_segments::Segment Segment;
@@ -372,11 +355,11 @@ private:
       sums.assign(copieces_.size() + number_of_loops, 0);
       for(; crossing != crossings.end() && crossing->first.first == piece; ++crossing)
         sums[crossing->first.second] = crossing->second;
-      add_up(copieces_, sums);
+      copieces_.add_up(sums);
       for(std::size_t k = 0; k != number_of_loops; ++k)
       {
         const Index left = surface_.face[left_over_[k]], right = surface_.face[surface_.opposite(left_over_[k])];
-        rows[piece][k] = sums[copieces_.size() + k] + sum_at(copieces_, sums, left) - sum_at(copieces_, sums, right);
+        rows[piece][k] = sums[copieces_.size() + k] + copieces_.at(sums, left) - copieces_.at(sums, right);
       }
     }
     for(Index piece = 0; piece != pieces_.size(); ++piece)
@@ -404,20 +387,6 @@ private:
   {
     if(pieces_.piece_of(v) != no_index)
       add(row, rows[pieces_.piece_of(v)], factor);
-  }
-
-  static void add_up(const Forest_pieces& pieces, std::vector<long long>& sums)
-  {
-    for(Index piece = 0; piece != pieces.size(); ++piece)
-    {
-      if(pieces.parent(piece) != no_index)
-        sums[piece] += sums[pieces.parent(piece)];
-    }
-  }
-
-  static long long sum_at(const Forest_pieces& pieces, const std::vector<long long>& sums, Index node)
-  {
-    return pieces.piece_of(node) == no_index ? 0 : sums[pieces.piece_of(node)];
   }
 
   const Closed_surface& surface_;

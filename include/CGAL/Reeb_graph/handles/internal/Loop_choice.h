@@ -11,9 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/handles/internal/Component_loops.h>
-#include <CGAL/Reeb_graph/handles/internal/Crossing_bounds.h>
-#include <CGAL/Reeb_graph/handles/internal/Integer_rows.h>
+#include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
+#include <CGAL/Reeb_graph/handles/internal/Handle_homology.h>
 #include <CGAL/Reeb_graph/handles/internal/Loop_halves.h>
 #include <CGAL/Reeb_graph/handles/internal/Loop_search.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
@@ -23,8 +22,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <limits>
 #include <optional>
 #include <set>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -275,6 +278,105 @@ private:
   Dual_bases<Integer> bases_;
   std::vector<Candidate> candidates_;
   std::array<std::vector<Halfedge_walk>, 2> walks_; // by half and place; empty if none has been chosen
+};
+
+// Finds dual loops of all components. What is valid for `Integer` is written to `result`, by component; components whose
+// linking numbers are not those of a surface with two sides, or that have a border, get the loops of their tree.
+template <class Integer>
+class All_loops
+{
+public:
+  explicit All_loops(Handle_homology& homology) : homology_(homology), surface_(homology.surface()) {}
+
+  // Loops are shortened as far as that makes them shorter than `bound`, and than the `number`-th size of a pair.
+  std::vector<std::vector<Pair_of_loops>> operator()(double bound, std::size_t number, const Stage_progress& progress)
+  {
+    Class_codes codes(surface_.next.size() / 2, {0, 0});
+    for(auto& component : homology_.components())
+    {
+      if(!component.projection.empty())
+        halves_.emplace_back(component.loops, component.projection);
+      if(component.projection.empty() || !halves_.back().is_valid())
+      {
+        if(!component.projection.empty())
+          halves_.pop_back();
+        component.projection.clear();
+        halves_.emplace_back(component.loops, splitting<Integer>(component.loops));
+      }
+      const auto random = random_numbers(component.loops.size());
+      for(std::size_t k = 0; k != component.loops.size(); ++k)
+        codes[component.loops.component().left_over[k] / 2] = halves_.back().code(k, random);
+    }
+    complete_codes(surface_, homology_.trees(), codes);
+    for(std::size_t i = 0; i != halves_.size(); ++i)
+    {
+      const auto& component = homology_.components()[i];
+      choices_.emplace_back(surface_, component.loops, halves_[i], component.number_of_vertices);
+    }
+    add_loops_of_tree(codes);
+    std::vector<double> sizes;
+    for(auto& choice : choices_)
+    {
+      choice.choose();
+      const std::vector<double> its_sizes = choice.sizes();
+      sizes.insert(sizes.end(), its_sizes.begin(), its_sizes.end());
+    }
+    if(0 < number && number < sizes.size())
+    {
+      std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(number - 1), sizes.end());
+      bound = (std::min)(bound, std::nextafter(sizes[number - 1], std::numeric_limits<double>::infinity()));
+    }
+    Loop_search search(surface_, codes);
+    Crossing_bounds crossing_bounds(surface_);
+    std::vector<std::vector<Pair_of_loops>> result;
+    for(std::size_t i = 0; i != choices_.size(); ++i)
+    {
+      const double number_of_choices = static_cast<double>(choices_.size());
+      if(bound > 0)
+        choices_[i].shorten(search, crossing_bounds, bound,
+                            progress.part(i / number_of_choices, (i + 1) / number_of_choices));
+      result.push_back(choices_[i].take_pairs());
+    }
+    return result;
+  }
+
+private:
+  // The shortest loop of each class among those that an edge closes with the tree.
+  void add_loops_of_tree(const Class_codes& codes)
+  {
+    typedef std::unordered_map<std::uint64_t, std::pair<double, Index>> Shortest;
+    std::vector<std::array<Shortest, 2>> shortest(choices_.size());
+    const auto& trees = homology_.trees();
+    for(Index h = 0; h != surface_.number_of_given_halfedges; h += 2)
+    {
+      const auto& code = codes[h / 2];
+      if((code[0] == 0) == (code[1] == 0))
+        continue;
+      const int half = code[0] == 0 ? 1 : 0;
+      const Index u = surface_.source(h), v = surface_.target[h];
+      const double length = trees.distance(u) + surface_.length(h) + trees.distance(v);
+      const std::uint64_t key = (std::min)(code[half], std::uint64_t(0) - code[half]);
+      const std::size_t place = homology_.place_of(u);
+      const auto found = shortest[place][half].emplace(key, std::make_pair(length, h)).first;
+      if(length < found->second.first)
+        found->second = {length, h};
+    }
+    for(std::size_t place = 0; place != choices_.size(); ++place)
+      for(int half : {0, 1})
+      {
+        std::vector<std::pair<double, Index>> loops;
+        for(const auto& entry : shortest[place][half])
+          loops.push_back(entry.second);
+        std::sort(loops.begin(), loops.end());
+        for(const auto& loop : loops)
+          choices_[place].add_candidate(half, trees.walk_through(loop.second));
+      }
+  }
+
+  Handle_homology& homology_;
+  const Closed_surface& surface_;
+  std::deque<Loop_halves<Integer>> halves_;
+  std::deque<Loop_choice<Integer>> choices_;
 };
 
 } // namespace internal

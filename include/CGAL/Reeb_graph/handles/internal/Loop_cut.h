@@ -13,7 +13,8 @@
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/internal/Curve_opening.h>
-#include <CGAL/Reeb_graph/handles/internal/Disc_of_loop.h>
+#include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
+#include <CGAL/Reeb_graph/handles/internal/triangle_intersections.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -34,52 +35,6 @@
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
-
-// A triangle that is to be, or a face. A vertex of a loop that is cut has a copy on its left and one on its right.
-template <class VertexDescriptor>
-struct Placed_triangle
-{
-  struct Corner
-  {
-    VertexDescriptor vertex;
-    int copy; // 0 if it is not cut, 1 on the left, 2 on the right
-    Disc_point point;
-  };
-  std::array<Corner, 3> corners;
-
-  Disc_kernel::Triangle_3 triangle() const { return {corners[0].point, corners[1].point, corners[2].point}; }
-};
-
-// Whether two triangles have more in common than the corners that they share. One without area has nothing.
-template <class VertexDescriptor>
-bool do_intersect(Placed_triangle<VertexDescriptor> a, Placed_triangle<VertexDescriptor> b)
-{
-  typedef typename Placed_triangle<VertexDescriptor>::Corner Corner;
-  const auto is_same = [](const Corner& p, const Corner& q) { return p.vertex == q.vertex && p.copy == q.copy; };
-  std::size_t shared = 0; // the shared ones are put first
-  for(std::size_t i = 0; i != 3; ++i)
-    for(std::size_t j = shared; j != 3; ++j)
-    {
-      if(!is_same(a.corners[i], b.corners[j]))
-        continue;
-      std::swap(a.corners[i], a.corners[shared]);
-      std::swap(b.corners[j], b.corners[shared]);
-      ++shared;
-      break;
-    }
-  const Disc_kernel::Triangle_3 s = a.triangle(), t = b.triangle();
-  if(s.is_degenerate() || t.is_degenerate())
-    return false;
-  if(shared == 3)
-    return true;
-  if(shared == 2)
-    return CGAL::coplanar(s[0], s[1], s[2], t[2])
-        && CGAL::coplanar_orientation(s[0], s[1], s[2], t[2]) == CGAL::POSITIVE;
-  if(shared == 1)
-    return CGAL::do_intersect(s, Disc_kernel::Segment_3(t[1], t[2]))
-        || CGAL::do_intersect(t, Disc_kernel::Segment_3(s[1], s[2]));
-  return CGAL::do_intersect(s, t);
-}
 
 // A cut along a simple loop that meets no border. Both copies of the loop move a little away from each other, into their
 // sides, and both get the same disc.

@@ -9,21 +9,279 @@
 #ifndef CGAL_REEB_GRAPH_HANDLES_INTERNAL_LOOP_HALVES_H
 #define CGAL_REEB_GRAPH_HANDLES_INTERNAL_LOOP_HALVES_H
 
-#include <CGAL/license/Reeb_graph.h>
-
-#include <CGAL/Reeb_graph/handles/internal/Component_loops.h>
-#include <CGAL/Reeb_graph/handles/internal/Integer_rows.h>
+#include <CGAL/Reeb_graph/handles/internal/Handle_homology.h>
 #include <CGAL/Reeb_graph/handles/internal/Loop_search.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+// Integers of 64 bits that throw Integer_overflow rather than be wrong.
+typedef boost::multiprecision::number<
+  boost::multiprecision::
+    cpp_int_backend<64, 64, boost::multiprecision::signed_magnitude, boost::multiprecision::checked, void>,
+  boost::multiprecision::et_off>
+  Checked_integer;
+typedef std::overflow_error Integer_overflow;
+
+typedef boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>
+  Large_integer;
+
+template <class Integer>
+Integer magnitude(const Integer& a)
+{
+  return a < Integer(0) ? Integer(-a) : a;
+}
+
+// The remainder modulo 2^64.
+template <class Integer>
+std::uint64_t low_bits(const Integer& a)
+{
+  const std::uint64_t bits = static_cast<std::uint64_t>(Integer(magnitude(a) & Integer(~std::uint64_t(0))));
+  return a < Integer(0) ? std::uint64_t(0) - bits : bits;
+}
+
+template <class Integer>
+long long to_machine_integer(const Integer& a)
+{
+  const Integer bound = Integer(1) << 62;
+  return bound < magnitude(a) ? throw Integer_overflow("more than 64 bits") : static_cast<long long>(a);
+}
+
+template <class Integer>
+using Rows = std::vector<std::vector<Integer>>;
+
+template <class Integer>
+void add_multiple(std::vector<Integer>& row, const std::vector<Integer>& other, const Integer& factor)
+{
+  for(std::size_t k = 0; k != row.size(); ++k)
+  {
+    if(other[k] != Integer(0))
+      row[k] += factor * other[k];
+  }
+}
+
+template <class Integer>
+Rows<Integer> converted(const Rows<long long>& rows)
+{
+  Rows<Integer> result;
+  for(const auto& row : rows)
+    result.emplace_back(row.begin(), row.end());
+  return result;
+}
+
+// The sum of the rows, each as often as the coefficients say.
+template <class Integer, class Coefficient>
+std::vector<Integer> combination(const std::vector<Coefficient>& coefficients, const Rows<Integer>& rows)
+{
+  std::vector<Integer> sum(rows.empty() ? 0 : rows.front().size(), Integer(0));
+  for(std::size_t k = 0; k != coefficients.size(); ++k)
+  {
+    if(coefficients[k] != Coefficient(0))
+      add_multiple(sum, rows[k], Integer(coefficients[k]));
+  }
+  return sum;
+}
+
+template <class Integer>
+Integer dot_product(const std::vector<Integer>& a, const std::vector<Integer>& b)
+{
+  Integer sum(0);
+  for(std::size_t k = 0; k != a.size(); ++k)
+  {
+    if(a[k] != Integer(0) && b[k] != Integer(0))
+      sum += a[k] * b[k];
+  }
+  return sum;
+}
+
+// A basis of the lattice that some rows span, and what the rows are in that basis: rows[i] is the sum of
+// coordinates[j][i] * basis[j].
+template <class Integer>
+struct Row_lattice
+{
+  Rows<Integer> basis, coordinates;
+};
+
+// By elimination with integers. The inverse of the operations on rows, done to columns, gives the coordinates.
+template <class Integer>
+Row_lattice<Integer> find_row_lattice(Rows<Integer> rows)
+{
+  const std::size_t size = rows.size(), width = rows.empty() ? 0 : rows.front().size();
+  Rows<Integer> columns(size, std::vector<Integer>(size, Integer(0)));
+  for(std::size_t i = 0; i != size; ++i)
+    columns[i][i] = Integer(1);
+  std::size_t rank = 0;
+  for(std::size_t column = 0; column != width && rank != size; ++column)
+  {
+    for(;;)
+    {
+      std::size_t least = size, number_of_others = 0;
+      for(std::size_t i = rank; i != size; ++i)
+      {
+        if(rows[i][column] == Integer(0))
+          continue;
+        ++number_of_others;
+        if(least == size || magnitude(rows[i][column]) < magnitude(rows[least][column]))
+          least = i;
+      }
+      if(number_of_others == 0)
+        break;
+      std::swap(rows[rank], rows[least]);
+      std::swap(columns[rank], columns[least]);
+      for(std::size_t i = rank + 1; i != size; ++i)
+      {
+        const Integer factor = rows[i][column] / rows[rank][column];
+        if(factor == Integer(0))
+          continue;
+        add_multiple(rows[i], rows[rank], Integer(-factor));
+        add_multiple(columns[rank], columns[i], factor);
+      }
+      if(number_of_others == 1)
+      {
+        ++rank;
+        break;
+      }
+    }
+  }
+  rows.resize(rank);
+  columns.resize(rank);
+  return {std::move(rows), std::move(columns)};
+}
+
+// Two bases of Z^n that are dual to one another under the dot product, members of which are chosen one by one. Any set
+// of chosen ones is part of such a pair of bases.
+template <class Integer>
+class Dual_bases
+{
+public:
+  typedef std::vector<Integer> Vector;
+
+  struct Choice
+  {
+    std::size_t place;
+    int sign; // the vector is this times the one of the basis
+  };
+
+  explicit Dual_bases(std::size_t size)
+  {
+    for(int side : {0, 1})
+    {
+      bases_[side].assign(size, Vector(size, Integer(0)));
+      for(std::size_t i = 0; i != size; ++i)
+        bases_[side][i][i] = Integer(1);
+      is_chosen_[side].assign(size, false);
+    }
+  }
+
+  std::size_t size() const { return bases_[0].size(); }
+  const Vector& vector(int side, std::size_t place) const { return bases_[side][place]; }
+  bool is_chosen(int side, std::size_t place) const { return is_chosen_[side][place]; }
+
+  // Makes a vector, or its negative, one of the basis of a side, if the chosen vectors of both sides can stay.
+  // Proof that this is so if and only if it is found: the dot products with the vectors chosen on the other side have
+  // to be those of a dual basis, so at most one is not 0, and that one is 1 or -1 and has no partner yet. Then the
+  // vector takes the place of the partner. If all are 0, the vector is to be primitive modulo those chosen on its side.
+  std::optional<Choice> choose(int side, const Vector& v)
+  {
+    Vector y;
+    for(const Vector& other : bases_[1 - side])
+      y.push_back(dot_product(v, other)); // the coordinates in the basis of this side
+    std::optional<std::size_t> place;
+    for(std::size_t i = 0; i != size(); ++i)
+    {
+      if(!is_chosen_[1 - side][i] || y[i] == Integer(0))
+        continue;
+      if(place || is_chosen_[side][i] || magnitude(y[i]) != Integer(1))
+        return std::nullopt;
+      place = i;
+    }
+    if(!place)
+      place = reduce_free_coordinates(side, y);
+    if(!place)
+      return std::nullopt;
+    const int sign = y[*place] < Integer(0) ? -1 : 1;
+    for(std::size_t k = 0; k != size(); ++k)
+    {
+      if(k != *place && y[k] != Integer(0))
+        add(side, *place, k, Integer(y[k] * Integer(sign)));
+    }
+    is_chosen_[side][*place] = true;
+    return Choice{*place, sign};
+  }
+
+private:
+  bool is_free(std::size_t i) const { return !is_chosen_[0][i] && !is_chosen_[1][i]; }
+
+  // Changes the vectors that are chosen on neither side until only one coordinate of them is not 0. Returns its place,
+  // or nothing, and changes nothing, if it would not be 1 or -1.
+  std::optional<std::size_t> reduce_free_coordinates(int side, Vector& y)
+  {
+    Integer divisor(0);
+    for(std::size_t i = 0; i != size(); ++i)
+      if(is_free(i))
+        divisor = greatest_common_divisor(divisor, magnitude(y[i]));
+    if(divisor != Integer(1))
+      return std::nullopt;
+    for(;;)
+    {
+      std::size_t least = size(), number = 0;
+      for(std::size_t i = 0; i != size(); ++i)
+      {
+        if(!is_free(i) || y[i] == Integer(0))
+          continue;
+        ++number;
+        if(least == size() || magnitude(y[i]) < magnitude(y[least]))
+          least = i;
+      }
+      if(number == 1)
+        return least;
+      for(std::size_t i = 0; i != size(); ++i)
+      {
+        if(i == least || !is_free(i) || y[i] == Integer(0))
+          continue;
+        const Integer factor = y[i] / y[least];
+        y[i] -= factor * y[least];
+        add(side, least, i, factor);
+      }
+    }
+  }
+
+  static Integer greatest_common_divisor(Integer a, Integer b)
+  {
+    while(b != Integer(0))
+    {
+      const Integer quotient = a / b;
+      a -= quotient * b;
+      std::swap(a, b);
+    }
+    return a;
+  }
+
+  // Adds a multiple of a vector to another one on one side, and what this means for the other side.
+  void add(int side, std::size_t to, std::size_t other, const Integer& factor)
+  {
+    add_multiple(bases_[side][to], bases_[side][other], factor);
+    add_multiple(bases_[1 - side][other], bases_[1 - side][to], Integer(-factor));
+  }
+
+  std::array<Rows<Integer>, 2> bases_;
+  std::array<std::vector<bool>, 2> is_chosen_;
+};
 
 // The homology of a component as the sum of two halves, of loops that bound behind the surface (half 0) and in front of
 // it (half 1), each of which is isotropic: no two of its loops have an intersection number but 0.
@@ -42,14 +300,14 @@ public:
   Loop_halves(const Component_loops& loops, const Integer_rows& projection) : size_(loops.size() / 2)
   {
     const auto intersections = loops.intersection_numbers();
-    const Row_lattice<Integer> front = find_row_lattice(converted(projection));
+    const Row_lattice<Integer> front = find_row_lattice(converted<Integer>(projection));
     is_valid_ = front.basis.size() == size_ && is_isotropic(front.basis, intersections[0]);
     if(!is_valid_)
       return;
     basis_[1] = front.basis;
     coordinates_[0].assign(loops.size(), std::vector<Integer>());
     coordinates_[1].assign(loops.size(), std::vector<Integer>());
-    const Rows<Integer> forms = converted(intersections[0]), inverse = converted(intersections[1]);
+    const Rows<Integer> forms = converted<Integer>(intersections[0]), inverse = converted<Integer>(intersections[1]);
     for(std::size_t k = 0; k != loops.size(); ++k)
       for(std::size_t j = 0; j != size_; ++j)
       {
@@ -59,12 +317,11 @@ public:
     // The loops of half 0 whose intersection numbers with all b are the coordinates of these.
     for(std::size_t j = 0; j != size_; ++j)
     {
-      std::vector<Integer> dual(loops.size(), Integer(0));
-      for(std::size_t k = 0; k != loops.size(); ++k)
-        add_column(dual, inverse, k, front.coordinates[j][k]);
-      basis_[0].push_back(dual);
+      basis_[0].push_back(combination(front.coordinates[j], inverse));
+      for(Integer& number : basis_[0].back()) // as columns are rows with the other sign
+        number = -number;
     }
-    is_valid_ = is_projection(projection);
+    is_valid_ = is_projection();
   }
 
   bool is_valid() const { return is_valid_; }
@@ -72,25 +329,13 @@ public:
 
   std::vector<Integer> coordinates(int half, const std::vector<long long>& loop) const
   {
-    std::vector<Integer> sum(size_, Integer(0));
-    for(std::size_t k = 0; k != loop.size(); ++k)
-    {
-      if(loop[k] != 0)
-        add_multiple(sum, coordinates_[half][k], Integer(loop[k]));
-    }
-    return sum;
+    return combination(loop, coordinates_[half]);
   }
 
   // The loop of given coordinates in one half, in the basis b.
   std::vector<Integer> loop(int half, const std::vector<Integer>& coordinates) const
   {
-    std::vector<Integer> sum(2 * size_, Integer(0));
-    for(std::size_t j = 0; j != size_; ++j)
-    {
-      if(coordinates[j] != Integer(0))
-        add_multiple(sum, basis_[half][j], coordinates[j]);
-    }
-    return sum;
+    return combination(coordinates, basis_[half]);
   }
 
   // A random number for each loop b, by half, linear in the coordinates there.
@@ -104,36 +349,12 @@ public:
   }
 
 private:
-  static Rows<Integer> converted(const Integer_rows& rows)
-  {
-    Rows<Integer> result;
-    for(const auto& row : rows)
-      result.emplace_back(row.begin(), row.end());
-    return result;
-  }
-
-  static void add_column(std::vector<Integer>& sum, const Rows<Integer>& rows, std::size_t k, const Integer& factor)
-  {
-    if(factor == Integer(0))
-      return;
-    for(std::size_t i = 0; i != sum.size(); ++i)
-    {
-      if(rows[i][k] != Integer(0))
-        sum[i] += factor * rows[i][k];
-    }
-  }
-
   static bool is_isotropic(const Rows<Integer>& basis, const Integer_rows& intersections)
   {
-    const Rows<Integer> forms = converted(intersections);
+    const Rows<Integer> forms = converted<Integer>(intersections);
     for(const auto& loop : basis)
     {
-      std::vector<Integer> crossing(loop.size(), Integer(0));
-      for(std::size_t k = 0; k != loop.size(); ++k)
-      {
-        if(loop[k] != Integer(0))
-          add_multiple(crossing, forms[k], loop[k]);
-      }
+      const std::vector<Integer> crossing = combination(loop, forms);
       for(const auto& other : basis)
         if(dot_product(crossing, other) != Integer(0))
           return false;
@@ -143,17 +364,12 @@ private:
 
   // Whether P is the projection to half 1: P = sum over j of coordinates times basis by construction, so P^2 = P if and
   // only if the coordinates of the basis are those of unit vectors. Half 0 then has none, and is isotropic, too.
-  bool is_projection(const Integer_rows& projection) const
+  bool is_projection() const
   {
     for(std::size_t i = 0; i != size_; ++i)
       for(int half : {0, 1})
       {
-        std::vector<Integer> sum(size_, Integer(0));
-        for(std::size_t k = 0; k != projection.size(); ++k)
-        {
-          if(basis_[half][i][k] != Integer(0))
-            add_multiple(sum, coordinates_[1][k], basis_[half][i][k]);
-        }
+        const std::vector<Integer> sum = combination(basis_[half][i], coordinates_[1]);
         for(std::size_t j = 0; j != size_; ++j)
           if(sum[j] != Integer(half == 1 && i == j ? 1 : 0))
             return false;
@@ -172,15 +388,10 @@ template <class Integer>
 Integer_rows splitting(const Component_loops& loops)
 {
   const std::size_t size = loops.size();
-  const Integer_rows forms = loops.intersection_numbers()[0];
-  const auto dual = [&](const std::vector<Integer>& x) { // the intersection numbers with all b
-    std::vector<Integer> result(size, Integer(0));
-    for(std::size_t k = 0; k != size; ++k)
-      for(std::size_t i = 0; i != size; ++i)
-        if(forms[k][i] != 0)
-          result[i] += x[k] * Integer(forms[k][i]);
-    return result;
-  };
+  const Rows<Integer> forms = converted<Integer>(loops.intersection_numbers()[0]);
+  const auto dual = [&](const std::vector<Integer>& x) {
+    return combination(x, forms);
+  }; // intersection numbers with all b
   Rows<Integer> rest(size, std::vector<Integer>(size, Integer(0)));
   for(std::size_t k = 0; k != size; ++k)
     rest[k][k] = Integer(1);

@@ -9,25 +9,25 @@
 #ifndef CGAL_REEB_GRAPH_HANDLES_INTERNAL_MAKE_LOOPS_H
 #define CGAL_REEB_GRAPH_HANDLES_INTERNAL_MAKE_LOOPS_H
 
-#include <CGAL/license/Reeb_graph.h>
-
+#include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/handles/Handle_loop.h>
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/handles/internal/Handle_homology.h>
-#include <CGAL/Reeb_graph/handles/internal/Integer_rows.h>
-#include <CGAL/Reeb_graph/handles/internal/Reeb_loops.h>
+#include <CGAL/Reeb_graph/handles/internal/Loop_choice.h>
+#include <CGAL/Reeb_graph/handles/internal/triangle_intersections.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/simplification/internal/pairs.h>
+#include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
+#include <CGAL/compute_reeb_graph.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <boost/iterator/function_output_iterator.hpp>
+#include <CGAL/license/Reeb_graph.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -36,35 +36,152 @@ namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
 
-// Whether two triangles of a component intersect, by number of the component. Others may pass through it.
-inline std::vector<bool> find_self_intersections(const Closed_surface& surface, const Tree_and_cotree& trees)
+// A loop of a Reeb graph: its persistence, and a contour of an arc that is on no other loop of its basis.
+template <class HalfedgeDescriptor>
+struct Reeb_loop
 {
-  typedef Exact_predicates_inexact_constructions_kernel Kernel;
-  typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-  typedef Mesh::Face_index Face;
-  Mesh mesh;
-  const std::size_t number_of_faces = surface.number_of_given_halfedges / 3 + 1;
-  mesh.reserve(surface.number_of_given_vertices, surface.number_of_given_halfedges / 2,
-               static_cast<Mesh::size_type>(number_of_faces));
-  for(Index v = 0; v != surface.number_of_given_vertices; ++v)
-    mesh.add_vertex(Kernel::Point_3(surface.points[v][0], surface.points[v][1], surface.points[v][2]));
-  std::vector<Index> components; // by face of the mesh
-  for(const Index h : surface.halfedge)
+  double persistence;
+  std::vector<HalfedgeDescriptor> contour; // the halfedges that ascend across it
+};
+
+// The loops of the Reeb graph of a field, the least persistent one first. The arcs that leave the forest when loops are
+// paired are as many as these loops, and what is left is a spanning forest.
+template <class Mesh, class ScalarMap, class Traits>
+auto find_reeb_loops(const Mesh& mesh,
+                     const ScalarMap& scalar_map,
+                     const Traits& traits,
+                     const Stage_progress& progress)
+{
+  typedef typename Reeb_graph_traits<Mesh, ScalarMap>::Graph Graph;
+  typedef typename boost::graph_traits<Graph>::vertex_descriptor node_descriptor;
+  typedef Reeb_loop<typename boost::graph_traits<Mesh>::halfedge_descriptor> Loop;
+  Graph graph;
+  compute_reeb_graph(mesh, scalar_map, graph,
+                     parameters::geom_traits(traits).callback(progress.part(0, 0.5).callback()));
+  const Flat_arc_ends ends = read_arc_ends(graph);
+  const Graph_core core(ends);
+  std::vector<typename boost::graph_traits<Graph>::edge_descriptor> arcs;
+  Highest_forest forest(checked_index(2 * num_vertices(graph)) / 2);
+  std::vector<std::pair<Index, node_descriptor>> leaving; // arcs, and the upper nodes of their loops
+  for(Index node = 0; node != core.size(); ++node)
   {
-    const Index u = surface.source(h), v = surface.target[h], w = surface.target[surface.next[h]];
-    if(surface.is_apex(u) || surface.is_apex(v) || surface.is_apex(w))
-      continue;
-    const Face f = mesh.add_face(Mesh::Vertex_index(u), Mesh::Vertex_index(v), Mesh::Vertex_index(w));
-    if(f != Mesh::null_face()) // as it is if two edges join the same vertices
-      components.push_back(trees.component_of(u));
+    for(auto below = in_edges(node, graph); core.contains(node) && below.first != below.second; ++below.first)
+    {
+      const Index lower = static_cast<Index>(source(*below.first, graph));
+      if(!core.contains(lower))
+        continue;
+      arcs.push_back(*below.first);
+      const Index leaves = forest.add({lower, node, lower, static_cast<Index>(arcs.size() - 1)}).leaving;
+      if(leaves != no_index)
+        leaving.emplace_back(leaves, node);
+    }
   }
-  std::vector<bool> result(trees.components().size(), false);
-  Polygon_mesh_processing::self_intersections(
-    mesh, boost::make_function_output_iterator([&](const std::pair<Face, Face>& faces) {
-      const std::size_t a = faces.first, b = faces.second;
-      if(components[a] == components[b])
-        result[components[a]] = true;
-    }));
+  std::vector<Loop> loops;
+  const Augmentation<Mesh, ScalarMap, Graph, Traits> augmentation(
+    mesh, scalar_map, graph, parameters::geom_traits(traits).callback(progress.part(0.5, 0.8).callback()));
+  for(const auto& [arc, upper] : leaving)
+  {
+    progress.part(0.8, 1).report_step(loops.size(), leaving.size());
+    const Persistence_pair<node_descriptor> pair = {source(arcs[arc], graph), upper, Persistence_pair_kind::LOOP};
+    loops.push_back({Reeb_graph::persistence(graph, pair, parameters::geom_traits(traits)),
+                     augmentation.contour(arcs[arc], 0.5).halfedges});
+  }
+  std::stable_sort(loops.begin(), loops.end(),
+                   [](const Loop& a, const Loop& b) { return a.persistence < b.persistence; });
+  return loops;
+}
+
+// Gives each pair of loops of a surface the persistence of one loop of the Reeb graph. The contour of that is a sum of
+// loops of the surface, as many of each as their partners cross it. The least persistent loops of the Reeb graph come
+// first: each belongs to the first pair that has a part in its contour once those before are subtracted. A pair that is
+// left is hidden in a vertex and has the persistence 0.
+class Pairs_of_reeb_loops
+{
+  static constexpr std::int64_t prime = 2147483647; // ranks are those modulo this number
+
+public:
+  explicit Pairs_of_reeb_loops(std::size_t number_of_pairs) : is_assigned_(number_of_pairs) {}
+
+  // The row has twice as many entries as there are pairs. Returns the pair, or number_of_pairs if there is none.
+  std::size_t pair_of(std::vector<std::int64_t> row)
+  {
+    for(std::int64_t& entry : row)
+      entry = (entry % prime + prime) % prime;
+    for(const auto& [pivot, reduced] : rows_)
+      subtract(row, reduced, row[pivot]);
+    for(std::size_t k = 0; k != row.size(); ++k)
+    {
+      if(row[k] == 0 || is_assigned_[k / 2])
+        continue;
+      is_assigned_[k / 2] = true;
+      const std::int64_t factor = inverse(row[k]);
+      for(std::int64_t& entry : row)
+        entry = entry * factor % prime;
+      rows_.emplace_back(k, std::move(row));
+      return k / 2;
+    }
+    return is_assigned_.size();
+  }
+
+private:
+  static void subtract(std::vector<std::int64_t>& row, const std::vector<std::int64_t>& other, std::int64_t factor)
+  {
+    if(factor == 0)
+      return;
+    for(std::size_t k = 0; k != row.size(); ++k)
+      row[k] = (row[k] + (prime - factor) * other[k]) % prime;
+  }
+
+  static std::int64_t inverse(std::int64_t a)
+  {
+    std::int64_t result = 1;
+    for(std::int64_t exponent = prime - 2; exponent != 0; exponent /= 2)
+    {
+      if(exponent % 2 != 0)
+        result = result * a % prime;
+      a = a * a % prime;
+    }
+    return result;
+  }
+
+  std::vector<bool> is_assigned_;
+  std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> rows_; // with the place of an entry 1
+};
+
+// The persistences of pairs of loops, which are sorted by size. `Numbers` are those of halfedges.
+template <class ReebLoops, class Number>
+std::vector<double> persistences_of_pairs(const ReebLoops& reeb_loops,
+                                          const std::vector<std::array<const Halfedge_walk*, 2>>& pairs,
+                                          const Number& number)
+{
+  struct Crossing
+  {
+    std::size_t place;
+    std::int64_t sign;
+  };
+  std::unordered_map<Index, std::vector<Crossing>> crossings; // of walks, by edge
+  for(std::size_t i = 0; i != pairs.size(); ++i)
+    for(std::size_t k : {0, 1})
+      for(const Index h : *pairs[i][k])
+        crossings[h / 2].push_back({2 * i + k, h % 2 == 0 ? 1 : -1});
+  std::vector<double> result(pairs.size(), 0);
+  Pairs_of_reeb_loops assign(pairs.size());
+  for(const auto& loop : reeb_loops)
+  {
+    std::vector<std::int64_t> row(2 * pairs.size(), 0);
+    for(const auto h : loop.contour)
+    {
+      const Index n = number(h);
+      const auto found = crossings.find(n / 2);
+      if(found == crossings.end())
+        continue;
+      for(const Crossing& crossing : found->second)
+        row[crossing.place] += n % 2 == 0 ? crossing.sign : -crossing.sign;
+    }
+    const std::size_t pair = assign.pair_of(std::move(row));
+    if(pair != pairs.size())
+      result[pair] = loop.persistence;
+  }
   return result;
 }
 
@@ -89,12 +206,7 @@ public:
   const Handle_homology& homology() const { return homology_; }
 
   // Whether each component intersects itself.
-  std::vector<bool> self_intersections() const
-  {
-    if(homology_.components().empty())
-      return std::vector<bool>(homology_.trees().components().size(), false);
-    return find_self_intersections(homology_.surface(), homology_.trees());
-  }
+  std::vector<bool> self_intersections() const { return Self_intersections(homology_.surface(), homology_.trees())(); }
 
   // A component that intersects itself has no inside.
   void refuse_self_intersections(const std::vector<bool>& is_crossed)
@@ -215,21 +327,13 @@ private:
 
   static Class part_in_front(const Component& component, const Class& loop)
   {
-    Class sum(loop.size(), 0);
-    for(std::size_t i = 0; i != loop.size(); ++i)
-      for(std::size_t k = 0; k != loop.size(); ++k)
-        sum[k] += loop[i] * component.projection[i][k];
-    return sum;
+    return combination(loop, converted<Large_integer>(component.projection));
   }
 
   static long long crossing(const Component& component, const Class& a, const Class& b)
   {
-    const Integer_rows forms = component.loops.intersection_numbers()[0];
-    Large_integer sum = 0;
-    for(std::size_t i = 0; i != a.size(); ++i)
-      for(std::size_t k = 0; k != a.size(); ++k)
-        sum += a[i] * forms[i][k] * b[k];
-    return to_machine_integer(sum);
+    return to_machine_integer(
+      dot_product(combination(a, converted<Large_integer>(component.loops.intersection_numbers()[0])), b));
   }
 
   Handle_homology homology_;
