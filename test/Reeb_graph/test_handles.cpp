@@ -21,7 +21,6 @@
 #include <boost/mpl/list.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -258,8 +257,7 @@ generated_surfaces::Triangle_soup subdivided(const generated_surfaces::Triangle_
   for(const auto& [a, b, c] : soup.triangles)
   {
     const std::size_t p = middle(a, b), q = middle(b, c), r = middle(c, a);
-    for(const std::array<std::size_t, 3>& t : {std::array{a, p, r}, {b, q, p}, {c, r, q}, {p, q, r}})
-      result.triangles.push_back(t);
+    result.triangles.insert(result.triangles.end(), {{a, p, r}, {b, q, p}, {c, r, q}, {p, q, r}});
   }
   return result;
 }

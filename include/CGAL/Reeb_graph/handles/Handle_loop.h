@@ -78,7 +78,7 @@ struct Handle_loop
   /// the number of the connected component, in the order of the first vertices
   std::size_t component = 0;
 
-  /// whether it passes no vertex twice
+  /// whether it passes no vertex twice; one that is not the only one of its kind can, most of all on a coarse mesh
   bool is_simple = true;
 };
 
