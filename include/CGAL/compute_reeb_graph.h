@@ -164,8 +164,8 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///     \cgalParamDescription{is given the number of the place of each vertex in the graph: nodes are numbered from 0 by
 ///                           their descriptors, arcs after the last node, in the order of `edges(graph)`. These are the
 ///                           numbers of `Vertex_locations::index()`, found in one turn with the graph, which takes less
-///                           time than to ask `Augmentation::locate_vertices()` for them afterwards. Where many
-///                           vertices are critical, `method` and `number_of_slabs` do not count then.}
+///                           time than to ask `Augmentation::locate_vertices()` for them afterwards. `method` and
+///                           `number_of_slabs` do not count then.}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptors as key type and an integer type as
 ///                    value type}
 ///     \cgalParamDefault{none: the places are not looked for}
@@ -280,8 +280,7 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
   const stages::Stage_progress arcs_progress(progress, 0.3, 0.7);
   stages::Slab_arcs critical_arcs;
   if constexpr(places.are_wanted)
-    critical_arcs = places.template find_arcs<ConcurrencyTag>(complex, order, critical_vertices, method,
-                                                              number_of_slabs, arcs_progress);
+    critical_arcs = places.template find_arcs<ConcurrencyTag>(complex, order, critical_vertices, arcs_progress);
   else
     critical_arcs =
       stages::find_arcs<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs, arcs_progress);

@@ -188,10 +188,10 @@ std::vector<double> coordinate_field(const Triangle_soup& soup, double x, double
 struct Arcs_of_vertices
 {
   CGAL::Reeb_graph::internal::Slab_arcs arcs;
-  CGAL::Reeb_graph::internal::Arc_of_vertex spread, swept;
+  CGAL::Reeb_graph::internal::Arc_of_vertex climbed, swept;
 };
 
-Arcs_of_vertices spread_and_sweep(const Surface_mesh& mesh, const std::vector<double>& values)
+Arcs_of_vertices climb_and_sweep(const Surface_mesh& mesh, const std::vector<double>& values)
 {
   namespace internal = CGAL::Reeb_graph::internal;
   typedef CGAL::Sequential_tag Tag;
@@ -201,38 +201,40 @@ Arcs_of_vertices spread_and_sweep(const Surface_mesh& mesh, const std::vector<do
   const internal::Vertex_order order(surface.field.values, traits.less_scalar_object());
   const auto critical_vertices = internal::classify_vertices<Tag>(surface.complex, order);
   Arcs_of_vertices result;
-  result.arcs = internal::find_arcs<Tag>(surface.complex, order, critical_vertices,
-                                         CGAL::Reeb_graph::Method::CONTOUR_TREES, 1, internal::No_progress());
-  internal::Arc_spreading spreading(surface.complex, order, critical_vertices, result.arcs);
-  BOOST_TEST_REQUIRE(spreading.template find_arcs_of_vertices<Tag>(result.spread, 1000.));
-  internal::find_arcs_of_vertices<Tag>(surface.complex, order, critical_vertices, result.swept,
-                                       internal::No_progress());
+  internal::Climbing_queries climbing(surface.complex, order, critical_vertices);
+  result.arcs =
+    internal::find_arcs_and_answer<Tag>(surface.complex, order, critical_vertices, climbing, internal::No_progress());
+  result.climbed = climbing.take_arc_of_vertex();
+  internal::Vertex_queries sweeping(surface.complex, order, critical_vertices);
+  sweeping.sort<Tag>();
+  internal::find_arcs_and_answer<Tag>(surface.complex, order, critical_vertices, sweeping, internal::No_progress());
+  result.swept = sweeping.take_arc_of_vertex();
   return result;
 }
 } // namespace
 
-// The few critical vertices of smooth fields are swept as well, if many vertices are out of the reach of arcs.
-BOOST_AUTO_TEST_CASE(arcs_spread_to_the_vertices_of_smooth_fields_that_sweeping_gives_them)
+// The regular vertices of smooth fields are not sorted.
+BOOST_AUTO_TEST_CASE(climbing_gives_the_vertices_of_smooth_fields_the_arcs_that_sweeping_gives_them)
 {
   for(const unsigned genus : {0, 3, 25})
     for(const double height : {0., 0.25, 2.})
     {
       const auto soup = generated_surfaces::closed_surface(genus, 20000);
       const auto mesh = make_mesh<Surface_mesh>(soup);
-      const auto arcs = spread_and_sweep(mesh, coordinate_field(soup, 1, 0.5, height));
-      BOOST_TEST(std::equal(arcs.spread.begin(), arcs.spread.end(), arcs.swept.begin(), arcs.swept.end()));
+      const auto arcs = climb_and_sweep(mesh, coordinate_field(soup, 1, 0.5, height));
+      BOOST_TEST(std::equal(arcs.climbed.begin(), arcs.climbed.end(), arcs.swept.begin(), arcs.swept.end()));
     }
 }
 
-// Small meshes with many critical vertices are swept. Spreading has to find the same arcs on them.
-BOOST_AUTO_TEST_CASE(arcs_spread_to_the_vertices_that_sweeping_gives_them)
+// Small meshes with many critical vertices are swept. Climbing has to find the same arcs on them.
+BOOST_AUTO_TEST_CASE(climbing_gives_the_arcs_that_sweeping_gives)
 {
   for_each_sample(1000, [](const Sample& sample) {
     namespace internal = CGAL::Reeb_graph::internal;
     const auto mesh = make_mesh<Surface_mesh>(sample.soup);
     const Augmented_mesh<Surface_mesh> a(mesh, sample.values, Ties::PERTURB, true);
     const auto locations = a.augmentation.locate_vertices();
-    const auto [arcs, arc_of_vertex, swept] = spread_and_sweep(mesh, sample.values);
+    const auto [arcs, arc_of_vertex, swept] = climb_and_sweep(mesh, sample.values);
     BOOST_TEST(std::equal(arc_of_vertex.begin(), arc_of_vertex.end(), swept.begin(), swept.end()));
     for(const auto v : vertices(mesh))
     {

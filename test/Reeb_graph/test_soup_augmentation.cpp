@@ -236,8 +236,8 @@ BOOST_AUTO_TEST_CASE(the_way_back_from_a_simplified_graph)
     }
 }
 
-// Small complexes with many critical vertices are swept. Spreading has to find the same arcs on them.
-BOOST_AUTO_TEST_CASE(arcs_spread_to_the_vertices_of_complexes_that_sweeping_gives_them)
+// Small complexes with many critical vertices are swept. Climbing has to find the same arcs on them.
+BOOST_AUTO_TEST_CASE(climbing_gives_the_arcs_of_complexes_that_sweeping_gives)
 {
   for(std::size_t seed = 0; seed < 1000; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
@@ -258,11 +258,10 @@ BOOST_AUTO_TEST_CASE(arcs_spread_to_the_vertices_of_complexes_that_sweeping_give
       const auto soup = internal::flatten_cells<3>(size, complex.triangles, values, traits, np);
       const internal::Vertex_order order(soup.field.values, traits.less_scalar_object());
       const auto critical_vertices = internal::classify_vertices<Tag>(soup.complex, order);
-      const auto arcs = internal::find_arcs<Tag>(soup.complex, order, critical_vertices,
-                                                 CGAL::Reeb_graph::Method::CONTOUR_TREES, 1, internal::No_progress());
-      internal::Arc_spreading spreading(soup.complex, order, critical_vertices, arcs);
-      internal::Arc_of_vertex arc_of_vertex;
-      BOOST_TEST_REQUIRE(spreading.template find_arcs_of_vertices<Tag>(arc_of_vertex, 1000.));
+      internal::Climbing_queries queries(soup.complex, order, critical_vertices);
+      const auto arcs =
+        internal::find_arcs_and_answer<Tag>(soup.complex, order, critical_vertices, queries, internal::No_progress());
+      const internal::Arc_of_vertex arc_of_vertex = queries.take_arc_of_vertex();
       const std::vector<arc_descriptor> graph_arcs(edges(graph).first, edges(graph).second);
       for(std::size_t v = 0; v < size; ++v)
       {
@@ -279,7 +278,7 @@ BOOST_AUTO_TEST_CASE(arcs_spread_to_the_vertices_of_complexes_that_sweeping_give
     }
 }
 
-// On large complexes most places are found by spreading the arcs, some along contours.
+// On large complexes most places are found by climbing.
 BOOST_AUTO_TEST_CASE(places_of_vertices_in_large_complexes)
 {
   for(std::size_t seed = 0; seed < 9; ++seed)

@@ -79,7 +79,7 @@ public:
           sweep_downwards_and_cut(*downwards, upwards->tree(), queries);
       },
       [&] { join_tree = Shrinking_tree(upwards->tree().parents); });
-    const Loop_cuts cuts = downwards->take_cuts();
+    Loop_cuts cuts = downwards->take_cuts();
     insert_cuts(cuts, join_tree);
     report(0.75);
 
@@ -96,7 +96,10 @@ public:
     {
       Arcs_of_classes arcs_of_classes = combination.find_arcs_of_classes(arcs);
       rename_glued_arcs(cuts, arcs, arcs_of_classes);
-      queries.template find_arcs<ConcurrencyTag>(arcs_of_classes);
+      if(cuts.size() != 0)
+        cuts.register_edges();
+      queries.template find_arcs<ConcurrencyTag>(arcs_of_classes,
+                                                 Trees_with_cuts{{&upwards->tree(), &downwards->tree()}, cuts});
     }
     glue_cuts(cuts, arcs);
     return arcs;
@@ -107,7 +110,7 @@ private:
   static void find_path_ends(Sweep& sweep)
   {
     sweep.template find_path_ends<ConcurrencyTag>();
-    if constexpr(Queries::are_any)
+    if constexpr(Queries::are_in_order)
       sweep.template find_path_ends_of_vertices<ConcurrencyTag>();
   }
 

@@ -15,6 +15,8 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
+#include <CGAL/Reeb_graph/internal/engine/Loop_cuts.h>
+#include <CGAL/Reeb_graph/internal/engine/Merge_tree_sweep.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/combine_trees.h>
@@ -30,11 +32,18 @@ namespace internal {
 // By vertex, the arc between critical vertices that it is on; no_index if it is critical.
 typedef Indexed_vector<Vertex_index, Slab_arc_index> Arc_of_vertex;
 
+// The join tree and the split tree of all of the surface, and the cuts, whose edges are registered.
+struct Trees_with_cuts
+{
+  By_side<const Merge_tree*> trees;
+  const Loop_cuts& cuts;
+};
+
 // What the engine is asked besides the arcs between critical vertices: nothing.
 class No_vertex_queries
 {
 public:
-  static constexpr bool are_any = false;
+  static constexpr bool are_any = false, are_in_order = false;
 
   struct Answers
   {
@@ -57,7 +66,7 @@ class Vertex_queries
   typedef Index_of<Query_tag> Query;
 
 public:
-  static constexpr bool are_any = true;
+  static constexpr bool are_any = true, are_in_order = true;
 
   Vertex_queries(const Complex& complex, const Order& order, const Swept_vertices& critical_vertices)
     : complex_(complex),
@@ -141,7 +150,7 @@ public:
   // No earlier leaf has the vertex on its arc in either tree: all that was left on one side of it would have been the
   // rest of that leaf's arc. So the arc is the first one that a class of the vertex has gone to.
   template <class ConcurrencyTag>
-  void find_arcs(const Arcs_of_classes& arcs_of_classes)
+  void find_arcs(const Arcs_of_classes& arcs_of_classes, const Trees_with_cuts&)
   {
     arc_of_vertex_.assign(complex_.number_of_vertices(), no_index);
     constexpr std::size_t ahead = 16;
@@ -215,6 +224,180 @@ private:
   Indexed_vector<Query, Vertex_index> vertices_; // in ascending order, when sorted
   Plain_vector<Number> bounds_; // 0, how many are below each critical vertex in ascending order, the number of all
   By_side<Indexed_vector<Query, Slab_node>> classes_;
+  Arc_of_vertex arc_of_vertex_;
+};
+
+// Finds the arcs of the regular vertices when the trees are known, for which no vertex has to be sorted: the class of a
+// vertex in a tree is that of any neighbor from which the sweep comes, or further on towards the root. So classes go from
+// vertex to vertex, in the order of the mesh. Where critical vertices are many, there are many nodes on the way.
+template <class Complex, class Order>
+class Climbing_queries
+{
+public:
+  static constexpr bool are_any = true, are_in_order = false;
+
+  Climbing_queries(const Complex& complex, const Order& order, const Swept_vertices& critical_vertices)
+    : complex_(complex),
+      order_(order),
+      critical_vertices_(critical_vertices)
+  {}
+
+  static bool are_fast(const Complex& complex, const Swept_vertices& critical_vertices)
+  {
+    return critical_vertices.size() <= complex.number_of_vertices() / 16 && complex.number_of_vertices() < is_class;
+  }
+
+  template <Side, class Sweep>
+  No_vertex_queries::Answers answers(Sweep&)
+  {
+    return {};
+  }
+
+  template <class ConcurrencyTag>
+  void find_arcs(const Arcs_of_classes& arcs_of_classes, const Trees_with_cuts& found)
+  {
+    for(const Side side : both_sides)
+    {
+      set_nodes(side, found);
+      links_[side] = Links(complex_.number_of_vertices());
+    }
+    for_each_block<ConcurrencyTag>(complex_.number_of_edges(), [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = end; i != begin; --i) // backwards, as an earlier neighbor has its class first
+        set_neighbors(Edge_index(i - 1), found.cuts);
+    });
+    for(const Swept_index critical : critical_vertices_.indices())
+      for(const Side side : both_sides)
+        set_class(side, critical_vertices_.vertex(critical), node_of(critical));
+    arc_of_vertex_.assign(complex_.number_of_vertices(), no_index);
+    for_each_block<ConcurrencyTag>(complex_.number_of_vertices(), [&](std::size_t begin, std::size_t end) {
+      find_arcs_of_block(begin, end, arcs_of_classes);
+    });
+    for(const Swept_index critical : critical_vertices_.indices())
+      arc_of_vertex_[critical_vertices_.vertex(critical)] = no_index;
+  }
+
+  Arc_of_vertex take_arc_of_vertex() { return std::move(arc_of_vertex_); }
+
+private:
+  // What is known of a vertex: the number behind that of a neighbor, or its class with a bit; else 0.
+  typedef Indexed_vector<Vertex_index, Relaxed_value<Number>> Links;
+  static constexpr Number is_class = Number(1) << 31;
+
+  // A node of a tree, with the vertex that it is at or, for one of a cut, just below. Its jump leads to an ancestor so far
+  // away that to go on by parents and jumps takes a logarithm of the number of steps. (E. Myers, An applicative
+  // random-access stack, 1983.)
+  struct Node
+  {
+    Vertex_index vertex;
+    Slab_node parent;
+    Slab_node jump; // the node itself at a root
+    Number depth;   // 1 at a root
+  };
+  typedef Indexed_vector<Slab_node, Node> Nodes;
+
+  void set_nodes(Side side, const Trees_with_cuts& found)
+  {
+    const auto& parents = found.trees[side]->parents;
+    Nodes& nodes = nodes_[side];
+    nodes.renew(parents.size());
+    for(const Slab_node node : parents.keys())
+    {
+      const Swept_index critical = found.cuts.is_cut_node(node)
+                                   ? found.cuts.critical_vertex(found.cuts.cut_of_node(node))
+                                   : critical_vertex_of(node);
+      nodes[node] = {critical_vertices_.vertex(critical), parents[node], node, 0};
+    }
+    Plain_vector<Slab_node> path;
+    for(Slab_node node : parents.keys())
+    {
+      for(; nodes[node].depth == 0; node = nodes[node].parent)
+      {
+        path.push_back(node);
+        if(nodes[node].parent == no_index)
+          break;
+      }
+      for(; !path.empty(); path.pop_back())
+        set_jump(nodes, path.back());
+    }
+  }
+
+  static void set_jump(Nodes& nodes, Slab_node node)
+  {
+    Node& set = nodes[node];
+    set.depth = 1;
+    if(set.parent == no_index)
+      return;
+    const Node &parent = nodes[set.parent], &jump = nodes[parent.jump];
+    const bool are_jumps_equal = parent.depth - jump.depth == jump.depth - nodes[jump.jump].depth;
+    set.jump = are_jumps_equal ? jump.jump : set.parent;
+    set.depth = parent.depth + 1;
+  }
+
+  // Any lower and any higher neighbor will do. On an edge that is cut, the cut is what comes above the lower end.
+  void set_neighbors(Edge_index edge, const Loop_cuts& cuts)
+  {
+    if(!complex_.has_edge(edge))
+      return;
+    const Vertex_index source = complex_.source(even_halfedge(edge)), target = complex_.target(even_halfedge(edge));
+    const bool is_ascending = order_.is_lower(source, target);
+    const Vertex_index lower = is_ascending ? source : target, higher = is_ascending ? target : source;
+    links_[Side::LOWER][higher].set(lower.number() + 1);
+    const Cut_index cut = cuts.lowest_at_edge(even_halfedge(edge));
+    if(cut == no_index)
+      links_[Side::UPPER][lower].set(higher.number() + 1);
+    else
+      set_class(Side::UPPER, lower, climb<Side::UPPER>(cuts.node_below(cut), lower));
+  }
+
+  void find_arcs_of_block(std::size_t begin, std::size_t end, const Arcs_of_classes& arcs_of_classes)
+  {
+    Plain_vector<Vertex_index> passed;
+    for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
+    {
+      if(!complex_.has_vertex(vertex))
+        continue;
+      arc_of_vertex_[vertex] = (std::min)(arcs_of_classes[Side::LOWER][find_class<Side::LOWER>(vertex, passed)],
+                                          arcs_of_classes[Side::UPPER][find_class<Side::UPPER>(vertex, passed)]);
+    }
+  }
+
+  template <Side side>
+  Slab_node find_class(Vertex_index vertex, Plain_vector<Vertex_index>& passed)
+  {
+    Number link;
+    for(; (link = links_[side][vertex].get()) < is_class; vertex = Vertex_index(link - 1))
+    {
+      passed.push_back(vertex);
+      if(link == 0 || passed.size() > complex_.number_of_vertices())
+        complex_.throw_contradiction_near(vertex);
+    }
+    Slab_node node(link - is_class);
+    for(; !passed.empty(); passed.pop_back())
+    {
+      node = climb<side>(node, passed.back());
+      set_class(side, passed.back(), node);
+    }
+    return node;
+  }
+
+  // The last node from `node` on that the sweep meets before the vertex.
+  template <Side side>
+  Slab_node climb(Slab_node node, Vertex_index vertex) const
+  {
+    const Nodes& nodes = nodes_[side];
+    const auto is_met_before = [&](Slab_node i) { return side_of(order_(vertex, nodes[i].vertex)) == side; };
+    for(Slab_node parent; (parent = nodes[node].parent) != no_index && is_met_before(parent);)
+      node = is_met_before(nodes[node].jump) ? nodes[node].jump : parent;
+    return node;
+  }
+
+  void set_class(Side side, Vertex_index vertex, Slab_node node) { links_[side][vertex].set(node.number() + is_class); }
+
+  const Complex& complex_;
+  const Order& order_;
+  const Swept_vertices& critical_vertices_;
+  By_side<Nodes> nodes_;
+  By_side<Links> links_; // to a lower and to a higher neighbor
   Arc_of_vertex arc_of_vertex_;
 };
 

@@ -109,22 +109,42 @@ Slab_arcs find_arcs(const Complex& complex,
   return find_arcs_of_slab<ConcurrencyTag>(Slab(complex, critical_vertices), order, method, report);
 }
 
+// The same arcs by the default method, which answers the queries.
+template <class ConcurrencyTag, class Complex, class Order, class Queries, class Report>
+Slab_arcs find_arcs_and_answer(const Complex& complex,
+                               const Order& order,
+                               const Swept_vertices& critical_vertices,
+                               Queries& queries,
+                               const Report& report)
+{
+  const Slab slab(complex, critical_vertices);
+  Slab_arcs arcs =
+    Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report, queries);
+  check_arcs(slab, arcs);
+  return arcs;
+}
+
 // The same arcs by the default method, and the one of each regular vertex.
-template <class ConcurrencyTag, class Complex, class Order, class Report>
+template <class ConcurrencyTag, class Complex, class Order>
 Slab_arcs find_arcs_of_vertices(const Complex& complex,
                                 const Order& order,
                                 const Swept_vertices& critical_vertices,
                                 Arc_of_vertex& arc_of_vertex,
-                                const Report& report)
+                                const Stage_progress& progress)
 {
-  const Slab slab(complex, critical_vertices);
+  const auto find = [&](auto& queries) {
+    Slab_arcs arcs = find_arcs_and_answer<ConcurrencyTag>(complex, order, critical_vertices, queries, progress);
+    arc_of_vertex = queries.take_arc_of_vertex();
+    return arcs;
+  };
+  if(Climbing_queries<Complex, Order>::are_fast(complex, critical_vertices))
+  {
+    Climbing_queries<Complex, Order> queries(complex, order, critical_vertices);
+    return find(queries);
+  }
   Vertex_queries<Complex, Order> queries(complex, order, critical_vertices);
   queries.template sort<ConcurrencyTag>();
-  Slab_arcs arcs =
-    Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report, queries);
-  check_arcs(slab, arcs);
-  arc_of_vertex = queries.take_arc_of_vertex();
-  return arcs;
+  return find(queries);
 }
 
 #define CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, METHOD, NUMBER_OF_SLABS)                            \
@@ -136,7 +156,11 @@ Slab_arcs find_arcs_of_vertices(const Complex& complex,
   CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Method, Default_number_of_slabs)                          \
   CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Default_method, std::size_t)                              \
   CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Method, std::size_t)
+#define CGAL_REEB_GRAPH_FIND_ARCS_OF_VERTICES(PREFIX, TAG, COMPLEX, SCALAR)                                            \
+  PREFIX template Slab_arcs find_arcs_of_vertices<TAG>(const COMPLEX&, const Natural_order<SCALAR>&,                   \
+                                                       const Swept_vertices&, Arc_of_vertex&, const Stage_progress&);
 CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_FIND_ARCS)
+CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_ARCS_OF_VERTICES)
 CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_ARCS_BY_CHOICE)
 
 } // namespace internal

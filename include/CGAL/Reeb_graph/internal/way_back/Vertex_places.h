@@ -22,7 +22,6 @@
 #include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
-#include <CGAL/Reeb_graph/internal/way_back/Arc_spreading.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 
@@ -102,30 +101,6 @@ void sort_vertices_by_place(const VertexList& vertex_list,
   vertices.reserve(keys.size());
   for(const auto& key : keys)
     vertices.push_back(vertex_list[key.name]);
-}
-
-// Finds the arcs between critical vertices, and which of them each regular vertex is on: by spreading the arcs, or,
-// where they are short, by asking the sweeps of the default method.
-template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class ChosenNumberOfSlabs>
-Slab_arcs find_arcs_with_vertices(const Complex& complex,
-                                  const Order& order,
-                                  const Swept_vertices& critical_vertices,
-                                  ChosenMethod method,
-                                  ChosenNumberOfSlabs number_of_slabs,
-                                  Arc_of_vertex& arc_of_vertex,
-                                  const Stage_progress& progress)
-{
-  typedef Arc_spreading<Complex, Order> Spreading;
-  if(!Spreading::are_arcs_short(complex, critical_vertices))
-  {
-    Slab_arcs arcs =
-      find_arcs<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs, progress.part(0, 0.25));
-    Spreading spreading(complex, order, critical_vertices, arcs);
-    if(spreading.template find_arcs_of_vertices<ConcurrencyTag>(arc_of_vertex))
-      return arcs;
-  }
-  return find_arcs_of_vertices<ConcurrencyTag>(complex, order, critical_vertices, arc_of_vertex,
-                                               progress.part(0.25, 1));
 }
 
 // The place of each vertex in the exact graph, from the arcs between critical vertices and what they have been reduced
@@ -209,12 +184,6 @@ private:
   const bool are_ties_contracted_;
 };
 
-#define CGAL_REEB_GRAPH_FIND_ARCS_WITH_VERTICES(PREFIX, TAG, COMPLEX, SCALAR)                                          \
-  PREFIX template Slab_arcs find_arcs_with_vertices<TAG>(                                                              \
-    const COMPLEX&, const Natural_order<SCALAR>&, const Swept_vertices&, Default_method, Default_number_of_slabs,      \
-    Arc_of_vertex&, const Stage_progress&);
-CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_ARCS_WITH_VERTICES)
-
 // What the pipeline finds besides the graph if no places of vertices are wanted: nothing.
 struct No_vertex_places
 {
@@ -238,16 +207,13 @@ public:
 
   explicit Vertex_places_for_map(const PlaceMap& map) : map_(map) {}
 
-  template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class ChosenNumberOfSlabs>
+  template <class ConcurrencyTag, class Complex, class Order>
   Slab_arcs find_arcs(const Complex& complex,
                       const Order& order,
                       const Swept_vertices& critical_vertices,
-                      ChosenMethod method,
-                      ChosenNumberOfSlabs number_of_slabs,
                       const Stage_progress& progress)
   {
-    return find_arcs_with_vertices<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs,
-                                                   arc_of_vertex_, progress);
+    return find_arcs_of_vertices<ConcurrencyTag>(complex, order, critical_vertices, arc_of_vertex_, progress);
   }
 
   template <class ConcurrencyTag, class Complex, class Order>

@@ -47,9 +47,8 @@ Vertex_places find_places(const Complex& complex,
   progress.report(0);
   const Swept_vertices critical_vertices = classify_vertices<ConcurrencyTag>(complex, order);
   Arc_of_vertex arc_of_vertex;
-  const Slab_arcs arcs = find_arcs_with_vertices<ConcurrencyTag>(complex, order, critical_vertices, Default_method(),
-                                                                 Default_number_of_slabs(), arc_of_vertex,
-                                                                 Stage_progress(progress, 0.3, 0.85));
+  const Slab_arcs arcs = find_arcs_of_vertices<ConcurrencyTag>(complex, order, critical_vertices, arc_of_vertex,
+                                                               Stage_progress(progress, 0.3, 0.85));
   progress.report(0.9);
   const Flat_graph graph =
     reduce_arcs<ConcurrencyTag>(complex, order, critical_vertices, arcs, ties, are_degree_two_nodes_kept, true);
