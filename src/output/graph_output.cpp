@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/Reeb_graph/IO/svg.h>
-#include <CGAL/Reeb_graph/internal/io/Text_output.h>
+#include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -11,8 +11,8 @@
 #include "output/output_file.h"
 #include "output/polylines_output.h"
 
-#include <CGAL/Reeb_graph/internal/io/Text_output.h>
 #include <CGAL/Reeb_graph/internal/io/Vtp_document.h>
+#include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <cstdint>
 #include <limits>

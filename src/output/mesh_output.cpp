@@ -13,7 +13,7 @@
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Reeb_graph/IO/mesh_vtp.h>
-#include <CGAL/Reeb_graph/internal/io/Text_output.h>
+#include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 

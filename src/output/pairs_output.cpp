@@ -10,7 +10,7 @@
 
 #include "output/output_file.h"
 
-#include <CGAL/Reeb_graph/internal/io/Text_output.h>
+#include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <ostream>
 

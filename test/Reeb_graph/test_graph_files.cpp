@@ -18,7 +18,7 @@
 #include <CGAL/Reeb_graph/curves/cut_along_contours.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/Reeb_graph/index_maps.h>
-#include <CGAL/Reeb_graph/internal/io/Text_output.h>
+#include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 
 #include <CGAL/Exact_rational.h>

@@ -12,7 +12,7 @@
 #include "persistence_oracle.h"
 #include "random_graphs.h"
 
-#include <CGAL/Reeb_graph/simplification/internal/Link_cut_forest.h>
+#include <CGAL/Reeb_graph/simplification/internal/pairs.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/Reeb_graph/Soup_contour.h>
-#include <CGAL/Reeb_graph/internal/way_back/flatten_cells.h>
+#include <CGAL/Reeb_graph/internal/way_back/cells.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_soup_traits.h>
 

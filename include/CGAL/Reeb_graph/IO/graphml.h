@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/IO/attributes.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/io/Graphml_writer.h>
-#include <CGAL/Reeb_graph/internal/io/Text_output.h>
+#include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <CGAL/Named_function_parameters.h>
 

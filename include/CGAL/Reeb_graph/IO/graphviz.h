@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/internal/base/descriptors.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/io/Text_output.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <CGAL/boost/graph/iterator.h>

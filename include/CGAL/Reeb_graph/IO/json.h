@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/IO/attributes.h>
 #include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
-#include <CGAL/Reeb_graph/internal/io/Text_output.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <CGAL/boost/graph/iterator.h>

@@ -13,8 +13,8 @@
 
 #include <CGAL/Reeb_graph/IO/attributes.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/io/Text_output.h>
 #include <CGAL/Reeb_graph/internal/io/Vtp_document.h>
+#include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/boost/graph/iterator.h>

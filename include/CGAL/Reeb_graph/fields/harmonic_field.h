@@ -14,8 +14,8 @@
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/field_constraints.h>
+#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/fields/internal/constraints.h>
-#include <CGAL/Reeb_graph/fields/internal/far_apart_vertices.h>
 #include <CGAL/Reeb_graph/fields/internal/harmonic_values.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 

@@ -18,7 +18,7 @@
 #include <CGAL/Reeb_graph/simplification/Simplification_threshold.h>
 #include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 #include <CGAL/Reeb_graph/simplification/internal/persistence.h>
-#include <CGAL/Reeb_graph/simplification/internal/wide_gaps.h>
+#include <CGAL/Reeb_graph/simplification/internal/prune_graph.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <algorithm>

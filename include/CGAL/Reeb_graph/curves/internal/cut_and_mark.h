@@ -16,7 +16,6 @@
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/curves/internal/Contour_cutting.h>
-#include <CGAL/Reeb_graph/curves/internal/Curve_opening.h>
 #include <CGAL/Reeb_graph/curves/internal/Refined_field.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/named_parameters.h>

@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/curves/internal/Ranked_mesh.h>
-#include <CGAL/Reeb_graph/curves/internal/rank_vertices.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>

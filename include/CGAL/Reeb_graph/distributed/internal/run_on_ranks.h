@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/distributed/internal/Chain_parts.h>
-#include <CGAL/Reeb_graph/distributed/internal/Slab_complex.h>
 #include <CGAL/Reeb_graph/distributed/internal/Slab_surface.h>
 #include <CGAL/Reeb_graph/distributed/internal/compute_graph_of_slabs.h>
 #include <CGAL/Reeb_graph/distributed/internal/describe_slab.h>

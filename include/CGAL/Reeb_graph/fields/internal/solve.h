@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
-#include <CGAL/Reeb_graph/fields/internal/Dirichlet_equations.h>
 #include <CGAL/Reeb_graph/fields/internal/Dirichlet_problem.h>
 #include <CGAL/Reeb_graph/fields/internal/solve_iteratively.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
@@ -20,7 +19,6 @@
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #ifdef CGAL_EIGEN3_ENABLED
-#include <CGAL/Reeb_graph/fields/internal/Multigrid.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 
@@ -169,7 +167,6 @@ Values solve_unsymmetric([[maybe_unused]] const Problem& problem)
 #include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace CGAL {

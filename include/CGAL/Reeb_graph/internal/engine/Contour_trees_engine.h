@@ -15,15 +15,12 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
-#include <CGAL/Reeb_graph/internal/engine/Complex_loop_surgery.h>
 #include <CGAL/Reeb_graph/internal/engine/Cutting_sweep.h>
-#include <CGAL/Reeb_graph/internal/engine/Loop_cuts.h>
 #include <CGAL/Reeb_graph/internal/engine/Loop_surgery.h>
-#include <CGAL/Reeb_graph/internal/engine/Merge_tree_sweep.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
-#include <CGAL/Reeb_graph/internal/engine/combine_trees.h>
+#include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
 
 #include <cstddef>
 #include <optional>

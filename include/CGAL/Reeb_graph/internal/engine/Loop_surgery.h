@@ -13,12 +13,18 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/engine/Merge_tree_sweep.h>
+#include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
+#include <CGAL/Reeb_graph/internal/engine/Contour_search.h>
+#include <CGAL/Reeb_graph/internal/engine/Contours_of_sectors.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
+#include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -140,6 +146,205 @@ private:
   const Merge_tree& split_tree_;
   Contours_side_by_side<Complex> contours_;
   Plain_vector<Slab_node> classes_;
+};
+
+// The cuts that make the domain of a complex one whose Reeb graph is a tree. Where several lower sectors are in one sublevel component, it is found for all vertices at
+// once which of them are in one contour. Each contour that is cut closes a loop of the graph, so there are at most as
+// many cuts as the first Betti number of the complex.
+template <class Order>
+class Loop_surgery<Simplicial_complex, Order>
+{
+public:
+  Loop_surgery(const Slab<Simplicial_complex>& slab,
+               const Order& order,
+               const Merge_tree& join_tree,
+               const Merge_tree& split_tree)
+    : complex_(slab.complex()),
+      order_(order),
+      critical_vertices_(slab.critical_vertices()),
+      join_tree_(join_tree),
+      split_tree_(split_tree),
+      search_(slab.complex()),
+      last_vertices_at_edges_(slab.complex().number_of_edges()),
+      contours_(critical_vertices_.total_number_of_sectors(Side::LOWER), no_index)
+  {
+    const auto& shared = join_tree.is_class_shared;
+    const auto number_of_shared = std::count(shared.begin(), shared.end(), true);
+    // To look at each triangle once pays if otherwise most would be looked at several times.
+    if(static_cast<std::size_t>(number_of_shared) > complex_.number_of_vertices() / 1024)
+      components_.emplace(complex_);
+    find_contours([&](Vertex_index v) { return is_simply_connected(v) || is_closed(v); });
+  }
+
+  bool can_close_loop(Swept_index critical)
+  {
+    if(!join_tree_.is_class_shared[critical])
+      return false;
+    const Vertex_index vertex = critical_vertices_.vertex(critical);
+    if(is_simply_connected(vertex))
+      return false;
+    sort_contours(critical);
+    if(is_closed(vertex) && !can_close_loop_of_curves(critical))
+      return false;
+    for(std::size_t i = 1; i < contours_of_vertex_.size(); ++i)
+    {
+      if(contours_of_vertex_[i].sublevel_class == contours_of_vertex_[i - 1].sublevel_class)
+        return true;
+    }
+    return false;
+  }
+
+  template <class Visit>
+  void visit_loop_contours(Swept_index critical, const Visit& visit)
+  {
+    const Vertex_index vertex = critical_vertices_.vertex(critical);
+    const auto is_below = [&](Vertex_index u) { return order_(u, vertex); };
+    Plain_vector<Halfedge_index> starts;
+    auto end = contours_of_vertex_.begin();
+    for(auto begin = end; begin != contours_of_vertex_.end(); begin = end)
+    {
+      const Slab_node sublevel_class = begin->sublevel_class;
+      starts.clear();
+      for(; end != contours_of_vertex_.end() && end->sublevel_class == sublevel_class; ++end)
+        starts.push_back(critical_vertices_.sector(Side::LOWER, end->sector).edge);
+      const std::size_t number_of_earlier_steps = search_.number_of_steps();
+      bool is_loop_closed = false;
+      search_.visit_all_but_one(starts, is_below, [&](const Plain_vector<Halfedge_index>& crossed_edges) {
+        is_loop_closed = true;
+        visit(sublevel_class, crossed_edges, false);
+      });
+      number_of_lost_steps_ += is_loop_closed ? 0 : search_.number_of_steps() - number_of_earlier_steps;
+    }
+    // On closed components, searches that close no loop are rare but where contours pass one-sided saddles twice:
+    // there, they could take quadratic time.
+    if(!are_all_found_ && number_of_lost_steps_ > complex_.number_of_triangles())
+    {
+      find_contours([&](Vertex_index v) { return is_simply_connected(v) || !is_closed(v); });
+      are_all_found_ = true;
+    }
+  }
+
+  // How many crossed edges searches have looked at.
+  std::size_t number_of_steps() const { return search_.number_of_steps(); }
+
+private:
+  bool is_simply_connected(Vertex_index vertex) const
+  {
+    return components_ && components_->is_simply_connected(vertex);
+  }
+  bool is_closed(Vertex_index vertex) const { return components_ && components_->is_closed(vertex); }
+
+  // Finds the contours of all vertices in question, those in components that are left out excepted.
+  template <class IsLeftOut>
+  void find_contours(const IsLeftOut& is_left_out)
+  {
+    Plain_vector<Swept_index> vertices;
+    for(const Swept_index i : critical_vertices_.ascending())
+    {
+      if(join_tree_.is_class_shared[i] && !is_left_out(critical_vertices_.vertex(i)))
+        vertices.push_back(i);
+    }
+    Contours_of_sectors<Order>(complex_, order_, critical_vertices_, vertices)(is_left_out, contours_);
+  }
+
+  // A lower contour of a vertex, and one sector that it passes.
+  struct Lower_contour
+  {
+    Slab_node sublevel_class;
+    Number name;
+    Sector_index sector;
+
+    friend bool operator<(const Lower_contour& a, const Lower_contour& b)
+    {
+      return a.sublevel_class != b.sublevel_class ? a.sublevel_class < b.sublevel_class : a.name < b.name;
+    }
+    friend bool operator==(const Lower_contour& a, const Lower_contour& b) { return a.name == b.name; }
+  };
+
+  // Sorts the lower contours of a vertex by their classes. Where contours have not been found before, each sector may
+  // have one of its own.
+  void sort_contours(Swept_index critical)
+  {
+    contours_of_vertex_.clear();
+    for(const Sector_index i : critical_vertices_.sectors(critical, Side::LOWER))
+      contours_of_vertex_.push_back({join_tree_.classes[i], contours_[i] == no_index ? i.number() : contours_[i], i});
+    std::sort(contours_of_vertex_.begin(), contours_of_vertex_.end());
+    contours_of_vertex_.erase(std::unique(contours_of_vertex_.begin(), contours_of_vertex_.end()),
+                              contours_of_vertex_.end());
+  }
+
+  // Whether two lower contours at the vertex might be in one sublevel component, where contours are closed curves. The
+  // fans around the vertex are disks in a surface between two levels, whose Euler characteristic is at most 2 less the
+  // number of its borders: so a fan with l lower sectors and as many upper ones passes at most l + 1 contours, one with
+  // a single sector passes one.
+  bool can_close_loop_of_curves(Swept_index critical)
+  {
+    Number number_of_classes = 0;
+    Slab_node last = no_index;
+    for(const Lower_contour& contour : contours_of_vertex_)
+    {
+      number_of_classes += contour.sublevel_class != last ? 1 : 0;
+      last = contour.sublevel_class;
+    }
+    upper_classes_.clear();
+    for(const Sector_index i : critical_vertices_.sectors(critical, Side::UPPER))
+      upper_classes_.push_back(split_tree_.classes[i]);
+    std::sort(upper_classes_.begin(), upper_classes_.end());
+    number_of_classes +=
+      static_cast<Number>(std::unique(upper_classes_.begin(), upper_classes_.end()) - upper_classes_.begin());
+    return largest_number_of_contours(critical_vertices_.vertex(critical)) > number_of_classes;
+  }
+
+  // How many contours can be just below and just above the vertex, by its fans.
+  Number largest_number_of_contours(Vertex_index vertex)
+  {
+    Number result = 0;
+    complex_.for_each_edge_around(vertex, [&](Vertex_index, Halfedge_index halfedge) {
+      if(last_vertices_at_edges_[edge_of(halfedge)] != vertex.number() + 1)
+        result += count_changes_around(vertex, edge_of(halfedge)) / 2 + 1;
+    });
+    return result;
+  }
+
+  // How often lower and higher neighbors change in the fan of an edge at the vertex.
+  Number count_changes_around(Vertex_index vertex, Edge_index first)
+  {
+    const auto is_upper = [&](Edge_index edge) {
+      const Vertex_index low = complex_.lower_end(edge);
+      return order_(vertex, low == vertex ? complex_.higher_end(edge) : low);
+    };
+    Number changes = 0;
+    Edge_index edge = first;
+    Triangle_index triangle = *complex_.triangles_of(first).begin();
+    do
+    {
+      last_vertices_at_edges_[edge] = vertex.number() + 1;
+      const std::array<Edge_index, 3>& edges = complex_.edges_of(triangle);
+      const auto is_next = [&](Edge_index e) {
+        return e != edge && (complex_.lower_end(e) == vertex || complex_.higher_end(e) == vertex);
+      };
+      const Edge_index next = *std::find_if(edges.begin(), edges.end(), is_next);
+      changes += is_upper(edge) != is_upper(next) ? 1 : 0;
+      const auto triangles = complex_.triangles_of(next);
+      triangle = *triangles.begin() == triangle ? triangles.begin()[1] : *triangles.begin();
+      edge = next;
+    } while(edge != first);
+    return changes;
+  }
+
+  const Simplicial_complex& complex_;
+  const Order& order_;
+  const Swept_vertices& critical_vertices_;
+  const Merge_tree& join_tree_;
+  const Merge_tree& split_tree_;
+  std::optional<Components_of_complex> components_; // if there are many vertices to ask about
+  Contour_search search_;
+  Zeroed_array<Edge_index, Number> last_vertices_at_edges_; // whose fans have been turned around; from 1 on
+  Indexed_vector<Sector_index, Number> contours_;           // by lower sector; no_index where none has been looked for
+  std::size_t number_of_lost_steps_ = 0;                    // of searches that have closed no loop
+  bool are_all_found_ = false;
+  std::vector<Lower_contour> contours_of_vertex_; // of the last one
+  Plain_vector<Slab_node> upper_classes_;
 };
 
 } // namespace internal

@@ -16,7 +16,7 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
-#include <CGAL/Reeb_graph/internal/engine/link_sectors.h>
+#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
 
 #include <cstddef>
 #include <memory>

@@ -18,7 +18,7 @@
 #include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
 #include <CGAL/Reeb_graph/internal/complex/Unchecked_complex.h>
 #include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
-#include <CGAL/Reeb_graph/internal/engine/link_sectors.h>
+#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
 
 #include <algorithm>
 #include <cstddef>

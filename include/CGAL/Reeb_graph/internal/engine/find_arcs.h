@@ -17,20 +17,117 @@
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/engine/Contour_trees_engine.h>
-#include <CGAL/Reeb_graph/internal/engine/Critical_sets_engine.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/Slicing.h>
 #include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
+#include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
+#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Reeb_graph {
 namespace internal {
+
+// Critical sets and ascending paths (the paper, Sections 4.1 to 4.5): the contours just below each critical vertex
+// are registered at the edges that they cross; then a path climbs from each upper sector of each critical vertex to
+// the first edge where a contour is registered, which names the upper end of the arc. Each such contour ends one
+// arc. Cost: the lengths of the registered contours, and of the paths; those of different arcs do not overlap.
+template <class Complex, class Order>
+class Critical_sets_engine
+{
+public:
+  Critical_sets_engine(const Slab<Complex>& slab, const Order& order)
+    : slab_(slab),
+      complex_(slab.complex()),
+      order_(order),
+      critical_vertices_(slab.critical_vertices()),
+      contour_at_edge_(complex_.number_of_edges(), no_index)
+  {}
+
+  // An edge keeps the contour of the lowest level: that is where an ascending path meets it first. Calls
+  // report(fraction) now and then.
+  template <class Report>
+  Slab_arcs find_arcs(const Report& report)
+  {
+    for(const Contour_index i : slab_.contours(Side::UPPER))
+      arcs_.push_back({no_index, slab_.contour_node(Side::UPPER, i), {no_index, no_index}});
+    constexpr std::size_t vertices_per_report = 4096;
+    const Plain_vector<Swept_index>& ascending = critical_vertices_.ascending();
+    for(std::size_t i = ascending.size(); i-- != 0;)
+    {
+      register_lower_contours(ascending[i]);
+      if(i % vertices_per_report == 0)
+        report(0.7 * static_cast<double>(ascending.size() - i) / static_cast<double>(ascending.size()));
+    }
+    for(const Swept_index i : critical_vertices_.indices())
+      climb_from(i);
+    for(const Contour_index i : slab_.contours(Side::LOWER))
+      arcs_[contour_above(slab_.step_from_contour(Side::LOWER, i))].lower = slab_.contour_node(Side::LOWER, i);
+    return std::move(arcs_);
+  }
+
+private:
+  void register_lower_contours(Swept_index critical)
+  {
+    const Vertex_index vertex = critical_vertices_.vertex(critical);
+    const auto is_below = [&](Vertex_index u) { return order_(u, vertex); };
+    for(const Sector_index i : critical_vertices_.sectors(critical, Side::LOWER))
+    {
+      // A contour can pass several sectors of the vertex; then the earlier trace has been here. Those of higher vertices
+      // do not cross an edge that ends at this one.
+      const Halfedge_index edge = critical_vertices_.sector(Side::LOWER, i).edge;
+      if(contour_at(edge) != no_index)
+        continue;
+      arcs_.push_back({no_index, node_of(critical), {no_index, no_index}});
+      trace_contour(complex_, edge, is_below,
+                    [&](Halfedge_index halfedge) { contour_at_edge_[edge_of(halfedge)] = arcs_.last_key(); });
+    }
+  }
+
+  Slab_arc_index contour_at(Halfedge_index halfedge) const { return contour_at_edge_[edge_of(halfedge)]; }
+
+  void climb_from(Swept_index critical)
+  {
+    for(const Sector_index i : critical_vertices_.sectors(critical, Side::UPPER))
+    {
+      const Link_sector& sector = critical_vertices_.sector(Side::UPPER, i);
+      const Ascending_step first_step = {sector.edge, sector.extreme_neighbor};
+      Slab_arc& arc = arcs_[contour_above(first_step)];
+      // Several sectors can lead to one arc, whose chain begins in the highest one.
+      if(arc.lower == no_index || order_(arc.first_step.target, first_step.target))
+        arc.first_step = first_step;
+      arc.lower = node_of(critical);
+    }
+  }
+
+  Slab_arc_index contour_above(Ascending_step step) const
+  {
+    for(Number steps = 0; contour_at(step.edge) == no_index; ++steps)
+    {
+      const Contour_index contour = slab_.contour_at_step(Side::UPPER, step.target, [&] { return step.edge; });
+      if(contour != no_index)
+        return Slab_arc_index(contour.number()); // as the first arcs end at the contours of the upper level
+      const Vertex_index vertex = step.target;
+      step = steepest_step(complex_, order_, vertex);
+      if(step.edge == no_index || steps == complex_.number_of_vertices())
+        complex_.throw_contradiction_near(vertex);
+    }
+    return contour_at(step.edge);
+  }
+
+  const Slab<Complex>& slab_;
+  const Complex& complex_;
+  const Order& order_;
+  const Swept_vertices& critical_vertices_;
+  Indexed_vector<Edge_index, Slab_arc_index> contour_at_edge_; // a contour has the name of the arc that ends there
+  Slab_arcs arcs_;
+};
 
 // What a program does not choose is a type: what it never asks for is not compiled.
 typedef std::integral_constant<Method, Method::CONTOUR_TREES> Default_method;

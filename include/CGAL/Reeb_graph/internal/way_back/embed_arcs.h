@@ -15,8 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/way_back/Centroid_polylines.h>
-#include <CGAL/Reeb_graph/internal/way_back/Chain_polylines.h>
+#include <CGAL/Reeb_graph/internal/way_back/arc_polylines.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 

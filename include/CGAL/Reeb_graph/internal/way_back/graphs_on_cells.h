@@ -21,7 +21,6 @@
 #include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
 #include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
 #include <CGAL/Reeb_graph/internal/way_back/cells.h>
-#include <CGAL/Reeb_graph/internal/way_back/flatten_cells.h>
 
 #include <boost/unordered_map.hpp>
 #include <boost/unordered_set.hpp>
