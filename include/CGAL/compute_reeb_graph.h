@@ -32,8 +32,7 @@
 #include <utility>
 
 namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace Reeb_graph::internal {
 
 // A Flat_field, as flatten_unchecked() gives another one.
 template <class FaceListGraph, class Scalar>
@@ -85,8 +84,7 @@ struct Mesh_with_field
 template <class ConcurrencyTag, class Input, class Traits, class ReebGraph, class NamedParameters>
 void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, const NamedParameters& np);
 
-} // namespace internal
-} // namespace Reeb_graph
+} // namespace Reeb_graph::internal
 
 /// \ingroup PkgReebGraphRef
 ///
@@ -301,8 +299,7 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
   progress.report_end();
 }
 
-namespace Reeb_graph {
-namespace internal {
+namespace Reeb_graph::internal {
 
 #define CGAL_REEB_GRAPH_WRITE_GRAPH(PREFIX, TAG, POINT, SCALAR)                                                        \
   PREFIX template void write_graph<TAG>(const Surface_mesh<POINT>&, const Surface_mesh_complex<POINT>&,                \
@@ -310,8 +307,7 @@ namespace internal {
                                         const Natural_order<SCALAR>&, const Flat_graph&, Surface_graph<SCALAR>&);
 CGAL_REEB_GRAPH_FOR_POINTS(CGAL_REEB_GRAPH_WRITE_GRAPH)
 
-} // namespace internal
-} // namespace Reeb_graph
+} // namespace Reeb_graph::internal
 } // namespace CGAL
 
 #endif // CGAL_COMPUTE_REEB_GRAPH_H

@@ -24,8 +24,7 @@
 #include <type_traits>
 
 namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace Reeb_graph::internal {
 
 template <class ConcurrencyTag, class Scalars, class ReebGraph, class NamedParameters, class ReadComplex>
 void compute_graph_of_complex(std::size_t number_of_vertices,
@@ -34,8 +33,7 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
                               const NamedParameters& np,
                               const ReadComplex& read_complex);
 
-} // namespace internal
-} // namespace Reeb_graph
+} // namespace Reeb_graph::internal
 
 /// \ingroup PkgReebGraphRef
 ///
@@ -147,8 +145,7 @@ void compute_reeb_graph_of_tetrahedra(const PointsOrNumber& points,
     size, scalars, graph, np, [&](const auto& edges) { return internal::read_tetrahedra(size, tetrahedra, edges); });
 }
 
-namespace Reeb_graph {
-namespace internal {
+namespace Reeb_graph::internal {
 
 // A soup and its field, as the pipeline takes them.
 template <class Scalars, class ReadComplex>
@@ -199,8 +196,7 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
   }
 }
 
-} // namespace internal
-} // namespace Reeb_graph
+} // namespace Reeb_graph::internal
 
 } // namespace CGAL
 

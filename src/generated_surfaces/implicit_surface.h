@@ -19,8 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace generated_surfaces {
-namespace internal {
+namespace generated_surfaces::internal {
 typedef std::array<double, 3> Vector;
 
 inline Vector moved(const Vector& p, double t, const Vector& direction)
@@ -157,7 +156,6 @@ void smooth(Triangle_soup& surface, const Function& function, int number_of_step
   }
 }
 
-} // namespace internal
-} // namespace generated_surfaces
+} // namespace generated_surfaces::internal
 
 #endif // CGAL_REEB_GRAPH_SRC_GENERATED_SURFACES_IMPLICIT_SURFACE_H

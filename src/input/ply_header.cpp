@@ -11,8 +11,7 @@
 #include <array>
 #include <utility>
 
-namespace reeb_graph_program {
-namespace ply {
+namespace reeb_graph_program::ply {
 namespace {
 Type read_type(Text_input& input)
 {
@@ -122,5 +121,4 @@ Header read_header(Text_input& input)
   input.fail("the header does not end");
 }
 
-} // namespace ply
-} // namespace reeb_graph_program
+} // namespace reeb_graph_program::ply

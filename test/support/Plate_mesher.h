@@ -18,8 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace generated_surfaces {
-namespace internal {
+namespace generated_surfaces::internal {
 // The plate meshed by a lattice of equilateral triangles. Lattice vertices near to the border are moved onto it, and
 // lattice triangles that still cross it are cut.
 class Plate_mesher
@@ -154,7 +153,6 @@ private:
   std::vector<std::size_t> polygon_;
 };
 
-} // namespace internal
-} // namespace generated_surfaces
+} // namespace generated_surfaces::internal
 
 #endif // CGAL_REEB_GRAPH_SRC_GENERATED_SURFACES_PLATE_MESHER_H

@@ -13,8 +13,7 @@
 #include <array>
 #include <cmath>
 
-namespace generated_surfaces {
-namespace internal {
+namespace generated_surfaces::internal {
 constexpr double pi = 3.14159265358979323846;
 
 // A plate with round holes, and the same plate with its rounded rim rolled out into the plane. A point of the rolled
@@ -97,7 +96,6 @@ private:
   double corner_radius_, half_core_x_, half_core_y_;
 };
 
-} // namespace internal
-} // namespace generated_surfaces
+} // namespace generated_surfaces::internal
 
 #endif // CGAL_REEB_GRAPH_SRC_GENERATED_SURFACES_ROLLED_OUT_PLATE_H

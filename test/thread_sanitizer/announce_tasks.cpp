@@ -44,8 +44,7 @@ const int is_handler_set = on_exit(
   nullptr);
 } // namespace
 
-namespace tbb {
-namespace detail {
+namespace tbb::detail {
 namespace {
 // Stands for a task until that begins.
 class Announced_task : public d1::task
@@ -127,5 +126,4 @@ void* allocate(d1::small_object_pool*& pool, std::size_t size)
   return memory;
 }
 } // namespace r1
-} // namespace detail
-} // namespace tbb
+} // namespace tbb::detail

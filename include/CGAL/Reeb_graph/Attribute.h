@@ -16,8 +16,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphIO
 ///
@@ -31,7 +30,6 @@ struct Attribute
   std::variant<std::vector<double>, std::vector<std::int64_t>> numbers;
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_ATTRIBUTE_H

@@ -24,8 +24,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphAugmentation
 ///
@@ -144,7 +143,6 @@ Augmentation(const FaceListGraph&, ScalarMap, const ReebGraph&, const NamedParam
                   internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters>>;
 #endif
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_AUGMENTATION_H

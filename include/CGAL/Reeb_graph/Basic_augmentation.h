@@ -24,8 +24,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphAugmentation
 ///
@@ -207,7 +206,6 @@ private:
   const internal::Simplified_places simplified_places_;
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_BASIC_AUGMENTATION_H

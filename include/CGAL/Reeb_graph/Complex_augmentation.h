@@ -20,8 +20,7 @@
 #include <cstddef>
 #include <iterator>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphAugmentation
 ///
@@ -114,7 +113,6 @@ public:
   }
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_COMPLEX_AUGMENTATION_H

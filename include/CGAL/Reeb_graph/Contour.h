@@ -13,8 +13,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphAugmentation
 ///
@@ -59,7 +58,6 @@ struct Critical_set
   std::vector<HalfedgeDescriptor> border_loop;
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_CONTOUR_H

@@ -14,8 +14,7 @@
 #include <cstddef>
 #include <map>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphRef
 ///
@@ -33,7 +32,6 @@ struct Critical_vertex_counts
   std::size_t border_saddles = 0; ///< border vertices with at least two lower or two upper link sectors
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_CRITICAL_VERTEX_COUNTS_H

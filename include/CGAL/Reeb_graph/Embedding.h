@@ -15,8 +15,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphEmbedding
 ///
@@ -46,7 +45,6 @@ struct Embedding
   std::vector<std::vector<double>> arc_values;
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_EMBEDDING_H

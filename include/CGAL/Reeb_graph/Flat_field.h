@@ -27,8 +27,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphRef
 ///
@@ -172,7 +171,6 @@ Flat_field(const FaceListGraph&, const ScalarMap&, const NamedParameters&)
   -> Flat_field<FaceListGraph,
                 typename internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters>::Scalar>;
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_FLAT_FIELD_H

@@ -14,8 +14,7 @@
 #include <ostream>
 #include <string>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphEnums
 ///
@@ -51,7 +50,6 @@ inline std::string to_string(Node_kind kind)
 /// \brief writes what `to_string()` returns.
 inline std::ostream& operator<<(std::ostream& out, Node_kind kind) { return out << to_string(kind); }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_NODE_KIND_H

@@ -17,8 +17,7 @@
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_soup_traits.h>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphAugmentation
 ///
@@ -63,7 +62,6 @@ Tetrahedra_augmentation(const PointsOrNumber&,
                              internal::Soup_traits_of<Scalars, NamedParameters>>;
 #endif
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_TETRAHEDRA_AUGMENTATION_H

@@ -27,8 +27,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphAugmentation
 ///
@@ -115,7 +114,6 @@ private:
   std::shared_ptr<const internal::Vertex_lists<VertexDescriptor>> lists_;
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_VERTEX_LOCATIONS_H

@@ -28,8 +28,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 // A user who measures arcs of one of these has included it.
 template <class GraphOnCells>
@@ -227,7 +226,6 @@ std::vector<double> arc_lengths(const Complex_augmentation<GraphOnCells>& augmen
                                    [&](std::size_t v) { return augmentation.value(v); });
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_ARC_MEASURES_H

@@ -17,8 +17,7 @@
 #include <CGAL/Reeb_graph/internal/way_back/embed_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 template <class GraphOnCells>
 class Complex_augmentation; // callers of embed() with one have included it
@@ -154,7 +153,6 @@ auto embed(const Complex_augmentation<GraphOnCells>& augmentation,
     augmentation, internal::checked_point_map(points, augmentation.number_of_vertices()), np);
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_EMBED_H

@@ -15,8 +15,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \addtogroup PkgReebGraphExceptions
 /// @{
@@ -330,7 +329,6 @@ public:
 
 /// @}
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_EXCEPTIONS_H

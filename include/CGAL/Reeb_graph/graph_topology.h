@@ -23,8 +23,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphTopology
 ///
@@ -162,7 +161,6 @@ OutputIterator loop_contours(const ReebGraph& graph, const Augmentation& augment
   return contours;
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_GRAPH_TOPOLOGY_H

@@ -19,8 +19,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphScalarMaps
 ///
@@ -54,7 +53,6 @@ auto make_halfedge_index_map(const FaceListGraph& mesh)
   return map;
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_INDEX_MAPS_H

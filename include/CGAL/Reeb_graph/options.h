@@ -11,8 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphEnums
 ///
@@ -80,7 +79,6 @@ enum class Embedding_manner
   BY_COST     ///< `CENTROIDS`, or `STRAIGHT` if the contours are much longer than the mesh is large, as those of noise
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_OPTIONS_H

@@ -27,8 +27,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 namespace internal {
 
 // Adds equal parts of the measure of a face, or of a cell, to the pieces of its vertices.
@@ -123,7 +122,6 @@ std::vector<double> areas_of_pieces(const FaceListGraph& mesh,
     return {};
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_PIECE_MEASURES_H

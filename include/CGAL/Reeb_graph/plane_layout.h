@@ -24,8 +24,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphDrawing
 ///
@@ -104,7 +103,6 @@ Plane_layout lay_out_in_plane(const ReebGraph& graph, const NamedParameters& np 
   return layout;
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_PLANE_LAYOUT_H

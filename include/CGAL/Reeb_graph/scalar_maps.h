@@ -23,8 +23,7 @@
 #include <iterator>
 #include <type_traits>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphScalarMaps
 ///
@@ -75,7 +74,6 @@ auto make_scalar_map_from_function(const FaceListGraph&, const VertexFunction& f
   return boost::make_function_property_map<vertex_descriptor>(function);
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_SCALAR_MAPS_H

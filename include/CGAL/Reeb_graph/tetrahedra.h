@@ -22,8 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphRef
 ///
@@ -214,7 +213,6 @@ tetrahedra_of_linear_cell_complex(const LinearCellComplex& complex)
   return std::move(builder).result();
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_TETRAHEDRA_H

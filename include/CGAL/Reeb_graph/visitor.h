@@ -13,8 +13,7 @@
 
 #include <CGAL/Reeb_graph/Critical_vertex_counts.h>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphEnums
 ///
@@ -40,7 +39,6 @@ struct Default_visitor
   void critical_vertices(const Critical_vertex_counts&) {}
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_VISITOR_H

@@ -19,9 +19,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 inline std::size_t size_of(const Attribute& attribute)
 {
@@ -44,8 +42,6 @@ std::vector<Attribute> checked_attributes(const Parameter& parameter, std::size_
   return attributes;
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_IO_ATTRIBUTES_H

@@ -27,8 +27,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 namespace internal {
 
 // A field of a CSV file, in quotes if it needs them.
@@ -162,7 +161,6 @@ void write_csv(const std::string& nodes_filename,
                        [&](std::ostream& out) { Reeb_graph::write_arcs_csv(out, graph, embedding, np); });
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_IO_CSV_H

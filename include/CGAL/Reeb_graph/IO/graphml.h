@@ -23,8 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 namespace internal {
 
 template <class Graph, class VertexIndexMap, class NamedParameters, class TextOfChain>
@@ -162,7 +161,6 @@ void write_graphml(const std::string& filename, const Graph& graph, IndexMaps...
   internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_graphml(out, graph, index_maps...); });
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_IO_GRAPHML_H

@@ -23,8 +23,7 @@
 #include <ostream>
 #include <string>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 namespace internal {
 
 inline const char* fill_color(Node_kind kind)
@@ -148,7 +147,6 @@ void write_graphviz(const std::string& filename,
                        [&](std::ostream& out) { Reeb_graph::write_graphviz(out, graph, vertex_index_map, np); });
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_IO_GRAPHVIZ_H

@@ -28,8 +28,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 namespace internal {
 
 // `vertex_index_map` and `ends_of` give the indices of the vertices of nodes, and of both ends of a halfedge.
@@ -181,7 +180,6 @@ void write_json(const std::string& filename,
   internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_json(out, graph, embedding, np); });
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_IO_JSON_H

@@ -30,8 +30,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 namespace internal {
 
 inline void write_attributes(Vtp_document& document, const std::vector<Attribute>& attributes)
@@ -170,7 +169,6 @@ void write_mesh_vtp(const std::string& filename,
   internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_mesh_vtp(out, mesh, np); });
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_IO_MESH_VTP_H

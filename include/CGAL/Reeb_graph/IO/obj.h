@@ -23,8 +23,7 @@
 #include <ostream>
 #include <string>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphIO
 ///
@@ -78,7 +77,6 @@ void write_obj(const std::string& filename, const Graph& graph, const Embedding&
   internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_obj(out, graph, embedding); });
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_IO_OBJ_H

@@ -24,8 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphIO
 ///
@@ -128,7 +127,6 @@ auto polyline_of_curve(const FaceGraph& mesh,
   return polyline;
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_IO_POLYLINES_H

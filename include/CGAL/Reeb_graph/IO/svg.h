@@ -29,8 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 namespace internal {
 
 // A number and what it counts.
@@ -157,7 +156,6 @@ void write_svg(const std::string& filename,
   internal::write_file(filename, [&](std::ostream& out) { out << drawing.str(); });
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_IO_SVG_H

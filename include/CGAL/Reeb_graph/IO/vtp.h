@@ -27,8 +27,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 /// \ingroup PkgReebGraphIO
 ///
 /// \brief writes a Reeb graph in space as an XML file of VTK, `.vtp`, which ParaView, PyVista and other programs open.
@@ -147,7 +146,6 @@ void write_vtp(const std::string& filename,
                        [&](std::ostream& out) { Reeb_graph::write_vtp(out, graph, embedding, vertex_index_map, np); });
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_IO_VTP_H

@@ -27,8 +27,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphCurves
 ///
@@ -146,7 +145,6 @@ private:
   std::vector<std::function<void(face_descriptor, face_descriptor)>> face_actions_;
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_CURVES_INTERPOLATING_VISITOR_H

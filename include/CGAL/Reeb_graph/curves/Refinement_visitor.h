@@ -13,8 +13,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphCurves
 ///
@@ -50,7 +49,6 @@ struct Default_refinement_visitor
   void halfedge_duplicated(halfedge_descriptor /* old */, halfedge_descriptor /* created */) {}
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_CURVES_REFINEMENT_VISITOR_H

@@ -17,8 +17,7 @@
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphCurves
 ///
@@ -99,7 +98,6 @@ OutputIterator cutting_system(MutableFaceGraph& mesh,
   return end;
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_CURVES_CUTTING_SYSTEM_H

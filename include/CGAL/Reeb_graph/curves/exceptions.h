@@ -17,8 +17,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphExceptions
 ///
@@ -116,7 +115,6 @@ private:
   std::size_t number_of_faces_;
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_CURVES_EXCEPTIONS_H

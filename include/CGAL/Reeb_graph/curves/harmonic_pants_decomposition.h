@@ -22,8 +22,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphCurves
 ///
@@ -69,7 +68,6 @@ OutputIterator harmonic_pants_decomposition(MutableFaceGraph& mesh,
     return curves;
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_CURVES_HARMONIC_PANTS_DECOMPOSITION_H

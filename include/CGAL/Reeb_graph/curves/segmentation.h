@@ -22,8 +22,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphCurves
 ///
@@ -172,7 +171,6 @@ std::size_t segment_by_arcs(MutableFaceGraph& mesh,
     return 0;
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_CURVES_SEGMENTATION_H

@@ -16,8 +16,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \addtogroup PkgReebGraphExceptions
 /// @{
@@ -87,7 +86,6 @@ private:
 
 /// @}
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_DISTRIBUTED_EXCEPTIONS_H

@@ -16,8 +16,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphExceptions
 ///
@@ -139,7 +138,6 @@ public:
   Direction_error() : Error("the direction is zero, or not finite") {}
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_FIELDS_EXCEPTIONS_H

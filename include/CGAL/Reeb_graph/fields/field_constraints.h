@@ -25,8 +25,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphFields
 ///
@@ -92,7 +91,6 @@ OutputIterator fix_border_cycle(typename boost::graph_traits<FaceListGraph>::hal
   return out;
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_FIELDS_FIELD_CONSTRAINTS_H

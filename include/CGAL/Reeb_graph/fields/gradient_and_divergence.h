@@ -28,8 +28,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphFields
 ///
@@ -168,7 +167,6 @@ Field_report compute_divergence(const FaceListGraph& mesh,
   return report;
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_FIELDS_GRADIENT_AND_DIVERGENCE_H

@@ -26,8 +26,7 @@
 #include <array>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphFields
 ///
@@ -175,7 +174,6 @@ Field_report compute_harmonic_field_between_far_apart_vertices(const FaceListGra
   });
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_FIELDS_HARMONIC_FIELD_H

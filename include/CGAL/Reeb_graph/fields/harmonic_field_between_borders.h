@@ -18,8 +18,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphFields
 ///
@@ -47,7 +46,6 @@ Field_report compute_harmonic_field_between_borders(const FaceListGraph& mesh,
     return Field_report();
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_FIELDS_HARMONIC_FIELD_BETWEEN_BORDERS_H

@@ -21,8 +21,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphFields
 ///
@@ -125,7 +124,6 @@ Border_level_changes make_borders_level(const FaceListGraph& mesh,
     return Border_level_changes();
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_FIELDS_MAKE_BORDERS_LEVEL_H

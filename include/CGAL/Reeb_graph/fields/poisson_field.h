@@ -26,8 +26,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphFields
 ///
@@ -165,7 +164,6 @@ Field_report compute_curvature_poisson_field(const FaceListGraph& mesh,
     });
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_FIELDS_POISSON_FIELD_H

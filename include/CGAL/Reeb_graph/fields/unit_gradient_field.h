@@ -22,8 +22,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphFields
 ///
@@ -87,7 +86,6 @@ Field_report compute_unit_gradient_field(const FaceListGraph& mesh,
     });
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_FIELDS_UNIT_GRADIENT_FIELD_H

@@ -34,8 +34,7 @@
 #include <set>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 namespace internal {
 
 template <class VertexDescriptor, class PointMap>
@@ -197,7 +196,6 @@ std::vector<std::optional<double>> areas_of_filling_discs(const FaceListGraph& m
   return discs.areas(point_map);
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_HANDLES_AREA_OF_FILLING_DISC_H

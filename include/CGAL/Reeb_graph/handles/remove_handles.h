@@ -30,8 +30,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphHandles
 ///
@@ -133,7 +132,6 @@ std::vector<Handle_removal> remove_handles(MutableFaceGraph& mesh,
     return {};
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_HANDLES_REMOVE_HANDLES_H

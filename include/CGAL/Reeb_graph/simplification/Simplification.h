@@ -23,8 +23,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphSimplification
 ///
@@ -123,7 +122,6 @@ private:
   std::shared_ptr<const Places> places_;
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFICATION_H

@@ -13,8 +13,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphSimplification
 ///
@@ -29,7 +28,6 @@ struct Simplification_threshold
   bool is_suggested;  ///< whether this is the best one
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFICATION_THRESHOLD_H

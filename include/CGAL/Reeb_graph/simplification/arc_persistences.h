@@ -23,8 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphSimplification
 ///
@@ -68,7 +67,6 @@ std::vector<double> arc_persistences(const ReebGraph& graph, const NamedParamete
   return persistences;
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_ARC_PERSISTENCES_H

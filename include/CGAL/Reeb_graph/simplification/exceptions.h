@@ -16,8 +16,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphExceptions
 ///
@@ -91,7 +90,6 @@ public:
   {}
 };
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_EXCEPTIONS_H

@@ -24,8 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphEnums
 ///
@@ -163,7 +162,6 @@ OutputIterator persistence_pairs(const ReebGraph& graph, OutputIterator pairs)
     return pairs;
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_PERSISTENCE_PAIRS_H

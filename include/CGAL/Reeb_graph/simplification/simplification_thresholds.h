@@ -25,8 +25,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 namespace internal {
 
@@ -150,7 +149,6 @@ OutputIterator simplification_thresholds(const ReebGraph& graph,
   return thresholds;
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFICATION_THRESHOLDS_H

@@ -21,8 +21,7 @@
 
 #include <memory>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphSimplification
 ///
@@ -143,7 +142,6 @@ Simplification<ReebGraph> simplify(const ReebGraph& graph,
     return Simplification<ReebGraph>(0, 0, {}, {});
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFY_H

@@ -22,8 +22,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-namespace CGAL {
-namespace Reeb_graph {
+namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphSimplification
 ///
@@ -101,7 +100,6 @@ double simplify_field(const FaceListGraph& mesh,
     return 0;
 }
 
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_SIMPLIFY_FIELD_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // A sequence of arcs that a curve can be moved along.
 template <class ArcDescriptor>
@@ -312,8 +310,6 @@ auto make_contours_to_cut(const RankedMesh& ranked, const ContourRange& contours
   return result;
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_CURVES_INTERNAL_CONTOUR_CHOICE_H

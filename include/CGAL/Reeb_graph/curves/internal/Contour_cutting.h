@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // A contour that is to become a path of edges. It is the same for all levels between the highest lower end and the
 // lowest upper end of its halfedges.
@@ -380,8 +378,6 @@ private:
   halfedge_descriptor to_start_, to_end_;  // border halfedges that lead to the ends of the curve
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_CURVES_INTERNAL_CONTOUR_CUTTING_H

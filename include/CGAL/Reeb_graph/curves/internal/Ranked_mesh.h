@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The place of a vertex in the total order. Only comparisons decide the Reeb graph, so ranks can take the place of
 // scalar values. Between the ranks of two vertices of the input there is room for those of the vertices that a
@@ -442,8 +440,6 @@ void rank_vertices(const RankedMesh& ranked,
   }
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_CURVES_INTERNAL_RANKED_MESH_H

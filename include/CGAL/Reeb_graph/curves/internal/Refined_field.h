@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 template <class Scalar, class = void>
 struct Has_mean : std::false_type
@@ -339,8 +337,6 @@ private:
   std::vector<Scalar> lower_values_, values_; // of the highest lower ends of contours, and of contours
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_CURVES_INTERNAL_REFINED_FIELD_H

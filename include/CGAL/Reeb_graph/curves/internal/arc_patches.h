@@ -23,9 +23,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The contours that part the regions of the arcs of a Reeb graph. At each node, these are the contours of all arcs but
 // one, to which the node belongs: the one whose contour crosses the most edges.
@@ -142,8 +140,6 @@ std::size_t cut_and_count_patches(Mesh& mesh, FacePatchMap face_patch_map, const
     return 0;
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_CURVES_INTERNAL_ARC_PATCHES_H

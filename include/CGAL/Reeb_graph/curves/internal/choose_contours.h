@@ -44,9 +44,7 @@
 
 // The choice of contours of a Reeb graph with simple saddles that become curves.
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // What a branch has to reach, each 0 if it does not count, and what the caller measures.
 template <class NamedParameters>
@@ -396,8 +394,6 @@ OutputIterator cut_into_pants(Mesh& mesh,
                                    });
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_CURVES_INTERNAL_CHOOSE_CONTOURS_H

@@ -28,9 +28,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 template <class Mesh, class NamedParameters>
 auto choose_refinement_visitor(const Mesh&, const NamedParameters& np)
@@ -174,8 +172,6 @@ OutputIterator cut_along_found_contours(Mesh& mesh,
   return std::copy(curves.begin(), curves.end(), output);
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_CURVES_INTERNAL_CUT_AND_MARK_H

@@ -28,9 +28,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Makes simple saddles of one multi-saddle inside of the surface, by refining its star.
 //
@@ -248,8 +246,6 @@ Simple_reeb_graph<RankedMesh> compute_simple_reeb_graph(const RankedMesh& ranked
   return result;
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_CURVES_INTERNAL_SIMPLE_REEB_GRAPH_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // A piece of a chain that has been walked as far as a vertex, up to the level just below another one.
 template <class Scalar>
@@ -129,8 +127,6 @@ private:
   std::size_t end_of_parts_ = 0; // among the vertices
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_CHAIN_PARTS_H

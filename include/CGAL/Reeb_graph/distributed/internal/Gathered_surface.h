@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // An arc that begins at a critical vertex, as all ranks know it, and the first step of its chain. Critical vertices are
 // numbered in ascending order.
@@ -242,8 +240,6 @@ private:
   Slab_arcs arcs_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_GATHERED_SURFACE_H

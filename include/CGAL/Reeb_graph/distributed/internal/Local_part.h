@@ -22,9 +22,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The part of the surface that a rank has brought, and how large that of all ranks is.
 template <class TriangleRange, class ScalarRange>
@@ -152,8 +150,6 @@ private:
   std::size_t size_ = 0;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_LOCAL_PART_H

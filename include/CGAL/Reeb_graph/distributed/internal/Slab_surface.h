@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The index of a vertex among those of all ranks.
 typedef std::uint64_t Global_vertex;
@@ -215,8 +213,6 @@ void for_each_contour(const Linked_slab<Scalar>& slab, const Scalar& value, cons
   }
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_SLAB_SURFACE_H

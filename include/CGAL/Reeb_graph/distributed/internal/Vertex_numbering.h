@@ -29,9 +29,7 @@
 #include <random>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // 64 global indices, of which some are meant: how sets of vertices are sent.
 struct Vertex_word
@@ -475,8 +473,6 @@ private:
   std::vector<std::array<Order_key<Scalar>, 3>> triangles_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_VERTEX_NUMBERING_H

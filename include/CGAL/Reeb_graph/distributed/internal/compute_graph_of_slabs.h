@@ -38,9 +38,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The pieces of the chains, for the ranks where they begin. `begins_of_ranks` has the number of the first critical
 // vertex of each rank, and the end. For rank 0.
@@ -217,8 +215,6 @@ void write_gathered_graph(Exchange& exchange,
   });
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_COMPUTE_GRAPH_OF_SLABS_H

@@ -29,9 +29,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 struct Border_counts
 {
@@ -211,8 +209,6 @@ void describe_slab(Exchange& exchange,
   slab = std::move(result);
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_DESCRIBE_SLAB_H

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The number of a slab where there is one for each triangle or vertex.
 typedef std::uint16_t Short_slab;
@@ -359,8 +357,6 @@ Slab_surface<Scalar> distribute_surface(Exchange& exchange,
   return exchange_surface<Scalar, Global_vertex>(exchange, part, std::move(vertices), choice.splitters, counts);
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_DISTRIBUTE_SURFACE_H

@@ -34,9 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Waits until a request is done. MPI itself would keep the core busy, which another rank may need, and which counts as
 // work done; whoever waits for longer than a message takes sleeps now and then.
@@ -394,8 +392,6 @@ private:
   std::uint64_t bytes_sent_ = 0;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_EXCHANGE_H

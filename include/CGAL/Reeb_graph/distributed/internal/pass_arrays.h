@@ -26,9 +26,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Arrays of plain data from rank to rank, of any size. All ranks are taken to store numbers alike. Memory is taken
 // before anything is sent, so that all ranks throw if one of them has none.
@@ -166,8 +164,6 @@ inline Critical_vertex_counts sum_counts(Exchange& exchange, const Critical_vert
   return sum;
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_PASS_ARRAYS_H

@@ -43,9 +43,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Leads all ranks from stage to stage. The visitor of each rank is told, the callback of rank 0 is asked, and what any
 // of them throws, all ranks throw.
@@ -194,8 +192,6 @@ void run_on_ranks(const boost::mpi::communicator& communicator,
   stage.end();
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_RUN_ON_RANKS_H

@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 struct Corner_tag;
 typedef Index_of<Corner_tag> Corner_index; // corner i of triangle t is 3 t + i, as is the halfedge that leaves it
@@ -234,8 +232,6 @@ Arcs_of_slab solve_slab(const Slab_surface<Scalar>& surface,
           {levels.number_of_contours(Side::LOWER), levels.number_of_contours(Side::UPPER)}};
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_DISTRIBUTED_INTERNAL_SOLVE_SLAB_H

@@ -25,10 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-namespace scalar_fields {
+namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 // A border component, and the values in it and around it.
 template <class Scalar>
@@ -392,9 +389,6 @@ private:
   std::vector<Group> groups_;
 };
 
-} // namespace scalar_fields
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 #endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_BORDER_LEVELS_H

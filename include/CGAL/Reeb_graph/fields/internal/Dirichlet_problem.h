@@ -24,10 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-namespace scalar_fields {
+namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 // The equations sum_j w_ij (x_j - x_i) = h_i for the vertices i that are free, while the values of the fixed ones are
 // given.
@@ -341,9 +338,6 @@ Dirichlet_solution solve_directly(const Dirichlet_equations& equations, const Ac
   return equations.make_solution(problem, solution.is_accurate ? solution.values : solve_unsymmetric(problem), 0);
 }
 
-} // namespace scalar_fields
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 #endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_DIRICHLET_PROBLEM_H

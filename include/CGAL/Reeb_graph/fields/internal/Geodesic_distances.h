@@ -34,10 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-namespace scalar_fields {
+namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 // Distances from the sources that grow from vertex to vertex, as those of Dijkstra's algorithm, along the edges and
 // straight through the triangles (M. Novotni and R. Klein, Computing Geodesic Distances on Triangular Meshes, 2002).
@@ -301,9 +298,6 @@ private:
   std::size_t number_of_components_ = 0, number_of_finished_components_ = 0, number_of_marched_components_ = 0;
 };
 
-} // namespace scalar_fields
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 #endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_GEODESIC_DISTANCES_H

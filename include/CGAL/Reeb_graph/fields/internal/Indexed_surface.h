@@ -39,10 +39,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-namespace scalar_fields {
+namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 // The position of a vertex in vertices(mesh).
 typedef Number Position;
@@ -204,9 +201,6 @@ private:
                                  parameters::default_values())) positions_;
 };
 
-} // namespace scalar_fields
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 #endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_INDEXED_SURFACE_H

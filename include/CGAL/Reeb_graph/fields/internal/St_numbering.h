@@ -16,10 +16,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-namespace scalar_fields {
+namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 // Orders the vertices of a connected part of a graph so that each has a lower and a higher neighbor, where the
 // neighbors outside of the part count as one vertex below it, the source, or as one above it, the sink. That is the
@@ -127,9 +124,6 @@ private:
   std::vector<Position> preordered_;
 };
 
-} // namespace scalar_fields
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 #endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_ST_NUMBERING_H

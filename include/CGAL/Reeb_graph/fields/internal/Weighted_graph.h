@@ -25,10 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-namespace scalar_fields {
+namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 // The vertices and edges of a surface, with a weight for each edge at each of its ends. The neighbors of a vertex are
 // sorted.
@@ -316,9 +313,6 @@ inline std::vector<std::pair<Position, Position>> far_apart_vertices(const Index
   return pairs;
 }
 
-} // namespace scalar_fields
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 #endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_WEIGHTED_GRAPH_H

@@ -23,10 +23,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-namespace scalar_fields {
+namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 inline bool is_finite(const Vector& vector)
 {
@@ -111,9 +108,6 @@ inline std::vector<double> scaled_integrated_mean_curvatures(const Indexed_surfa
   return curvatures;
 }
 
-} // namespace scalar_fields
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 #endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_DIFFERENTIAL_OPERATORS_H

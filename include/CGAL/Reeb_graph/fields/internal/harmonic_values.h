@@ -34,10 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-namespace scalar_fields {
+namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 // An order of the vertices in which each free one has a lower and a higher neighbor, as close to that of the values as
 // this needs. Vertices that are monotone already, those from which a path of strictly falling values and one of
@@ -452,9 +449,6 @@ Field_report write_harmonic_field(const FaceListGraph& mesh,
     return Field_report();
 }
 
-} // namespace scalar_fields
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 #endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_HARMONIC_VALUES_H

@@ -31,10 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-namespace scalar_fields {
+namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 // Removes minima by filling the basins around them: the vertices below the lowest pass out of the basin get values just
 // above that of the pass, in an order in which each has a lower and a higher neighbor. The order of the basin and any
@@ -283,9 +280,6 @@ Changes write_level_borders(const Mesh& mesh,
   return changes;
 }
 
-} // namespace scalar_fields
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 #endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_LEVEL_BORDER_VALUES_H

@@ -25,10 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-namespace scalar_fields {
+namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 // Solves sum_j w_ij (f_j - f_i) = h_i at the free vertices, where `right_side` is h. The fraction is that of the work
 // which is done when the equations are set up.
@@ -87,9 +84,6 @@ Field_report solve_poisson_equation(const FaceListGraph& mesh,
     return Field_report();
 }
 
-} // namespace scalar_fields
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 #endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_POISSON_VALUES_H

@@ -30,10 +30,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-namespace scalar_fields {
+namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 #ifdef CGAL_EIGEN3_ENABLED
 
@@ -155,10 +152,7 @@ Values solve_unsymmetric([[maybe_unused]] const Problem& problem)
 #endif
 }
 
-} // namespace scalar_fields
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 // Who links the library with the solvers need not read Eigen.
 #ifndef CGAL_REEB_GRAPH_ARE_SOLVERS_COMPILED
@@ -169,10 +163,7 @@ Values solve_unsymmetric([[maybe_unused]] const Problem& problem)
 #include <algorithm>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-namespace scalar_fields {
+namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 // Whether there is a named parameter `sparse_linear_solver`.
 template <class NamedParameters>
@@ -214,9 +205,6 @@ Dirichlet_solution solve_dirichlet_problem(const Dirichlet_equations& equations,
   PREFIX template Values solve_unsymmetric<Dirichlet_problem>(const Dirichlet_problem&);
 CGAL_REEB_GRAPH_FOR_SOLVERS(CGAL_REEB_GRAPH_SOLVE_BY_DEFAULT)
 
-} // namespace scalar_fields
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 #endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_SOLVE_H

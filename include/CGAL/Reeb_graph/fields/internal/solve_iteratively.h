@@ -23,10 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-namespace scalar_fields {
+namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 typedef std::vector<double> Values;
 
@@ -414,9 +411,6 @@ private:
   bool is_usable_ = false;
 };
 
-} // namespace scalar_fields
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 #endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_SOLVE_ITERATIVELY_H

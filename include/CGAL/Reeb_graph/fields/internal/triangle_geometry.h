@@ -21,10 +21,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
-namespace scalar_fields {
+namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 // The geometry of a triangle with the corners 0, 1, 2: `edges[i]` leads from corner i to corner i + 1.
 struct Triangle_geometry
@@ -192,9 +189,6 @@ auto solve_or_lengthen_edges(Indexed_surface& surface,
   return solve(make_graph(), 0.6);
 }
 
-} // namespace scalar_fields
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 #endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_TRIANGLE_GEOMETRY_H

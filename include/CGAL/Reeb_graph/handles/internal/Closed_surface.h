@@ -28,9 +28,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 template <class FT>
 std::array<FT, 3> cross(const std::array<FT, 3>& a, const std::array<FT, 3>& b)
@@ -429,8 +427,6 @@ private:
   std::vector<Index> parents_, nodes_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_CLOSED_SURFACE_H

@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The loops of one component: coordinates of closed walks in the basis b of its tree, and intersection numbers.
 class Component_loops
@@ -334,8 +332,6 @@ private:
   std::vector<std::size_t> places_; // in components_, by the number of the component
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_HANDLE_HOMOLOGY_H

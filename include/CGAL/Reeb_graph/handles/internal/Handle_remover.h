@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Removes handles in rounds. All loops of a round are found at once: cuts along some of them leave the others a basis of
 // what is left, as they do not cross, if they do not touch. Those that touch are left to the next round.
@@ -319,8 +317,6 @@ private:
   std::vector<std::size_t> components_; // of the faces
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_HANDLE_REMOVER_H

@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // A direction of view in which something is not in general position.
 struct Degenerate_direction
@@ -396,8 +394,6 @@ private:
   std::vector<Located_segment> edges_, crossings_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_LINKING_NUMBERS_H

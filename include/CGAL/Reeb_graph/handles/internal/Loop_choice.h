@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 inline Halfedge_walk reversed(const Halfedge_walk& walk)
 {
@@ -379,8 +377,6 @@ private:
   std::deque<Loop_choice<Integer>> choices_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_LOOP_CHOICE_H

@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // A cut along a simple loop that meets no border. Both copies of the loop move a little away from each other, into their
 // sides, and both get the same disc.
@@ -343,8 +341,6 @@ private:
   std::array<std::vector<Point>, 2> moved_; // the vertices of the loop, on its left and on its right
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_LOOP_CUT_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Integers of 64 bits that throw Integer_overflow rather than be wrong.
 typedef boost::multiprecision::number<
@@ -463,8 +461,6 @@ inline void complete_codes(const Closed_surface& surface, const Tree_and_cotree&
   }
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_LOOP_HALVES_H

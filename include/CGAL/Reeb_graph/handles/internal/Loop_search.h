@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // How short loops across a simple loop can be. A loop whose intersection number with it is 1 or -1 has a part, in one of
 // its directions, that leaves it on the left, comes back on the right, and does not meet it in between: else it would
@@ -336,8 +334,6 @@ private:
   std::priority_queue<Queued, std::vector<Queued>, std::greater<Queued>> queue_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_LOOP_SEARCH_H

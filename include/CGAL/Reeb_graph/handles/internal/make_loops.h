@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // A loop of a Reeb graph: its persistence, and a contour of an arc that is on no other loop of its basis.
 template <class HalfedgeDescriptor>
@@ -359,8 +357,6 @@ void set_persistences(const ReebLoops& reeb_loops, const Number& number, std::ve
     loops[firsts[k]].persistence = loops[firsts[k] + 1].persistence = persistences[k];
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_MAKE_LOOPS_H

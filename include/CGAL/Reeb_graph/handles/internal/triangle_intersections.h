@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Triangles in space, by whose predicates it is told what intersects.
 typedef Exact_predicates_inexact_constructions_kernel Disc_kernel;
@@ -313,8 +311,6 @@ private:
   std::vector<const Face*> near_a_, near_b_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_TRIANGLE_INTERSECTIONS_H

@@ -18,9 +18,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Indices and what counts them have 32 bits: half the memory traffic of the sweeps.
 typedef std::uint32_t Number;
@@ -152,8 +150,6 @@ constexpr Edge_index edge_of(Halfedge_index halfedge) { return Edge_index(halfed
 constexpr Halfedge_index opposite_of(Halfedge_index halfedge) { return Halfedge_index(halfedge.number() ^ 1); }
 constexpr Halfedge_index even_halfedge(Edge_index edge) { return Halfedge_index(std::size_t(2) * edge.number()); }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_BASE_INDEX_H

@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Tells the named parameter `callback` how far a computation is, and throws Cancelled_error if it wants no more.
 class Progress
@@ -96,8 +94,6 @@ struct No_progress
   void operator()(double) const {}
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_BASE_PROGRESS_H

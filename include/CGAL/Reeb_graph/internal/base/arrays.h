@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The memory of a Plain_vector, whose functions are compiled once for elements of all types. They are not inlined, as
 // each call of them takes longer than a call does.
@@ -413,8 +411,6 @@ private:
   Vector_of<Item> items_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_BASE_ARRAYS_H

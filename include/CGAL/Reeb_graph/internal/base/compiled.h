@@ -38,8 +38,7 @@ class Point_3;
 class SM_Vertex_index;
 class SM_Halfedge_index;
 
-namespace Reeb_graph {
-namespace internal {
+namespace Reeb_graph::internal {
 
 template <class Point>
 class Surface_mesh_complex;
@@ -59,8 +58,7 @@ template <class Scalar>
 using Natural_order = Vertex_order<Scalar, std::less<Scalar>>;
 typedef std::size_t Rank; // the scalars of those who cut along curves
 
-} // namespace internal
-} // namespace Reeb_graph
+} // namespace Reeb_graph::internal
 } // namespace CGAL
 
 // A source of the library defines as empty what it is there to instantiate.

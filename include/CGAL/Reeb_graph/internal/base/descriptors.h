@@ -21,9 +21,7 @@
 #include <type_traits>
 #include <unordered_map>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The descriptors of a mesh, numbered in the order in which they are added: a property map whose copies share the
 // numbers. Several threads may read it, also with descriptors of other meshes, which a dynamic property map of CGAL
@@ -74,8 +72,6 @@ void set_arc_index(Graph& graph, const typename Graph::edge_descriptor& arc, std
     put(boost::edge_index, graph, arc, number);
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_BASE_DESCRIPTORS_H

@@ -23,9 +23,7 @@
 
 // What the public functions ask of the type of a Reeb graph; see requirements.h.
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 template <class Graph>
 using Edges_of = decltype(edges(std::declval<const Graph&>()));
@@ -241,8 +239,6 @@ struct Graph_to_write
 {
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_BASE_GRAPH_REQUIREMENTS_H

@@ -25,9 +25,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Whether get_parameter() has found a named parameter, by the type that it returns.
 template <class Parameter>
@@ -86,8 +84,6 @@ auto checked_point_map(const PointRange& points, std::size_t number_of_vertices)
   return boost::make_iterator_property_map(std::begin(points), boost::typed_identity_property_map<std::size_t>());
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_BASE_NAMED_PARAMETER_H

@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The number of faces below which a second thread does not pay.
 inline constexpr std::size_t smallest_parallel_mesh = 20000;
@@ -246,8 +244,6 @@ void sort(Iterator first, Iterator last, const Less& less)
   }
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_BASE_PARALLEL_H

@@ -26,9 +26,7 @@
 // looked at behind one that is not met, and functions do nothing then: so the compiler says one message, and no more.
 // No list of requirements is one template argument: compilers repeat it in each line.
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 template <bool is_met, class Next>
 struct Then : std::false_type
@@ -271,8 +269,6 @@ struct Refinable_mesh_with_patches : Then<Refinable_mesh<Mesh>::value, Writable_
 {
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_BASE_REQUIREMENTS_H

@@ -26,9 +26,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 template <class Traits, class = void>
 struct Has_scalar_to_double : std::false_type
@@ -189,8 +187,6 @@ auto point_of_crossing(const CrossedEdges& contour, std::size_t i, const PointOf
   return point_between(point_of(edge.first), point_of(edge.second), contour.fractions[i]);
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_BASE_SCALARS_H

@@ -13,9 +13,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The parts that are there for speed alone. The benchmark leaves out one at a time, by the macro, to tell what it
 // gains.
@@ -59,8 +57,6 @@ void prefetch_element(const Vector& vector, Key key)
   prefetch(reinterpret_cast<const void*>(begin + key.number() * sizeof(typename Vector::value_type)));
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_BASE_TUNING_H

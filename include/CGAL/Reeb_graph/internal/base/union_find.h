@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The root of the set of an element, where parent(element) is a reference to the element that it has been linked to:
 // itself at the root. Paths are halved on the way.
@@ -188,8 +186,6 @@ private:
   std::vector<bool> is_in_forest_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_BASE_UNION_FIND_H

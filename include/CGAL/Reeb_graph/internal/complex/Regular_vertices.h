@@ -25,9 +25,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // What turns around some vertices in a row tell, at several places.
 struct Sampled_turns
@@ -357,8 +355,6 @@ Regular_vertices<ConcurrencyTag> find_regular_vertices(const Complex& complex, c
   return {};
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_REGULAR_VERTICES_H

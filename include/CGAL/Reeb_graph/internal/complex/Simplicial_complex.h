@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // A part of a constant object that is made when it is asked for first, by whichever thread that is.
 template <class T>
@@ -357,8 +355,6 @@ private:
   Made_on_demand<Buckets<Edge_index, Triangle_index>> triangles_of_edges_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_SIMPLICIAL_COMPLEX_H

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The fans of some vertices: how many corners of triangles they have, how many fans are at the border, and how many
 // have other faces.
@@ -153,8 +151,6 @@ private:
   Complex complex_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_UNCHECKED_COMPLEX_H

@@ -19,9 +19,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The total order of the vertices: by value, then by index (simulation of simplicity). Everything that the stages
 // decide about the field, they decide by this comparison.
@@ -136,8 +134,6 @@ private:
   std::optional<Scalar> value_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_VERTEX_ORDER_H

@@ -20,9 +20,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // A border component of a mesh.
 template <class HalfedgeDescriptor>
@@ -57,8 +55,6 @@ auto find_border_cycles(const Mesh& mesh)
   return cycles;
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_BORDER_CYCLES_H

@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The position of each vertex (or face) in the list given at construction, found through an index map, which can have
 // holes, such as those that removed elements leave. Without holes there is nothing to store.
@@ -270,8 +268,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_DESCRIPTOR_LISTS_H

@@ -36,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 template <class FaceListGraph>
 struct Read_halfedges
@@ -343,8 +341,6 @@ std::shared_ptr<const Flat_surface<FaceListGraph, typename Traits::Scalar>> shar
       flatten<ConcurrencyTag>(mesh, scalar_map, traits, np));
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_FLATTEN_H

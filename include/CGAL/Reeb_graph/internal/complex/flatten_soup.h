@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The number of vertices, given as such or by a range of points.
 template <class PointsOrNumber>
@@ -164,9 +162,7 @@ Simplicial_complex read_tetrahedra(std::size_t number_of_vertices, const Tetrahe
   return Simplicial_complex(number_of_vertices, for_each_triangle, make_edge_reader(edges, number_of_vertices));
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 namespace boost {
 
@@ -180,9 +176,7 @@ struct graph_traits<CGAL::Reeb_graph::internal::Simplicial_complex>
 
 } // namespace boost
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 template <>
 struct Descriptors<Simplicial_complex, false>
@@ -267,8 +261,6 @@ Flat_soup<typename Traits::Scalar> flatten_soup(std::size_t number_of_vertices,
   return {read_complex(), std::move(field)};
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_FLATTEN_SOUP_H

@@ -27,9 +27,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 template <class Complex>
 class Unchecked_complex;
@@ -418,8 +416,6 @@ private:
   const Mesh* mesh_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_SURFACE_COMPLEXES_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 typedef std::array<double, 2> Plane_point; // column and height
 
@@ -209,8 +207,6 @@ private:
   std::map<double, std::vector<Zone>> zones_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_DRAWING_NODE_SPREADING_H

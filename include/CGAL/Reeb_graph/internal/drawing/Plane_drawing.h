@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Gives a column to each branch, the nearest to its trunk or to its parent that its place in the order leaves free at
 // all of its heights. Components lie side by side, or above each other, the tallest at the left.
@@ -298,8 +296,6 @@ private:
   std::vector<std::vector<Plane_point>> curves_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_DRAWING_PLANE_DRAWING_H

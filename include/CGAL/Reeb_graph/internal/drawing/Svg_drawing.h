@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // A rectangle, in pixels.
 struct Box
@@ -447,8 +445,6 @@ private:
   double width_, height_, column_width_, indent_, radius_; // in pixels
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_DRAWING_SVG_DRAWING_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // At least so many round numbers of an interval, if rounding leaves so many there: in steps of 1, 2, or 5 times a power
 // of ten. The lowest number of the interval if it has no length.
@@ -103,8 +101,6 @@ private:
   double bottom_, top_; // of the drawing
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_DRAWING_VALUE_SCALE_H

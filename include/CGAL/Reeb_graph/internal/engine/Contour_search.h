@@ -21,9 +21,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 struct Complex_component_tag;
 typedef Index_of<Complex_component_tag> Complex_component;
@@ -259,8 +257,6 @@ private:
   std::size_t number_of_steps_ = 0;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_CONTOUR_SEARCH_H

@@ -26,9 +26,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Contour trees joined by loop surgery: near-linear for any field. The surface is cut along the few contours that
 // close loops; what is left has a tree as Reeb graph, which comes from its join tree and its split tree. The sweep for
@@ -267,8 +265,6 @@ private:
   const Swept_vertices& critical_vertices_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_CONTOUR_TREES_ENGINE_H

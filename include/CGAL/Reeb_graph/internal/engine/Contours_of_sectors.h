@@ -22,9 +22,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 struct Graph_node_tag;
 typedef Index_of<Graph_node_tag> Graph_node;
@@ -298,8 +296,6 @@ private:
   std::size_t number_of_steps_ = 0;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_CONTOURS_OF_SECTORS_H

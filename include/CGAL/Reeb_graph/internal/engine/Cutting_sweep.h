@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 struct Cut_tag;
 typedef Index_of<Cut_tag> Cut_index;
@@ -376,8 +374,6 @@ private:
   std::size_t number_of_steps_ = 0; // of corrections
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_CUTTING_SWEEP_H

@@ -18,9 +18,7 @@
 #include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 struct Node_tag;
 struct Arc_tag;
@@ -75,8 +73,6 @@ struct Flat_graph
   Indexed_vector<Slab_arc_index, Arc_index> arc_of_critical_arc;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_FLAT_GRAPH_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Finds contours along which the surface has to be cut so that its Reeb graph becomes a tree: at each vertex where
 // several lower contours meet, one of each sublevel component stays, the others close loops. Contours are traced only
@@ -347,8 +345,6 @@ private:
   Plain_vector<Slab_node> upper_classes_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_LOOP_SURGERY_H

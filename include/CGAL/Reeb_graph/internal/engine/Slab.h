@@ -17,9 +17,7 @@
 #include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
 #include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The nodes of a slab: its critical vertices, then others.
 struct Slab_node_tag;
@@ -199,8 +197,6 @@ private:
   By_side<const Bounding_level*> levels_ = {nullptr, nullptr};
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_SLAB_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The partition of the surface into slabs with about the same number of critical vertices, as those make the work.
 // There is a bounding level just above the last critical vertex of each slab but the highest. (The paper, Section 5.1.)
@@ -257,8 +255,6 @@ private:
   Plain_vector<Slab_node> upper_ends_;  // by contour of all levels
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_SLICING_H

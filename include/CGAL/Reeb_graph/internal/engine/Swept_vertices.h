@@ -22,9 +22,7 @@
 #include <memory>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 struct Swept_tag;
 struct Sector_tag;
@@ -221,8 +219,6 @@ inline std::ptrdiff_t euler_characteristic(const Swept_vertices& critical_vertic
   return result;
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_SWEPT_VERTICES_H

@@ -24,9 +24,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // By vertex, the arc between critical vertices that it is on; no_index if it is critical.
 typedef Indexed_vector<Vertex_index, Slab_arc_index> Arc_of_vertex;
@@ -400,8 +398,6 @@ private:
   Arc_of_vertex arc_of_vertex_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_VERTEX_QUERIES_H

@@ -26,9 +26,7 @@
 #include <memory>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The link sectors of the vertices of any complex. The link of a vertex is a graph: its points are the edges at the
 // vertex, and the triangles there join them. So a sector is a set of edges that lead from the vertex upwards, or
@@ -199,8 +197,6 @@ Classified_complex<Simplicial_complex> check_and_classify_vertices(Simplicial_co
   PREFIX template Classified_complex<COMPLEX> check_and_classify_vertices<TAG>(COMPLEX, const Natural_order<SCALAR>&);
 CGAL_REEB_GRAPH_FOR_SOUPS(CGAL_REEB_GRAPH_CLASSIFY_VERTICES_OF_SOUP)
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_CLASSIFY_COMPLEX_H

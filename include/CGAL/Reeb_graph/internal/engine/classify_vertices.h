@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // What has been found of a part of the vertices.
 struct Found_vertices
@@ -194,8 +192,6 @@ Classified_complex<const Complex&> check_and_classify_vertices(Checked_complex<C
   PREFIX template Swept_vertices classify_vertices<TAG>(const COMPLEX&, const Natural_order<SCALAR>&);
 CGAL_REEB_GRAPH_FOR_SURFACES(CGAL_REEB_GRAPH_CLASSIFY_VERTICES)
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_CLASSIFY_VERTICES_H

@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Walks along a contour, from the edge of the halfedge `start` into its triangle. At the border it goes back to the
 // start, and on to the other side.
@@ -302,8 +300,6 @@ private:
   bool has_closed_walks_ = false;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_CONTOUR_TRACING_H

@@ -27,9 +27,7 @@
 // How a Reeb graph is stored: with the containers that are usual for an adjacency list, the many arcs of a noisy field
 // would take most of the time that the whole graph takes, for allocations and new pages of memory.
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The arcs at one side of a node. There are rarely more than two of them.
 template <class T>
@@ -140,9 +138,7 @@ struct Block_list_selector
 {
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 namespace boost {
 

@@ -23,9 +23,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // A join tree or a split tree. Its nodes are those of a slab, and two of each loop cut.
 struct Merge_tree
@@ -451,8 +449,6 @@ private:
   Plain_vector<Side> sides_of_leaves_; // by arc
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_MERGE_TREES_H

@@ -22,9 +22,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // A lower neighbor of a vertex and a higher one, no_index if there is none.
 typedef By_side<Vertex_index> Monotone_neighbors;
@@ -343,8 +341,6 @@ private:
   Indexed_vector<Vertex_index, Relaxed_value<Number>> ends_; // the number behind that of the end, so that 0 is no_index
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_MONOTONE_PATHS_H

@@ -28,9 +28,7 @@
 #include <numeric>
 #include <utility>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The canonical order of the arcs that leave one node: by upper node, then by the second and the first vertex of their
 // chains. Nothing in it depends on how the arcs were found.
@@ -383,8 +381,6 @@ Flat_graph reduce_arcs(const Complex& complex,
                                               const Slab_arcs&, Ties, bool, bool);
 CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_REDUCE_ARCS)
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_REDUCE_ARCS_H

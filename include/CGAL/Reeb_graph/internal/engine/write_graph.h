@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The chains of all arcs, one behind the other as their pieces are.
 struct Flat_chains
@@ -258,8 +256,6 @@ void write_graph(const FaceListGraph& mesh,
   write_chains(halfedges, chains, flat_graph, graph);
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_WRITE_GRAPH_H

@@ -30,9 +30,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Reads all of a text as a number, or whatever the type reads by its operator>>.
 template <class Value>
@@ -162,8 +160,6 @@ inline const std::string& data_of(const std::map<std::string, std::string>& data
   return found->second;
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_IO_GRAPHML_DOCUMENT_H

@@ -30,9 +30,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The type of the values of a key, as GraphML calls it.
 template <class Value>
@@ -174,8 +172,6 @@ private:
   std::size_t key_of_chain_ = 0, key_of_index_ = 0, key_of_kind_ = 0, key_of_value_ = 0, key_of_vertex_ = 0;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_IO_GRAPHML_WRITER_H

@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 inline void write_base64(std::ostream& out, std::vector<unsigned char> bytes)
 {
@@ -190,8 +188,6 @@ std::vector<Number> padded(std::size_t number_before, std::vector<Number> number
   return numbers;
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_IO_VTP_DOCUMENT_H

@@ -34,9 +34,7 @@
 #include <system_error>
 #include <type_traits>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // How many bytes the character takes that a text begins with, in UTF-8; 0 if there is none.
 inline std::size_t size_of_character(std::string_view text)
@@ -301,8 +299,6 @@ void write_file(const std::string& filename, const Write& write)
                      + (errno == 0 ? "" : ": " + std::generic_category().message(errno)));
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_IO_TEXT_H

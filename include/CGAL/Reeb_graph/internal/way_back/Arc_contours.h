@@ -27,9 +27,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The levels at which contours are asked for: those of values, next to nodes, and of parameters along arcs.
 template <class GraphOnMesh>
@@ -290,8 +288,6 @@ private:
   const Levels levels_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_ARC_CONTOURS_H

@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // A graph and the complex that its nodes are on: the way from the descriptors of nodes, arcs and vertices to numbers
 // and back. The graph may be any whose nodes are vertices of the complex. It refers to the graph.
@@ -270,8 +268,6 @@ private:
   const FaceListGraph& mesh_;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_GRAPH_ON_MESH_H

@@ -37,9 +37,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 typedef Indexed_vector<Vertex_index, Index> Vertex_places; // no_index where there is no vertex
 
@@ -257,8 +255,6 @@ auto choose_places(const NamedParameters& np)
     return No_vertex_places();
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_VERTEX_PLACES_H

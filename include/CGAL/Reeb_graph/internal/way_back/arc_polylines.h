@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The edges that lead inside of a level set from halfedge h to a face at the vertex `end`, whose value the level is:
 // the fewest that there are; none if there is no way. `value` is called with a vertex. In each triangle, a level set is
@@ -391,8 +389,6 @@ inline void smooth(std::vector<Coordinates>& points, std::size_t number_of_steps
   }
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_ARC_POLYLINES_H

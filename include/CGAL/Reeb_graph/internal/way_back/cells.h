@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 template <class Range>
 using Value_of_range = std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>;
@@ -291,8 +289,6 @@ private:
   bool are_all_alike_ = true;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_CELLS_H

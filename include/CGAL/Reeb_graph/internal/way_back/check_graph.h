@@ -25,9 +25,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The places in a simplified graph of the nodes, and behind them the arcs, of the exact graph. In a graph that has not
 // been simplified, each has the same place.
@@ -179,8 +177,6 @@ void check_is_arc(const ReebGraph& graph, typename boost::graph_traits<ReebGraph
     throw Unknown_arc_error();
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_CHECK_GRAPH_H

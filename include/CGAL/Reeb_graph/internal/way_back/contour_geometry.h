@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 typedef std::array<double, 3> Coordinates;
 
@@ -289,8 +287,6 @@ Way_along_contour way_along(const ContourOfArc<Arc>& contour,
   return std::nullopt;
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_CONTOUR_GEOMETRY_H

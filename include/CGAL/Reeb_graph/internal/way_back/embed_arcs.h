@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 template <class Augmentation>
 std::vector<typename Augmentation::arc_descriptor> arcs_of(const Augmentation& augmentation)
@@ -199,8 +197,6 @@ auto embed_in_manner(const Augmentation& augmentation, const PointMap& point_map
   return result;
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_EMBED_ARCS_H

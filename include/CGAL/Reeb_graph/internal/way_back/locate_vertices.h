@@ -30,9 +30,7 @@
 #include <functional>
 #include <memory>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The places of all vertices in the exact graph, which is computed once more. Nothing but the surface and the order of
 // its vertices is asked. check_graph(graph) may throw.
@@ -118,8 +116,6 @@ auto locate_vertices(const GraphOnMesh& on_mesh,
                                                  const std::function<void(const Flat_graph&)>&, const Progress&);
 CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_PLACES)
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_LOCATE_VERTICES_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Removes the arcs of a graph until nothing more can go, what is less persistent first, and of the same persistence
 // branches before loops.
@@ -114,8 +112,6 @@ private:
   double reached_ = 0;
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_ARC_REMOVAL_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The nodes of an arc.
 struct Pruned_arc
@@ -448,8 +446,6 @@ private:
 
 typedef Weighted_leaf_pruning<double> Leaf_pruning;
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_LEAF_PRUNING_H

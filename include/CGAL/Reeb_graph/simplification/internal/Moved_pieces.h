@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The removed pieces of a surface. All vertices of a piece have been removed together with branches at one saddle, and
 // are moved next to it in the order of the vertices: just above it if one of them is below it, else just below it. The
@@ -209,8 +207,6 @@ private:
   std::vector<Index> numbers_; // by vertex, of its piece
 };
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_MOVED_PIECES_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // A forest of numbered nodes with keys, whose edges come and go: the link-cut trees of D. D. Sleator and R. E. Tarjan,
 // Self-Adjusting Binary Search Trees, 1985. Each operation takes amortized logarithmic time. An edge that needs a key
@@ -476,8 +474,6 @@ void pair_loops(const Flat_arc_ends& ends, const VisitPair& visit_pair)
   }
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_PAIRS_H

@@ -22,9 +22,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // Exact numbers are rounded one by one, each with an error of its own. One that comes out of order by that, seen from the
 // last one, is taken to be equal.
@@ -85,8 +83,6 @@ std::vector<double> component_ranges(const ReebGraph& graph, const std::vector<d
   return ranges;
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_PERSISTENCE_H

@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The arcs that are left and in loops, or between two of these, sorted by their upper nodes.
 inline std::vector<Index> arcs_of_core(const Leaf_pruning& graph)
@@ -377,8 +375,6 @@ inline double plausibility(double width_of_gap, std::size_t number_of_leaves)
   return std::log(width_of_gap) - power * std::abs(std::log(leaves / expected_number_of_leaves));
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_PRUNE_GRAPH_H

@@ -44,9 +44,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Reeb_graph {
-namespace internal {
+namespace CGAL::Reeb_graph::internal {
 
 // The part of the threshold, and of the range of the values, that vertices of one value are spread over at the most.
 inline constexpr int largest_spread_divisor = 1024;
@@ -352,8 +350,6 @@ double write_simplified_field(const Mesh& mesh,
   return largest_difference;
 }
 
-} // namespace internal
-} // namespace Reeb_graph
-} // namespace CGAL
+} // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_SIMPLIFIED_VALUES_H
