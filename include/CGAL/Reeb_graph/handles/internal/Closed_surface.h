@@ -65,6 +65,16 @@ struct Closed_surface
   Index previous(Index h) const { return next[next[h]]; }
   // The next halfedge that leaves the same vertex, counterclockwise.
   Index turned(Index h) const { return opposite(previous(h)); }
+  std::array<Index, 3> corners(Index f) const
+  {
+    const Index h = halfedge[f];
+    return {source(h), target[h], target[next[h]]};
+  }
+  Point way(Index u, Index v) const
+  {
+    const Point &p = points[u], &q = points[v];
+    return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  }
   bool is_apex(Index v) const { return v >= number_of_given_vertices; }
   bool is_given(Index h) const { return h < number_of_given_halfedges; }
 
@@ -91,6 +101,7 @@ public:
     : mesh_(mesh),
       number_map_(get(dynamic_halfedge_property_t<Index>(), mesh))
   {
+    halfedges_.reserve(2 * num_edges(mesh));
     for(const auto e : edges(mesh))
       for(const halfedge_descriptor h : {halfedge(e, mesh), opposite(halfedge(e, mesh), mesh)})
       {
@@ -114,6 +125,7 @@ private:
   void read(const PointMap& point_map)
   {
     const auto vertex_number_map = get(dynamic_vertex_property_t<Index>(), mesh_);
+    surface_.points.reserve(num_vertices(mesh_));
     for(const auto v : vertices(mesh_))
     {
       put(vertex_number_map, v, static_cast<Index>(surface_.points.size()));
@@ -176,6 +188,7 @@ private:
 
   void number_faces()
   {
+    surface_.halfedge.reserve(surface_.next.size() / 3);
     surface_.face.assign(surface_.next.size(), no_index);
     surface_.outgoing.assign(surface_.points.size(), no_index);
     for(Index h = 0; h != surface_.next.size(); ++h)
@@ -191,10 +204,11 @@ private:
 
   void measure_edges()
   {
+    surface_.lengths.reserve(surface_.next.size() / 2);
     for(Index h = 0; h != surface_.next.size(); h += 2)
     {
-      const Closed_surface::Point &p = surface_.points[surface_.source(h)], &q = surface_.points[surface_.target[h]];
-      surface_.lengths.push_back(std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]));
+      const Closed_surface::Point way = surface_.way(surface_.source(h), surface_.target[h]);
+      surface_.lengths.push_back(std::hypot(way[0], way[1], way[2]));
     }
   }
 
@@ -225,7 +239,9 @@ public:
       to_vertex_(surface.points.size(), no_index),
       component_of_(surface.points.size(), no_index),
       distances_(surface.points.size(), 0),
-      to_parent_(surface.halfedge.size(), no_index)
+      to_parent_(surface.halfedge.size(), no_index),
+      is_in_tree_(surface.next.size() / 2, false),
+      is_in_cotree_(surface.next.size() / 2, false)
   {
     find_tree();
     find_cotree();
@@ -253,14 +269,8 @@ public:
   double distance(Index v) const { return distances_[v]; }             // from the root
   const std::vector<Index>& face_order() const { return face_order_; } // parents first
 
-  bool is_in_tree(Index h) const
-  {
-    return to_vertex_[surface_.target[h]] == h || to_vertex_[surface_.source(h)] == surface_.opposite(h);
-  }
-  bool is_in_cotree(Index h) const
-  {
-    return to_parent_[surface_.face[h]] == h || to_parent_[surface_.face[surface_.opposite(h)]] == surface_.opposite(h);
-  }
+  bool is_in_tree(Index h) const { return is_in_tree_[h / 2]; }
+  bool is_in_cotree(Index h) const { return is_in_cotree_[h / 2]; }
 
   // The closed walk from the root to a halfedge, along it, and back.
   Halfedge_walk walk_through(Index h) const
@@ -304,6 +314,7 @@ private:
       {
         component_of_[w] = component_of_[v];
         to_vertex_[w] = h;
+        is_in_tree_[h / 2] = true;
         distances_[w] = distances_[v] + surface_.length(h);
         queue.push_back(w);
       }
@@ -332,6 +343,8 @@ private:
           continue;
         is_visited[step.face] = true;
         to_parent_[step.face] = step.to_parent;
+        if(step.to_parent != no_index)
+          is_in_cotree_[step.to_parent / 2] = true;
         face_order_.push_back(step.face);
         Index h = surface_.halfedge[step.face];
         for(int i = 0; i != 3; ++i, h = surface_.next[h])
@@ -352,6 +365,7 @@ private:
   std::vector<Index> to_vertex_, component_of_;
   std::vector<double> distances_;
   std::vector<Index> to_parent_, face_order_;
+  std::vector<bool> is_in_tree_, is_in_cotree_; // by edge
   std::vector<Component> components_;
 };
 

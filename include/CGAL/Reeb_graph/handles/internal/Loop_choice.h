@@ -324,17 +324,18 @@ public:
       std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(number - 1), sizes.end());
       bound = (std::min)(bound, std::nextafter(sizes[number - 1], std::numeric_limits<double>::infinity()));
     }
-    Loop_search search(surface_, codes);
-    Crossing_bounds crossing_bounds(surface_);
-    std::vector<std::vector<Pair_of_loops>> result;
-    for(std::size_t i = 0; i != choices_.size(); ++i)
+    if(bound > 0)
     {
+      Loop_search search(surface_, codes);
+      Crossing_bounds crossing_bounds(surface_);
       const double number_of_choices = static_cast<double>(choices_.size());
-      if(bound > 0)
+      for(std::size_t i = 0; i != choices_.size(); ++i)
         choices_[i].shorten(search, crossing_bounds, bound,
                             progress.part(i / number_of_choices, (i + 1) / number_of_choices));
-      result.push_back(choices_[i].take_pairs());
     }
+    std::vector<std::vector<Pair_of_loops>> result;
+    for(auto& choice : choices_)
+      result.push_back(choice.take_pairs());
     return result;
   }
 

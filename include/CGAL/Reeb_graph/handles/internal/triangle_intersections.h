@@ -82,193 +82,324 @@ bool do_intersect(Placed_triangle<VertexDescriptor> a, Placed_triangle<VertexDes
   return CGAL::do_intersect(s, t);
 }
 
-// Finds the closed components with handles that intersect themselves, or have faces without area. Other components may
-// pass through them. Pairs of faces whose boxes overlap, and those of their patches, are tested exactly, but for those
-// that floating-point numbers part for certain: neighbors that lie side by side in a picture, and faces with a plane between.
-class Self_intersections
+// The ball around a vertex: the faces around it, as the first layer, and in each further layer those around the vertices
+// of the one before. There is one ball at a time.
+class Surface_ball
 {
 public:
-  Self_intersections(const Closed_surface& surface, const Tree_and_cotree& trees)
+  explicit Surface_ball(const Closed_surface& surface)
     : surface_(surface),
-      trees_(trees),
-      is_flat_(surface.points.size(), false),
-      result_(trees.components().size(), false)
+      ball_of_vertex_(surface.points.size(), 0),
+      ball_of_face_(surface.halfedge.size(), 0)
   {}
 
-  // By number of the component.
-  std::vector<bool> operator()()
+  const std::vector<Index>& faces() const { return faces_; }                   // layer by layer
+  std::size_t number_of_inner_faces() const { return number_of_inner_faces_; } // those not in the last layer
+  bool contains(Index face) const { return ball_of_face_[face] == number_; }
+
+  // Takes only those faces that are to be passed. Returns the vertex that is reached last.
+  template <class IsPassed>
+  Index grow(Index center, int number_of_layers, const IsPassed& is_passed)
   {
-    for(Index v = 0; v != surface_.number_of_given_vertices; ++v)
-      is_flat_[v] = surface_.outgoing[v] != no_index && is_tested(v) && is_flat(v);
-    make_patches();
-    std::vector<Numbered_box> boxes;
-    for(std::size_t patch = 0; patch + 1 != begins_.size(); ++patch)
+    ++number_;
+    faces_.clear();
+    reached_.assign(1, center);
+    ball_of_vertex_[center] = number_;
+    std::size_t next = 0;
+    for(int layer = 0; layer != number_of_layers; ++layer)
     {
-      Bbox_3 box;
-      for(std::size_t i = begins_[patch]; i != begins_[patch + 1]; ++i)
-      {
-        box += faces_[i].box;
-        for(std::size_t k = begins_[patch]; k != i; ++k)
-          test(faces_[i], faces_[k]);
-      }
-      boxes.push_back(Numbered_box(box, patch));
+      number_of_inner_faces_ = faces_.size();
+      for(const std::size_t end = reached_.size(); next != end; ++next)
+        add_faces_around(reached_[next], is_passed);
     }
-    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Numbered_box& a, const Numbered_box& b) {
-      if(component_of(faces_[begins_[a.number]]) == component_of(faces_[begins_[b.number]]))
-        test_patches(a, b);
-    });
-    return result_;
+    return reached_.back();
+  }
+
+  // Takes faces of an earlier ball, of which it is only to be told what it contains.
+  template <class Iterator>
+  void mark(Iterator first, Iterator last)
+  {
+    ++number_;
+    for(; first != last; ++first)
+      ball_of_face_[*first] = number_;
+  }
+
+  // Whether the ball has a picture in the plane where all its faces are seen from their front, and its border turns once
+  // around the center, to the left all the way. Then each point of the picture is in one face, or on an edge, or a corner,
+  // so that faces have nothing else in common. The margins are large beside all errors of rounding.
+  bool is_flat()
+  {
+    find_border();
+    const Index center = reached_.front();
+    Vector normal = {0, 0, 0};
+    for(const Index h : border_)
+    {
+      const Vector product = cross(surface_.way(center, surface_.source(h)), surface_.way(center, surface_.target[h]));
+      for(std::size_t k = 0; k != 3; ++k)
+        normal[k] += product[k];
+    }
+    const bool is_steep = std::abs(normal[0]) < std::abs(normal[1]);
+    const Vector x_axis = unit(is_steep ? Vector{0, -normal[2], normal[1]} : Vector{normal[2], 0, -normal[0]});
+    const Vector y_axis = unit(cross(normal, x_axis));
+    const auto is_left = [&](const Vector& a, const Vector& b) {
+      const double area = dot(a, x_axis) * dot(b, y_axis) - dot(a, y_axis) * dot(b, x_axis);
+      return area > 0 && area * area > 1e-12 * dot(a, a) * dot(b, b);
+    };
+    int number_of_turns = 0;
+    for(const Index h : border_)
+    {
+      const Vector from = surface_.way(center, surface_.source(h)), to = surface_.way(center, surface_.target[h]);
+      if(!is_left(from, to))
+        return false;
+      number_of_turns += dot(from, y_axis) < 0 && dot(to, y_axis) >= 0 ? 1 : 0;
+    }
+    return number_of_turns == 1 && std::all_of(faces_.begin(), faces_.end(), [&](Index face) {
+             const auto [u, v, w] = surface_.corners(face);
+             return is_left(surface_.way(u, v), surface_.way(u, w));
+           });
   }
 
 private:
-  typedef std::array<double, 3> Vector;
-  struct Face
-  {
-    std::array<Index, 3> corners;
-    Bbox_3 box;
-  };
-  static constexpr std::size_t patch_size = 48; // 16 or 64 take a tenth longer
+  typedef Closed_surface::Point Vector;
 
-  bool is_tested(Index v) const
-  {
-    const Tree_and_cotree::Component& component = trees_.components()[trees_.component_of(v)];
-    return component.genus() != 0 && !component.has_border;
-  }
-
-  Index component_of(const Face& face) const { return trees_.component_of(face.corners[0]); }
-
-  Vector way(Index u, Index v) const
-  {
-    const Closed_surface::Point &p = surface_.points[u], &q = surface_.points[v];
-    return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-  }
   static Vector unit(const Vector& a)
   {
     const double length = std::sqrt(dot(a, a));
     return {a[0] / length, a[1] / length, a[2] / length};
   }
 
-  // Whether the halfedges that leave a vertex turn once, and each to the left of the one before, as they are seen against
-  // the mean normal. So the faces lie side by side. The margin is large beside all errors of rounding.
-  bool is_flat(Index v) const
+  template <class IsPassed>
+  void add_faces_around(Index v, const IsPassed& is_passed)
   {
     const Index first = surface_.outgoing[v];
-    Vector normal = {0, 0, 0}, before = way(v, surface_.target[first]);
     Index h = first;
     do
     {
+      const Index face = surface_.face[h];
+      if(!contains(face) && is_passed(face))
+      {
+        ball_of_face_[face] = number_;
+        faces_.push_back(face);
+        for(const Index w : {surface_.target[h], surface_.target[surface_.next[h]]})
+        {
+          if(ball_of_vertex_[w] != number_)
+            reached_.push_back(w);
+          ball_of_vertex_[w] = number_;
+        }
+      }
       h = surface_.turned(h);
-      const Vector after = way(v, surface_.target[h]), product = cross(before, after);
-      for(std::size_t k = 0; k != 3; ++k)
-        normal[k] += product[k];
-      before = after;
     } while(h != first);
-    const bool is_steep = std::abs(normal[0]) < std::abs(normal[1]);
-    const Vector x_axis = unit(is_steep ? Vector{0, -normal[2], normal[1]} : Vector{normal[2], 0, -normal[0]});
-    const Vector y_axis = unit(cross(normal, x_axis));
-    int number_of_turns = 0;
-    do
-    {
-      h = surface_.turned(h);
-      const Vector after = way(v, surface_.target[h]);
-      const double y = dot(before, y_axis), next_y = dot(after, y_axis);
-      const double area = dot(before, x_axis) * next_y - y * dot(after, x_axis);
-      if(!(area > 0 && area * area > 1e-12 * dot(before, before) * dot(after, after)))
-        return false;
-      number_of_turns += y < 0 && next_y >= 0 ? 1 : 0;
-      before = after;
-    } while(h != first);
-    return number_of_turns == 1;
   }
 
-  // Patches are connected sets of faces.
+  void find_border()
+  {
+    border_.clear();
+    for(std::size_t i = number_of_inner_faces_; i != faces_.size(); ++i)
+    {
+      Index h = surface_.halfedge[faces_[i]];
+      for(int k = 0; k != 3; ++k, h = surface_.next[h])
+        if(!contains(surface_.face[surface_.opposite(h)]))
+          border_.push_back(h);
+    }
+  }
+
+  const Closed_surface& surface_;
+  std::vector<Index> ball_of_vertex_, ball_of_face_; // the number of the last one
+  Index number_ = 0;
+  std::vector<Index> faces_, reached_, border_; // vertices that are reached, the center first, and halfedges
+  std::size_t number_of_inner_faces_ = 0;
+};
+
+// Finds the closed components with handles that intersect themselves, or have faces without area. Other components may
+// pass through them. Faces are in patches, each inside of a ball. Where that is flat, as nearly always, none of its faces
+// intersect. Other pairs of faces whose boxes overlap are tested exactly, unless they lie side by side around a vertex, or
+// floating-point numbers find a plane between them.
+class Self_intersections
+{
+public:
+  Self_intersections(const Closed_surface& surface, const Tree_and_cotree& trees)
+    : surface_(surface),
+      trees_(trees),
+      ball_(surface),
+      flatness_(surface.points.size(), Flatness::UNKNOWN),
+      result_(trees.components().size(), false)
+  {}
+
+  // By number of the component.
+  std::vector<bool> operator()()
+  {
+    make_patches();
+    std::vector<Numbered_box> boxes;
+    for(const Patch& patch : patches_)
+      boxes.push_back(Numbered_box(patch.box, boxes.size()));
+    std::vector<std::pair<std::size_t, std::size_t>> pairs; // of patches that overlap, the first one flat if one is
+    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Numbered_box& a, const Numbered_box& b) {
+      if(component_of(patches_[a.number]) != component_of(patches_[b.number]))
+        return;
+      const bool is_first = patches_[a.number].is_flat();
+      pairs.emplace_back(is_first ? a.number : b.number, is_first ? b.number : a.number);
+    });
+    std::sort(pairs.begin(), pairs.end());
+    auto pair = pairs.begin();
+    for(std::size_t number = 0; number != patches_.size(); ++number)
+    {
+      const Patch& patch = patches_[number];
+      if(patch.is_flat())
+        ball_.mark(faces_of_balls_.begin() + patch.ball_begin, faces_of_balls_.begin() + patch.ball_end);
+      else
+        test_patch(patch);
+      for(; pair != pairs.end() && pair->first == number; ++pair)
+        test_patches(patch, patches_[pair->second]);
+    }
+    return result_;
+  }
+
+private:
+  typedef Closed_surface::Point Vector;
+  enum class Flatness : unsigned char
+  {
+    UNKNOWN,
+    FLAT,
+    FOLDED
+  };
+  struct Face
+  {
+    Index number;
+    Bbox_3 box;
+  };
+  struct Patch
+  {
+    std::size_t begin, end;              // of its faces
+    std::ptrdiff_t ball_begin, ball_end; // of the faces of its ball, which are kept if that is flat
+    Bbox_3 box;
+    bool is_flat() const { return ball_begin != ball_end; }
+  };
+
+  Index component_of(const Face& face) const { return trees_.component_of(surface_.corners(face.number)[0]); }
+  Index component_of(const Patch& patch) const { return component_of(faces_[patch.begin]); }
+
   void make_patches()
   {
     std::vector<bool> is_placed(surface_.halfedge.size(), false);
-    std::vector<Index> patch;
     faces_.reserve(surface_.halfedge.size());
     for(Index seed = 0; seed != surface_.halfedge.size(); ++seed)
     {
-      if(is_placed[seed] || !is_tested(surface_.target[surface_.halfedge[seed]]))
+      const Tree_and_cotree::Component& component = trees_.components()[component_of(Face{seed, {}})];
+      if(component.genus() == 0 || component.has_border)
         continue;
-      is_placed[seed] = true;
-      patch.assign(1, seed);
-      begins_.push_back(faces_.size());
-      for(std::size_t i = 0; i != patch.size(); ++i)
-      {
-        Index h = surface_.halfedge[patch[i]];
-        add_face(h);
-        for(int k = 0; k != 3; ++k, h = surface_.next[h])
-        {
-          const Index neighbor = surface_.face[surface_.opposite(h)];
-          if(is_placed[neighbor] || patch.size() == patch_size)
-            continue;
-          is_placed[neighbor] = true;
-          patch.push_back(neighbor);
-        }
-      }
+      while(!is_placed[seed])
+        make_patch(seed, is_placed);
     }
-    begins_.push_back(faces_.size());
   }
 
-  void add_face(Index h)
+  // A patch has the faces of a ball that are in none yet, but for those of the last layer: so what is around it is in the
+  // ball too. The center is a few steps away from the seed, where many faces are in no patch. Larger balls would be flat
+  // more seldom, and smaller ones have more faces in the last layer. Those around a vertex with very many neighbors are
+  // kept for few patches, so that memory is linear.
+  void make_patch(Index seed, std::vector<bool>& is_placed)
   {
-    const std::array<Index, 3> corners = {surface_.source(h), surface_.target[h], surface_.target[surface_.next[h]]};
-    Face face = {corners, {}};
-    for(const Index v : corners)
+    const Index center = ball_.grow(surface_.corners(seed)[0], 4, [&](Index face) { return !is_placed[face]; });
+    Patch patch = {faces_.size(), 0, static_cast<std::ptrdiff_t>(faces_of_balls_.size()), 0, {}};
+    for(const int number_of_layers : {7, 3})
+    {
+      ball_.grow(center, number_of_layers, [](Index) { return true; });
+      const auto begin = ball_.faces().begin(),
+                 end = begin + static_cast<std::ptrdiff_t>(ball_.number_of_inner_faces());
+      const std::ptrdiff_t size = std::count_if(begin, end, [&](Index face) { return !is_placed[face]; });
+      if(static_cast<std::ptrdiff_t>(ball_.faces().size()) > 1000 + 16 * size || !ball_.is_flat())
+        continue;
+      faces_of_balls_.insert(faces_of_balls_.end(), ball_.faces().begin(), ball_.faces().end());
+      break;
+    }
+    for(std::size_t i = 0; i != ball_.number_of_inner_faces(); ++i)
+    {
+      const Index face = ball_.faces()[i];
+      if(is_placed[face])
+        continue;
+      is_placed[face] = true;
+      faces_.push_back({face, box(face)});
+      patch.box += faces_.back().box;
+    }
+    patch.end = faces_.size();
+    patch.ball_end = static_cast<std::ptrdiff_t>(faces_of_balls_.size());
+    patches_.push_back(patch);
+  }
+
+  Bbox_3 box(Index face) const
+  {
+    Bbox_3 result;
+    for(const Index v : surface_.corners(face))
     {
       const Closed_surface::Point& p = surface_.points[v];
-      face.box += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
+      result += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
     }
-    faces_.push_back(face);
-    const bool is_any_flat = is_flat_[corners[0]] || is_flat_[corners[1]] || is_flat_[corners[2]];
-    if(!is_any_flat && triangle(face).triangle().is_degenerate())
-      result_[component_of(face)] = true;
+    return result;
   }
 
   Placed_triangle<Index> triangle(const Face& face) const
   {
     Placed_triangle<Index> result;
+    const std::array<Index, 3> corners = surface_.corners(face.number);
     for(std::size_t i = 0; i != 3; ++i)
     {
-      const Closed_surface::Point& p = surface_.points[face.corners[i]];
-      result.corners[i] = {face.corners[i], 0, Disc_point(p[0], p[1], p[2])};
+      const Closed_surface::Point& p = surface_.points[corners[i]];
+      result.corners[i] = {corners[i], 0, Disc_point(p[0], p[1], p[2])};
     }
     return result;
   }
 
-  // Tests those faces of two patches that overlap the other patch.
-  void test_patches(const Numbered_box& a, const Numbered_box& b)
+  // Whether the faces around a vertex lie side by side.
+  bool is_flat(Index v)
   {
-    const auto find_near = [&](const Numbered_box& patch, const Bbox_3& other, std::vector<const Face*>& near) {
-      near.clear();
-      for(std::size_t i = begins_[patch.number]; i != begins_[patch.number + 1]; ++i)
-        if(do_overlap(faces_[i].box, other))
-          near.push_back(&faces_[i]);
-    };
-    find_near(a, b.bbox(), near_a_);
-    find_near(b, a.bbox(), near_b_);
-    for(const Face* face : near_a_)
-      for(const Face* other : near_b_)
-        test(*face, *other);
+    if(flatness_[v] == Flatness::UNKNOWN)
+    {
+      ball_.grow(v, 1, [](Index) { return true; });
+      flatness_[v] = ball_.is_flat() ? Flatness::FLAT : Flatness::FOLDED;
+    }
+    return flatness_[v] == Flatness::FLAT;
   }
 
-  void test(const Face& a, const Face& b)
+  void test_patch(const Patch& patch)
   {
-    if(do_overlap(a.box, b.box) && !are_around_flat_vertex(a, b))
-      test_exactly(a, b);
+    for(std::size_t i = patch.begin; i != patch.end; ++i)
+    {
+      const auto [u, v, w] = surface_.corners(faces_[i].number);
+      if(!is_flat(u) && !is_flat(v) && !is_flat(w) && triangle(faces_[i]).triangle().is_degenerate())
+        result_[component_of(faces_[i])] = true;
+      for(std::size_t k = patch.begin; k != i; ++k)
+        if(do_overlap(faces_[i].box, faces_[k].box) && !are_around_flat_vertex(faces_[i], faces_[k]))
+          test(faces_[i], faces_[k]);
+    }
   }
 
-  bool are_around_flat_vertex(const Face& a, const Face& b) const
+  // Tests those faces of two patches that overlap the other patch. If the ball of the first one is flat, it is marked, and
+  // each face that shares a corner with the first patch is in it.
+  void test_patches(const Patch& a, const Patch& b)
   {
-    for(const Index u : a.corners)
-      for(const Index v : b.corners)
-        if(u == v && is_flat_[u])
+    near_.clear();
+    for(std::size_t i = b.begin; i != b.end; ++i)
+      if(!(a.is_flat() && ball_.contains(faces_[i].number)) && do_overlap(faces_[i].box, a.box))
+        near_.push_back(i);
+    for(std::size_t i = a.begin; i != a.end && !near_.empty(); ++i)
+    {
+      if(!do_overlap(faces_[i].box, b.box))
+        continue;
+      for(const std::size_t k : near_)
+        if(do_overlap(faces_[i].box, faces_[k].box) && (a.is_flat() || !are_around_flat_vertex(faces_[i], faces_[k])))
+          test(faces_[i], faces_[k]);
+    }
+  }
+
+  bool are_around_flat_vertex(const Face& a, const Face& b)
+  {
+    for(const Index u : surface_.corners(a.number))
+      for(const Index v : surface_.corners(b.number))
+        if(u == v && is_flat(u))
           return true;
     return false;
   }
 
-  void test_exactly(const Face& a, const Face& b)
+  void test(const Face& a, const Face& b)
   {
     if(is_plane_between(a, b) || is_plane_between(b, a) || result_[component_of(a)])
       return;
@@ -279,8 +410,9 @@ private:
   // Whether the plane of `a`, or one across it through an edge, has `b` on its other side. The margin is as above.
   bool is_plane_between(const Face& a, const Face& b) const
   {
-    const std::array<Vector, 3> edges = {way(a.corners[0], a.corners[1]), way(a.corners[1], a.corners[2]),
-                                         way(a.corners[2], a.corners[0])};
+    const std::array<Index, 3> of_a = surface_.corners(a.number), of_b = surface_.corners(b.number);
+    const std::array<Vector, 3> edges = {surface_.way(of_a[0], of_a[1]), surface_.way(of_a[1], of_a[2]),
+                                         surface_.way(of_a[2], of_a[0])};
     const Vector normal = cross(edges[0], edges[1]);
     const Bbox_3 box = a.box + b.box;
     const double size = (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
@@ -292,7 +424,7 @@ private:
       const Vector axis = i == 0 ? normal : cross(edges[i - 1], normal);
       std::array<double, 3> heights;
       for(std::size_t k = 0; k != 3; ++k)
-        heights[k] = dot(axis, way(a.corners[i == 0 ? 0 : i - 1], b.corners[k]));
+        heights[k] = dot(axis, surface_.way(of_a[i == 0 ? 0 : i - 1], of_b[k]));
       if((std::min)({heights[0], heights[1], heights[2]}) > margin
          || (i == 0 && (std::max)({heights[0], heights[1], heights[2]}) < -margin))
         return true;
@@ -304,11 +436,13 @@ private:
 
   const Closed_surface& surface_;
   const Tree_and_cotree& trees_;
-  std::vector<bool> is_flat_; // by vertex
+  Surface_ball ball_;
+  std::vector<Face> faces_; // patch by patch
+  std::vector<Patch> patches_;
+  std::vector<Index> faces_of_balls_;
+  std::vector<Flatness> flatness_; // by vertex
+  std::vector<std::size_t> near_;
   std::vector<bool> result_;
-  std::vector<Face> faces_;         // patch by patch
-  std::vector<std::size_t> begins_; // of the patches, and the end of the last one
-  std::vector<const Face*> near_a_, near_b_;
 };
 
 } // namespace CGAL::Reeb_graph::internal
