@@ -67,12 +67,6 @@ struct Mesh_with_field
     }
   }
 
-  template <class ConcurrencyTag, class Complex, class Order>
-  auto classify_vertices(Complex complex, const Order& order) const
-  {
-    return internal::check_and_classify_vertices<ConcurrencyTag>(std::move(complex), order);
-  }
-
   // What leads from the numbers of a complex back to the descriptors.
   template <class Complex>
   const FaceListGraph& mesh_of(const Complex&) const
@@ -269,7 +263,7 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
 
   visitor.begin_stage(Stage::CLASSIFY);
   auto [complex, critical_vertices] =
-    input.template classify_vertices<ConcurrencyTag>(std::move(unchecked_complex), order);
+    stages::check_and_classify_vertices<ConcurrencyTag>(std::move(unchecked_complex), order);
   visitor.critical_vertices(stages::count_critical_vertices(critical_vertices));
   visitor.end_stage(Stage::CLASSIFY);
   progress.report(0.3);

@@ -11,20 +11,206 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Basic_augmentation.h>
 #include <CGAL/Reeb_graph/Contour.h>
+#include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/way_back/Arc_contours.h>
 #include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
+#include <CGAL/Reeb_graph/internal/way_back/locate_vertices.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/options.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <type_traits>
+#include <vector>
+
 namespace CGAL::Reeb_graph {
+
+/// \ingroup PkgReebGraphAugmentation
+///
+/// \brief the way from a Reeb graph back to a mesh, to a triangle soup, or to tetrahedra: the contours of arcs, the
+/// critical sets of nodes, and the place of each vertex in the graph.
+///
+/// It implements the map \f$ F: R(M, f) \to M \f$ of M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb
+/// Graph Algorithm*, 2020, Section 6. `Augmentation`, `Soup_augmentation` and `Tetrahedra_augmentation` derive from it;
+/// they differ in what they are constructed from, and in what a contour is.
+///
+/// The graph has to outlive it and must not change. It can be neither copied nor moved. All member functions can be
+/// called from several threads at a time; those that return contours throw `Graph_mismatch_error` if the chain of an
+/// arc does not lead to them.
+///
+/// \tparam GraphOnMesh unspecified: a graph with the mesh that it is of
+template <class GraphOnMesh>
+class Basic_augmentation
+{
+public:
+  /// the mesh; for a soup and for tetrahedra, an unspecified type that has its edges
+  typedef typename GraphOnMesh::Mesh Mesh;
+  /// the graph
+  typedef typename GraphOnMesh::Graph Graph;
+  /// a scalar value
+  typedef typename GraphOnMesh::Scalar Scalar;
+  /// a vertex of the mesh; for a soup and for tetrahedra, its number, a `std::size_t`
+  typedef typename GraphOnMesh::vertex_descriptor vertex_descriptor;
+  /// a halfedge of the mesh; for a soup and for tetrahedra, the pair of its source and its target
+  typedef typename GraphOnMesh::halfedge_descriptor halfedge_descriptor;
+  /// a node of the graph
+  typedef typename GraphOnMesh::node_descriptor node_descriptor;
+  /// an arc of the graph
+  typedef typename GraphOnMesh::arc_descriptor arc_descriptor;
+
+  /// a contour: `Reeb_graph::Contour` on a mesh, `Soup_contour` in triangles, `Isosurface_patch` in tetrahedra
+  typedef typename GraphOnMesh::Contour Contour;
+  /// a critical set: `Reeb_graph::Critical_set` on a mesh, else `Soup_critical_set`
+  typedef typename GraphOnMesh::Critical_set Critical_set;
+  /// the places of all vertices
+  typedef Reeb_graph::Vertex_locations<vertex_descriptor, Graph> Vertex_locations;
+
+  /// returns the mesh.
+  const Mesh& mesh() const { return on_mesh_.mesh(); }
+  /// returns the graph.
+  const Graph& graph() const { return on_mesh_.graph(); }
+
+  /// \brief returns the value of the vertex `v` as that of a contour: as a `double`, NaN if the values of the field are
+  /// no numbers.
+  ///
+  /// \exception Unknown_vertex_error if there is no such vertex
+  double value(vertex_descriptor v) const { return on_mesh_.value(internal::checked_number(on_mesh_, v)); }
+
+  /// \brief returns the contour of an arc at a place between its ends.
+  ///
+  /// The values along the arc are parametrized linearly, `t` = 0 at the lower node and `t` = 1 at the upper one. The
+  /// contour is one of the arc for any `t`; where no value lies between those of the ends, or values are not numbers,
+  /// the vertices of the chain are counted instead.
+  ///
+  /// \exception Parameter_error if `t` is not greater than 0 and less than 1
+  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
+  Contour contour(arc_descriptor arc, double t) const { return contours_.at_parameter(arc, t); }
+
+  /// \brief returns the contour of an arc at a place between its ends, parametrized by another field.
+  ///
+  /// The absolute differences of the values of `parametrization` along the chain of the arc are added up: `t` is the
+  /// fraction of the whole sum. With a field of unit gradient and the same level sets, equal steps of `t` are equal
+  /// distances on the surface. If the sum is 0, the result is the same as without `parametrization`. It takes time
+  /// linear in the length of the chain as well.
+  ///
+  /// \tparam ParametrizationMap a model of `ReadablePropertyMap` with the vertices as key type, and a value type that
+  ///         can be converted to `double`
+  ///
+  /// \exception Parameter_error if `t` is not greater than 0 and less than 1
+  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
+  /// \exception Non_finite_scalar_error if a value along the chain is infinite or NaN
+  template <class ParametrizationMap>
+  Contour contour(arc_descriptor arc, double t, ParametrizationMap parametrization) const
+  {
+    return contours_.at_parameter(arc, t, parametrization);
+  }
+
+  /// \brief returns the contour of an arc at the level just above the last vertex of value at most `value`.
+  ///
+  /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher, and its upper
+  ///            node must be higher than `value`
+  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
+  Contour contour_at_value(arc_descriptor arc, const Scalar& value) const { return contours_.at_value(arc, value); }
+
+  /// \brief returns the contour of an arc at the level just below a vertex, which the contour need not be near. Just
+  /// below the upper node of the arc, it is one of the critical set of that.
+  ///
+  /// \exception Level_error if the arc has no contour at that level: its lower node must be lower than `v`, and its
+  ///            upper node must not be; if ties are contracted, in value
+  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
+  /// \exception Unknown_vertex_error if there is no vertex `v`
+  Contour contour_below(arc_descriptor arc, vertex_descriptor v) const { return contours_.below_vertex(arc, v); }
+
+  /// \brief returns the contour of an arc at the level just above a vertex, which the contour need not be near. Just
+  /// above the lower node of the arc, it is one of the critical set of that.
+  ///
+  /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher than `v`, and
+  ///            its upper node must be; if ties are contracted, in value
+  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
+  /// \exception Unknown_vertex_error if there is no vertex `v`
+  Contour contour_above(arc_descriptor arc, vertex_descriptor v) const { return contours_.above_vertex(arc, v); }
+
+  /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
+  /// connected components of a level set, in the order of the arcs. It takes time linear in the arcs of the graph, and
+  /// for each contour that of `contour()`.
+  ///
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether the contours are
+  ///         traced in parallel
+  template <class ConcurrencyTag = Sequential_tag>
+  std::vector<Contour> contours_at_value(const Scalar& value) const
+  {
+    return contours_.template all_at_value<ConcurrencyTag>(value);
+  }
+
+  /// \brief returns what a node stands for: the contours just below and just above it that touch it, each with its
+  /// arc, its star, and, on a mesh, the border loop that it collapses. It takes the time of `contour()` for each of its
+  /// arcs.
+  ///
+  /// \exception Unknown_node_error if `node` is not a node of the graph
+  Critical_set critical_set(node_descriptor node) const
+  {
+    internal::check_is_node(graph(), node);
+    return on_mesh_.critical_set(node, contours_.all_below_node(node), contours_.all_above_node(node));
+  }
+
+  /// \brief finds the place of each vertex in the graph: the segmentation by the arcs.
+  ///
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  ///
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `callback`, as for
+  ///        `compute_reeb_graph()`, and `vertex_place_map`, a model of `ReadablePropertyMap`: the map that
+  ///        `compute_reeb_graph()` has written with the graph, before it was simplified if it has been. The places are
+  ///        then read from it, in linear time. Only the range of its numbers is checked.
+  ///
+  /// \exception Graph_mismatch_error if the graph is not the one that has been computed of this input, or if
+  ///            `vertex_place_map` has a number that is none of a place
+  /// \exception Cancelled_error if `callback` returns `false`
+  template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
+  Vertex_locations locate_vertices(const NamedParameters& np = parameters::default_values()) const
+  {
+    return internal::locate_vertices<ConcurrencyTag>(on_mesh_, ties_, are_degree_two_nodes_kept_, simplified_places_,
+                                                     np);
+  }
+
+#ifndef DOXYGEN_RUNNING
+protected:
+  // From what a GraphOnMesh is made of besides a traits class, the named parameters, and the progress.
+  template <class NamedParameters, class... Input>
+  Basic_augmentation(const internal::Progress& progress, const NamedParameters& np, const Input&... input)
+    : ties_(parameters::choose_parameter(parameters::get_parameter(np, internal::ties), Ties::PERTURB)),
+      are_degree_two_nodes_kept_(
+        parameters::choose_parameter(parameters::get_parameter(np, internal::keep_degree_two_nodes), false)),
+      on_mesh_(input..., internal::choose_traits<Traits>(np), np, progress),
+      contours_(on_mesh_, ties_),
+      simplified_places_(parameters::get_parameter(np, internal::simplification))
+  {
+    static_assert(std::is_same_v<internal::Chosen_traits<Traits, NamedParameters>, Traits>,
+                  "The last template parameter must be the type of the named parameter geom_traits.");
+    internal::check_nodes(on_mesh_);
+    internal::check_arcs(on_mesh_, ties_);
+    progress.report_end();
+  }
+
+  const GraphOnMesh& on_mesh() const { return on_mesh_; }
+#endif
+
+private:
+  typedef typename GraphOnMesh::Traits Traits;
+
+  const Ties ties_;
+  const bool are_degree_two_nodes_kept_;
+  const GraphOnMesh on_mesh_;
+  const internal::Arc_contours<GraphOnMesh> contours_;
+  const internal::Simplified_places simplified_places_;
+};
 
 /// \ingroup PkgReebGraphAugmentation
 ///

@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Critical_vertex_counts.h>
 #include <CGAL/Reeb_graph/distributed/internal/exchange.h>
+#include <CGAL/Reeb_graph/visitor.h>
 
 #include <boost/mpi/collectives.hpp>
 #include <boost/mpi/exception.hpp>

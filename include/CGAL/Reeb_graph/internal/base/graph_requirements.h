@@ -181,7 +181,7 @@ using Read_scalar = decltype(std::declval<std::istream&>() >> std::declval<Scala
 
 template <class Traits>
 struct Scalars_can_be_written
-  : std::disjunction<Has<Written_scalar, typename Traits::Scalar>, Has_scalar_to_double<Traits>>
+  : std::disjunction<Has<Written_scalar, typename Traits::Scalar>, Has<Scalar_to_double, Traits>>
 {
   static_assert(Scalars_can_be_written::value,
                 "The scalar values cannot be written: give their type an operator<<, or pass as named parameter "
@@ -189,7 +189,8 @@ struct Scalars_can_be_written
 };
 
 template <class Traits>
-struct Scalars_can_be_read : std::disjunction<Has<Read_scalar, typename Traits::Scalar>, Has_scalar_from_double<Traits>>
+struct Scalars_can_be_read
+  : std::disjunction<Has<Read_scalar, typename Traits::Scalar>, Has<Scalar_from_double, Traits>>
 {
   static_assert(Scalars_can_be_read::value,
                 "The scalar values cannot be read: give their type an operator>>, or pass as named parameter "

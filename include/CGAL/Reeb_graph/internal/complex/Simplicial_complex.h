@@ -229,21 +229,6 @@ public:
     });
   }
 
-  // Calls visit(triangle) for each triangle at `vertex`.
-  template <class Visit>
-  void for_each_triangle_around(Vertex_index vertex, const Visit& visit) const
-  {
-    for_each_edge_around(vertex, [&](Vertex_index, Halfedge_index halfedge) {
-      for(const Triangle_index triangle : triangles_of(edge_of(halfedge)))
-      {
-        // Of its two edges at the vertex, the triangle is visited over the one that comes first in edges_of().
-        const Number is_last_vertex = vertices_of(triangle)[2] == vertex ? 1 : 0;
-        if(edges_of(triangle)[is_last_vertex] == edge_of(halfedge))
-          visit(triangle);
-      }
-    });
-  }
-
   // A halfedge of the edge of two vertices, from the first one to the second one, no_index if there is none.
   Halfedge_index find_halfedge(Vertex_index source, Vertex_index target) const
   {

@@ -47,17 +47,10 @@ struct Read_halfedges
   Indexed_vector<Face_index, std::array<Halfedge_index, 3>> halfedges_of_faces;
 };
 
-// Whether the mesh is a model of EdgeListGraph, which a FaceListGraph need not be.
-template <class FaceListGraph, class = void>
-struct Has_edge_list : std::false_type
-{
-};
+// What a model of EdgeListGraph has, which a FaceListGraph need not be.
 template <class FaceListGraph>
-struct Has_edge_list<FaceListGraph,
-                     std::void_t<decltype(edges(std::declval<const FaceListGraph&>())),
-                                 decltype(num_edges(std::declval<const FaceListGraph&>()))>> : std::true_type
-{
-};
+using Edge_list =
+  decltype(edges(std::declval<const FaceListGraph&>()), num_edges(std::declval<const FaceListGraph&>()));
 
 // Numbers the edges as they are met, face by face.
 template <class FaceListGraph, class FaceList, class VertexPositions, class FacePositions>
@@ -103,7 +96,7 @@ Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
     }
     halfedges_of_faces.push_back(numbers);
   }
-  if constexpr(Has_edge_list<FaceListGraph>::value)
+  if constexpr(Has<Edge_list, FaceListGraph>::value)
   {
     if(num_edges(mesh) != even_halfedges.size()) // It may count removed ones, too.
       check_edges(mesh);
@@ -217,7 +210,7 @@ template <class FaceListGraph>
 Element_counts count_elements(const FaceListGraph& mesh)
 {
   std::size_t number_of_edges = 0;
-  if constexpr(Has_edge_list<FaceListGraph>::value)
+  if constexpr(Has<Edge_list, FaceListGraph>::value)
     number_of_edges = num_edges(mesh);
   return {num_vertices(mesh), number_of_edges, num_faces(mesh), 0, 0};
 }

@@ -11,12 +11,12 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Critical_vertex_counts.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
+#include <CGAL/Reeb_graph/visitor.h>
 
 #include <cstddef>
 #include <memory>
@@ -83,38 +83,20 @@ public:
     }
   }
 
-  // Sets one vertex, which has the given sectors from `first_sectors` on.
-  template <class Complex, class Order>
-  void set(Swept_index critical,
-           const Complex& complex,
-           const Order& order,
-           Vertex_index vertex,
-           const Link_summary& link,
-           const Sector_counts& first_sectors)
+  // Sets one vertex. Returns the places from `first_sectors` on, to which its lower and its upper sectors have to be
+  // written.
+  By_side<Link_sector*> set(Swept_index critical,
+                            Vertex_index vertex,
+                            bool is_first_upper,
+                            bool is_on_border,
+                            const Sector_counts& first_sectors)
   {
-    find_link_sectors(complex, order, vertex, link,
-                      {sectors_[Side::LOWER].data() + first_sectors[Side::LOWER],
-                       sectors_[Side::UPPER].data() + first_sectors[Side::UPPER]});
     entries_[critical] = {{Sector_index(first_sectors[Side::LOWER]), Sector_index(first_sectors[Side::UPPER])},
                           vertex,
-                          link.is_first_upper,
-                          complex.is_on_border(vertex)};
-  }
-
-  // The same where the sectors are known: sectors.write(vertex, places) writes the lower and the upper ones.
-  template <class Complex, class Sectors>
-  void set(Swept_index critical,
-           const Complex& complex,
-           Vertex_index vertex,
-           Sectors& sectors,
-           const Sector_counts& first_sectors)
-  {
-    sectors.write(vertex, {sectors_[Side::LOWER].data() + first_sectors[Side::LOWER],
-                           sectors_[Side::UPPER].data() + first_sectors[Side::UPPER]});
-    entries_[critical] = {{Sector_index(first_sectors[Side::LOWER]), Sector_index(first_sectors[Side::UPPER])},
-                          vertex,
-                          false,
-                          complex.is_on_border(vertex)};
+                          is_first_upper,
+                          is_on_border};
+    return {sectors_[Side::LOWER].data() + first_sectors[Side::LOWER],
+            sectors_[Side::UPPER].data() + first_sectors[Side::UPPER]};
   }
 
   // Sorts the vertices when all have been set. Ties are ordered by critical vertex as by vertex.

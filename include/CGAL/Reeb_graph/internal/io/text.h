@@ -14,6 +14,9 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/options.h>
+
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -33,6 +36,8 @@
 #include <string_view>
 #include <system_error>
 #include <type_traits>
+#include <variant>
+#include <vector>
 
 namespace CGAL::Reeb_graph::internal {
 
@@ -284,6 +289,20 @@ private:
   std::ostream& out_;
   std::locale before_;
 };
+
+// The attributes of a named parameter, which have to be as many as things.
+template <class Parameter>
+std::vector<Attribute> checked_attributes(const Parameter& parameter, std::size_t size)
+{
+  std::vector<Attribute> attributes = parameters::choose_parameter(parameter, std::vector<Attribute>());
+  for(const Attribute& attribute : attributes)
+  {
+    const std::size_t given = std::visit([](const auto& numbers) { return numbers.size(); }, attribute.numbers);
+    if(given != size)
+      throw Attribute_count_error(attribute.name, given, size);
+  }
+  return attributes;
+}
 
 // Says why, where the system does.
 template <class Write>

@@ -102,85 +102,50 @@ void sort_vertices_by_place(const VertexList& vertex_list,
 }
 
 // The place of each vertex in the exact graph, from the arcs between critical vertices and what they have been reduced
-// to.
-template <class Complex, class Order>
-class Vertex_place_finder
+// to: the number of a node, or the number of nodes plus that of an arc.
+template <class ConcurrencyTag, class Complex, class Order>
+Vertex_places find_vertex_places(const Complex& complex,
+                                 const Order& order,
+                                 const Swept_vertices& critical_vertices,
+                                 const Slab_arcs& critical_arcs,
+                                 const Arc_of_vertex& arc_of_vertex,
+                                 const Flat_graph& graph,
+                                 Ties ties)
 {
-public:
-  Vertex_place_finder(const Complex& complex,
-                      const Order& order,
-                      const Swept_vertices& critical_vertices,
-                      const Slab_arcs& critical_arcs,
-                      const Arc_of_vertex& arc_of_vertex,
-                      const Flat_graph& graph,
-                      Ties ties)
-    : complex_(complex),
-      order_(order),
-      critical_vertices_(critical_vertices),
-      critical_arcs_(critical_arcs),
-      arc_of_vertex_(arc_of_vertex),
-      graph_(graph),
-      are_ties_contracted_(ties == Ties::CONTRACT)
-  {}
-
-  // The number of a node, or the number of nodes plus that of an arc.
-  template <class ConcurrencyTag>
-  Vertex_places find() const
-  {
-    checked_index(graph_.nodes.size() + graph_.arcs.size());
-    Vertex_places places(complex_.number_of_vertices(), no_index);
-    for(const Swept_index critical : critical_vertices_.indices())
-      places[critical_vertices_.vertex(critical)] = place_of_critical(critical);
-    for_each_block<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {
-      for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
-      {
-        if(places[vertex] == no_index && complex_.has_vertex(vertex))
-          places[vertex] = place_on_arc(vertex, arc_of_vertex_[vertex]);
-      }
-    });
-    return places;
-  }
-
-private:
-  Index place_of_critical(Swept_index critical) const
-  {
-    const Node_index node = graph_.node_of_critical[critical];
-    return node != no_index ? node.number()
-                            : place_of_arc(graph_.arc_of_critical[critical], critical_vertices_.vertex(critical));
-  }
-
-  // The place of a regular vertex on an arc between critical vertices. On a plateau, it is where the end of the arc is.
-  Index place_on_arc(Vertex_index vertex, Slab_arc_index critical_arc) const
-  {
-    if(critical_arc == no_index)
-      complex_.throw_contradiction_near(vertex);
-    if(are_ties_contracted_)
-    {
-      const Slab_arc& arc = critical_arcs_[critical_arc];
-      for(const Swept_index end : {arc.lower_vertex(), arc.upper_vertex()})
-      {
-        if(order_.are_tied(vertex, critical_vertices_.vertex(end)))
-          return place_of_critical(end);
-      }
-    }
-    return place_of_arc(graph_.arc_of_critical_arc[critical_arc], vertex);
-  }
-
-  Index place_of_arc(Arc_index arc, Vertex_index vertex) const
-  {
+  checked_index(graph.nodes.size() + graph.arcs.size());
+  const auto place_of_arc = [&](Arc_index arc, Vertex_index vertex) {
     if(arc == no_index)
-      complex_.throw_contradiction_near(vertex);
-    return static_cast<Index>(graph_.nodes.size()) + arc.number();
-  }
-
-  const Complex& complex_;
-  const Order& order_;
-  const Swept_vertices& critical_vertices_;
-  const Slab_arcs& critical_arcs_;
-  const Arc_of_vertex& arc_of_vertex_;
-  const Flat_graph& graph_;
-  const bool are_ties_contracted_;
-};
+      complex.throw_contradiction_near(vertex);
+    return static_cast<Index>(graph.nodes.size()) + arc.number();
+  };
+  const auto place_of_critical = [&](Swept_index critical) {
+    const Node_index node = graph.node_of_critical[critical];
+    return node != no_index ? node.number()
+                            : place_of_arc(graph.arc_of_critical[critical], critical_vertices.vertex(critical));
+  };
+  // The place of a regular vertex on an arc between critical vertices. On a plateau, it is where the end of the arc is.
+  const auto place_on_arc = [&](Vertex_index vertex, Slab_arc_index critical_arc) {
+    if(critical_arc == no_index)
+      complex.throw_contradiction_near(vertex);
+    if(ties == Ties::CONTRACT)
+      for(const Swept_index end :
+          {critical_arcs[critical_arc].lower_vertex(), critical_arcs[critical_arc].upper_vertex()})
+        if(order.are_tied(vertex, critical_vertices.vertex(end)))
+          return place_of_critical(end);
+    return place_of_arc(graph.arc_of_critical_arc[critical_arc], vertex);
+  };
+  Vertex_places places(complex.number_of_vertices(), no_index);
+  for(const Swept_index critical : critical_vertices.indices())
+    places[critical_vertices.vertex(critical)] = place_of_critical(critical);
+  for_each_block<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {
+    for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
+    {
+      if(places[vertex] == no_index && complex.has_vertex(vertex))
+        places[vertex] = place_on_arc(vertex, arc_of_vertex[vertex]);
+    }
+  });
+  return places;
+}
 
 // What the pipeline finds besides the graph if no places of vertices are wanted: nothing.
 struct No_vertex_places
@@ -222,8 +187,8 @@ public:
             const Flat_graph& graph,
             Ties ties)
   {
-    places_ = Vertex_place_finder(complex, order, critical_vertices, critical_arcs, arc_of_vertex_, graph, ties)
-                .template find<ConcurrencyTag>();
+    places_ =
+      find_vertex_places<ConcurrencyTag>(complex, order, critical_vertices, critical_arcs, arc_of_vertex_, graph, ties);
     arc_of_vertex_ = Arc_of_vertex();
   }
 
