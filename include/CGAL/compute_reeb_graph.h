@@ -116,7 +116,6 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///         at the same time. They also read built-in numbers from the map, but not from a dynamic property map of a
 ///         mesh that is not a `Surface_mesh`.
 /// \tparam ReebGraph the type `Graph` of the traits class
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the triangulated surface; it is only read
 /// \param scalar_map the scalar field
@@ -129,19 +128,16 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///                           above become nodes of degree 2. They are none in the Reeb graph proper.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{use the functions `parameters::keep_degree_two_nodes()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{ties}
 ///     \cgalParamDescription{what becomes of vertices of equal value}
 ///     \cgalParamType{`Reeb_graph::Ties`}
 ///     \cgalParamDefault{`Reeb_graph::Ties::PERTURB`}
-///     \cgalParamExtra{use the functions `parameters::ties()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{method}
 ///     \cgalParamDescription{how the arcs are found. It has no influence on the result.}
 ///     \cgalParamType{`Reeb_graph::Method`}
 ///     \cgalParamDefault{`Reeb_graph::Method::AUTOMATIC`}
-///     \cgalParamExtra{use the functions `parameters::method()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_slabs}
 ///     \cgalParamDescription{into how many slabs, between level sets, the surface is cut so that the arcs of each are
@@ -150,7 +146,6 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///                           that they cross would take much more memory than the mesh.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
-///     \cgalParamExtra{use the functions `parameters::number_of_slabs()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_place_map}
 ///     \cgalParamDescription{is given the number of the place of each vertex in the graph: nodes are numbered from 0 by
@@ -161,7 +156,6 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptors as key type and an integer type as
 ///                    value type}
 ///     \cgalParamDefault{none: the places are not looked for}
-///     \cgalParamExtra{use the functions `parameters::vertex_place_map()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1. If it returns

@@ -92,7 +92,6 @@ void compute_graph_of_cells(const PointsOrNumber& points,
 ///         `std::vector<std::array<std::size_t, 3>>` and `std::vector<std::vector<int>>`
 /// \tparam ScalarRange a random access range of scalar values
 /// \tparam ReebGraph the type `Graph` of the traits class
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param points the points, or how many vertices there are
 /// \param triangles the triangles
@@ -105,7 +104,6 @@ void compute_graph_of_cells(const PointsOrNumber& points,
 ///     \cgalParamDescription{edges that may be on no triangle, as a range of pairs of indices}
 ///     \cgalParamType{a range of `std::pair`, or of ranges of two indices, copied or as `std::reference_wrapper`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::edges()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object}

@@ -42,8 +42,9 @@ namespace CGAL::Reeb_graph {
 /// they differ in what they are constructed from, and in what a contour is.
 ///
 /// The graph has to outlive it and must not change. It can be neither copied nor moved. All member functions can be
-/// called from several threads at a time; those that return contours throw `Graph_mismatch_error` if the chain of an
-/// arc does not lead to them.
+/// called from several threads at a time. Those that return contours throw `Graph_mismatch_error` if the chain of an
+/// arc does not lead to them. `Unknown_arc_error`, `Unknown_node_error` and `Unknown_vertex_error` are thrown for an arc,
+/// a node and a vertex that is none of the graph or the mesh.
 ///
 /// \tparam GraphOnMesh unspecified: a graph with the mesh that it is of
 template <class GraphOnMesh>
@@ -79,8 +80,6 @@ public:
 
   /// \brief returns the value of the vertex `v` as that of a contour: as a `double`, NaN if the values of the field are
   /// no numbers.
-  ///
-  /// \exception Unknown_vertex_error if there is no such vertex
   double value(vertex_descriptor v) const { return on_mesh_.value(internal::checked_number(on_mesh_, v)); }
 
   /// \brief returns the contour of an arc at a place between its ends.
@@ -90,7 +89,6 @@ public:
   /// the vertices of the chain are counted instead.
   ///
   /// \exception Parameter_error if `t` is not greater than 0 and less than 1
-  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
   Contour contour(arc_descriptor arc, double t) const { return contours_.at_parameter(arc, t); }
 
   /// \brief returns the contour of an arc at a place between its ends, parametrized by another field.
@@ -104,7 +102,6 @@ public:
   ///         can be converted to `double`
   ///
   /// \exception Parameter_error if `t` is not greater than 0 and less than 1
-  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
   /// \exception Non_finite_scalar_error if a value along the chain is infinite or NaN
   template <class ParametrizationMap>
   Contour contour(arc_descriptor arc, double t, ParametrizationMap parametrization) const
@@ -116,7 +113,6 @@ public:
   ///
   /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher, and its upper
   ///            node must be higher than `value`
-  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
   Contour contour_at_value(arc_descriptor arc, const Scalar& value) const { return contours_.at_value(arc, value); }
 
   /// \brief returns the contour of an arc at the level just below a vertex, which the contour need not be near. Just
@@ -124,8 +120,6 @@ public:
   ///
   /// \exception Level_error if the arc has no contour at that level: its lower node must be lower than `v`, and its
   ///            upper node must not be; if ties are contracted, in value
-  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
-  /// \exception Unknown_vertex_error if there is no vertex `v`
   Contour contour_below(arc_descriptor arc, vertex_descriptor v) const { return contours_.below_vertex(arc, v); }
 
   /// \brief returns the contour of an arc at the level just above a vertex, which the contour need not be near. Just
@@ -133,8 +127,6 @@ public:
   ///
   /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher than `v`, and
   ///            its upper node must be; if ties are contracted, in value
-  /// \exception Unknown_arc_error if `arc` is not an arc of the graph
-  /// \exception Unknown_vertex_error if there is no vertex `v`
   Contour contour_above(arc_descriptor arc, vertex_descriptor v) const { return contours_.above_vertex(arc, v); }
 
   /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
@@ -152,8 +144,6 @@ public:
   /// \brief returns what a node stands for: the contours just below and just above it that touch it, each with its
   /// arc, its star, and, on a mesh, the border loop that it collapses. It takes the time of `contour()` for each of its
   /// arcs.
-  ///
-  /// \exception Unknown_node_error if `node` is not a node of the graph
   Critical_set critical_set(node_descriptor node) const
   {
     internal::check_is_node(graph(), node);
@@ -163,7 +153,6 @@ public:
   /// \brief finds the place of each vertex in the graph: the segmentation by the arcs.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`
-  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   ///
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `callback`, as for
   ///        `compute_reeb_graph()`, and `vertex_place_map`, a model of `ReadablePropertyMap`: the map that

@@ -64,7 +64,6 @@ public:
   /// checks the mesh, and reads it and the field.
   ///
   /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type
-  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   ///
   /// \param mesh the triangulated surface; it is only read
   /// \param scalar_map the scalar field, whose values are copied

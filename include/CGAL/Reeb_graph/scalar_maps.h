@@ -12,8 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/base/descriptors.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
+#include <CGAL/Reeb_graph/internal/complex/descriptor_lists.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -25,7 +25,6 @@
 
 #include <cstddef>
 #include <iterator>
-#include <type_traits>
 
 namespace CGAL::Reeb_graph {
 

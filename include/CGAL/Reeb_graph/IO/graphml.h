@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/descriptors.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
@@ -21,7 +20,6 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_tree/detail/xml_parser_utils.hpp>
 
 #include <cstddef>
@@ -172,7 +170,6 @@ void check_arc_attributes(const IndexMap& map, std::size_t number_of_arcs)
 /// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
 /// \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an
 ///         integer type as value type
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param out the stream; whether writing succeeded is seen by its state
 /// \param graph the Reeb graph
@@ -191,7 +188,6 @@ void check_arc_attributes(const IndexMap& map, std::size_t number_of_arcs)
 ///     \cgalParamDescription{numbers of the arcs that are written as data of the edges}
 ///     \cgalParamType{`std::vector<Reeb_graph::Attribute>`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::arc_attributes()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

@@ -18,7 +18,6 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>

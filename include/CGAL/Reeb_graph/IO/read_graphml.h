@@ -12,9 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/base/descriptors.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/options.h>
 

@@ -23,8 +23,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
@@ -96,7 +94,6 @@ inline std::string name_of_first(const std::vector<Attribute>& attributes)
 ///                           `arc_lengths()` and `arc_areas()` return}
 ///     \cgalParamType{`std::vector<Reeb_graph::Attribute>`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::arc_attributes()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -200,13 +197,11 @@ void write_vtp(const std::string& filename,
 ///     \cgalParamDescription{numbers of the vertices: the field, or the arcs that they belong to}
 ///     \cgalParamType{`std::vector<Reeb_graph::Attribute>`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::vertex_attributes()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_attributes}
 ///     \cgalParamDescription{numbers of the faces, such as their patches}
 ///     \cgalParamType{`std::vector<Reeb_graph::Attribute>`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::face_attributes()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_color_map}
 ///     \cgalParamDescription{colors of the vertices, written as an array `color` of red, green and blue}

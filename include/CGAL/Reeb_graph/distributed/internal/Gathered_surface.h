@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/distributed/internal/Slab_surface.h>
 #include <CGAL/Reeb_graph/distributed/internal/exchange.h>
-#include <CGAL/Reeb_graph/distributed/internal/pass_arrays.h>
 #include <CGAL/Reeb_graph/distributed/internal/solve_slab.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
@@ -21,7 +20,6 @@
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
-#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>

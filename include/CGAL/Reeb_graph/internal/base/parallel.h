@@ -14,7 +14,6 @@
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -63,22 +62,6 @@ void for_each_index(std::size_t size, const Function& function)
       function(i);
 }
 
-// Calls function(begin, end) for blocks of the numbers from 0 to size - 1: for all of them at once if sequential.
-template <class ConcurrencyTag, class Function>
-void for_each_block(std::size_t size, const Function& function)
-{
-  if constexpr(is_parallel<ConcurrencyTag>())
-  {
-#ifdef CGAL_LINKED_WITH_TBB
-    constexpr std::size_t smallest_block = 4096;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, smallest_block),
-                      [&](const tbb::blocked_range<std::size_t>& block) { function(block.begin(), block.end()); });
-#endif
-  }
-  else
-    function(std::size_t(0), size);
-}
-
 template <class ConcurrencyTag>
 std::size_t number_of_threads()
 {
@@ -109,6 +92,14 @@ void for_each_part(std::size_t number_of_parts, std::size_t size, const Function
   });
 }
 
+// Calls function(begin, end) for blocks of the numbers from 0 to size - 1: for all of them at once if sequential.
+template <class ConcurrencyTag, class Function>
+void for_each_block(std::size_t size, const Function& function)
+{
+  for_each_part<ConcurrencyTag>(number_of_parts<ConcurrencyTag>(size), size,
+                                [&](std::size_t, std::size_t begin, std::size_t end) { function(begin, end); });
+}
+
 // What function(begin, end, sum) adds to `sum` for the parts of the numbers from 0 to size - 1.
 template <class ConcurrencyTag, class Sum, class Function>
 Sum sum_of_parts(std::size_t size, const Function& function)
@@ -135,18 +126,6 @@ public:
 
 private:
   std::atomic<T> value_{T()};
-};
-
-// A number to which the blocks of a parallel loop add.
-template <class ConcurrencyTag>
-class Shared_counter
-{
-public:
-  void add(std::size_t n) { value_ += n; }
-  std::size_t get() const { return value_; }
-
-private:
-  std::conditional_t<is_parallel<ConcurrencyTag>(), std::atomic<std::size_t>, std::size_t> value_{0};
 };
 
 // Calls both functions.

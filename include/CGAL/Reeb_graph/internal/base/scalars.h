@@ -176,6 +176,14 @@ Point point_between(const Point& lower, const Point& upper, double fraction)
   return lower + fraction * (upper - lower);
 }
 
+typedef std::array<double, 3> Coordinates;
+
+template <class Point>
+Coordinates coordinates_of(const Point& point)
+{
+  return {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
+}
+
 // Point number `i` of a contour in a complex. `point_of` is called with the number of a vertex.
 template <class CrossedEdges, class PointOf>
 auto point_of_crossing(const CrossedEdges& contour, std::size_t i, const PointOf& point_of)

@@ -28,7 +28,6 @@
 #include <iterator>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Reeb_graph::internal {
 

@@ -14,13 +14,13 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
-#include <CGAL/Reeb_graph/internal/base/descriptors.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
-#include <CGAL/Reeb_graph/internal/engine/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
+#include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -29,7 +29,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <type_traits>
 #include <utility>
 #include <vector>
 

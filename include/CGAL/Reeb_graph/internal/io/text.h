@@ -17,9 +17,6 @@
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_utils.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <cerrno>
 #include <charconv>
@@ -176,8 +173,7 @@ std::string json_list(const Range& range, const JsonOfElement& json_of_element)
 template <class Point>
 std::string json_of_point(const Point& point)
 {
-  return "[" + json_of(CGAL::to_double(point.x())) + ", " + json_of(CGAL::to_double(point.y())) + ", "
-       + json_of(CGAL::to_double(point.z())) + "]";
+  return json_list(coordinates_of(point), [](double number) { return json_of(number); });
 }
 
 // The pieces of a chain as paths of vertices. `ends_of` returns the two vertices of a halfedge by their indices.

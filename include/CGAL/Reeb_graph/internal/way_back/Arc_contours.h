@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
@@ -85,12 +84,12 @@ public:
 
   Contour below_vertex(arc_descriptor arc, vertex_descriptor v) const
   {
-    return at_level(arc, level_below(checked_number(on_complex_, v)));
+    return at_level(arc, level_beside(Side::LOWER, checked_number(on_complex_, v)));
   }
 
   Contour above_vertex(arc_descriptor arc, vertex_descriptor v) const
   {
-    return at_level(arc, level_above(checked_number(on_complex_, v)));
+    return at_level(arc, level_beside(Side::UPPER, checked_number(on_complex_, v)));
   }
 
   // The contours of all arcs at the level of the value.
@@ -117,12 +116,12 @@ public:
   // The contours of all arcs below a node, or above it, next to the node, which has been checked.
   std::vector<Contour> all_below_node(node_descriptor node) const
   {
-    return all_at_level(in_edges(node, on_complex_.graph()), level_below(on_complex_.node_vertex(node)));
+    return all_at_level(in_edges(node, on_complex_.graph()), level_beside(Side::LOWER, on_complex_.node_vertex(node)));
   }
 
   std::vector<Contour> all_above_node(node_descriptor node) const
   {
-    return all_at_level(out_edges(node, on_complex_.graph()), level_above(on_complex_.node_vertex(node)));
+    return all_at_level(out_edges(node, on_complex_.graph()), level_beside(Side::UPPER, on_complex_.node_vertex(node)));
   }
 
 private:
@@ -170,20 +169,12 @@ private:
 
   Level level_at_value(const Scalar& value) const
   {
-    return {Is_below::above_value(order_, value), on_complex_.conversion().to_double(value)};
+    return {Is_below(order_, Side::UPPER, value), on_complex_.conversion().to_double(value)};
   }
 
-  Level level_below(Vertex_index v) const
+  Level level_beside(Side side, Vertex_index v) const
   {
-    return {are_ties_contracted_ ? Is_below::below_value(order_, on_complex_.scalar(v))
-                                 : Is_below::below_vertex(order_, v),
-            on_complex_.value(v)};
-  }
-
-  Level level_above(Vertex_index v) const
-  {
-    return {are_ties_contracted_ ? Is_below::above_value(order_, on_complex_.scalar(v))
-                                 : Is_below::above_vertex(order_, v),
+    return {are_ties_contracted_ ? Is_below(order_, side, on_complex_.scalar(v)) : Is_below(order_, side, v),
             on_complex_.value(v)};
   }
 
@@ -240,13 +231,13 @@ private:
       // For integers, the vertices below 2.5 are those below 2.
       const auto scalar = on_complex_.conversion().from_double(value, is_falling);
       if(scalar && is_alive_at(arc, *scalar))
-        return {Is_below::above_value(order_, *scalar), value};
+        return {Is_below(order_, Side::UPPER, *scalar), value};
     }
     const Scalar& upper_value = on_complex_.scalar(upper);
     const bool is_chain_vertex_lower = order_.is_lower(chain_vertex, upper_value);
     if(is_chain_vertex_lower ? is_rounded_up && std::isfinite(value) : are_ties_contracted_)
-      return {Is_below::below_value(order_, upper_value), upper_end};
-    return level_above(chain_vertex);
+      return {Is_below(order_, Side::LOWER, upper_value), upper_end};
+    return level_beside(Side::UPPER, chain_vertex);
   }
 
   // The part of halfedge i of the chain that is used: that below the upper node, and below the next piece of the chain,

@@ -77,8 +77,8 @@ public:
   // What Vertex_lists needs. It can outlive this object and the mesh.
   auto list_vertices(const std::shared_ptr<const Vertex_places>& places, std::size_t number_of_places) const
   {
-    return [complex = complex_, order = order_, places, number_of_places](auto& vertices, auto& begins) {
-      sort_vertices_by_place(complex->field.vertices, order, *places, number_of_places, vertices, begins);
+    return [complex = complex_, order = order_, places, number_of_places] {
+      return sort_vertices_by_place(complex->field.vertices, order, *places, number_of_places);
     };
   }
 

@@ -14,14 +14,14 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/engine/Flat_graph.h>
+#include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 
@@ -32,7 +32,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <mutex>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -49,56 +48,58 @@ class Vertex_lists
 public:
   typedef Iterator_range<const VertexDescriptor*> Range;
 
-  // Writes the vertices by place, and where those of each place begin; and the end.
-  typedef std::function<void(std::vector<VertexDescriptor>& vertices, std::vector<std::size_t>& begins)> Make;
+  struct Lists
+  {
+    std::vector<VertexDescriptor> vertices; // by place
+    std::vector<std::size_t> begins;        // of the vertices of each place; and the end
+  };
 
-  explicit Vertex_lists(Make make) : make_(std::move(make)) {}
+  explicit Vertex_lists(std::function<Lists()> make) : make_(std::move(make)) {}
 
   Range operator()(std::size_t place) const
   {
-    std::call_once(is_made_, [&] {
-      make_(vertices_, begins_);
-      make_ = nullptr;
+    const Lists& lists = lists_([this] {
+      Lists result = make_();
+      make_ = nullptr; // It holds what the lists are made of.
+      return result;
     });
-    return Range(vertices_.data() + begins_[place], vertices_.data() + begins_[place + 1]);
+    return Range(lists.vertices.data() + lists.begins[place], lists.vertices.data() + lists.begins[place + 1]);
   }
 
 private:
-  mutable std::once_flag is_made_;
-  mutable Make make_;
-  mutable std::vector<VertexDescriptor> vertices_;
-  mutable std::vector<std::size_t> begins_;
+  mutable std::function<Lists()> make_;
+  Made_on_demand<Lists> lists_;
 };
 
-// Does what Vertex_lists needs: counts the vertices of each place, and sorts those of one place by the order.
-template <class VertexList, class Order, class VertexDescriptor>
-void sort_vertices_by_place(const VertexList& vertex_list,
+// Makes what Vertex_lists needs: counts the vertices of each place, and sorts those of one place by the order.
+template <class VertexList, class Order>
+auto sort_vertices_by_place(const VertexList& vertex_list,
                             const Order& order,
                             const Vertex_places& places,
-                            std::size_t number_of_places,
-                            std::vector<VertexDescriptor>& vertices,
-                            std::vector<std::size_t>& begins)
+                            std::size_t number_of_places)
 {
-  begins.assign(number_of_places + 1, 0);
+  typename Vertex_lists<typename VertexList::vertex_descriptor>::Lists result;
+  result.begins.assign(number_of_places + 1, 0);
   for(const Index place : places)
   {
     if(place != no_index)
-      ++begins[place + 1];
+      ++result.begins[place + 1];
   }
-  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  std::partial_sum(result.begins.begin(), result.begins.end(), result.begins.begin());
   std::vector<typename Order::template Key<Vertex_index>> keys;
-  keys.resize(begins.back());
-  std::vector<std::size_t> next(begins);
+  keys.resize(result.begins.back());
+  std::vector<std::size_t> next(result.begins);
   for(const Vertex_index v : places.keys())
   {
     if(places[v] != no_index)
       keys[next[places[v]]++] = order.key(v, v);
   }
   for(std::size_t place = 0; place != number_of_places; ++place)
-    internal::sort<Sequential_tag>(keys.begin() + begins[place], keys.begin() + begins[place + 1], order);
-  vertices.reserve(keys.size());
+    internal::sort<Sequential_tag>(keys.begin() + result.begins[place], keys.begin() + result.begins[place + 1], order);
+  result.vertices.reserve(keys.size());
   for(const auto& key : keys)
-    vertices.push_back(vertex_list[key.name]);
+    result.vertices.push_back(vertex_list[key.name]);
+  return result;
 }
 
 // The place of each vertex in the exact graph, from the arcs between critical vertices and what they have been reduced

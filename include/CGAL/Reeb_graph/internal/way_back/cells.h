@@ -17,17 +17,14 @@
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten_soup.h>
-#include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_soup_traits.h>
 #include <CGAL/enum.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -138,103 +135,76 @@ private:
   std::vector<Tetrahedron> tetrahedra_;
 };
 
+// A triangle that shares an edge with another one, and with no third one.
+struct Neighboring_triangle
+{
+  std::size_t triangle;
+  bool is_alike; // whether the two triangles pass their edge in opposite directions
+};
+
+inline std::vector<std::vector<Neighboring_triangle>> find_neighbors(
+  const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  typedef std::tuple<std::size_t, std::size_t, std::size_t, bool> Side_of_triangle; // ends, triangle, is it ascending
+  std::vector<Side_of_triangle> sides;
+  sides.reserve(3 * triangles.size());
+  for(std::size_t t = 0; t != triangles.size(); ++t)
+  {
+    for(std::size_t i = 0; i != 3; ++i)
+    {
+      const std::size_t from = triangles[t][i], to = triangles[t][(i + 1) % 3];
+      sides.emplace_back((std::min)(from, to), (std::max)(from, to), t, from < to);
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<std::vector<Neighboring_triangle>> neighbors(triangles.size());
+  for(auto side = sides.begin(), end = side; side != sides.end(); side = end)
+  {
+    end = std::find_if(side, sides.end(), [&](const Side_of_triangle& other) {
+      return std::get<0>(other) != std::get<0>(*side) || std::get<1>(other) != std::get<1>(*side);
+    });
+    if(end - side != 2)
+      continue;
+    const std::size_t a = std::get<2>(side[0]), b = std::get<2>(side[1]);
+    const bool is_alike = std::get<3>(side[0]) != std::get<3>(side[1]);
+    neighbors[a].push_back({b, is_alike});
+    neighbors[b].push_back({a, is_alike});
+  }
+  return neighbors;
+}
+
 // Orients triangles alike that share an edge with no third one. In each part that is connected in this way, the way in
 // which most triangles are oriented before wins. A part that cannot be oriented is as the search leaves it.
-class Triangle_orientation
+inline void orient_alike(std::vector<std::array<std::size_t, 3>>& triangles)
 {
-public:
-  typedef std::array<std::size_t, 3> Triangle;
-
-  static void orient(std::vector<Triangle>& triangles)
+  const std::vector<std::vector<Neighboring_triangle>> neighbors = find_neighbors(triangles);
+  std::vector<bool> is_reached(triangles.size(), false), is_turned(triangles.size(), false);
+  for(std::size_t first = 0; first != triangles.size(); ++first)
   {
-    Triangle_orientation orientation(triangles);
-    if(!orientation.are_all_alike_)
-      orientation.turn(triangles);
-  }
-
-private:
-  struct Neighbor
-  {
-    std::size_t triangle;
-    bool is_alike; // whether the two triangles pass their edge in opposite directions
-  };
-
-  struct Side
-  {
-    std::size_t low, high, triangle;
-    bool is_ascending;
-
-    friend bool operator<(const Side& a, const Side& b)
+    if(is_reached[first])
+      continue;
+    is_reached[first] = true;
+    std::vector<std::size_t> part = {first};
+    for(std::size_t i = 0; i != part.size(); ++i)
     {
-      return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-    }
-    bool is_on_edge_of(const Side& other) const { return low == other.low && high == other.high; }
-  };
-
-  explicit Triangle_orientation(const std::vector<Triangle>& triangles) : neighbors_(triangles.size())
-  {
-    std::vector<Side> sides;
-    sides.reserve(3 * triangles.size());
-    for(std::size_t t = 0; t != triangles.size(); ++t)
-    {
-      for(std::size_t i = 0; i != 3; ++i)
+      for(const Neighboring_triangle& neighbor : neighbors[part[i]])
       {
-        const std::size_t from = triangles[t][i], to = triangles[t][(i + 1) % 3];
-        sides.push_back({(std::min)(from, to), (std::max)(from, to), t, from < to});
+        if(is_reached[neighbor.triangle])
+          continue;
+        is_reached[neighbor.triangle] = true;
+        is_turned[neighbor.triangle] = neighbor.is_alike ? is_turned[part[i]] : !is_turned[part[i]];
+        part.push_back(neighbor.triangle);
       }
     }
-    std::sort(sides.begin(), sides.end());
-    for(auto side = sides.begin(); side != sides.end();)
+    const auto number_of_turned = std::count_if(part.begin(), part.end(), [&](std::size_t t) { return is_turned[t]; });
+    const bool are_most_turned = 2 * static_cast<std::size_t>(number_of_turned) > part.size();
+    for(const std::size_t t : part)
     {
-      const auto end = std::find_if(side, sides.end(), [&](const Side& other) { return !other.is_on_edge_of(*side); });
-      if(end - side == 2)
-        join(side[0], side[1]);
-      side = end;
+      if(is_turned[t] != are_most_turned)
+        std::swap(triangles[t][1], triangles[t][2]);
     }
   }
-
-  void join(const Side& a, const Side& b)
-  {
-    const bool is_alike = a.is_ascending != b.is_ascending;
-    neighbors_[a.triangle].push_back({b.triangle, is_alike});
-    neighbors_[b.triangle].push_back({a.triangle, is_alike});
-    are_all_alike_ &= is_alike;
-  }
-
-  void turn(std::vector<Triangle>& triangles)
-  {
-    std::vector<bool> is_reached(triangles.size(), false), is_turned(triangles.size(), false);
-    for(std::size_t first = 0; first != triangles.size(); ++first)
-    {
-      if(is_reached[first])
-        continue;
-      is_reached[first] = true;
-      std::vector<std::size_t> part = {first};
-      for(std::size_t i = 0; i != part.size(); ++i)
-      {
-        for(const Neighbor& neighbor : neighbors_[part[i]])
-        {
-          if(is_reached[neighbor.triangle])
-            continue;
-          is_reached[neighbor.triangle] = true;
-          is_turned[neighbor.triangle] = neighbor.is_alike ? is_turned[part[i]] : !is_turned[part[i]];
-          part.push_back(neighbor.triangle);
-        }
-      }
-      const auto number_of_turned =
-        std::count_if(part.begin(), part.end(), [&](std::size_t t) { return is_turned[t]; });
-      const bool are_most_turned = 2 * static_cast<std::size_t>(number_of_turned) > part.size();
-      for(const std::size_t t : part)
-      {
-        if(is_turned[t] != are_most_turned)
-          std::swap(triangles[t][1], triangles[t][2]);
-      }
-    }
-  }
-
-  std::vector<std::vector<Neighbor>> neighbors_;
-  bool are_all_alike_ = true;
-};
+}
 
 } // namespace CGAL::Reeb_graph::internal
 

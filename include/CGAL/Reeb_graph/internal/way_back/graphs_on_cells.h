@@ -305,7 +305,7 @@ public:
         if(number_of_lower != 4 && is_first && point_of_edge.count(edge(tetrahedron[0], tetrahedron[3])) != 0)
           add_triangles(tetrahedron, number_of_lower, point_of_edge, contour);
       }
-    Triangle_orientation::orient(contour.triangles);
+    orient_alike(contour.triangles);
     return contour;
   }
 

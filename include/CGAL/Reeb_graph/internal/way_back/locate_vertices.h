@@ -17,7 +17,6 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/engine/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
