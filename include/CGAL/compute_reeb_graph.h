@@ -18,7 +18,7 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
@@ -216,7 +216,8 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   namespace internal = Reeb_graph::internal;
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Default_traits;
   typedef internal::Chosen_traits<Default_traits, NamedParameters> Traits;
-  if constexpr(internal::Field_and_graph_to_write<FaceListGraph, ScalarMap, ReebGraph, Traits>::value)
+  if constexpr(internal::Then<internal::Graph_is_not_const<ReebGraph>::value,
+                              internal::Field_and_graph<FaceListGraph, ScalarMap, ReebGraph, Traits>>::value)
   {
     const internal::Mesh_with_field<FaceListGraph, ScalarMap, NamedParameters> input = {mesh, scalar_map, np};
     const auto traits = internal::choose_traits<Default_traits>(np);

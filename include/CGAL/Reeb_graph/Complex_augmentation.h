@@ -82,9 +82,7 @@ public:
                        const Scalars&,
                        const Graph&&,
                        const NamedParameters& = parameters::default_values()) = delete;
-#endif
 
-#ifndef DOXYGEN_RUNNING
   // The cells, for those who measure them.
   const auto& cells() const { return this->on_mesh().cells(); }
 #endif

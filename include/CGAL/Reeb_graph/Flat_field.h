@@ -161,12 +161,8 @@ private:
   std::shared_ptr<Flat_surface> surface_;
 };
 
-template <class FaceListGraph, class ScalarMap>
-Flat_field(const FaceListGraph&, const ScalarMap&)
-  -> Flat_field<FaceListGraph, typename Reeb_graph_traits<FaceListGraph, ScalarMap>::Scalar>;
-
-template <class FaceListGraph, class ScalarMap, class NamedParameters>
-Flat_field(const FaceListGraph&, const ScalarMap&, const NamedParameters&)
+template <class FaceListGraph, class ScalarMap, class NamedParameters = parameters::Default_named_parameters>
+Flat_field(const FaceListGraph&, const ScalarMap&, const NamedParameters& = parameters::default_values())
   -> Flat_field<FaceListGraph,
                 typename internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters>::Scalar>;
 

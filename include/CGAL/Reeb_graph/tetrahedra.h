@@ -123,13 +123,10 @@ auto make_tetrahedra_builder(const Triangulation& triangulation)
 ///         have `Construct_point_3`, as the kernels of \cgal do
 ///
 /// \param triangulation the triangulation
+///
+/// \returns the `Tetrahedra`.
 template <class Triangulation>
-#ifdef DOXYGEN_RUNNING
-Tetrahedra<typename Triangulation::Vertex_handle, unspecified_type>
-#else
-auto
-#endif
-tetrahedra_of_triangulation(const Triangulation& triangulation)
+auto tetrahedra_of_triangulation(const Triangulation& triangulation)
 {
   auto builder = internal::make_tetrahedra_builder(triangulation);
   for(auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end(); ++v)
@@ -150,13 +147,10 @@ tetrahedra_of_triangulation(const Triangulation& triangulation)
 /// \tparam MeshComplex a model of `MeshComplex_3InTriangulation_3`, such as `CGAL::Mesh_complex_3_in_triangulation_3`
 ///
 /// \param complex the complex
+///
+/// \returns the `Tetrahedra`.
 template <class MeshComplex>
-#ifdef DOXYGEN_RUNNING
-Tetrahedra<typename MeshComplex::Triangulation::Vertex_handle, unspecified_type>
-#else
-auto
-#endif
-tetrahedra_of_complex(const MeshComplex& complex)
+auto tetrahedra_of_complex(const MeshComplex& complex)
 {
   auto builder = internal::make_tetrahedra_builder(complex.triangulation());
   for(auto cell = complex.cells_in_complex_begin(); cell != complex.cells_in_complex_end(); ++cell)
@@ -176,14 +170,11 @@ tetrahedra_of_complex(const MeshComplex& complex)
 ///
 /// \param complex the linear cell complex
 ///
+/// \returns the `Tetrahedra`.
+///
 /// \exception Non_tetrahedral_cell_error if a 3-cell is not a tetrahedron, or one with a vertex at two of its corners
 template <class LinearCellComplex>
-#ifdef DOXYGEN_RUNNING
-Tetrahedra<unspecified_type, typename LinearCellComplex::Point>
-#else
-auto
-#endif
-tetrahedra_of_linear_cell_complex(const LinearCellComplex& complex)
+auto tetrahedra_of_linear_cell_complex(const LinearCellComplex& complex)
 {
   typedef std::decay_t<decltype(complex.vertex_attribute(complex.darts().begin()))> Vertex_handle;
   static_assert(LinearCellComplex::dimension == 3, "the linear cell complex has to be of dimension 3");

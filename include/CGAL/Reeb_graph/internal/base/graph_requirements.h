@@ -230,12 +230,6 @@ struct Field_and_graph
 {
 };
 
-template <class Mesh, class ScalarMap, class Graph, class Traits>
-struct Field_and_graph_to_write
-  : Then<Graph_is_not_const<Graph>::value, Field_and_graph<Mesh, ScalarMap, Graph, Traits>>
-{
-};
-
 template <class Mesh, class ScalarMap, class Graph, class Traits, class FacePatchMap>
 struct Refinable_mesh_with_graph
   : Then<Then<Then<Refinable_mesh<Mesh>::value, Field_and_graph<Mesh, ScalarMap, Graph, Traits>>::value,

@@ -75,83 +75,48 @@ Level_set_component find_level_set_component(const Simplicial_complex& complex,
 struct Point_tag;
 typedef Index_of<Point_tag> Point_index;
 
-// Splits the lines of a component of a level set into polylines, which end where not exactly two lines meet.
-class Polyline_search
+// Splits the lines of a component of a level set into polylines, which end where not exactly two lines meet: those from
+// branch points and points of the border, in the order of their first points, or the only one, if the component is a
+// closed curve. Branch points are those of more than two lines.
+inline void find_polylines(const Level_set_component& component,
+                           std::vector<std::vector<std::size_t>>& polylines,
+                           std::vector<std::size_t>& branch_points)
 {
-public:
-  typedef std::vector<std::size_t> Polyline; // the numbers of its points
-
-  explicit Polyline_search(const Level_set_component& component)
-    : lines_(component.lines),
-      number_of_points_(component.edges.size()),
-      lines_of_points_(number_of_points_,
-                       [&](const auto& visit) {
-                         for(std::size_t line = 0; line != lines_.size(); ++line)
-                           for(const Number point : lines_[line])
-                             visit(Point_index(point), line);
-                       }),
-      is_used_(lines_.size(), false)
-  {}
-
-  std::vector<std::size_t> branch_points() const
-  {
-    std::vector<std::size_t> result;
-    for(std::size_t point = 0; point != number_of_points_; ++point)
-    {
-      if(lines_at(point).size() > 2)
-        result.push_back(point);
-    }
-    return result;
-  }
-
-  // The polylines from branch points and points of the border, in the order of their first points, or the only one, if
-  // the component is a closed curve.
-  std::vector<Polyline> find_polylines()
-  {
-    std::vector<Polyline> result;
-    for(std::size_t point = 0; point != number_of_points_; ++point)
-    {
-      if(lines_at(point).size() == 2)
-        continue;
-      for(const std::size_t line : lines_at(point))
-      {
-        if(!is_used_[line])
-          result.push_back(follow(point, line));
-      }
-    }
-    if(result.empty() && !lines_.empty())
-      result.push_back(follow(0, *lines_at(0).begin()));
-    return result;
-  }
-
-private:
-  typedef Level_set_component::Line Line;
-
-  Buckets<Point_index, std::size_t>::Bucket lines_at(std::size_t point) const
-  {
-    return lines_of_points_[Point_index(point)];
-  }
-
-  Polyline follow(std::size_t first_point, std::size_t line)
-  {
-    Polyline polyline = {first_point};
+  const std::vector<Level_set_component::Line>& lines = component.lines;
+  const Buckets<Point_index, std::size_t> lines_of_points(component.edges.size(), [&](const auto& visit) {
+    for(std::size_t line = 0; line != lines.size(); ++line)
+      for(const Number point : lines[line])
+        visit(Point_index(point), line);
+  });
+  const auto lines_at = [&](std::size_t point) { return lines_of_points[Point_index(point)]; };
+  std::vector<bool> is_used(lines.size(), false);
+  const auto follow = [&](std::size_t first_point, std::size_t line) {
+    polylines.push_back({first_point});
+    std::vector<std::size_t>& polyline = polylines.back();
     for(;;)
     {
-      is_used_[line] = true;
-      const std::size_t point = lines_[line][lines_[line][0] == polyline.back() ? 1 : 0];
+      is_used[line] = true;
+      const std::size_t point = lines[line][lines[line][0] == polyline.back() ? 1 : 0];
       polyline.push_back(point);
-      const auto lines = lines_at(point);
-      if(point == first_point || lines.size() != 2)
-        return polyline;
-      line = lines.begin()[*lines.begin() == line ? 1 : 0];
+      const auto lines_on = lines_at(point);
+      if(point == first_point || lines_on.size() != 2)
+        return;
+      line = lines_on.begin()[*lines_on.begin() == line ? 1 : 0];
+    }
+  };
+  for(std::size_t point = 0; point != component.edges.size(); ++point)
+  {
+    if(lines_at(point).size() > 2)
+      branch_points.push_back(point);
+    for(const std::size_t line : lines_at(point))
+    {
+      if(lines_at(point).size() != 2 && !is_used[line])
+        follow(point, line);
     }
   }
-
-  const std::vector<Line>& lines_;
-  const std::size_t number_of_points_;
-  const Buckets<Point_index, std::size_t> lines_of_points_;
-  std::vector<bool> is_used_;
-};
+  if(polylines.empty() && !lines.empty())
+    follow(0, *lines_at(0).begin());
+}
 
 // A graph and the complex that its nodes and chains are on, whose vertices are numbers for the user, too. `CellList`
 // holds the triangles or tetrahedra as the user lists them. A derived class traces the contours.
@@ -263,9 +228,7 @@ public:
   {
     const Level_set_component component = find_level_set_component(this->complex(), start, level.is_below);
     Contour contour = this->make_points(arc, component, level);
-    Polyline_search search(component);
-    contour.polylines = search.find_polylines();
-    contour.branch_points = search.branch_points();
+    find_polylines(component, contour.polylines, contour.branch_points);
     return contour;
   }
 };

@@ -11,14 +11,12 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
@@ -230,12 +228,12 @@ Vertex_places read_places(const GraphOnMesh& on_mesh, const PlaceMap& map, std::
 }
 
 // The places of all vertices in the graph, which has to be the exact one, or one that this has been simplified to.
-template <class ConcurrencyTag, class GraphOnMesh, class NamedParameters>
-auto locate_vertices(const GraphOnMesh& on_mesh,
-                     Ties ties,
-                     bool are_degree_two_nodes_kept,
-                     const Simplified_places& simplified_places,
-                     const NamedParameters& np)
+template <class ConcurrencyTag, class VertexLocations, class GraphOnMesh, class NamedParameters>
+VertexLocations locate_vertices(const GraphOnMesh& on_mesh,
+                                Ties ties,
+                                bool are_degree_two_nodes_kept,
+                                const Simplified_places& simplified_places,
+                                const NamedParameters& np)
 {
   typedef typename GraphOnMesh::vertex_descriptor vertex_descriptor;
   const Progress progress(np);
@@ -261,7 +259,7 @@ auto locate_vertices(const GraphOnMesh& on_mesh,
   }
   const auto arcs = edges(graph);
   progress.report_end();
-  return Reeb_graph::Vertex_locations<vertex_descriptor, typename GraphOnMesh::Graph>(
+  return VertexLocations(
     on_mesh.vertex_numbers(), num_vertices(graph), {arcs.first, arcs.second}, place_of_vertex,
     std::make_shared<Vertex_lists<vertex_descriptor>>(on_mesh.list_vertices(place_of_vertex, number_of_places)));
 }
