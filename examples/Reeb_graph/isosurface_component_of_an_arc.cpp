@@ -2,7 +2,7 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <CGAL/IO/OFF.h>
-#include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
+#include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Reeb_graph/Soup_augmentation.h>
+#include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
 #include <cstddef>

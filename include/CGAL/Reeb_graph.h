@@ -13,40 +13,27 @@
 
 // All that is about graphs. The headers of the folders fields/, curves/ and handles/, which are about meshes, are
 // included one by one.
-#include <CGAL/Reeb_graph/Attribute.h>
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/Basic_augmentation.h>
 #include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/Reeb_graph/Contour.h>
-#include <CGAL/Reeb_graph/Critical_vertex_counts.h>
 #include <CGAL/Reeb_graph/Embedding.h>
 #include <CGAL/Reeb_graph/Flat_field.h>
-#include <CGAL/Reeb_graph/Halfedge_chain.h>
 #include <CGAL/Reeb_graph/IO.h>
-#include <CGAL/Reeb_graph/IO/attributes.h>
 #include <CGAL/Reeb_graph/IO/csv.h>
 #include <CGAL/Reeb_graph/IO/graphml.h>
 #include <CGAL/Reeb_graph/IO/graphviz.h>
 #include <CGAL/Reeb_graph/IO/json.h>
-#include <CGAL/Reeb_graph/IO/mesh_vtp.h>
 #include <CGAL/Reeb_graph/IO/obj.h>
 #include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/IO/read_graphml.h>
 #include <CGAL/Reeb_graph/IO/svg.h>
 #include <CGAL/Reeb_graph/IO/vtp.h>
-#include <CGAL/Reeb_graph/Node_kind.h>
-#include <CGAL/Reeb_graph/Soup_augmentation.h>
-#include <CGAL/Reeb_graph/Soup_contour.h>
-#include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
-#include <CGAL/Reeb_graph/Vertex_locations.h>
 #include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
-#include <CGAL/Reeb_graph/index_maps.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
-#include <CGAL/Reeb_graph/piece_measures.h>
 #include <CGAL/Reeb_graph/plane_layout.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/simplification/Simplification.h>

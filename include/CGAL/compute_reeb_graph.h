@@ -18,7 +18,7 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
@@ -65,12 +65,6 @@ struct Mesh_with_field
       surface.field.numbers = nullptr; // They take memory, and nobody asks for them.
       return surface;
     }
-  }
-
-  template <class ConcurrencyTag, class Complex, class Order>
-  auto classify_vertices(Complex complex, const Order& order) const
-  {
-    return internal::check_and_classify_vertices<ConcurrencyTag>(std::move(complex), order);
   }
 
   // What leads from the numbers of a complex back to the descriptors.
@@ -122,7 +116,6 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///         at the same time. They also read built-in numbers from the map, but not from a dynamic property map of a
 ///         mesh that is not a `Surface_mesh`.
 /// \tparam ReebGraph the type `Graph` of the traits class
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the triangulated surface; it is only read
 /// \param scalar_map the scalar field
@@ -135,19 +128,16 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///                           above become nodes of degree 2. They are none in the Reeb graph proper.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{use the functions `parameters::keep_degree_two_nodes()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{ties}
 ///     \cgalParamDescription{what becomes of vertices of equal value}
 ///     \cgalParamType{`Reeb_graph::Ties`}
 ///     \cgalParamDefault{`Reeb_graph::Ties::PERTURB`}
-///     \cgalParamExtra{use the functions `parameters::ties()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{method}
 ///     \cgalParamDescription{how the arcs are found. It has no influence on the result.}
 ///     \cgalParamType{`Reeb_graph::Method`}
 ///     \cgalParamDefault{`Reeb_graph::Method::AUTOMATIC`}
-///     \cgalParamExtra{use the functions `parameters::method()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_slabs}
 ///     \cgalParamDescription{into how many slabs, between level sets, the surface is cut so that the arcs of each are
@@ -156,7 +146,6 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///                           that they cross would take much more memory than the mesh.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
-///     \cgalParamExtra{use the functions `parameters::number_of_slabs()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_place_map}
 ///     \cgalParamDescription{is given the number of the place of each vertex in the graph: nodes are numbered from 0 by
@@ -167,7 +156,6 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptors as key type and an integer type as
 ///                    value type}
 ///     \cgalParamDefault{none: the places are not looked for}
-///     \cgalParamExtra{use the functions `parameters::vertex_place_map()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1. If it returns
@@ -228,7 +216,8 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   namespace internal = Reeb_graph::internal;
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Default_traits;
   typedef internal::Chosen_traits<Default_traits, NamedParameters> Traits;
-  if constexpr(internal::Field_and_graph_to_write<FaceListGraph, ScalarMap, ReebGraph, Traits>::value)
+  if constexpr(internal::Then<internal::Graph_is_not_const<ReebGraph>::value,
+                              internal::Field_and_graph<FaceListGraph, ScalarMap, ReebGraph, Traits>>::value)
   {
     const internal::Mesh_with_field<FaceListGraph, ScalarMap, NamedParameters> input = {mesh, scalar_map, np};
     const auto traits = internal::choose_traits<Default_traits>(np);
@@ -269,7 +258,7 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
 
   visitor.begin_stage(Stage::CLASSIFY);
   auto [complex, critical_vertices] =
-    input.template classify_vertices<ConcurrencyTag>(std::move(unchecked_complex), order);
+    stages::check_and_classify_vertices<ConcurrencyTag>(std::move(unchecked_complex), order);
   visitor.critical_vertices(stages::count_critical_vertices(critical_vertices));
   visitor.end_stage(Stage::CLASSIFY);
   progress.report(0.3);

@@ -13,25 +13,62 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten_soup.h>
-#include <CGAL/Reeb_graph/internal/engine/classify_complex.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_soup_traits.h>
 #include <CGAL/compute_reeb_graph.h>
 
-#include <array>
 #include <cstddef>
-#include <iterator>
-#include <type_traits>
 
 namespace CGAL {
 namespace Reeb_graph::internal {
 
-template <class ConcurrencyTag, class Scalars, class ReebGraph, class NamedParameters, class ReadComplex>
-void compute_graph_of_complex(std::size_t number_of_vertices,
-                              const Scalars& scalars,
-                              ReebGraph& graph,
-                              const NamedParameters& np,
-                              const ReadComplex& read_complex);
+// A soup and its field, as the pipeline takes them.
+template <std::size_t vertices_per_cell, class PointsOrNumber, class Cells, class Scalars, class NamedParameters>
+struct Soup_with_field
+{
+  const PointsOrNumber& points;
+  const Cells& cells;
+  const Scalars& scalars;
+  const NamedParameters& np;
+
+  template <class ConcurrencyTag, class Traits>
+  auto flatten(const Traits& traits) const
+  {
+    return flatten_cells<ConcurrencyTag, vertices_per_cell>(points, cells, parameters::get_parameter(np, edges_of_soup),
+                                                            scalars, traits);
+  }
+
+  // Descriptors are made from the numbers of the complex.
+  const Simplicial_complex& mesh_of(const Simplicial_complex& complex) const { return complex; }
+};
+
+template <class ConcurrencyTag,
+          std::size_t vertices_per_cell,
+          class PointsOrNumber,
+          class Cells,
+          class Scalars,
+          class ReebGraph,
+          class NamedParameters>
+void compute_graph_of_cells(const PointsOrNumber& points,
+                            const Cells& cells,
+                            const Scalars& scalars,
+                            ReebGraph& graph,
+                            const NamedParameters& np)
+{
+  typedef Reeb_graph_soup_traits<Value_of_range<Scalars>> Default_traits;
+  typedef Chosen_traits<Default_traits, NamedParameters> Traits;
+  if constexpr(Then<Graph_is_not_const<ReebGraph>::value,
+                    Graph_of_field<ReebGraph, Simplicial_complex, typename Traits::Scalar>>::value)
+  {
+    const Soup_with_field<vertices_per_cell, PointsOrNumber, Cells, Scalars, NamedParameters> input = {points, cells,
+                                                                                                       scalars, np};
+    const auto traits = choose_traits<Default_traits>(np);
+    if(is_parallel<ConcurrencyTag>() && count_vertices(points) < smallest_parallel_mesh / 2)
+      run_pipeline<Sequential_tag>(input, traits, graph, np);
+    else
+      run_pipeline<ConcurrencyTag>(input, traits, graph, np);
+  }
+}
 
 } // namespace Reeb_graph::internal
 
@@ -55,7 +92,6 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
 ///         `std::vector<std::array<std::size_t, 3>>` and `std::vector<std::vector<int>>`
 /// \tparam ScalarRange a random access range of scalar values
 /// \tparam ReebGraph the type `Graph` of the traits class
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param points the points, or how many vertices there are
 /// \param triangles the triangles
@@ -68,7 +104,6 @@ void compute_graph_of_complex(std::size_t number_of_vertices,
 ///     \cgalParamDescription{edges that may be on no triangle, as a range of pairs of indices}
 ///     \cgalParamType{a range of `std::pair`, or of ranges of two indices, copied or as `std::reference_wrapper`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::edges()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object}
@@ -111,10 +146,7 @@ void compute_reeb_graph_of_soup(const PointsOrNumber& points,
                                 ReebGraph& graph,
                                 const NamedParameters& np = parameters::default_values())
 {
-  namespace internal = Reeb_graph::internal;
-  const std::size_t size = internal::count_vertices(points);
-  internal::compute_graph_of_complex<ConcurrencyTag>(
-    size, scalars, graph, np, [&](const auto& edges) { return internal::read_triangles(size, triangles, edges); });
+  Reeb_graph::internal::compute_graph_of_cells<ConcurrencyTag, 3>(points, triangles, scalars, graph, np);
 }
 
 /// \ingroup PkgReebGraphRef
@@ -139,64 +171,8 @@ void compute_reeb_graph_of_tetrahedra(const PointsOrNumber& points,
                                       ReebGraph& graph,
                                       const NamedParameters& np = parameters::default_values())
 {
-  namespace internal = Reeb_graph::internal;
-  const std::size_t size = internal::count_vertices(points);
-  internal::compute_graph_of_complex<ConcurrencyTag>(
-    size, scalars, graph, np, [&](const auto& edges) { return internal::read_tetrahedra(size, tetrahedra, edges); });
+  Reeb_graph::internal::compute_graph_of_cells<ConcurrencyTag, 4>(points, tetrahedra, scalars, graph, np);
 }
-
-namespace Reeb_graph::internal {
-
-// A soup and its field, as the pipeline takes them.
-template <class Scalars, class ReadComplex>
-struct Soup_with_field
-{
-  std::size_t number_of_vertices;
-  const Scalars& scalars;
-  const ReadComplex& read_complex;
-
-  template <class ConcurrencyTag, class Traits>
-  Flat_soup<typename Traits::Scalar> flatten(const Traits& traits) const
-  {
-    return flatten_soup<ConcurrencyTag>(number_of_vertices, scalars, traits, read_complex);
-  }
-
-  template <class ConcurrencyTag, class Order>
-  auto classify_vertices(Simplicial_complex complex, const Order& order) const
-  {
-    return internal::check_and_classify_vertices<ConcurrencyTag>(std::move(complex), order);
-  }
-
-  // Descriptors are made from the numbers of the complex.
-  const Simplicial_complex& mesh_of(const Simplicial_complex& complex) const { return complex; }
-};
-
-template <class ConcurrencyTag, class Scalars, class ReebGraph, class NamedParameters, class ReadComplex>
-void compute_graph_of_complex(std::size_t number_of_vertices,
-                              const Scalars& scalars,
-                              ReebGraph& graph,
-                              const NamedParameters& np,
-                              const ReadComplex& read_complex)
-{
-  typedef typename std::iterator_traits<decltype(std::begin(scalars))>::value_type Scalar;
-  typedef Reeb_graph_soup_traits<Scalar> Default_traits;
-  typedef Chosen_traits<Default_traits, NamedParameters> Traits;
-  if constexpr(Then<Graph_is_not_const<ReebGraph>::value,
-                    Graph_of_field<ReebGraph, Simplicial_complex, typename Traits::Scalar>>::value)
-  {
-    auto edges_parameter = parameters::choose_parameter<std::array<std::array<std::size_t, 2>, 0>>(
-      parameters::get_parameter(np, edges_of_soup));
-    const auto read = [&] { return read_complex(unwrap_reference(edges_parameter)); };
-    const Soup_with_field<Scalars, decltype(read)> input = {number_of_vertices, scalars, read};
-    const auto traits = choose_traits<Default_traits>(np);
-    if(is_parallel<ConcurrencyTag>() && number_of_vertices < smallest_parallel_mesh / 2)
-      run_pipeline<Sequential_tag>(input, traits, graph, np);
-    else
-      run_pipeline<ConcurrencyTag>(input, traits, graph, np);
-  }
-}
-
-} // namespace Reeb_graph::internal
 
 } // namespace CGAL
 

@@ -13,7 +13,7 @@
 #include "base/surface.h"
 
 #include <CGAL/Reeb_graph/Embedding.h>
-#include <CGAL/Reeb_graph/IO/attributes.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <vector>
 

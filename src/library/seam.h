@@ -16,7 +16,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/Soup_augmentation.h>
+#include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/Reeb_graph/simplification/simplify_field.h>
 #include <CGAL/compute_reeb_graph.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>

@@ -12,7 +12,7 @@
 #include "output/output_file.h"
 
 #include <CGAL/IO/Color.h>
-#include <CGAL/Reeb_graph/IO/mesh_vtp.h>
+#include <CGAL/Reeb_graph/IO/vtp.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>

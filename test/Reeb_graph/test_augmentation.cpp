@@ -14,7 +14,7 @@
 #include "random_fields.h"
 #include "random_meshes.h"
 
-#include <CGAL/Reeb_graph/index_maps.h>
+#include <CGAL/Reeb_graph/scalar_maps.h>
 
 #include <boost/mpl/list.hpp>
 
@@ -200,14 +200,15 @@ Arcs_of_vertices climb_and_sweep(const Surface_mesh& mesh, const std::vector<dou
   const auto surface = internal::flatten<Tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
   const internal::Vertex_order order(surface.field.values, traits.less_scalar_object());
   const auto critical_vertices = internal::classify_vertices<Tag>(surface.complex, order);
+  const internal::Slab slab(surface.complex, critical_vertices);
+  const internal::Contour_trees_engine engine(slab, order);
   Arcs_of_vertices result;
   internal::Climbing_queries climbing(surface.complex, order, critical_vertices);
-  result.arcs =
-    internal::find_arcs_and_answer<Tag>(surface.complex, order, critical_vertices, climbing, internal::No_progress());
+  result.arcs = engine.find_arcs<Tag>(internal::No_progress(), climbing);
   result.climbed = climbing.take_arc_of_vertex();
   internal::Vertex_queries sweeping(surface.complex, order, critical_vertices);
   sweeping.sort<Tag>();
-  internal::find_arcs_and_answer<Tag>(surface.complex, order, critical_vertices, sweeping, internal::No_progress());
+  engine.find_arcs<Tag>(internal::No_progress(), sweeping);
   result.swept = sweeping.take_arc_of_vertex();
   return result;
 }

@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/curves/segmentation.h>
-#include <CGAL/Reeb_graph/piece_measures.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>

@@ -14,8 +14,7 @@
 #include "random_complexes.h"
 #include "random_meshes.h"
 
-#include <CGAL/Reeb_graph/Soup_augmentation.h>
-#include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
+#include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
@@ -255,12 +254,12 @@ BOOST_AUTO_TEST_CASE(climbing_gives_the_arcs_of_complexes_that_sweeping_gives)
       const auto locations = Soup_augmentation(size, complex.triangles, values, graph, np).locate_vertices();
 
       const CGAL::Reeb_graph_soup_traits<double> traits;
-      const auto soup = internal::flatten_cells<3>(size, complex.triangles, values, traits, np);
+      const auto soup = internal::flatten_cells<Tag, 3>(size, complex.triangles, complex.edges, values, traits);
       const internal::Vertex_order order(soup.field.values, traits.less_scalar_object());
       const auto critical_vertices = internal::classify_vertices<Tag>(soup.complex, order);
       internal::Climbing_queries queries(soup.complex, order, critical_vertices);
-      const auto arcs =
-        internal::find_arcs_and_answer<Tag>(soup.complex, order, critical_vertices, queries, internal::No_progress());
+      const internal::Slab slab(soup.complex, critical_vertices);
+      const auto arcs = internal::Contour_trees_engine(slab, order).find_arcs<Tag>(internal::No_progress(), queries);
       const internal::Arc_of_vertex arc_of_vertex = queries.take_arc_of_vertex();
       const std::vector<arc_descriptor> graph_arcs(edges(graph).first, edges(graph).second);
       for(std::size_t v = 0; v < size; ++v)

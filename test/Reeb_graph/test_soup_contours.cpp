@@ -17,9 +17,8 @@
 #include "soup_samples.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/Reeb_graph/IO/polylines.h>
-#include <CGAL/Reeb_graph/Soup_augmentation.h>
-#include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 

@@ -15,10 +15,9 @@
 #include "soup_samples.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/Reeb_graph/IO/svg.h>
-#include <CGAL/Reeb_graph/Soup_augmentation.h>
-#include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
 #include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>

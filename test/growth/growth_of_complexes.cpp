@@ -8,8 +8,7 @@
 #include "Table.h"
 #include "generated_complexes.h"
 
-#include <CGAL/Reeb_graph/Soup_augmentation.h>
-#include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
+#include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Simple_cartesian.h>

@@ -19,7 +19,7 @@ set(below_curves words base complex core fields simplification)
 set(below_handles words base complex core fields simplification curves)
 set(below_distributed words base complex engine core)
 
-set(words Attribute.h exceptions.h options.h Node_kind.h Critical_vertex_counts.h)
+set(words exceptions.h options.h visitor.h)
 set(headers_of_drawing plane_layout.h IO/svg.h)
 
 function(room_of header result)

@@ -14,8 +14,7 @@
 #include "soup_augmentation_checks.h"
 #include "soup_samples.h"
 
-#include <CGAL/Reeb_graph/Soup_augmentation.h>
-#include <CGAL/Reeb_graph/Tetrahedra_augmentation.h>
+#include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 

@@ -11,7 +11,6 @@
 
 #include "oracle_parts.h"
 
-#include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <boost/graph/properties.hpp>

@@ -78,40 +78,12 @@ private:
 } // namespace benchmark
 
 namespace tbb {
-template <class Index>
-class blocked_range
-{
-public:
-  blocked_range(Index begin, Index end, std::size_t grain_size = 1) : begin_(begin), end_(end), grain_size_(grain_size)
-  {}
-
-  Index begin() const { return begin_; }
-  Index end() const { return end_; }
-  std::size_t grainsize() const { return grain_size_; }
-
-private:
-  Index begin_, end_;
-  std::size_t grain_size_;
-};
-
 template <class Index, class Function>
 void parallel_for(Index begin, Index end, const Function& function)
 {
   benchmark::Meter::spend_side_by_side([&](const auto& spend) {
     for(Index i = begin; i < end; ++i)
       spend([&] { function(i); });
-  });
-}
-
-template <class Index, class Function>
-void parallel_for(const blocked_range<Index>& range, const Function& function)
-{
-  benchmark::Meter::spend_side_by_side([&](const auto& spend) {
-    for(Index begin = range.begin(), end; begin < range.end(); begin = end)
-    {
-      end = range.end() - begin < range.grainsize() ? range.end() : begin + range.grainsize();
-      spend([&] { function(blocked_range<Index>(begin, end, range.grainsize())); });
-    }
   });
 }
 

@@ -11,20 +11,289 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Basic_augmentation.h>
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/way_back/Arc_contours.h>
 #include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
+#include <CGAL/Reeb_graph/internal/way_back/Vertex_places.h>
+#include <CGAL/Reeb_graph/internal/way_back/locate_vertices.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/options.h>
 #include <CGAL/Reeb_graph_traits.h>
 
+#include <CGAL/Iterator_range.h>
+
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace CGAL::Reeb_graph {
+
+/// \ingroup PkgReebGraphAugmentation
+///
+/// \brief the place of each vertex of the mesh in the Reeb graph, and the vertices of each arc and node.
+///
+/// It is made by `Augmentation::locate_vertices()`. The vertices of arcs and nodes are sorted when they are asked for
+/// the first time, in \f$ O(n \log n) \f$ for \f$ n \f$ vertices of the mesh; several threads may ask at a time. It can
+/// outlive the `Augmentation` and the mesh, but holds copies of the arc descriptors and of a `vertex_index_map`: as
+/// long as it is used, the graph must not lose arcs, and the map must stay valid. `get(vertex_locations, v)` is the
+/// same as `vertex_locations[v]`.
+///
+/// \tparam VertexDescriptor a vertex descriptor of the mesh
+/// \tparam ReebGraph the type of the Reeb graph
+///
+/// \cgalModels{ReadablePropertyMap}
+template <class VertexDescriptor, class ReebGraph>
+class Vertex_locations
+{
+public:
+  typedef typename boost::graph_traits<ReebGraph>::vertex_descriptor node_descriptor; ///< a node of the graph
+  typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor;    ///< an arc of the graph
+
+  /// a node or an arc: `std::holds_alternative<arc_descriptor>(location)`, `std::get<arc_descriptor>(location)`
+  typedef std::variant<node_descriptor, arc_descriptor> Location;
+
+  typedef VertexDescriptor key_type;                            ///< the key type
+  typedef Location value_type;                                  ///< the value type
+  typedef Location reference;                                   ///< the same
+  typedef boost::readable_property_map_tag category;            ///< the category
+  typedef Iterator_range<const VertexDescriptor*> Vertex_range; ///< the type of a range of vertices
+
+  /// returns the place of the vertex `v`: the node that it belongs to, or the arc that passes it.
+  ///
+  /// \exception Unknown_vertex_error if the mesh had no such vertex
+  Location operator[](VertexDescriptor v) const
+  {
+    const std::size_t place = index(v);
+    if(place < number_of_nodes_)
+      return node_descriptor(place);
+    return arcs_[place - number_of_nodes_];
+  }
+
+  /// returns the number of the place of the vertex `v`: nodes are numbered from 0 by their descriptors, arcs after the
+  /// last node, in the order of `edges(graph)`.
+  ///
+  /// \exception Unknown_vertex_error if the mesh had no such vertex
+  std::size_t index(VertexDescriptor v) const
+  {
+    const internal::Vertex_index position = position_(v);
+    if(!places_->contains(position) || (*places_)[position] == internal::no_index)
+      throw Unknown_vertex_error();
+    return (*places_)[position];
+  }
+
+  /// returns the vertices of a node in ascending order. It has more than one if ties are contracted.
+  Vertex_range vertices_of_node(node_descriptor node) const { return (*lists_)(node); }
+
+  /// returns the vertices of the arc number `i`, in the order of `edges(graph)`, in ascending order. That is the arc of
+  /// the vertices whose `index()` is the number of nodes plus `i`.
+  Vertex_range vertices_of_arc(std::size_t i) const { return (*lists_)(number_of_nodes_ + i); }
+
+  /// returns the place of `v`.
+  friend Location get(const Vertex_locations& locations, VertexDescriptor v) { return locations[v]; }
+
+#ifndef DOXYGEN_RUNNING
+  Vertex_locations(std::function<internal::Vertex_index(VertexDescriptor)> position,
+                   std::size_t number_of_nodes,
+                   std::vector<arc_descriptor> arcs,
+                   std::shared_ptr<const internal::Vertex_places> places,
+                   std::shared_ptr<const internal::Vertex_lists<VertexDescriptor>> lists)
+    : position_(std::move(position)),
+      number_of_nodes_(number_of_nodes),
+      arcs_(std::move(arcs)),
+      places_(std::move(places)),
+      lists_(std::move(lists))
+  {}
+#endif
+
+private:
+  std::function<internal::Vertex_index(VertexDescriptor)> position_;
+  std::size_t number_of_nodes_;
+  std::vector<arc_descriptor> arcs_;
+  std::shared_ptr<const internal::Vertex_places> places_; // nodes come first, then arcs
+  std::shared_ptr<const internal::Vertex_lists<VertexDescriptor>> lists_;
+};
+
+/// \ingroup PkgReebGraphAugmentation
+///
+/// \brief the way from a Reeb graph back to a mesh, to a triangle soup, or to tetrahedra: the contours of arcs, the
+/// critical sets of nodes, and the place of each vertex in the graph.
+///
+/// It implements the map \f$ F: R(M, f) \to M \f$ of M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb
+/// Graph Algorithm*, 2020, Section 6. `Augmentation`, `Soup_augmentation` and `Tetrahedra_augmentation` derive from it;
+/// they differ in what they are constructed from, and in what a contour is.
+///
+/// The graph has to outlive it and must not change. It can be neither copied nor moved. All member functions can be
+/// called from several threads at a time. Those that return contours throw `Graph_mismatch_error` if the chain of an
+/// arc does not lead to them. `Unknown_arc_error`, `Unknown_node_error` and `Unknown_vertex_error` are thrown for an arc,
+/// a node and a vertex that is none of the graph or the mesh.
+///
+/// \tparam GraphOnMesh unspecified: a graph with the mesh that it is of
+template <class GraphOnMesh>
+class Basic_augmentation
+{
+public:
+  /// the mesh; for a soup and for tetrahedra, an unspecified type that has its edges
+  typedef typename GraphOnMesh::Mesh Mesh;
+  /// the graph
+  typedef typename GraphOnMesh::Graph Graph;
+  /// a scalar value
+  typedef typename GraphOnMesh::Scalar Scalar;
+  /// a vertex of the mesh; for a soup and for tetrahedra, its number, a `std::size_t`
+  typedef typename GraphOnMesh::vertex_descriptor vertex_descriptor;
+  /// a halfedge of the mesh; for a soup and for tetrahedra, the pair of its source and its target
+  typedef typename GraphOnMesh::halfedge_descriptor halfedge_descriptor;
+  /// a node of the graph
+  typedef typename GraphOnMesh::node_descriptor node_descriptor;
+  /// an arc of the graph
+  typedef typename GraphOnMesh::arc_descriptor arc_descriptor;
+
+  /// a contour: `Reeb_graph::Contour` on a mesh, `Soup_contour` in triangles, `Isosurface_patch` in tetrahedra
+  typedef typename GraphOnMesh::Contour Contour;
+  /// a critical set: `Reeb_graph::Critical_set` on a mesh, else `Soup_critical_set`
+  typedef typename GraphOnMesh::Critical_set Critical_set;
+  /// the places of all vertices
+  typedef Reeb_graph::Vertex_locations<vertex_descriptor, Graph> Vertex_locations;
+
+  /// returns the mesh.
+  const Mesh& mesh() const { return on_mesh_.mesh(); }
+  /// returns the graph.
+  const Graph& graph() const { return on_mesh_.graph(); }
+
+  /// \brief returns the value of the vertex `v` as that of a contour: as a `double`, NaN if the values of the field are
+  /// no numbers.
+  double value(vertex_descriptor v) const { return on_mesh_.value(internal::checked_number(on_mesh_, v)); }
+
+  /// \brief returns the contour of an arc at a place between its ends.
+  ///
+  /// The values along the arc are parametrized linearly, `t` = 0 at the lower node and `t` = 1 at the upper one. The
+  /// contour is one of the arc for any `t`; where no value lies between those of the ends, or values are not numbers,
+  /// the vertices of the chain are counted instead.
+  ///
+  /// \exception Parameter_error if `t` is not greater than 0 and less than 1
+  Contour contour(arc_descriptor arc, double t) const { return contours_.at_parameter(arc, t); }
+
+  /// \brief returns the contour of an arc at a place between its ends, parametrized by another field.
+  ///
+  /// The absolute differences of the values of `parametrization` along the chain of the arc are added up: `t` is the
+  /// fraction of the whole sum. With a field of unit gradient and the same level sets, equal steps of `t` are equal
+  /// distances on the surface. If the sum is 0, the result is the same as without `parametrization`. It takes time
+  /// linear in the length of the chain as well.
+  ///
+  /// \tparam ParametrizationMap a model of `ReadablePropertyMap` with the vertices as key type, and a value type that
+  ///         can be converted to `double`
+  ///
+  /// \exception Parameter_error if `t` is not greater than 0 and less than 1
+  /// \exception Non_finite_scalar_error if a value along the chain is infinite or NaN
+  template <class ParametrizationMap>
+  Contour contour(arc_descriptor arc, double t, ParametrizationMap parametrization) const
+  {
+    return contours_.at_parameter(arc, t, parametrization);
+  }
+
+  /// \brief returns the contour of an arc at the level just above the last vertex of value at most `value`.
+  ///
+  /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher, and its upper
+  ///            node must be higher than `value`
+  Contour contour_at_value(arc_descriptor arc, const Scalar& value) const { return contours_.at_value(arc, value); }
+
+  /// \brief returns the contour of an arc at the level just below a vertex, which the contour need not be near. Just
+  /// below the upper node of the arc, it is one of the critical set of that.
+  ///
+  /// \exception Level_error if the arc has no contour at that level: its lower node must be lower than `v`, and its
+  ///            upper node must not be; if ties are contracted, in value
+  Contour contour_below(arc_descriptor arc, vertex_descriptor v) const { return contours_.below_vertex(arc, v); }
+
+  /// \brief returns the contour of an arc at the level just above a vertex, which the contour need not be near. Just
+  /// above the lower node of the arc, it is one of the critical set of that.
+  ///
+  /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher than `v`, and
+  ///            its upper node must be; if ties are contracted, in value
+  Contour contour_above(arc_descriptor arc, vertex_descriptor v) const { return contours_.above_vertex(arc, v); }
+
+  /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
+  /// connected components of a level set, in the order of the arcs. It takes time linear in the arcs of the graph, and
+  /// for each contour that of `contour()`.
+  ///
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether the contours are
+  ///         traced in parallel
+  template <class ConcurrencyTag = Sequential_tag>
+  std::vector<Contour> contours_at_value(const Scalar& value) const
+  {
+    return contours_.template all_at_value<ConcurrencyTag>(value);
+  }
+
+  /// \brief returns what a node stands for: the contours just below and just above it that touch it, each with its
+  /// arc, its star, and, on a mesh, the border loop that it collapses. It takes the time of `contour()` for each of its
+  /// arcs.
+  Critical_set critical_set(node_descriptor node) const
+  {
+    internal::check_is_node(graph(), node);
+    return on_mesh_.critical_set(node, contours_.all_below_node(node), contours_.all_above_node(node));
+  }
+
+  /// \brief finds the place of each vertex in the graph: the segmentation by the arcs.
+  ///
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`
+  ///
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `callback`, as for
+  ///        `compute_reeb_graph()`, and `vertex_place_map`, a model of `ReadablePropertyMap`: the map that
+  ///        `compute_reeb_graph()` has written with the graph, before it was simplified if it has been. The places are
+  ///        then read from it, in linear time. Only the range of its numbers is checked.
+  ///
+  /// \exception Graph_mismatch_error if the graph is not the one that has been computed of this input, or if
+  ///            `vertex_place_map` has a number that is none of a place
+  /// \exception Cancelled_error if `callback` returns `false`
+  template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
+  Vertex_locations locate_vertices(const NamedParameters& np = parameters::default_values()) const
+  {
+    return internal::locate_vertices<ConcurrencyTag, Vertex_locations>(on_mesh_, ties_, are_degree_two_nodes_kept_,
+                                                                       simplified_places_, np);
+  }
+
+#ifndef DOXYGEN_RUNNING
+protected:
+  // From what a GraphOnMesh is made of besides a traits class, the named parameters, and the progress.
+  template <class NamedParameters, class... Input>
+  Basic_augmentation(const internal::Progress& progress, const NamedParameters& np, const Input&... input)
+    : ties_(parameters::choose_parameter(parameters::get_parameter(np, internal::ties), Ties::PERTURB)),
+      are_degree_two_nodes_kept_(
+        parameters::choose_parameter(parameters::get_parameter(np, internal::keep_degree_two_nodes), false)),
+      on_mesh_(input..., internal::choose_traits<Traits>(np), np, progress),
+      contours_(on_mesh_, ties_),
+      simplified_places_(parameters::get_parameter(np, internal::simplification))
+  {
+    static_assert(std::is_same_v<internal::Chosen_traits<Traits, NamedParameters>, Traits>,
+                  "The last template parameter must be the type of the named parameter geom_traits.");
+    internal::check_nodes(on_mesh_);
+    internal::check_arcs(on_mesh_, ties_);
+    progress.report_end();
+  }
+
+  const GraphOnMesh& on_mesh() const { return on_mesh_; }
+#endif
+
+private:
+  typedef typename GraphOnMesh::Traits Traits;
+
+  const Ties ties_;
+  const bool are_degree_two_nodes_kept_;
+  const GraphOnMesh on_mesh_;
+  const internal::Arc_contours<GraphOnMesh> contours_;
+  const internal::Simplified_places simplified_places_;
+};
 
 /// \ingroup PkgReebGraphAugmentation
 ///

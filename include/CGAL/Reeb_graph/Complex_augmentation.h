@@ -11,11 +11,12 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Basic_augmentation.h>
+#include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/way_back/graphs_on_cells.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph_soup_traits.h>
 
 #include <cstddef>
 #include <iterator>
@@ -81,9 +82,7 @@ public:
                        const Scalars&,
                        const Graph&&,
                        const NamedParameters& = parameters::default_values()) = delete;
-#endif
 
-#ifndef DOXYGEN_RUNNING
   // The cells, for those who measure them.
   const auto& cells() const { return this->on_mesh().cells(); }
 #endif
@@ -112,6 +111,90 @@ public:
     return points;
   }
 };
+
+/// \ingroup PkgReebGraphAugmentation
+///
+/// \brief the way from the Reeb graph of a triangle soup back to it.
+///
+/// A contour is a graph in the triangles, see `Soup_contour`: on a surface a curve, elsewhere curves that meet where an
+/// edge has more than two triangles.
+///
+/// It is constructed as `Complex_augmentation` is, from the points, the triangles, the scalars, the graph, and named
+/// parameters.
+///
+/// \tparam Scalar the type of the scalar values. It is deduced by
+///         `Soup_augmentation augmentation(points, triangles, scalars, graph, np)`, as the other types are.
+/// \tparam ReebGraph the type `Graph` of the traits class
+/// \tparam Traits the traits class: the type of the named parameter `geom_traits`, if that is given
+template <class Scalar,
+          class ReebGraph = typename Reeb_graph_soup_traits<Scalar>::Graph,
+          class Traits = Reeb_graph_soup_traits<Scalar>>
+class Soup_augmentation : public Complex_augmentation<internal::Graph_on_triangles<ReebGraph, Traits>>
+{
+  typedef Complex_augmentation<internal::Graph_on_triangles<ReebGraph, Traits>> Base;
+
+public:
+  using Base::Base;
+};
+
+#ifndef DOXYGEN_RUNNING
+template <class PointsOrNumber,
+          class Cells,
+          class Scalars,
+          class ReebGraph,
+          class NamedParameters = parameters::Default_named_parameters>
+Soup_augmentation(const PointsOrNumber&,
+                  const Cells&,
+                  const Scalars&,
+                  const ReebGraph&,
+                  const NamedParameters& = parameters::default_values())
+  -> Soup_augmentation<internal::Value_of_range<Scalars>,
+                       ReebGraph,
+                       internal::Soup_traits_of<Scalars, NamedParameters>>;
+#endif
+
+/// \ingroup PkgReebGraphAugmentation
+///
+/// \brief the way from the Reeb graph of a tetrahedral mesh back to it.
+///
+/// A contour is a component of an isosurface, see `Isosurface_patch`. Points of a three-dimensional kernel tell which
+/// side of it is the higher one. Tetrahedra of volume zero, and all if only the number of vertices is given, are taken
+/// as positively oriented, as in \cgal: the last vertex is on the side from which the others appear counterclockwise.
+/// Where tetrahedra contradict their neighbors, the triangles are oriented as most of them are.
+///
+/// It is constructed as `Complex_augmentation` is, from the points, the tetrahedra, the scalars, the graph, and named
+/// parameters.
+///
+/// \tparam Scalar the type of the scalar values. It is deduced by
+///         `Tetrahedra_augmentation augmentation(points, tetrahedra, scalars, graph, np)`, as the other types are.
+/// \tparam ReebGraph the type `Graph` of the traits class
+/// \tparam Traits the traits class: the type of the named parameter `geom_traits`, if that is given
+template <class Scalar,
+          class ReebGraph = typename Reeb_graph_soup_traits<Scalar>::Graph,
+          class Traits = Reeb_graph_soup_traits<Scalar>>
+class Tetrahedra_augmentation : public Complex_augmentation<internal::Graph_on_tetrahedra<ReebGraph, Traits>>
+{
+  typedef Complex_augmentation<internal::Graph_on_tetrahedra<ReebGraph, Traits>> Base;
+
+public:
+  using Base::Base;
+};
+
+#ifndef DOXYGEN_RUNNING
+template <class PointsOrNumber,
+          class Cells,
+          class Scalars,
+          class ReebGraph,
+          class NamedParameters = parameters::Default_named_parameters>
+Tetrahedra_augmentation(const PointsOrNumber&,
+                        const Cells&,
+                        const Scalars&,
+                        const ReebGraph&,
+                        const NamedParameters& = parameters::default_values())
+  -> Tetrahedra_augmentation<internal::Value_of_range<Scalars>,
+                             ReebGraph,
+                             internal::Soup_traits_of<Scalars, NamedParameters>>;
+#endif
 
 } // namespace CGAL::Reeb_graph
 

@@ -64,7 +64,6 @@ public:
   /// checks the mesh, and reads it and the field.
   ///
   /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type
-  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   ///
   /// \param mesh the triangulated surface; it is only read
   /// \param scalar_map the scalar field, whose values are copied
@@ -162,12 +161,8 @@ private:
   std::shared_ptr<Flat_surface> surface_;
 };
 
-template <class FaceListGraph, class ScalarMap>
-Flat_field(const FaceListGraph&, const ScalarMap&)
-  -> Flat_field<FaceListGraph, typename Reeb_graph_traits<FaceListGraph, ScalarMap>::Scalar>;
-
-template <class FaceListGraph, class ScalarMap, class NamedParameters>
-Flat_field(const FaceListGraph&, const ScalarMap&, const NamedParameters&)
+template <class FaceListGraph, class ScalarMap, class NamedParameters = parameters::Default_named_parameters>
+Flat_field(const FaceListGraph&, const ScalarMap&, const NamedParameters& = parameters::default_values())
   -> Flat_field<FaceListGraph,
                 typename internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters>::Scalar>;
 

@@ -12,17 +12,15 @@
 #include <CGAL/license/Reeb_graph.h>
 
 // Reading and writing, by formats.
-#include <CGAL/Reeb_graph/IO/attributes.h>
 #include <CGAL/Reeb_graph/IO/csv.h>
 #include <CGAL/Reeb_graph/IO/graphml.h>
 #include <CGAL/Reeb_graph/IO/graphviz.h>
 #include <CGAL/Reeb_graph/IO/json.h>
-#include <CGAL/Reeb_graph/IO/mesh_vtp.h>
 #include <CGAL/Reeb_graph/IO/obj.h>
 #include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/IO/read_graphml.h>
 #include <CGAL/Reeb_graph/IO/vtp.h>
-#include <CGAL/Reeb_graph/index_maps.h>
+#include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #endif // CGAL_REEB_GRAPH_IO_H

@@ -55,14 +55,12 @@ class Complex_augmentation; // callers of embed() with one have included it
 ///     \cgalParamDescription{the way of the arcs}
 ///     \cgalParamType{`Reeb_graph::Embedding_manner`}
 ///     \cgalParamDefault{`Embedding_manner::BY_COST`}
-///     \cgalParamExtra{use the functions `parameters::embedding_manner()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_contours}
 ///     \cgalParamDescription{for `CENTROIDS`: the number of contours that the polyline of an arc leads through; 0 gives
 ///                           straight lines}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{12}
-///     \cgalParamExtra{use the functions `parameters::number_of_contours()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_contours_at_nodes}
 ///     \cgalParamDescription{for `CENTROIDS`: the number of further contours between each node and the next one of
@@ -71,14 +69,12 @@ class Complex_augmentation; // callers of embed() with one have included it
 ///                           from the saddle to the middle of its own contours first, and does not leave the surface.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
-///     \cgalParamExtra{use the functions `parameters::number_of_contours_at_nodes()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_smoothing_steps}
 ///     \cgalParamDescription{for `CENTROIDS`: the number of times that each inner point of a polyline is replaced by
 ///                           the mean of itself and of the middle of its neighbors}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
-///     \cgalParamExtra{use the functions `parameters::number_of_smoothing_steps()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parametrization_map}
 ///     \cgalParamDescription{for `CENTROIDS`: another field, whose differences along the chain of the arc are the steps
@@ -87,7 +83,6 @@ class Complex_augmentation; // callers of embed() with one have included it
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type, and a value type that
 ///                    can be converted to `double`}
 ///     \cgalParamDefault{equal steps of the field itself}
-///     \cgalParamExtra{use the functions `parameters::parametrization_map()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{the points of the vertices}

@@ -70,11 +70,6 @@ private:
   std::size_t face_;
 };
 
-/// @}
-
-/// \addtogroup PkgReebGraphExceptions
-/// @{
-
 /// \brief thrown for a face that has not exactly three vertices.
 class Non_triangular_face_error : public Face_error
 {
@@ -213,11 +208,6 @@ public:
   {}
 };
 
-/// @}
-
-/// \addtogroup PkgReebGraphExceptions
-/// @{
-
 /// \brief thrown for a graph that is not the Reeb graph of the mesh and the field that it is used with.
 class Graph_mismatch_error : public Error
 {
@@ -257,11 +247,6 @@ public:
   Level_error() : Error("the arc has no contour at this level") {} ///< constructs the exception.
 };
 
-/// @}
-
-/// \addtogroup PkgReebGraphExceptions
-/// @{
-
 /// \brief thrown for an edge of the named parameter `edges` that has not two different vertices.
 class Degenerate_edge_error : public Error
 {
@@ -296,11 +281,6 @@ public:
 private:
   std::size_t position_;
 };
-
-/// @}
-
-/// \addtogroup PkgReebGraphExceptions
-/// @{
 
 /// \brief thrown if the named parameter `callback` returns `false`.
 class Cancelled_error : public Error

@@ -19,11 +19,83 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <vector>
 
 namespace CGAL::Reeb_graph {
+namespace internal {
+
+// A spanning forest of shortest paths in a graph without the directions of its arcs, which are numbered in the order of
+// edges(graph).
+class Spanning_forest
+{
+public:
+  template <class ReebGraph>
+  explicit Spanning_forest(const ReebGraph& graph)
+    : arcs_to_nodes_(num_vertices(graph), none),
+      depths_(num_vertices(graph), none),
+      is_in_forest_(num_edges(graph), false)
+  {
+    std::vector<std::vector<std::size_t>> arcs_of_nodes(num_vertices(graph));
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      for(const std::size_t node : {source(arc, graph), target(arc, graph)})
+        arcs_of_nodes[node].push_back(ends_.size());
+      ends_.push_back({source(arc, graph), target(arc, graph)});
+    }
+    std::vector<std::size_t> queue;
+    for(std::size_t root = 0; root != depths_.size(); ++root)
+    {
+      if(depths_[root] != none)
+        continue;
+      depths_[root] = 0;
+      queue = {root};
+      for(std::size_t i = 0; i != queue.size(); ++i)
+        for(const std::size_t arc : arcs_of_nodes[queue[i]])
+        {
+          const std::size_t node = other_end(arc, queue[i]);
+          if(depths_[node] != none)
+            continue;
+          depths_[node] = depths_[queue[i]] + 1;
+          arcs_to_nodes_[node] = arc;
+          is_in_forest_[arc] = true;
+          queue.push_back(node);
+        }
+    }
+  }
+
+  bool contains(std::size_t arc) const { return is_in_forest_[arc]; }
+
+  // The numbers of the arcs on the path between two nodes of one tree.
+  std::vector<std::size_t> path(std::size_t from, std::size_t to) const
+  {
+    std::vector<std::size_t> begin, end;
+    while(from != to)
+    {
+      const bool is_from_lower = depths_[from] >= depths_[to];
+      std::size_t& node = is_from_lower ? from : to;
+      (is_from_lower ? begin : end).push_back(arcs_to_nodes_[node]);
+      node = other_end(arcs_to_nodes_[node], node);
+    }
+    begin.insert(begin.end(), end.rbegin(), end.rend());
+    return begin;
+  }
+
+private:
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  std::size_t other_end(std::size_t arc, std::size_t node) const { return ends_[arc][ends_[arc][0] == node ? 1 : 0]; }
+
+  std::vector<std::array<std::size_t, 2>> ends_; // of arcs
+  std::vector<std::size_t> arcs_to_nodes_;       // from their parents
+  std::vector<std::size_t> depths_;
+  std::vector<bool> is_in_forest_;
+};
+
+} // namespace internal
 
 /// \ingroup PkgReebGraphTopology
 ///
@@ -120,8 +192,7 @@ OutputIterator cycle_basis(const ReebGraph& graph, OutputIterator loops)
 {
   typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor;
   const std::vector<arc_descriptor> arcs(edges(graph).first, edges(graph).second);
-  const internal::Undirected_graph undirected = internal::make_undirected(graph);
-  const internal::Spanning_forest forest(undirected);
+  const internal::Spanning_forest forest(graph);
   for(std::size_t i = 0; i != arcs.size(); ++i)
   {
     if(forest.contains(i))
@@ -150,8 +221,7 @@ OutputIterator cycle_basis(const ReebGraph& graph, OutputIterator loops)
 template <class ReebGraph, class Augmentation, class OutputIterator>
 OutputIterator loop_contours(const ReebGraph& graph, const Augmentation& augmentation, OutputIterator contours)
 {
-  const internal::Undirected_graph undirected = internal::make_undirected(graph);
-  const internal::Spanning_forest forest(undirected);
+  const internal::Spanning_forest forest(graph);
   std::size_t number = 0;
   for(const auto arc : CGAL::make_range(edges(graph)))
   {

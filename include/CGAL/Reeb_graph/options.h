@@ -11,7 +11,47 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <variant>
+#include <vector>
+
 namespace CGAL::Reeb_graph {
+
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief what happens to the contours at a node of the Reeb graph.
+enum class Node_kind
+{
+  ISOLATED,  ///< no contour below and none above: a vertex without a face, or a component that ties contract
+  MINIMUM,   ///< a contour is born: no arc below
+  SADDLE,    ///< contours join, split, or both: at least three arcs
+  MAXIMUM,   ///< a contour dies: no arc above
+  DEGREE_TWO ///< a critical vertex that is touched by one contour below and by one above; kept on request only
+};
+
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief returns the name under which a kind of node is written:
+/// `"isolated"`, `"minimum"`, `"saddle"`, `"maximum"`, or `"degree-two"`.
+inline std::string to_string(Node_kind kind)
+{
+  switch(kind)
+  {
+  case Node_kind::ISOLATED: return "isolated";
+  case Node_kind::MINIMUM: return "minimum";
+  case Node_kind::SADDLE: return "saddle";
+  case Node_kind::MAXIMUM: return "maximum";
+  case Node_kind::DEGREE_TWO: return "degree-two";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgReebGraphEnums
+///
+/// \brief writes what `to_string()` returns.
+inline std::ostream& operator<<(std::ostream& out, Node_kind kind) { return out << to_string(kind); }
 
 /// \ingroup PkgReebGraphEnums
 ///
@@ -77,6 +117,18 @@ enum class Embedding_manner
   ON_SURFACE, ///< on the surface, ascending: along the chain of the arc
   STRAIGHT,   ///< straight from node to node
   BY_COST     ///< `CENTROIDS`, or `STRAIGHT` if the contours are much longer than the mesh is large, as those of noise
+};
+
+/// \ingroup PkgReebGraphIO
+///
+/// \brief numbers that are written to a file with a name: one for each arc, vertex, or face.
+struct Attribute
+{
+  /// the name, in files a column or an array; in files of XML and JSON, bytes that are not UTF-8 become U+FFFD
+  std::string name;
+
+  /// the numbers, in the order of `edges(graph)`, `vertices(mesh)`, or `faces(mesh)`
+  std::variant<std::vector<double>, std::vector<std::int64_t>> numbers;
 };
 
 } // namespace CGAL::Reeb_graph

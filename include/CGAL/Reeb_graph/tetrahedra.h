@@ -60,56 +60,54 @@ struct Tetrahedra
 
 namespace internal {
 
-// Numbers vertices in the order in which they are added.
-template <class VertexHandle, class Point>
+// Numbers vertices in the order in which they are added. point(vertex) returns the point of one.
+template <class VertexHandle, class PointFunction>
 class Tetrahedra_builder
 {
+  typedef Tetrahedra<VertexHandle, std::decay_t<std::invoke_result_t<PointFunction, VertexHandle>>> Result;
+
 public:
-  template <class PointFunction>
-  std::size_t add_vertex(const VertexHandle& v, const PointFunction& point)
+  explicit Tetrahedra_builder(const PointFunction& point) : point_(point) {}
+
+  std::size_t add_vertex(const VertexHandle& v)
   {
     const auto found = numbers_.emplace(v, result_.vertices.size());
     if(found.second)
     {
       result_.vertices.push_back(v);
-      result_.points.push_back(point(v));
+      result_.points.push_back(point_(v));
     }
     return found.first->second;
   }
 
-  template <class CellHandle, class PointFunction>
-  void add_cell(const CellHandle& cell, const PointFunction& point)
+  template <class CellHandle>
+  void add_cell(const CellHandle& cell)
   {
-    std::array<std::size_t, 4> tetrahedron;
-    for(int i = 0; i < 4; ++i)
-      tetrahedron[static_cast<std::size_t>(i)] = add_vertex(cell->vertex(i), point);
-    result_.tetrahedra.push_back(tetrahedron);
+    add_tetrahedron({add_vertex(cell->vertex(0)), add_vertex(cell->vertex(1)), add_vertex(cell->vertex(2)),
+                     add_vertex(cell->vertex(3))});
   }
 
   void add_tetrahedron(const std::array<std::size_t, 4>& tetrahedron) { result_.tetrahedra.push_back(tetrahedron); }
 
-  Tetrahedra<VertexHandle, Point> result() && { return std::move(result_); }
+  Result result() && { return std::move(result_); }
 
 private:
-  Tetrahedra<VertexHandle, Point> result_;
+  PointFunction point_;
+  Result result_;
   std::unordered_map<VertexHandle, std::size_t> numbers_;
 };
 
 // Points of weighted triangulations come without their weights.
 template <class Triangulation>
-auto point_function(const Triangulation& triangulation)
+auto make_tetrahedra_builder(const Triangulation& triangulation)
 {
-  return [&triangulation](const typename Triangulation::Vertex_handle& v) {
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  const auto point = [&triangulation](const Vertex_handle& v) {
     const auto bare_point = triangulation.geom_traits().construct_point_3_object();
     return std::decay_t<decltype(bare_point(v->point()))>(bare_point(v->point()));
   };
+  return Tetrahedra_builder<Vertex_handle, decltype(point)>(point);
 }
-
-template <class Triangulation>
-using Triangulation_builder =
-  Tetrahedra_builder<typename Triangulation::Vertex_handle,
-                     std::decay_t<decltype(point_function(std::declval<const Triangulation&>())(
-                       std::declval<typename Triangulation::Vertex_handle>()))>>;
 
 } // namespace internal
 
@@ -125,21 +123,17 @@ using Triangulation_builder =
 ///         have `Construct_point_3`, as the kernels of \cgal do
 ///
 /// \param triangulation the triangulation
+///
+/// \returns the `Tetrahedra`.
 template <class Triangulation>
-#ifdef DOXYGEN_RUNNING
-Tetrahedra<typename Triangulation::Vertex_handle, unspecified_type>
-#else
-auto
-#endif
-tetrahedra_of_triangulation(const Triangulation& triangulation)
+auto tetrahedra_of_triangulation(const Triangulation& triangulation)
 {
-  const auto point = internal::point_function(triangulation);
-  internal::Triangulation_builder<Triangulation> builder;
+  auto builder = internal::make_tetrahedra_builder(triangulation);
   for(auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end(); ++v)
-    builder.add_vertex(v, point);
+    builder.add_vertex(v);
   if(triangulation.dimension() == 3)
     for(auto cell = triangulation.finite_cells_begin(); cell != triangulation.finite_cells_end(); ++cell)
-      builder.add_cell(cell, point);
+      builder.add_cell(cell);
   return std::move(builder).result();
 }
 
@@ -153,18 +147,14 @@ tetrahedra_of_triangulation(const Triangulation& triangulation)
 /// \tparam MeshComplex a model of `MeshComplex_3InTriangulation_3`, such as `CGAL::Mesh_complex_3_in_triangulation_3`
 ///
 /// \param complex the complex
+///
+/// \returns the `Tetrahedra`.
 template <class MeshComplex>
-#ifdef DOXYGEN_RUNNING
-Tetrahedra<typename MeshComplex::Triangulation::Vertex_handle, unspecified_type>
-#else
-auto
-#endif
-tetrahedra_of_complex(const MeshComplex& complex)
+auto tetrahedra_of_complex(const MeshComplex& complex)
 {
-  const auto point = internal::point_function(complex.triangulation());
-  internal::Triangulation_builder<typename MeshComplex::Triangulation> builder;
+  auto builder = internal::make_tetrahedra_builder(complex.triangulation());
   for(auto cell = complex.cells_in_complex_begin(); cell != complex.cells_in_complex_end(); ++cell)
-    builder.add_cell(cell, point);
+    builder.add_cell(cell);
   return std::move(builder).result();
 }
 
@@ -180,21 +170,18 @@ tetrahedra_of_complex(const MeshComplex& complex)
 ///
 /// \param complex the linear cell complex
 ///
+/// \returns the `Tetrahedra`.
+///
 /// \exception Non_tetrahedral_cell_error if a 3-cell is not a tetrahedron, or one with a vertex at two of its corners
 template <class LinearCellComplex>
-#ifdef DOXYGEN_RUNNING
-Tetrahedra<unspecified_type, typename LinearCellComplex::Point>
-#else
-auto
-#endif
-tetrahedra_of_linear_cell_complex(const LinearCellComplex& complex)
+auto tetrahedra_of_linear_cell_complex(const LinearCellComplex& complex)
 {
   typedef std::decay_t<decltype(complex.vertex_attribute(complex.darts().begin()))> Vertex_handle;
   static_assert(LinearCellComplex::dimension == 3, "the linear cell complex has to be of dimension 3");
   const auto point = [&](const Vertex_handle& v) { return complex.point_of_vertex_attribute(v); };
-  internal::Tetrahedra_builder<Vertex_handle, typename LinearCellComplex::Point> builder;
+  internal::Tetrahedra_builder<Vertex_handle, decltype(point)> builder(point);
   for(auto v = complex.vertex_attributes().begin(); v != complex.vertex_attributes().end(); ++v)
-    builder.add_vertex(v, point);
+    builder.add_vertex(v);
   std::size_t number_of_cells = 0;
   const auto cells = complex.template one_dart_per_cell<3>();
   for(auto dart = cells.begin(); dart != cells.end(); ++dart, ++number_of_cells)
@@ -205,7 +192,7 @@ tetrahedra_of_linear_cell_complex(const LinearCellComplex& complex)
     std::size_t i = 0;
     const auto corners = complex.template one_dart_per_incident_cell<0, 3>(dart);
     for(auto corner = corners.begin(); corner != corners.end() && i < 4; ++corner)
-      tetrahedron[i++] = builder.add_vertex(complex.vertex_attribute(corner), point);
+      tetrahedron[i++] = builder.add_vertex(complex.vertex_attribute(corner));
     if(i < 4)
       throw Non_tetrahedral_cell_error(number_of_cells);
     builder.add_tetrahedron(tetrahedron);

@@ -11,15 +11,13 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/IO/attributes.h>
-#include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 #include <ostream>
@@ -71,11 +69,11 @@ void write_nodes_csv(std::ostream& out, const Graph& graph, const Embedding& emb
     text << "node,vertex,value,kind,x,y,z,arcs_below,arcs_above\n";
     for(const auto node : CGAL::make_range(vertices(graph)))
     {
-      const auto& point = embedding.node_points[node];
       text << node << ',' << get(vertex_index_map, graph[node].vertex) << ',' << embedding.node_values[node] << ','
-           << to_string(graph[node].kind) << ',' << CGAL::to_double(point.x()) << ',' << CGAL::to_double(point.y())
-           << ',' << CGAL::to_double(point.z()) << ',' << in_degree(node, graph) << ',' << out_degree(node, graph)
-           << '\n';
+           << to_string(graph[node].kind);
+      for(const double coordinate : internal::coordinates_of(embedding.node_points[node]))
+        text << ',' << coordinate;
+      text << ',' << in_degree(node, graph) << ',' << out_degree(node, graph) << '\n';
     }
     text.flush();
   }

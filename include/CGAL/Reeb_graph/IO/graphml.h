@@ -11,21 +11,86 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/IO/attributes.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
-#include <CGAL/Reeb_graph/internal/io/Graphml_writer.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/property_tree/detail/xml_parser_utils.hpp>
 
 #include <cstddef>
 #include <ostream>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace CGAL::Reeb_graph {
 namespace internal {
 
+// The type of the values of a key, as GraphML calls it.
+template <class Value>
+constexpr const char* graphml_type()
+{
+  if constexpr(std::is_same_v<Value, bool>)
+    return "boolean";
+  else if constexpr(std::is_floating_point_v<Value>)
+    return std::is_same_v<Value, float> ? "float" : "double";
+  else if constexpr(std::is_integral_v<Value> && sizeof(Value) > 1)
+    return std::is_same_v<Value, long> || std::is_same_v<Value, unsigned long> || (sizeof(Value) > sizeof(int)) ? "long"
+                                                                                                                : "int";
+  else
+    return "string";
+}
+
+// What is written as the value of a key.
+template <class Value>
+auto graphml_text(const Value& value)
+{
+  if constexpr(std::is_floating_point_v<Value>)
+    return value;
+  else if constexpr(std::is_integral_v<Value>)
+    return to_round_trip_string(value);
+  else
+    return boost::property_tree::xml_parser::encode_char_entities(xml_characters(to_round_trip_string(value)));
+}
+
+// The numbers of the keys of a file.
+template <class Graph, bool has_chains_>
+struct Graphml_keys
+{
+  static constexpr bool has_chains = has_chains_, has_index = Has_arc_index<Graph>::value;
+  static constexpr std::size_t chain = 0, index = has_chains ? 1 : 0, kind = index + (has_index ? 1 : 0),
+                               value = kind + 1, vertex = kind + 2, first_attribute = kind + 3;
+};
+
+template <class Keys, class Value>
+void write_graphml_keys(Text_output& text, const std::vector<Attribute>& attributes)
+{
+  const auto write_key = [&](std::size_t key, std::string_view things, std::string_view name, std::string_view type) {
+    text << "  <key id=\"key" << key << "\" for=\"" << things << "\" attr.name=\"" << name << "\" attr.type=\"" << type
+         << "\" />\n";
+  };
+  if constexpr(Keys::has_chains)
+    write_key(Keys::chain, "edge", "chain", "string");
+  if constexpr(Keys::has_index)
+    write_key(Keys::index, "edge", "index", "long");
+  write_key(Keys::kind, "node", "kind", "string");
+  write_key(Keys::value, "node", "value", graphml_type<Value>());
+  write_key(Keys::vertex, "node", "vertex", "long");
+  for(std::size_t i = 0; i != attributes.size(); ++i)
+    write_key(Keys::first_attribute + i, "edge", graphml_text(attributes[i].name),
+              std::holds_alternative<std::vector<double>>(attributes[i].numbers) ? "double" : "long");
+}
+
+// Writes a graph as Boost's function of this name does, in a fifth of its time: that one asks each property of each
+// node for a text by its type at run time. The chains are what `text_of_chain` makes of arcs, if it is no null pointer.
+// Nodes and arcs are named by their numbers, which the format allows.
 template <class Graph, class VertexIndexMap, class NamedParameters, class TextOfChain>
 void write_graphml_with(std::ostream& out,
                         const Graph& graph,
@@ -35,10 +100,48 @@ void write_graphml_with(std::ostream& out,
 {
   if constexpr(Graph_to_write<Graph, VertexIndexMap, NamedParameters>::value)
   {
+    typedef Graphml_keys<Graph, !std::is_same_v<TextOfChain, std::nullptr_t>> Keys;
     const std::vector<Attribute> attributes =
       checked_attributes(parameters::get_parameter(np, arc_attributes), num_edges(graph));
-    Graphml_writer(out, graph, vertex_index_map, choose_conversion_of_nodes<Graph>(np), text_of_chain, attributes)
-      .write();
+    const auto conversion = choose_conversion_of_nodes<Graph>(np);
+    const auto value_of = [&](const auto node) { return written_scalar(conversion, graph[node].value); };
+    Text_output text(out);
+    const auto write_data = [&](std::size_t key, const auto& value) {
+      text << "      <data key=\"key" << key << "\">" << value << "</data>\n";
+    };
+    text << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+            "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\" "
+            "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
+            "xsi:schemaLocation=\"http://graphml.graphdrawing.org/xmlns "
+            "http://graphml.graphdrawing.org/xmlns/1.0/graphml.xsd\">\n";
+    write_graphml_keys<Keys, decltype(value_of(*vertices(graph).first))>(text, attributes);
+    text << "  <graph id=\"G\" edgedefault=\"directed\" parse.nodeids=\"free\" parse.edgeids=\"free\" "
+            "parse.order=\"nodesfirst\">\n";
+    for(const auto node : CGAL::make_range(vertices(graph)))
+    {
+      text << "    <node id=\"" << std::size_t(node) << "\">\n";
+      write_data(Keys::kind, to_string(graph[node].kind));
+      write_data(Keys::value, graphml_text(value_of(node)));
+      write_data(Keys::vertex, static_cast<std::size_t>(get(vertex_index_map, graph[node].vertex)));
+      text << "    </node>\n";
+    }
+    std::size_t number = 0;
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      text << "    <edge id=\"" << number << "\" source=\"" << std::size_t(source(arc, graph)) << "\" target=\""
+           << std::size_t(target(arc, graph)) << "\">\n";
+      if constexpr(Keys::has_chains)
+        write_data(Keys::chain, text_of_chain(arc));
+      if constexpr(Keys::has_index)
+        write_data(Keys::index, static_cast<std::size_t>(get(boost::edge_index, graph, arc)));
+      for(std::size_t i = 0; i != attributes.size(); ++i)
+        std::visit([&](const auto& numbers) { write_data(Keys::first_attribute + i, graphml_text(numbers[number])); },
+                   attributes[i].numbers);
+      text << "    </edge>\n";
+      ++number;
+    }
+    text << "  </graph>\n</graphml>\n";
+    text.flush();
   }
 }
 
@@ -67,7 +170,6 @@ void check_arc_attributes(const IndexMap& map, std::size_t number_of_arcs)
 /// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
 /// \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an
 ///         integer type as value type
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param out the stream; whether writing succeeded is seen by its state
 /// \param graph the Reeb graph
@@ -86,7 +188,6 @@ void check_arc_attributes(const IndexMap& map, std::size_t number_of_arcs)
 ///     \cgalParamDescription{numbers of the arcs that are written as data of the edges}
 ///     \cgalParamType{`std::vector<Reeb_graph::Attribute>`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::arc_attributes()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

@@ -11,11 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Node_kind.h>
-#include <CGAL/Reeb_graph/internal/base/descriptors.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -83,7 +81,6 @@ inline std::string dot_text(const std::string& text)
 /// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
 /// \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an
 ///         integer type as value type
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param out the stream; whether writing succeeded is seen by its state
 /// \param graph the Reeb graph

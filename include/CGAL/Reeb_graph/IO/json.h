@@ -11,14 +11,13 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/IO/attributes.h>
-#include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>

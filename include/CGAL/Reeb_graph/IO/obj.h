@@ -11,15 +11,12 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <limits>
 #include <ostream>
 #include <string>
 
@@ -41,11 +38,12 @@ namespace CGAL::Reeb_graph {
 template <class Graph, class Embedding>
 void write_obj(std::ostream& out, const Graph& graph, const Embedding& embedding)
 {
-  const internal::Classic_locale classic_locale(out);
-  const auto precision = out.precision(std::numeric_limits<double>::max_digits10);
+  internal::Text_output text(out);
   const auto write_point = [&](const auto& point) {
-    out << "v " << CGAL::to_double(point.x()) << ' ' << CGAL::to_double(point.y()) << ' ' << CGAL::to_double(point.z())
-        << '\n';
+    text << 'v';
+    for(const double coordinate : internal::coordinates_of(point))
+      text << ' ' << coordinate;
+    text << '\n';
   };
   for(const auto& point : embedding.node_points)
     write_point(point);
@@ -53,17 +51,17 @@ void write_obj(std::ostream& out, const Graph& graph, const Embedding& embedding
     for(std::size_t j = 1; j + 1 < polyline.size(); ++j)
       write_point(polyline[j]);
   for(const auto node : CGAL::make_range(vertices(graph)))
-    out << "g node_" << node << "\np " << node + 1 << '\n';
+    text << "g node_" << node << "\np " << node + 1 << '\n';
   std::size_t arc_number = 0, last_point = num_vertices(graph);
   for(const auto arc : CGAL::make_range(edges(graph)))
   {
-    out << "g arc_" << arc_number << "\nl " << source(arc, graph) + 1;
+    text << "g arc_" << arc_number << "\nl " << source(arc, graph) + 1;
     for(std::size_t j = 1; j + 1 < embedding.arc_polylines[arc_number].size(); ++j)
-      out << ' ' << ++last_point;
-    out << ' ' << target(arc, graph) + 1 << '\n';
+      text << ' ' << ++last_point;
+    text << ' ' << target(arc, graph) + 1 << '\n';
     ++arc_number;
   }
-  out.precision(precision);
+  text.flush();
 }
 
 /// \ingroup PkgReebGraphIO

@@ -53,7 +53,6 @@ inline std::string counted(std::size_t number, const std::string& name)
 /// Equal graphs give equal files. Bytes of names that are not UTF-8 become U+FFFD.
 ///
 /// \tparam ReebGraph the type `Graph` of a model of `ReebGraphTraits`
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param out the stream; whether writing succeeded is seen by its state
 /// \param graph a Reeb graph, computed with any named parameters
@@ -64,13 +63,11 @@ inline std::string counted(std::size_t number, const std::string& name)
 ///     \cgalParamDescription{what the values are, in UTF-8, for the axis}
 ///     \cgalParamType{`std::string`}
 ///     \cgalParamDefault{`"value"`}
-///     \cgalParamExtra{use the functions `parameters::field_name()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{field_unit}
 ///     \cgalParamDescription{the unit of the values, in UTF-8, for the axis}
 ///     \cgalParamType{`std::string`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::field_unit()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_index_map}
 ///     \cgalParamDescription{a property map that associates an index with each vertex of the mesh: that of a node is

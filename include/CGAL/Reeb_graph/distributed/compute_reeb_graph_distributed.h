@@ -57,7 +57,6 @@ namespace CGAL {
 ///         `std::vector<std::array<std::uint64_t, 3>>`
 /// \tparam ScalarRange a random access range of built-in numbers
 /// \tparam ReebGraph the type `Graph` of `Reeb_graph_soup_traits` with the value type of `ScalarRange`
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param communicator the ranks. They are taken to store numbers alike
 /// \param local_vertices the indices of the vertices that this rank brings. The ranges of all ranks together are all
@@ -74,20 +73,17 @@ namespace CGAL {
 ///                           the result.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
-///     \cgalParamExtra{use the functions `parameters::number_of_slabs()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{gather_chains}
 ///     \cgalParamDescription{whether the arcs at rank 0 get their chains. If not, the chains of the graph are empty,
 ///                           and stay on the ranks: `slab` tells the parts of each rank.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
-///     \cgalParamExtra{use the functions `parameters::gather_chains()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{slab}
 ///     \cgalParamDescription{an output: what this rank holds afterwards}
 ///     \cgalParamType{`std::reference_wrapper<Reeb_graph::Distributed_slab<Scalar>>`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::slab()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{that of rank 0 is called now and then with the fraction of the work done, from 0 to 1.
@@ -137,8 +133,8 @@ void compute_reeb_graph_distributed(const boost::mpi::communicator& communicator
   namespace internal = Reeb_graph::internal;
   typedef std::decay_t<decltype(*std::begin(local_scalars))> Scalar;
   if constexpr(internal::are_types_for_ranks<Scalar, ReebGraph>())
-    internal::run_on_ranks<internal::Oriented_surface>(communicator, local_vertices, local_triangles, local_scalars,
-                                                       graph, np);
+    internal::run_on_ranks<internal::Slab_complex>(communicator, local_vertices, local_triangles, local_scalars, graph,
+                                                   np);
 }
 
 /// \ingroup PkgReebGraphRef
@@ -169,8 +165,8 @@ void compute_reeb_graph_of_soup_distributed(const boost::mpi::communicator& comm
   namespace internal = Reeb_graph::internal;
   typedef std::decay_t<decltype(*std::begin(local_scalars))> Scalar;
   if constexpr(internal::are_types_for_ranks<Scalar, ReebGraph>())
-    internal::run_on_ranks<internal::Any_triangles>(communicator, local_vertices, local_triangles, local_scalars, graph,
-                                                    np);
+    internal::run_on_ranks<internal::Simplicial_complex>(communicator, local_vertices, local_triangles, local_scalars,
+                                                         graph, np);
 }
 
 } // namespace CGAL

@@ -123,7 +123,7 @@ template <class ScalarMap, class Traits>
 struct Is_field_written
   : std::bool_constant<
       Has_room_for_added_vertices<ScalarMap>::value
-      && (std::is_constructible_v<typename Traits::Scalar, double> || Has_scalar_from_double<Traits>::value)
+      && (std::is_constructible_v<typename Traits::Scalar, double> || Has<Scalar_from_double, Traits>::value)
       && std::is_convertible_v<typename Traits::Scalar, typename boost::property_traits<ScalarMap>::value_type>>
 {
 };
@@ -280,7 +280,7 @@ private:
   // A value strictly between two others, if possible the one that the traits class makes of the number.
   Scalar between(const Scalar& lower, const Scalar& upper, double wish) const
   {
-    if constexpr(Has_scalar_from_double<Traits>::value)
+    if constexpr(Has<Scalar_from_double, Traits>::value)
     {
       const Scalar value = std::isfinite(wish) ? *conversion_.from_double(wish, false) : lower;
       if(less_(lower, value) && less_(value, upper))

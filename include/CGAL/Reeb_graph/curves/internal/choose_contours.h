@@ -13,6 +13,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/curves/internal/Contour_choice.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
@@ -23,7 +24,6 @@
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-#include <CGAL/Reeb_graph/piece_measures.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 #include <CGAL/Reeb_graph/simplification/internal/Leaf_pruning.h>
 #include <CGAL/Reeb_graph/simplification/internal/persistence.h>

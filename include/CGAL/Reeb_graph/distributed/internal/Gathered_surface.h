@@ -13,15 +13,12 @@
 
 #include <CGAL/Reeb_graph/distributed/internal/Slab_surface.h>
 #include <CGAL/Reeb_graph/distributed/internal/exchange.h>
-#include <CGAL/Reeb_graph/distributed/internal/pass_arrays.h>
 #include <CGAL/Reeb_graph/distributed/internal/solve_slab.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
-#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
@@ -176,9 +173,9 @@ public:
       add_vertex(place);
     add_first_targets(arcs, ties);
     critical_vertices_.resize(critical_vertices.size(), {0, 0});
-    No_sectors no_sectors;
-    for(const Swept_index i : critical_vertices_.indices())
-      critical_vertices_.set(i, *this, Vertex_index(i.number()), no_sectors, {0, 0});
+    for(const Swept_index i :
+        critical_vertices_.indices()) // Their sectors stay on their ranks: they have made the arcs.
+      critical_vertices_.set(i, Vertex_index(i.number()), false, false, {0, 0});
     critical_vertices_.template sort<Sequential_tag>(order());
   }
 
@@ -191,19 +188,12 @@ public:
   // What is asked of a complex here.
   Vertex_index source(Halfedge_index first_step) const { return Vertex_index(arc(first_step).lower.number()); }
   Vertex_index target(Halfedge_index first_step) const { return arc(first_step).first_step.target; }
-  bool is_on_border(Vertex_index) const { return false; }
   [[noreturn]] void throw_contradiction_near(Vertex_index vertex) const
   {
     throw Unordered_scalar_error::contradiction_near(static_cast<std::size_t>(global_vertices_[vertex]));
   }
 
 private:
-  // The sectors of the critical vertices stay on their ranks: they have made the arcs.
-  struct No_sectors
-  {
-    void write(Vertex_index, const By_side<Link_sector*>&) const {}
-  };
-
   const Slab_arc& arc(Halfedge_index first_step) const { return arcs_[Slab_arc_index(first_step.number())]; }
 
   void add_vertex(const Order_key<Scalar>& place)

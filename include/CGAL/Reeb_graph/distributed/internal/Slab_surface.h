@@ -128,26 +128,19 @@ private:
 
 // The surface that a rank holds, of which only the vertices of its slab count as vertices: each has its whole star
 // here. What is beyond them is known as far as levels in the slab cross it. It refers to the arrays of a Slab_surface.
-class Slab_complex : public Triangle_complex_base<Slab_complex>
+class Slab_complex : public Halfedge_array_complex<Slab_complex>
 {
 public:
   Slab_complex(Halfedge_arrays arrays,
                const Indexed_vector<Vertex_index, Global_vertex>& global_vertices,
                const Indexed_vector<Vertex_index, Slab_index>& slabs_of_vertices)
-    : Triangle_complex_base<Slab_complex>(std::move(arrays.halfedges_of_vertices)),
-      halfedges_(std::move(arrays.halfedges)),
+    : Halfedge_array_complex<Slab_complex>(std::move(arrays)),
       global_vertices_(&global_vertices),
       slabs_of_vertices_(&slabs_of_vertices)
   {}
 
-  Number number_of_halfedges() const { return static_cast<Number>(halfedges_.size()); }
   bool has_vertex(Vertex_index vertex) const { return (*slabs_of_vertices_)[vertex] == Slabs_of_rank::inside(); }
   bool has_star(Vertex_index vertex) const { return has_vertex(vertex); }
-  bool has_edge(Edge_index) const { return true; }
-
-  Vertex_index target(Halfedge_index halfedge) const { return halfedges_[halfedge].target; }
-  Halfedge_index next(Halfedge_index halfedge) const { return halfedges_[halfedge].next; }
-  bool has_triangle(Halfedge_index halfedge) const { return next(halfedge) != no_index; }
 
   Global_vertex global_vertex(Vertex_index vertex) const { return (*global_vertices_)[vertex]; }
   std::size_t position(Vertex_index vertex) const { return static_cast<std::size_t>(global_vertex(vertex)); }
@@ -155,23 +148,21 @@ public:
   // For Unchecked_complex. The triangles have three vertices, and there are no edges without them.
   std::size_t number_of_faces() const
   {
-    return static_cast<std::size_t>(
-             std::count_if(halfedges_.begin(), halfedges_.end(), [](const Halfedge& h) { return h.next != no_index; }))
-         / 3;
+    return count_halfedges([](const Halfedge& h) { return h.next != no_index; }) / 3;
   }
-  Halfedge_index halfedge_of_face_at(Vertex_index vertex) const { return first_halfedge(vertex); }
   bool has_no_others(std::size_t number_of_corners, std::size_t) const
   {
     return number_of_corners
-        == static_cast<std::size_t>(std::count_if(halfedges_.begin(), halfedges_.end(), [&](const Halfedge& halfedge) {
-             return halfedge.next != no_index && has_vertex(halfedge.target);
-           }));
+        == count_halfedges([&](const Halfedge& h) { return h.next != no_index && has_vertex(h.target); });
   }
-  void check_faces() const {}
-  void check_edges() const {}
 
 private:
-  Indexed_vector<Halfedge_index, Halfedge> halfedges_;
+  template <class IsCounted>
+  std::size_t count_halfedges(const IsCounted& is_counted) const
+  {
+    return static_cast<std::size_t>(std::count_if(halfedges().begin(), halfedges().end(), is_counted));
+  }
+
   const Indexed_vector<Vertex_index, Global_vertex>* global_vertices_;
   const Indexed_vector<Vertex_index, Slab_index>* slabs_of_vertices_;
 };

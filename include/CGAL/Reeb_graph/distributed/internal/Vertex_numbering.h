@@ -366,112 +366,101 @@ inline std::uint64_t share_of_sample(std::uint64_t sample_size, std::uint64_t lo
        + (local_size != 0);
 }
 
-// Chooses the levels between slabs by a sample of the vertices, so that slabs have about the same number of them.
-template <class Scalar>
-class Splitter_choice
+// A sample of the vertices, ascending, at rank 0: that of this rank has the indices from `begin` on, and the given values.
+// The numbers of vertices of slabs differ by about the square root of their number in the sample in as many. Rank 0 has
+// room for it. Collective.
+template <class Scalar, class Scalars>
+std::vector<Order_key<Scalar>> sample_vertices(Exchange& exchange,
+                                               Global_vertex begin,
+                                               const Scalars& scalars,
+                                               std::uint64_t number_of_vertices,
+                                               std::size_t number_of_slabs)
 {
-public:
-  // The vertices of this rank have the indices from `begin` on, and the given values. Collective.
-  template <class Scalars>
-  Splitter_choice(Exchange& exchange,
-                  Global_vertex begin,
-                  const Scalars& scalars,
-                  std::uint64_t number_of_vertices,
-                  std::size_t number_of_slabs)
-  {
-    Parcels<Order_key<Scalar>> parcels(exchange.number_of_ranks());
-    exchange.in_agreement([&] {
-      const std::uint64_t size = static_cast<std::uint64_t>(std::end(scalars) - std::begin(scalars));
-      const std::uint64_t sample_size = share_of_sample(size_of_sample(number_of_slabs), size, number_of_vertices);
-      for_each_of_sample(size, sample_size, [&](std::uint64_t i) {
-        const auto place = std::begin(scalars) + static_cast<std::ptrdiff_t>(i);
-        parcels.items.push_back({static_cast<Scalar>(*place), begin + i});
-      });
-      parcels.counts[0] = static_cast<int>(parcels.items.size());
+  constexpr std::uint64_t most_per_slab = 2048, least_per_slab = 64, most = std::uint64_t(1) << 22;
+  const std::uint64_t sample_size =
+    number_of_slabs * (std::max)(least_per_slab, (std::min)(most_per_slab, most / number_of_slabs));
+  Parcels<Order_key<Scalar>> parcels(exchange.number_of_ranks());
+  exchange.in_agreement([&] {
+    const std::uint64_t size = static_cast<std::uint64_t>(std::end(scalars) - std::begin(scalars));
+    for_each_of_sample(size, share_of_sample(sample_size, size, number_of_vertices), [&](std::uint64_t i) {
+      const auto place = std::begin(scalars) + static_cast<std::ptrdiff_t>(i);
+      parcels.items.push_back({static_cast<Scalar>(*place), begin + i});
     });
-    exchange.send(parcels, sample_);
-    std::sort(sample_.begin(), sample_.end());
-  }
+    parcels.counts[0] = static_cast<int>(parcels.items.size());
+  });
+  std::vector<Order_key<Scalar>> sample;
+  exchange.send(parcels, sample);
+  std::sort(sample.begin(), sample.end());
+  return sample;
+}
 
-  // The same on all ranks. Collective.
-  Splitters<Scalar> choose(Exchange& exchange, std::size_t number_of_slabs) const
-  {
-    Splitters<Scalar> splitters;
-    exchange.in_agreement([&] {
-      if(exchange.rank() == 0)
-        for(std::size_t slab = 1; slab < number_of_slabs; ++slab)
-          splitters.push_back(sample_[slab * sample_.size() / number_of_slabs - 1]);
-    });
-    exchange.broadcast(splitters);
-    return splitters;
-  }
-
-private:
-  // The numbers of vertices of slabs differ by about the square root of this in as many. Rank 0 has room for the
-  // sample.
-  static std::uint64_t size_of_sample(std::size_t number_of_slabs)
-  {
-    constexpr std::uint64_t most_per_slab = 2048, least_per_slab = 64, most = std::uint64_t(1) << 22;
-    return number_of_slabs * (std::max)(least_per_slab, (std::min)(most_per_slab, most / number_of_slabs));
-  }
-
-  std::vector<Order_key<Scalar>> sample_; // at rank 0, ascending
-};
-
-// Some triangles, by the places of their vertices, to foresee how many slabs triangles meet.
+// The levels between slabs by a sample, so that slabs have about the same number of vertices; the same on all ranks.
+// Collective.
 template <class Scalar>
-class Triangle_sample
+Splitters<Scalar> choose_splitters(Exchange& exchange,
+                                   const std::vector<Order_key<Scalar>>& sample,
+                                   std::size_t number_of_slabs)
 {
-public:
-  // value_of(vertex) is asked for vertices of this rank's range. Collective.
-  template <class Triangles, class ValueOf>
-  Triangle_sample(Exchange& exchange,
-                  const Vertex_ranges& ranges,
-                  const Triangles& triangles,
-                  std::uint64_t number_of_triangles,
-                  const ValueOf& value_of)
-  {
-    std::vector<std::array<Global_vertex, 3>> sample;
-    Vertex_numbering vertices;
-    exchange.in_agreement([&] {
-      vertices = Vertex_numbering(ranges.number_of_vertices());
-      const std::uint64_t size = static_cast<std::uint64_t>(std::end(triangles) - std::begin(triangles));
-      for_each_of_sample(size, share_of_sample(sample_size, size, number_of_triangles), [&](std::uint64_t i) {
-        const auto& triangle = std::begin(triangles)[static_cast<std::ptrdiff_t>(i)];
-        sample.push_back({static_cast<Global_vertex>(triangle[0]), static_cast<Global_vertex>(triangle[1]),
-                          static_cast<Global_vertex>(triangle[2])});
-        for(const Global_vertex vertex : sample.back())
-          vertices.add(vertex);
-      });
-      vertices.number();
+  Splitters<Scalar> splitters;
+  exchange.in_agreement([&] {
+    if(exchange.rank() == 0)
+      for(std::size_t slab = 1; slab < number_of_slabs; ++slab)
+        splitters.push_back(sample[slab * sample.size() / number_of_slabs - 1]);
+  });
+  exchange.broadcast(splitters);
+  return splitters;
+}
+
+// Some triangles of this rank, by the places of their vertices, to foresee how many slabs triangles meet.
+// value_of(vertex) is asked for vertices of this rank's range. Collective.
+template <class Scalar, class Triangles, class ValueOf>
+std::vector<std::array<Order_key<Scalar>, 3>> sample_triangles(Exchange& exchange,
+                                                               const Vertex_ranges& ranges,
+                                                               const Triangles& triangles,
+                                                               std::uint64_t number_of_triangles,
+                                                               const ValueOf& value_of)
+{
+  constexpr std::uint64_t sample_size = std::uint64_t(1) << 15;
+  std::vector<std::array<Global_vertex, 3>> sample;
+  Vertex_numbering vertices;
+  exchange.in_agreement([&] {
+    vertices = Vertex_numbering(ranges.number_of_vertices());
+    const std::uint64_t size = static_cast<std::uint64_t>(std::end(triangles) - std::begin(triangles));
+    for_each_of_sample(size, share_of_sample(sample_size, size, number_of_triangles), [&](std::uint64_t i) {
+      const auto& triangle = std::begin(triangles)[static_cast<std::ptrdiff_t>(i)];
+      sample.push_back({static_cast<Global_vertex>(triangle[0]), static_cast<Global_vertex>(triangle[1]),
+                        static_cast<Global_vertex>(triangle[2])});
+      for(const Global_vertex vertex : sample.back())
+        vertices.add(vertex);
     });
-    Indexed_vector<Vertex_index, Scalar> values;
-    ask_owners(exchange, ranges, vertices, value_of, values);
-    exchange.in_agreement([&] {
-      const auto place = [&](Global_vertex v) { return Order_key<Scalar>{values[vertices[v]], v}; };
-      for(const std::array<Global_vertex, 3>& t : sample)
-        triangles_.push_back({place(t[0]), place(t[1]), place(t[2])});
-    });
-  }
+    vertices.number();
+  });
+  Indexed_vector<Vertex_index, Scalar> values;
+  ask_owners(exchange, ranges, vertices, value_of, values);
+  std::vector<std::array<Order_key<Scalar>, 3>> result;
+  exchange.in_agreement([&] {
+    const auto place = [&](Global_vertex v) { return Order_key<Scalar>{values[vertices[v]], v}; };
+    for(const std::array<Global_vertex, 3>& t : sample)
+      result.push_back({place(t[0]), place(t[1]), place(t[2])});
+  });
+  return result;
+}
 
-  // How many slabs a triangle meets, on average. Collective.
-  double slabs_per_triangle(const Exchange& exchange, const Splitters<Scalar>& splitters) const
+// How many slabs a triangle of a sample meets, on average. Collective.
+template <class Scalar>
+double slabs_per_triangle(const Exchange& exchange,
+                          const std::vector<std::array<Order_key<Scalar>, 3>>& triangles,
+                          const Splitters<Scalar>& splitters)
+{
+  std::array<std::uint64_t, 2> counts = {0, triangles.size()}, sums = {};
+  for(const std::array<Order_key<Scalar>, 3>& triangle : triangles)
   {
-    std::array<std::uint64_t, 2> counts = {0, triangles_.size()}, sums = {};
-    for(const std::array<Order_key<Scalar>, 3>& triangle : triangles_)
-    {
-      const auto ends = std::minmax_element(triangle.begin(), triangle.end());
-      counts[0] += slab_of(splitters, *ends.second) - slab_of(splitters, *ends.first) + 1;
-    }
-    boost::mpi::all_reduce(exchange.communicator(), counts.data(), 2, sums.data(), std::plus<std::uint64_t>());
-    return sums[1] == 0 ? 1 : static_cast<double>(sums[0]) / static_cast<double>(sums[1]);
+    const auto ends = std::minmax_element(triangle.begin(), triangle.end());
+    counts[0] += slab_of(splitters, *ends.second) - slab_of(splitters, *ends.first) + 1;
   }
-
-private:
-  static constexpr std::uint64_t sample_size = std::uint64_t(1) << 15;
-
-  std::vector<std::array<Order_key<Scalar>, 3>> triangles_;
-};
+  boost::mpi::all_reduce(exchange.communicator(), counts.data(), 2, sums.data(), std::plus<std::uint64_t>());
+  return sums[1] == 0 ? 1 : static_cast<double>(sums[0]) / static_cast<double>(sums[1]);
+}
 
 } // namespace CGAL::Reeb_graph::internal
 

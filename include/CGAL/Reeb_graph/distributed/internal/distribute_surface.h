@@ -11,21 +11,150 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/distributed/internal/Local_part.h>
+#include <CGAL/Reeb_graph/distributed/exceptions.h>
 #include <CGAL/Reeb_graph/distributed/internal/Slab_surface.h>
 #include <CGAL/Reeb_graph/distributed/internal/Vertex_numbering.h>
 #include <CGAL/Reeb_graph/distributed/internal/exchange.h>
+#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
+
+// The part of the surface that a rank has brought, and how large that of all ranks is.
+template <class TriangleRange, class ScalarRange>
+class Local_part
+{
+public:
+  // Throws if the ranges of the ranks do not fit together, or a rank has not as many values as vertices. Collective.
+  template <class VertexRange>
+  Local_part(Exchange& exchange,
+             const VertexRange& vertices,
+             const TriangleRange& triangles,
+             const ScalarRange& scalars)
+    : triangles_(&triangles),
+      scalars_(&scalars),
+      number_of_local_triangles_(size_of(triangles)),
+      ranges_({})
+  {
+    Sizes own = {0, size_of(vertices), size_of(scalars), number_of_local_triangles_};
+    exchange.in_agreement([&] {
+      if(own.vertices == own.scalars) // else the range may be anything
+        own.begin = first_of_contiguous(vertices);
+    });
+    const std::vector<Sizes> all = exchange.all_gather(own);
+    std::vector<Vertex_range> ranges;
+    for(std::size_t rank = 0; rank != all.size(); ++rank)
+    {
+      if(all[rank].vertices != all[rank].scalars)
+        throw Scalar_count_error(all[rank].scalars, all[rank].vertices);
+      ranges.push_back({all[rank].begin, all[rank].begin + all[rank].vertices, rank});
+      if(rank == exchange.rank())
+        first_triangle_ = number_of_triangles_;
+      number_of_triangles_ += all[rank].triangles;
+    }
+    ranges_ = Vertex_ranges(std::move(ranges));
+    begin_ = own.begin;
+    size_ = own.vertices;
+  }
+
+  // The vertices of this rank, and those of all.
+  Global_vertex begin() const { return begin_; }
+  std::size_t size() const { return size_; }
+  const Vertex_ranges& ranges() const { return ranges_; }
+  std::uint64_t number_of_vertices() const { return ranges_.number_of_vertices(); }
+
+  const ScalarRange& scalars() const { return *scalars_; }
+  const TriangleRange& triangles() const { return *triangles_; }
+  std::size_t number_of_local_triangles() const { return number_of_local_triangles_; }
+  std::uint64_t number_of_triangles() const { return number_of_triangles_; }
+
+  // The value of a vertex of this rank.
+  auto value(Global_vertex vertex) const
+  {
+    auto value = std::begin(*scalars_)[static_cast<std::ptrdiff_t>(vertex - begin_)];
+    return value;
+  }
+
+  // Throws if a value is NaN.
+  void check_scalars() const
+  {
+    for(Global_vertex v = begin_; v != begin_ + size_; ++v)
+      if(!is_ordered(value(v)))
+        throw Unordered_scalar_error(static_cast<std::size_t>(v));
+  }
+
+  // Calls visit(vertex) for each corner of each triangle. Throws if a triangle has not three different vertices, by its
+  // position among those of all ranks, one rank behind the other.
+  template <class Visit>
+  void check_triangles(const Visit& visit) const
+  {
+    const Global_vertex end = ranges_.number_of_vertices();
+    std::uint64_t position = first_triangle_;
+    for_each_triangle([&](Global_vertex a, Global_vertex b, Global_vertex c) {
+      if(a >= end || b >= end || c >= end)
+        throw Vertex_out_of_range_error("face", static_cast<std::size_t>(position));
+      if(a == b || b == c || c == a)
+        throw Degenerate_face_error(static_cast<std::size_t>(position));
+      visit(a);
+      visit(b);
+      visit(c);
+      ++position;
+    });
+  }
+
+  // Calls visit(a, b, c) for the vertices of each triangle. Negative indices become large ones.
+  template <class Visit>
+  void for_each_triangle(const Visit& visit) const
+  {
+    for(const auto& t : *triangles_)
+      visit(static_cast<Global_vertex>(t[0]), static_cast<Global_vertex>(t[1]), static_cast<Global_vertex>(t[2]));
+  }
+
+private:
+  struct Sizes
+  {
+    Global_vertex begin;
+    std::uint64_t vertices, scalars, triangles;
+  };
+
+  template <class Range>
+  static std::size_t size_of(const Range& range)
+  {
+    return static_cast<std::size_t>(std::distance(std::begin(range), std::end(range)));
+  }
+
+  template <class VertexRange>
+  static Global_vertex first_of_contiguous(const VertexRange& vertices)
+  {
+    if(std::begin(vertices) == std::end(vertices))
+      return 0;
+    const Global_vertex first = static_cast<Global_vertex>(*std::begin(vertices));
+    Global_vertex next = first;
+    for(const auto vertex : vertices)
+      if(static_cast<Global_vertex>(vertex) != next++)
+        throw Vertex_ranges_error(static_cast<std::size_t>(next - 1));
+    return first;
+  }
+
+  const TriangleRange* triangles_;
+  const ScalarRange* scalars_;
+  std::size_t number_of_local_triangles_;
+  std::uint64_t first_triangle_ = 0;
+  std::uint64_t number_of_triangles_ = 0;
+  Vertex_ranges ranges_;
+  Global_vertex begin_ = 0;
+  std::size_t size_ = 0;
+};
 
 // The number of a slab where there is one for each triangle or vertex.
 typedef std::uint16_t Short_slab;
@@ -177,22 +306,12 @@ Triangles_of<Vertex_index> number_triangles(Triangles_of<Vertex> triangles, cons
   }
 }
 
-// The levels between the slabs, and how many slabs triangles meet: a measure of what copies cost.
-template <class Scalar>
-struct Slab_choice
-{
-  Splitters<Scalar> splitters;
-  double slabs_per_triangle_if_all = 1; // with as many slabs as have been asked for
-  double slabs_per_triangle = 1;        // with as many as are used
-};
-
 // What a rank sends and gets when the surface is distributed.
 struct Distribution_counts
 {
-  double slabs_per_triangle_if_all = 1;
-  double slabs_per_triangle = 1;
-  std::uint64_t vertices = 0; // in its slab
-  std::uint64_t copies = 0;   // its triangles that a lower rank holds as well
+  double slabs_per_triangle_if_all = 1; // that a triangle meets with as many slabs as have been asked for
+  std::uint64_t vertices = 0;           // in its slab
+  std::uint64_t copies = 0;             // its triangles that a lower rank holds as well
 };
 
 // The most slabs that a triangle may meet on average: more memory goes into copies than slabs save. Surfaces of few
@@ -200,32 +319,33 @@ struct Distribution_counts
 inline constexpr double most_slabs_per_triangle = 2;
 inline constexpr std::uint64_t smallest_limited_surface = std::uint64_t(1) << 15;
 
-// Chooses as many slabs as are asked for, or fewer if a triangle meets too many of them, as on noise. Collective.
+// Chooses the levels between as many slabs as are asked for, or fewer if a triangle meets too many of them, as on noise.
+// Collective.
 template <class Scalar, class LocalPart>
-Slab_choice<Scalar> choose_slabs(Exchange& exchange, const LocalPart& part, std::size_t number_of_slabs)
+Splitters<Scalar> choose_slabs(Exchange& exchange,
+                               const LocalPart& part,
+                               std::size_t number_of_slabs,
+                               Distribution_counts& counts)
 {
-  Slab_choice<Scalar> choice;
   if(number_of_slabs == 1)
-    return choice;
-  const Splitter_choice<Scalar> chooser(exchange, part.begin(), part.scalars(), part.number_of_vertices(),
-                                        number_of_slabs);
-  const Triangle_sample<Scalar> sample(exchange, part.ranges(), part.triangles(), part.number_of_triangles(),
-                                       [&](Global_vertex v) { return part.value(v); });
-  const auto try_number = [&](std::size_t n) {
-    choice.splitters = chooser.choose(exchange, n);
-    choice.slabs_per_triangle = sample.slabs_per_triangle(exchange, choice.splitters);
-  };
-  try_number(number_of_slabs);
-  choice.slabs_per_triangle_if_all = choice.slabs_per_triangle;
-  while(choice.slabs_per_triangle > most_slabs_per_triangle && part.number_of_triangles() >= smallest_limited_surface)
+    return {};
+  const auto vertices =
+    sample_vertices<Scalar>(exchange, part.begin(), part.scalars(), part.number_of_vertices(), number_of_slabs);
+  const auto triangles = sample_triangles<Scalar>(exchange, part.ranges(), part.triangles(), part.number_of_triangles(),
+                                                  [&](Global_vertex v) { return part.value(v); });
+  Splitters<Scalar> splitters = choose_splitters(exchange, vertices, number_of_slabs);
+  double crossings = slabs_per_triangle(exchange, triangles, splitters);
+  counts.slabs_per_triangle_if_all = crossings;
+  while(crossings > most_slabs_per_triangle && part.number_of_triangles() >= smallest_limited_surface)
   {
     // A level is crossed by about the same share of the triangles, wherever it is.
-    const double crossings_of_level = (choice.slabs_per_triangle - 1) / static_cast<double>(number_of_slabs - 1);
+    const double crossings_of_level = (crossings - 1) / static_cast<double>(number_of_slabs - 1);
     const std::size_t fitting = 1 + static_cast<std::size_t>((most_slabs_per_triangle - 1) / crossings_of_level);
     number_of_slabs = (std::min)(number_of_slabs - 1, fitting);
-    try_number(number_of_slabs);
+    splitters = choose_splitters(exchange, vertices, number_of_slabs);
+    crossings = slabs_per_triangle(exchange, triangles, splitters);
   }
-  return choice;
+  return splitters;
 }
 
 // The slabs that each triangle of this rank meets. Collective.
@@ -349,12 +469,10 @@ Slab_surface<Scalar> distribute_surface(Exchange& exchange,
     (std::min)({exchange.number_of_ranks(), most_slabs,
                 static_cast<std::size_t>((std::max)(part.number_of_vertices(), Global_vertex(1)))});
   number_of_slabs = number_of_slabs == 0 ? most : (std::min)(number_of_slabs, most);
-  const Slab_choice<Scalar> choice = choose_slabs<Scalar>(exchange, part, number_of_slabs);
-  counts.slabs_per_triangle_if_all = choice.slabs_per_triangle_if_all;
-  counts.slabs_per_triangle = choice.slabs_per_triangle;
+  const Splitters<Scalar> splitters = choose_slabs<Scalar>(exchange, part, number_of_slabs, counts);
   if(part.number_of_vertices() < no_index)
-    return exchange_surface<Scalar, Vertex_index>(exchange, part, std::move(vertices), choice.splitters, counts);
-  return exchange_surface<Scalar, Global_vertex>(exchange, part, std::move(vertices), choice.splitters, counts);
+    return exchange_surface<Scalar, Vertex_index>(exchange, part, std::move(vertices), splitters, counts);
+  return exchange_surface<Scalar, Global_vertex>(exchange, part, std::move(vertices), splitters, counts);
 }
 
 } // namespace CGAL::Reeb_graph::internal

@@ -31,7 +31,6 @@
 #include <thread>
 #include <tuple>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
@@ -75,53 +74,9 @@ public:
     {
       throw;
     }
-    catch(const std::bad_alloc&)
-    {
-      return Fault(Kind::BAD_ALLOC);
-    }
-    catch(const Cancelled_error&)
-    {
-      return Fault(Kind::CANCELLED);
-    }
-    catch(const Mesh_size_error&)
-    {
-      return Fault(Kind::MESH_SIZE);
-    }
-    catch(const Vertex_ranges_error& error)
-    {
-      return Fault(Kind::VERTEX_RANGES, error.vertex());
-    }
-    catch(const Unordered_scalar_error& error)
-    {
-      return Fault(Kind::UNORDERED_SCALAR, error.vertex());
-    }
-    catch(const Vertex_out_of_range_error& error)
-    {
-      return Fault(Kind::VERTEX_OUT_OF_RANGE, error.position());
-    }
-    catch(const Non_triangular_face_error& error)
-    {
-      return Fault(Kind::NON_TRIANGULAR_FACE, error.face());
-    }
-    catch(const Degenerate_face_error& error)
-    {
-      return Fault(Kind::DEGENERATE_FACE, error.face());
-    }
-    catch(const Non_manifold_edge_error& error)
-    {
-      return Fault(Kind::NON_MANIFOLD_EDGE, error.edge().first, error.edge().second);
-    }
-    catch(const Inconsistent_orientation_error& error)
-    {
-      return Fault(Kind::INCONSISTENT_ORIENTATION, error.edge().first, error.edge().second);
-    }
-    catch(const Non_manifold_vertex_error& error)
-    {
-      return Fault(Kind::NON_MANIFOLD_VERTEX, error.vertex());
-    }
     catch(const std::exception& error)
     {
-      return Fault(Kind::OTHER, 0, 0, error.what());
+      return of(error);
     }
     catch(...)
     {
@@ -183,6 +138,33 @@ private:
     INCONSISTENT_ORIENTATION,
     NON_MANIFOLD_VERTEX
   };
+
+  static Fault of(const std::exception& error)
+  {
+    if(dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
+      return Fault(Kind::BAD_ALLOC);
+    if(dynamic_cast<const Cancelled_error*>(&error) != nullptr)
+      return Fault(Kind::CANCELLED);
+    if(dynamic_cast<const Mesh_size_error*>(&error) != nullptr)
+      return Fault(Kind::MESH_SIZE);
+    if(const auto* ranges = dynamic_cast<const Vertex_ranges_error*>(&error))
+      return Fault(Kind::VERTEX_RANGES, ranges->vertex());
+    if(const auto* scalar = dynamic_cast<const Unordered_scalar_error*>(&error))
+      return Fault(Kind::UNORDERED_SCALAR, scalar->vertex());
+    if(const auto* index = dynamic_cast<const Vertex_out_of_range_error*>(&error))
+      return Fault(Kind::VERTEX_OUT_OF_RANGE, index->position());
+    if(const auto* face = dynamic_cast<const Non_triangular_face_error*>(&error))
+      return Fault(Kind::NON_TRIANGULAR_FACE, face->face());
+    if(const auto* face = dynamic_cast<const Degenerate_face_error*>(&error))
+      return Fault(Kind::DEGENERATE_FACE, face->face());
+    if(const auto* edge = dynamic_cast<const Non_manifold_edge_error*>(&error))
+      return Fault(Kind::NON_MANIFOLD_EDGE, edge->edge().first, edge->edge().second);
+    if(const auto* edge = dynamic_cast<const Inconsistent_orientation_error*>(&error))
+      return Fault(Kind::INCONSISTENT_ORIENTATION, edge->edge().first, edge->edge().second);
+    if(const auto* vertex = dynamic_cast<const Non_manifold_vertex_error*>(&error))
+      return Fault(Kind::NON_MANIFOLD_VERTEX, vertex->vertex());
+    return Fault(Kind::OTHER, 0, 0, error.what());
+  }
 
   explicit Fault(Kind kind, std::uint64_t first = 0, std::uint64_t second = 0, const std::string& text = {})
     : numbers_{static_cast<std::uint64_t>(stage_of(kind)), first, second, static_cast<std::uint64_t>(kind)},
@@ -391,6 +373,114 @@ private:
   boost::mpi::communicator communicator_;
   std::uint64_t bytes_sent_ = 0;
 };
+
+// Arrays of plain data from rank to rank, of any size. All ranks are taken to store numbers alike. Memory is taken
+// before anything is sent, so that all ranks throw if one of them has none.
+
+constexpr int tag_of_arrays = 23;
+constexpr int no_rank = MPI_PROC_NULL;
+
+// Sends one array and receives another one, in pieces, as MPI counts by int. Each rank can be no_rank.
+template <class T>
+void send_and_receive(Exchange& exchange,
+                      const T* sent,
+                      std::size_t number_of_sent,
+                      int to,
+                      T* received,
+                      std::size_t number_of_received,
+                      int from)
+{
+  static_assert(std::is_trivially_copyable_v<T>);
+  if(to != no_rank)
+    exchange.count_bytes(number_of_sent * sizeof(T));
+  constexpr std::size_t piece = (std::size_t(1) << 26) / sizeof(T);
+  for(std::size_t i = 0; i < number_of_sent || i < number_of_received; i += piece)
+  {
+    const auto bytes = [&](std::size_t size) {
+      return i < size ? static_cast<int>((std::min)(piece, size - i) * sizeof(T)) : 0;
+    };
+    BOOST_MPI_CHECK_RESULT(MPI_Sendrecv, (sent + (std::min)(i, number_of_sent), bytes(number_of_sent), MPI_BYTE,
+                                          i < number_of_sent ? to : no_rank, tag_of_arrays,
+                                          received + (std::min)(i, number_of_received), bytes(number_of_received),
+                                          MPI_BYTE, i < number_of_received ? from : no_rank, tag_of_arrays,
+                                          exchange.communicator(), MPI_STATUS_IGNORE));
+  }
+}
+
+// Gives an array to one rank, and returns that of another one; either can be no_rank. Collective.
+template <class T>
+std::vector<T> pass_array(Exchange& exchange, const std::vector<T>& array, int to, int from)
+{
+  const std::uint64_t size = array.size();
+  std::uint64_t size_of_received = 0;
+  send_and_receive(exchange, &size, 1, to, &size_of_received, from == no_rank ? 0 : 1, from);
+  std::vector<T> received;
+  exchange.in_agreement([&] { received.resize(size_of_received); });
+  send_and_receive(exchange, array.data(), to == no_rank ? 0 : array.size(), to, received.data(), received.size(),
+                   from);
+  return received;
+}
+
+// The arrays of all ranks, one behind the other, and where each begins; and the end.
+template <class T>
+struct Gathered_arrays
+{
+  std::vector<T> elements;
+  std::vector<std::size_t> begins;
+};
+
+// The sizes of the arrays of all ranks as places where they begin, at rank 0. Collective.
+inline std::vector<std::size_t> gather_begins(Exchange& exchange, std::size_t size)
+{
+  std::vector<std::size_t> begins(static_cast<std::size_t>(exchange.communicator().size()) + 1, 0);
+  boost::mpi::gather(exchange.communicator(), size, begins.data() + 1, 0);
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  return begins;
+}
+
+// Gathers an array of each rank at rank 0. Collective.
+template <class T>
+Gathered_arrays<T> gather_arrays(Exchange& exchange, const std::vector<T>& array)
+{
+  Gathered_arrays<T> gathered = {{}, gather_begins(exchange, array.size())};
+  const bool is_root = exchange.communicator().rank() == 0;
+  exchange.in_agreement([&] {
+    if(is_root)
+      gathered.elements.resize(gathered.begins.back());
+  });
+  if(!is_root)
+  {
+    send_and_receive<T>(exchange, array.data(), array.size(), 0, nullptr, 0, no_rank);
+    return gathered;
+  }
+  std::copy(array.begin(), array.end(), gathered.elements.begin());
+  for(int rank = 1; rank != exchange.communicator().size(); ++rank)
+    send_and_receive<T>(exchange, nullptr, 0, no_rank, gathered.elements.data() + gathered.begins[rank],
+                        gathered.begins[rank + 1] - gathered.begins[rank], rank);
+  return gathered;
+}
+
+// The part of a rank of what rank 0 has. Collective.
+template <class T>
+std::vector<T> scatter_arrays(Exchange& exchange, const Gathered_arrays<T>& all)
+{
+  std::vector<std::size_t> sizes(exchange.number_of_ranks(), 0);
+  if(exchange.rank() == 0)
+    for(std::size_t rank = 0; rank != sizes.size(); ++rank)
+      sizes[rank] = all.begins[rank + 1] - all.begins[rank];
+  const std::size_t size = exchange.all_to_all(sizes).front();
+  std::vector<T> part;
+  exchange.in_agreement([&] { part.resize(size); });
+  if(exchange.communicator().rank() != 0)
+  {
+    send_and_receive<T>(exchange, nullptr, 0, no_rank, part.data(), part.size(), 0);
+    return part;
+  }
+  std::copy_n(all.elements.begin(), size, part.begin());
+  for(int rank = 1; rank != exchange.communicator().size(); ++rank)
+    send_and_receive<T>(exchange, all.elements.data() + all.begins[rank], sizes[rank], rank, nullptr, 0, no_rank);
+  return part;
+}
 
 } // namespace CGAL::Reeb_graph::internal
 

@@ -15,13 +15,10 @@
 #include <CGAL/Reeb_graph/distributed/internal/Slab_surface.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/Unchecked_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
-#include <CGAL/Reeb_graph/internal/engine/classify_complex.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 
@@ -177,32 +174,32 @@ private:
   By_side<std::optional<Bounding_level>> levels_;
 };
 
-// Checks the surface at the vertices of the rank's slab, and finds the critical ones. Takes the triangles, and leaves
-// the other arrays of the surface, to which the result refers.
-template <class Scalar, class Order>
-Classified_complex<Slab_complex> link_and_classify(Slab_surface<Scalar>& surface, const Order& order)
+// Makes a complex of the triangles of the rank, and finds the critical vertices of its slab, at which a surface is
+// checked. Takes the triangles, and leaves the other arrays of the surface, to which the result refers.
+template <class Complex, class Scalar, class Order>
+Classified_complex<Complex> make_and_classify(Slab_surface<Scalar>& surface, const Order& order)
 {
-  Halfedge_arrays arrays = Triangle_linking(std::move(surface.triangles), surface.global_vertices)();
-  surface.triangles = {};
-  return check_and_classify_vertices<Sequential_tag>(
-    Unchecked_complex(Slab_complex(std::move(arrays), surface.global_vertices, surface.slabs_of_vertices)), order);
-}
-
-// Lists the triangles of the rank as a complex, and finds the critical vertices in the same way.
-template <class Scalar, class Order>
-Classified_complex<Simplicial_complex> list_and_classify(Slab_surface<Scalar>& surface, const Order& order)
-{
-  const auto for_each_triangle = [&](const auto& visit) {
-    for(const std::array<Vertex_index, 3>& t : surface.triangles)
-      visit(t[0], t[1], t[2]);
-  };
-  Simplicial_complex complex(surface.global_vertices.size(), for_each_triangle, [](const auto&) {});
-  surface.triangles = {};
-  Swept_vertices critical_vertices =
-    find_vertices_of_complex<Sequential_tag>(complex, order, [&](Vertex_index v, const By_side<Number>& numbers) {
-      return surface.slabs_of_vertices[v] == surface.inside() && has_critical_numbers_of_sectors(numbers);
-    });
-  return {std::move(complex), std::move(critical_vertices)};
+  if constexpr(Complex::is_surface)
+  {
+    Halfedge_arrays arrays = Triangle_linking(std::move(surface.triangles), surface.global_vertices)();
+    surface.triangles = {};
+    return check_and_classify_vertices<Sequential_tag>(
+      Unchecked_complex(Slab_complex(std::move(arrays), surface.global_vertices, surface.slabs_of_vertices)), order);
+  }
+  else
+  {
+    const auto for_each_triangle = [&](const auto& visit) {
+      for(const std::array<Vertex_index, 3>& t : surface.triangles)
+        visit(t[0], t[1], t[2]);
+    };
+    Simplicial_complex complex(surface.global_vertices.size(), for_each_triangle, [](const auto&) {});
+    surface.triangles = {};
+    Swept_vertices critical_vertices =
+      find_vertices_of_complex<Sequential_tag>(complex, order, [&](Vertex_index v, const By_side<Number>& numbers) {
+        return surface.slabs_of_vertices[v] == surface.inside() && has_critical_numbers_of_sectors(numbers);
+      });
+    return {std::move(complex), std::move(critical_vertices)};
+  }
 }
 
 // The arcs between the nodes of a Slab. Contours of a level are numbered by their first edges, and edges by their

@@ -15,7 +15,10 @@
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+#include <boost/pending/property.hpp>
 
+#include <cstddef>
 #include <istream>
 #include <ostream>
 #include <type_traits>
@@ -181,7 +184,7 @@ using Read_scalar = decltype(std::declval<std::istream&>() >> std::declval<Scala
 
 template <class Traits>
 struct Scalars_can_be_written
-  : std::disjunction<Has<Written_scalar, typename Traits::Scalar>, Has_scalar_to_double<Traits>>
+  : std::disjunction<Has<Written_scalar, typename Traits::Scalar>, Has<Scalar_to_double, Traits>>
 {
   static_assert(Scalars_can_be_written::value,
                 "The scalar values cannot be written: give their type an operator<<, or pass as named parameter "
@@ -189,23 +192,41 @@ struct Scalars_can_be_written
 };
 
 template <class Traits>
-struct Scalars_can_be_read : std::disjunction<Has<Read_scalar, typename Traits::Scalar>, Has_scalar_from_double<Traits>>
+struct Scalars_can_be_read
+  : std::disjunction<Has<Read_scalar, typename Traits::Scalar>, Has<Scalar_from_double, Traits>>
 {
   static_assert(Scalars_can_be_read::value,
                 "The scalar values cannot be read: give their type an operator>>, or pass as named parameter "
                 "geom_traits a traits class with a member scalar_from_double_object() that makes them of numbers.");
 };
 
+// ---- The numbers of arcs
+
+// Whether the arcs of a graph have the property boost::edge_index.
+template <class Graph, class = void>
+struct Has_arc_index : std::false_type
+{
+};
+template <class Graph>
+struct Has_arc_index<Graph, std::void_t<typename Graph::edge_property_type>>
+  : std::bool_constant<boost::lookup_one_property<typename Graph::edge_property_type, boost::edge_index_t>::found>
+{
+};
+
+// Numbers an arc if its graph has a place for the number.
+template <class Graph>
+void set_arc_index(Graph& graph, const typename Graph::edge_descriptor& arc, std::size_t number)
+{
+  if constexpr(Has_arc_index<Graph>::value)
+    put(boost::edge_index, graph, arc, number);
+}
+
+// ---- Requirements together
+
 // A field, and the graph that it has.
 template <class Mesh, class ScalarMap, class Graph, class Traits>
 struct Field_and_graph
   : Then<Scalar_field<Mesh, ScalarMap, Traits>::value, Graph_of_field<Graph, Mesh, typename Traits::Scalar>>
-{
-};
-
-template <class Mesh, class ScalarMap, class Graph, class Traits>
-struct Field_and_graph_to_write
-  : Then<Graph_is_not_const<Graph>::value, Field_and_graph<Mesh, ScalarMap, Graph, Traits>>
 {
 };
 

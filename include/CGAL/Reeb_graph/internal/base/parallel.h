@@ -14,7 +14,6 @@
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -44,43 +43,23 @@ constexpr bool is_parallel()
 #ifndef CGAL_LINKED_WITH_TBB
   static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
                 "Parallel_tag needs TBB: link CGAL::TBB_support, or ask for Parallel_if_available_tag.");
-  return false;
-#else
-  return std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
 #endif
+  return std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
 }
 
 // Calls function(i) for i from 0 to size - 1.
 template <class ConcurrencyTag, class Function>
 void for_each_index(std::size_t size, const Function& function)
 {
-#ifdef CGAL_LINKED_WITH_TBB
   if constexpr(is_parallel<ConcurrencyTag>())
   {
+#ifdef CGAL_LINKED_WITH_TBB
     tbb::parallel_for(std::size_t(0), size, function);
-    return;
-  }
 #endif
-  static_cast<void>(is_parallel<ConcurrencyTag>());
-  for(std::size_t i = 0; i != size; ++i)
-    function(i);
-}
-
-// Calls function(begin, end) for blocks of the numbers from 0 to size - 1: for all of them at once if sequential.
-template <class ConcurrencyTag, class Function>
-void for_each_block(std::size_t size, const Function& function)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr(is_parallel<ConcurrencyTag>())
-  {
-    constexpr std::size_t smallest_block = 4096;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, smallest_block),
-                      [&](const tbb::blocked_range<std::size_t>& block) { function(block.begin(), block.end()); });
-    return;
   }
-#endif
-  static_cast<void>(is_parallel<ConcurrencyTag>());
-  function(std::size_t(0), size);
+  else
+    for(std::size_t i = 0; i != size; ++i)
+      function(i);
 }
 
 template <class ConcurrencyTag>
@@ -113,6 +92,14 @@ void for_each_part(std::size_t number_of_parts, std::size_t size, const Function
   });
 }
 
+// Calls function(begin, end) for blocks of the numbers from 0 to size - 1: for all of them at once if sequential.
+template <class ConcurrencyTag, class Function>
+void for_each_block(std::size_t size, const Function& function)
+{
+  for_each_part<ConcurrencyTag>(number_of_parts<ConcurrencyTag>(size), size,
+                                [&](std::size_t, std::size_t begin, std::size_t end) { function(begin, end); });
+}
+
 // What function(begin, end, sum) adds to `sum` for the parts of the numbers from 0 to size - 1.
 template <class ConcurrencyTag, class Sum, class Function>
 Sum sum_of_parts(std::size_t size, const Function& function)
@@ -141,32 +128,21 @@ private:
   std::atomic<T> value_{T()};
 };
 
-// A number to which the blocks of a parallel loop add.
-template <class ConcurrencyTag>
-class Shared_counter
-{
-public:
-  void add(std::size_t n) { value_ += n; }
-  std::size_t get() const { return value_; }
-
-private:
-  std::conditional_t<is_parallel<ConcurrencyTag>(), std::atomic<std::size_t>, std::size_t> value_{0};
-};
-
 // Calls both functions.
 template <class ConcurrencyTag, class First, class Second>
 void invoke_both(const First& first, const Second& second)
 {
-#ifdef CGAL_LINKED_WITH_TBB
   if constexpr(is_parallel<ConcurrencyTag>())
   {
+#ifdef CGAL_LINKED_WITH_TBB
     tbb::parallel_invoke(first, second);
-    return;
-  }
 #endif
-  static_cast<void>(is_parallel<ConcurrencyTag>());
-  first();
-  second();
+  }
+  else
+  {
+    first();
+    second();
+  }
 }
 
 // Sorts by a Vertex_order, which has no ties, so that the result is the same in any case.

@@ -59,16 +59,6 @@ using Key_and_value_of =
   std::pair<typename boost::property_traits<Map>::key_type*, typename boost::property_traits<Map>::value_type*>;
 template <class Scalar>
 using Less_of = decltype(std::declval<const Scalar&>() < std::declval<const Scalar&>());
-template <class Void, template <class> class Expression, class T>
-struct Has_expression : std::false_type
-{
-};
-template <template <class> class Expression, class T>
-struct Has_expression<std::void_t<Expression<T>>, Expression, T> : std::true_type
-{
-};
-template <template <class> class Expression, class T>
-using Has = Has_expression<void, Expression, T>;
 
 // ---- Meshes
 

@@ -28,25 +28,22 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-template <class Traits, class = void>
-struct Has_scalar_to_double : std::false_type
+// Whether an expression compiles with a type.
+template <class Void, template <class> class Expression, class T>
+struct Has_expression : std::false_type
 {
 };
-template <class Traits>
-struct Has_scalar_to_double<Traits, std::void_t<decltype(std::declval<const Traits&>().scalar_to_double_object())>>
-  : std::true_type
+template <template <class> class Expression, class T>
+struct Has_expression<std::void_t<Expression<T>>, Expression, T> : std::true_type
 {
 };
+template <template <class> class Expression, class T>
+using Has = Has_expression<void, Expression, T>;
 
-template <class Traits, class = void>
-struct Has_scalar_from_double : std::false_type
-{
-};
 template <class Traits>
-struct Has_scalar_from_double<Traits, std::void_t<decltype(std::declval<const Traits&>().scalar_from_double_object())>>
-  : std::true_type
-{
-};
+using Scalar_to_double = decltype(std::declval<const Traits&>().scalar_to_double_object());
+template <class Traits>
+using Scalar_from_double = decltype(std::declval<const Traits&>().scalar_from_double_object());
 
 // The way from the values of a field to numbers and back: that of the traits class, else that of number types. Values
 // of any other type are not a number each.
@@ -54,7 +51,7 @@ template <class Traits>
 class Scalar_conversion
 {
   typedef typename Traits::Scalar Scalar;
-  static constexpr bool is_given = Has_scalar_to_double<Traits>::value;
+  static constexpr bool is_given = Has<Scalar_to_double, Traits>::value;
   static constexpr bool is_number =
     std::is_arithmetic_v<
       Scalar> || std::is_same_v<typename Real_embeddable_traits<Scalar>::Is_real_embeddable, Tag_true>;
@@ -80,7 +77,7 @@ public:
   // The value of a number between two others; if the numbers of the field fall, integers are rounded up.
   std::optional<Scalar> from_double(double number, bool is_falling) const
   {
-    if constexpr(Has_scalar_from_double<Traits>::value)
+    if constexpr(Has<Scalar_from_double, Traits>::value)
       return traits_.scalar_from_double_object()(number);
     else if constexpr(is_given)
       return std::nullopt;
@@ -177,6 +174,14 @@ template <class Point>
 Point point_between(const Point& lower, const Point& upper, double fraction)
 {
   return lower + fraction * (upper - lower);
+}
+
+typedef std::array<double, 3> Coordinates;
+
+template <class Point>
+Coordinates coordinates_of(const Point& point)
+{
+  return {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
 }
 
 // Point number `i` of a contour in a complex. `point_of` is called with the number of a vertex.

@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
@@ -179,12 +178,13 @@ public:
     for(std::size_t part = 0; part != number_of_parts; ++part)
       counts_.emplace_back(complex.number_of_vertices());
     Apexes apexes(complex.number_of_halfedges() + 2 * edges_per_group);
-    Shared_counter<ConcurrencyTag> number_of_bad_parts;
-    for_each_part<ConcurrencyTag>(
-      number_of_parts, complex.end_of_triangles(), [&](std::size_t part, std::size_t begin, std::size_t end) {
-        number_of_bad_parts.add(sweep(complex, order, begin, end, counts_[part], apexes) ? 0 : 1);
-      });
-    if(number_of_bad_parts.get() != 0 || complex.number_of_halfedges() >> 31 != 0 || !join_counts(complex))
+    Relaxed_value<bool> is_any_bad;
+    for_each_part<ConcurrencyTag>(number_of_parts, complex.end_of_triangles(),
+                                  [&](std::size_t part, std::size_t begin, std::size_t end) {
+                                    if(!sweep(complex, order, begin, end, counts_[part], apexes))
+                                      is_any_bad.set(true);
+                                  });
+    if(is_any_bad.get() || complex.number_of_halfedges() >> 31 != 0 || !join_counts(complex))
       counts_.clear();
     else
       exclude_ends_of_edges(complex, order, apexes);

@@ -23,7 +23,6 @@
 #include <memory>
 #include <mutex>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Reeb_graph::internal {
 
@@ -226,21 +225,6 @@ public:
     visit_edges_around(vertex, [&](Vertex_index neighbor, Halfedge_index halfedge) {
       visit(neighbor, halfedge);
       return false;
-    });
-  }
-
-  // Calls visit(triangle) for each triangle at `vertex`.
-  template <class Visit>
-  void for_each_triangle_around(Vertex_index vertex, const Visit& visit) const
-  {
-    for_each_edge_around(vertex, [&](Vertex_index, Halfedge_index halfedge) {
-      for(const Triangle_index triangle : triangles_of(edge_of(halfedge)))
-      {
-        // Of its two edges at the vertex, the triangle is visited over the one that comes first in edges_of().
-        const Number is_last_vertex = vertices_of(triangle)[2] == vertex ? 1 : 0;
-        if(edges_of(triangle)[is_last_vertex] == edge_of(halfedge))
-          visit(triangle);
-      }
     });
   }
 

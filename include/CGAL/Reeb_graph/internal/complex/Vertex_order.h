@@ -94,42 +94,31 @@ private:
   Less less_;
 };
 
-// A level: the place in the total order just above or just below a vertex, or the place that a value has.
+// A level: the place in the total order just above or just below a vertex, or the place that a value has: just above the
+// last vertex that is not higher, or just below the first that is not lower.
 template <class Scalar, class Order>
 class Level
 {
 public:
-  static Level above_vertex(const Order& order, Vertex_index vertex)
-  {
-    return Level(order, true, vertex, std::nullopt);
-  }
-  static Level below_vertex(const Order& order, Vertex_index vertex)
-  {
-    return Level(order, false, vertex, std::nullopt);
-  }
-
-  // The level just above the last vertex that is not higher than the value, or just below the first that is not lower.
-  static Level above_value(const Order& order, const Scalar& value) { return Level(order, true, no_index, value); }
-  static Level below_value(const Order& order, const Scalar& value) { return Level(order, false, no_index, value); }
+  Level(const Order& order, Side side, Vertex_index vertex) : order_(&order), side_(side), vertex_(vertex) {}
+  Level(const Order& order, Side side, Scalar value)
+    : order_(&order),
+      side_(side),
+      vertex_(no_index),
+      value_(std::move(value))
+  {}
 
   // Whether the vertex is below the level.
   bool operator()(Vertex_index u) const
   {
     if(value_)
-      return is_above_ ? !order_->is_higher(u, *value_) : order_->is_lower(u, *value_);
-    return u == vertex_ ? is_above_ : (*order_)(u, vertex_);
+      return side_ == Side::UPPER ? !order_->is_higher(u, *value_) : order_->is_lower(u, *value_);
+    return u == vertex_ ? side_ == Side::UPPER : (*order_)(u, vertex_);
   }
 
 private:
-  Level(const Order& order, bool is_above, Vertex_index vertex, std::optional<Scalar> value)
-    : order_(&order),
-      is_above_(is_above),
-      vertex_(vertex),
-      value_(std::move(value))
-  {}
-
   const Order* order_;
-  bool is_above_;
+  Side side_;
   Vertex_index vertex_;
   std::optional<Scalar> value_;
 };

@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/descriptors.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Named_function_parameters.h>
@@ -23,13 +22,47 @@
 #include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <limits>
+#include <memory>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
+
+// The descriptors of a mesh, numbered in the order in which they are added: a property map whose copies share the
+// numbers. Several threads may read it, also with descriptors of other meshes, which a dynamic property map of CGAL
+// inserts when it is read.
+template <class Descriptor, class Number>
+class Descriptor_numbers
+{
+public:
+  typedef Descriptor key_type;
+  typedef Number value_type;
+  typedef Number reference;
+  typedef boost::readable_property_map_tag category;
+
+  explicit Descriptor_numbers(std::size_t size) : numbers_(std::make_shared<std::unordered_map<Descriptor, Number>>())
+  {
+    numbers_->reserve(size);
+  }
+
+  void add(const Descriptor& d) { numbers_->emplace(d, static_cast<Number>(numbers_->size())); }
+
+  // The number of a descriptor, the greatest of its type if it has none.
+  friend Number get(const Descriptor_numbers& map, const Descriptor& d)
+  {
+    const auto found = map.numbers_->find(d);
+    return found == map.numbers_->end() ? (std::numeric_limits<Number>::max)() : found->second;
+  }
+
+private:
+  std::shared_ptr<std::unordered_map<Descriptor, Number>> numbers_;
+};
 
 // The position of each vertex (or face) in the list given at construction, found through an index map, which can have
 // holes, such as those that removed elements leave. Without holes there is nothing to store.
@@ -50,13 +83,6 @@ public:
     positions_.assign(descriptors.size(), no_index);
     for(const Position position : Index_range<Position>(descriptors.size()))
       store(checked_index(descriptors[position], name), position, name);
-  }
-
-  template <class Descriptor>
-  Position operator[](const Descriptor& d) const
-  {
-    const std::size_t index = static_cast<std::size_t>(get(index_map_, d));
-    return positions_.empty() ? Position(index) : positions_[index];
   }
 
   // The position of a descriptor that may be unknown; then it is no_index.
@@ -106,7 +132,6 @@ public:
   }
 
   Position operator()(const Descriptor& d) const { return Position(get(numbers_, d)); } // no_index if it is unknown
-  Position operator[](const Descriptor& d) const { return (*this)(d); }
 
 private:
   Descriptor_numbers<Descriptor, Number> numbers_;

@@ -24,7 +24,6 @@
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
-#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -34,7 +33,6 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Reeb_graph::internal {
 
@@ -47,17 +45,10 @@ struct Read_halfedges
   Indexed_vector<Face_index, std::array<Halfedge_index, 3>> halfedges_of_faces;
 };
 
-// Whether the mesh is a model of EdgeListGraph, which a FaceListGraph need not be.
-template <class FaceListGraph, class = void>
-struct Has_edge_list : std::false_type
-{
-};
+// What a model of EdgeListGraph has, which a FaceListGraph need not be.
 template <class FaceListGraph>
-struct Has_edge_list<FaceListGraph,
-                     std::void_t<decltype(edges(std::declval<const FaceListGraph&>())),
-                                 decltype(num_edges(std::declval<const FaceListGraph&>()))>> : std::true_type
-{
-};
+using Edge_list =
+  decltype(edges(std::declval<const FaceListGraph&>()), num_edges(std::declval<const FaceListGraph&>()));
 
 // Numbers the edges as they are met, face by face.
 template <class FaceListGraph, class FaceList, class VertexPositions, class FacePositions>
@@ -81,14 +72,14 @@ Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
   const auto add_edge_of = [&](halfedge_descriptor h) {
     even_halfedges.push_back(h);
     for(const auto v : {target(h, mesh), source(h, mesh)})
-      arrays.halfedges.push_back({vertex_positions[v], no_index});
+      arrays.halfedges.push_back({vertex_positions(v), no_index});
     return Halfedge_index(checked_index(arrays.halfedges.size()) - 2);
   };
   const auto number = [&](halfedge_descriptor h) {
     const auto across = face(opposite(h, mesh), mesh);
-    if(across == Graph_traits::null_face() || !halfedges_of_faces.contains(face_positions[across]))
+    if(across == Graph_traits::null_face() || !halfedges_of_faces.contains(face_positions(across)))
       return add_edge_of(h);
-    const std::array<Halfedge_index, 3>& numbers = halfedges_of_faces[face_positions[across]];
+    const std::array<Halfedge_index, 3>& numbers = halfedges_of_faces[face_positions(across)];
     const auto is_of_edge = [&](Halfedge_index i) { return even_halfedges[edge_of(i)] == opposite(h, mesh); };
     return opposite_of(is_of_edge(numbers[0]) ? numbers[0] : (is_of_edge(numbers[1]) ? numbers[1] : numbers[2]));
   };
@@ -103,7 +94,7 @@ Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
     }
     halfedges_of_faces.push_back(numbers);
   }
-  if constexpr(Has_edge_list<FaceListGraph>::value)
+  if constexpr(Has<Edge_list, FaceListGraph>::value)
   {
     if(num_edges(mesh) != even_halfedges.size()) // It may count removed ones, too.
       check_edges(mesh);
@@ -171,9 +162,7 @@ Indexed_vector<Vertex_index, typename Traits::Scalar> read_values(const VertexLi
   };
   Indexed_vector<Vertex_index, Scalar> values;
   values.resize(vertices.size());
-  Shared_counter<Tag> number_of_unordered;
-  for_each_block<Tag>(vertices.size(), [&](std::size_t begin, std::size_t end) {
-    std::size_t unordered = 0;
+  const auto read = [&](std::size_t begin, std::size_t end, std::size_t& number_of_unordered) {
     for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
     {
       if(!vertices.contains(v))
@@ -182,11 +171,10 @@ Indexed_vector<Vertex_index, typename Traits::Scalar> read_values(const VertexLi
         continue;
       }
       values[v] = get(scalar_map, vertices[v]);
-      unordered += is_ordered(values[v]) ? 0 : 1;
+      number_of_unordered += is_ordered(values[v]) ? 0 : 1;
     }
-    number_of_unordered.add(unordered);
-  });
-  if(number_of_unordered.get() == 0)
+  };
+  if(sum_of_parts<Tag, std::size_t>(vertices.size(), read) == 0)
     return values;
   for(const Vertex_index v : values.keys())
   {
@@ -217,7 +205,7 @@ template <class FaceListGraph>
 Element_counts count_elements(const FaceListGraph& mesh)
 {
   std::size_t number_of_edges = 0;
-  if constexpr(Has_edge_list<FaceListGraph>::value)
+  if constexpr(Has<Edge_list, FaceListGraph>::value)
     number_of_edges = num_edges(mesh);
   return {num_vertices(mesh), number_of_edges, num_faces(mesh), 0, 0};
 }

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/descriptor_lists.h>
@@ -27,7 +28,6 @@
 #include <iterator>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Reeb_graph::internal {
 
@@ -40,6 +40,9 @@ std::size_t count_vertices(const PointsOrNumber& points)
   else
     return static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
 }
+
+template <class Range>
+using Value_of_range = std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>;
 
 // The indices of an edge, which may be given as a pair.
 template <class Simplex>
@@ -250,15 +253,28 @@ Field_by_numbers<Simplicial_complex, typename Traits::Scalar> flatten_scalars(st
   return {read_values<ConcurrencyTag>(vertices, map, traits), vertices, {}, number};
 }
 
-// The field is checked before the complex that read_complex() returns.
-template <class ConcurrencyTag, class Scalars, class Traits, class ReadComplex>
-Flat_soup<typename Traits::Scalar> flatten_soup(std::size_t number_of_vertices,
-                                                const Scalars& scalars,
-                                                const Traits& traits,
-                                                const ReadComplex& read_complex)
+// The complex of triangles or of tetrahedra, by their number of vertices, and of the edges of a named parameter, with
+// its field by numbers. The field is checked before the complex.
+template <class ConcurrencyTag,
+          std::size_t vertices_per_cell,
+          class PointsOrNumber,
+          class Cells,
+          class EdgesParameter,
+          class Scalars,
+          class Traits>
+Flat_soup<typename Traits::Scalar> flatten_cells(const PointsOrNumber& points,
+                                                 const Cells& cells,
+                                                 const EdgesParameter& edges_parameter,
+                                                 const Scalars& scalars,
+                                                 const Traits& traits)
 {
-  auto field = flatten_scalars<ConcurrencyTag>(number_of_vertices, scalars, traits);
-  return {read_complex(), std::move(field)};
+  auto edges = parameters::choose_parameter<std::array<std::array<std::size_t, 2>, 0>>(edges_parameter);
+  const std::size_t size = count_vertices(points);
+  auto field = flatten_scalars<ConcurrencyTag>(size, scalars, traits);
+  if constexpr(vertices_per_cell == 3)
+    return {read_triangles(size, cells, unwrap_reference(edges)), std::move(field)};
+  else
+    return {read_tetrahedra(size, cells, unwrap_reference(edges)), std::move(field)};
 }
 
 } // namespace CGAL::Reeb_graph::internal

@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -228,15 +227,14 @@ struct Halfedge_arrays
     halfedges_of_vertices; // one of a face that ends there; no_index if there is none
 };
 
-// A surface copied from a mesh of any type into flat arrays. All numbers belong to vertices and edges.
-class Triangle_complex : public Triangle_complex_base<Triangle_complex>
+// A surface whose halfedges are in a flat array. All numbers belong to vertices and edges.
+template <class Complex>
+class Halfedge_array_complex : public Triangle_complex_base<Complex>
 {
 public:
-  // The faces have been checked before, as has been that each edge has one.
-  Triangle_complex(Halfedge_arrays arrays, std::size_t number_of_faces)
-    : Triangle_complex_base<Triangle_complex>(std::move(arrays.halfedges_of_vertices)),
-      halfedges_(std::move(arrays.halfedges)),
-      number_of_faces_(number_of_faces)
+  explicit Halfedge_array_complex(Halfedge_arrays arrays)
+    : Triangle_complex_base<Complex>(std::move(arrays.halfedges_of_vertices)),
+      halfedges_(std::move(arrays.halfedges))
   {}
 
   Number number_of_halfedges() const { return static_cast<Number>(halfedges_.size()); }
@@ -247,15 +245,32 @@ public:
   Halfedge_index next(Halfedge_index halfedge) const { return halfedges_[halfedge].next; }
   bool has_triangle(Halfedge_index halfedge) const { return next(halfedge) != no_index; }
 
-  std::size_t number_of_faces() const { return number_of_faces_; }
-  std::size_t number_of_live_edges() const { return halfedges_.size() / 2; }
-  Halfedge_index halfedge_of_face_at(Vertex_index vertex) const { return first_halfedge(vertex); }
+  // The faces have been checked before, as has been that each edge has one.
+  Halfedge_index halfedge_of_face_at(Vertex_index vertex) const { return this->first_halfedge(vertex); }
   void check_faces() const {}
   void check_edges() const {}
+
+protected:
+  const Indexed_vector<Halfedge_index, Halfedge>& halfedges() const { return halfedges_; }
 
 private:
   Indexed_vector<Halfedge_index, Halfedge>
     halfedges_; // both members in one line of the cache, with the opposite halfedge
+};
+
+// A surface copied from a mesh of any type.
+class Triangle_complex : public Halfedge_array_complex<Triangle_complex>
+{
+public:
+  Triangle_complex(Halfedge_arrays arrays, std::size_t number_of_faces)
+    : Halfedge_array_complex<Triangle_complex>(std::move(arrays)),
+      number_of_faces_(number_of_faces)
+  {}
+
+  std::size_t number_of_faces() const { return number_of_faces_; }
+  std::size_t number_of_live_edges() const { return halfedges().size() / 2; }
+
+private:
   std::size_t number_of_faces_;
 };
 

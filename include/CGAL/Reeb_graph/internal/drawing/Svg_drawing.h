@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Node_kind.h>
 #include <CGAL/Reeb_graph/internal/drawing/Node_spreading.h>
 #include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
 #include <array>

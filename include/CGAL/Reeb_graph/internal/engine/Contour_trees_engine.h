@@ -18,7 +18,6 @@
 #include <CGAL/Reeb_graph/internal/engine/Cutting_sweep.h>
 #include <CGAL/Reeb_graph/internal/engine/Loop_surgery.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
 #include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
 

@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
 
 #include <algorithm>

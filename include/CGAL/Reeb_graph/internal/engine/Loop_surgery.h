@@ -17,7 +17,6 @@
 #include <CGAL/Reeb_graph/internal/engine/Contour_search.h>
 #include <CGAL/Reeb_graph/internal/engine/Contours_of_sectors.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
 #include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
 

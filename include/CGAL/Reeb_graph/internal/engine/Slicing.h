@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -119,17 +118,15 @@ private:
   template <class ConcurrencyTag>
   std::size_t size_of_levels() const
   {
-    Shared_counter<ConcurrencyTag> number_of_crossings;
-    for_each_block<ConcurrencyTag>(complex_->number_of_edges(), [&](std::size_t begin, std::size_t end) {
-      std::size_t crossings = 0;
+    const auto count = [&](std::size_t begin, std::size_t end, std::size_t& crossings) {
       for(const Edge_index edge : Index_range(Edge_index(begin), Edge_index(end)))
       {
         if(complex_->is_on_triangle(edge))
           crossings += range_of_levels(edge).second - range_of_levels(edge).first;
       }
-      number_of_crossings.add(crossings);
-    });
-    return number_of_crossings.get() + (parts_.size() - 1) * (complex_->number_of_edges() / 16);
+    };
+    return sum_of_parts<ConcurrencyTag, std::size_t>(complex_->number_of_edges(), count)
+         + (parts_.size() - 1) * (complex_->number_of_edges() / 16);
   }
 
   // The first level that the edge crosses, and the one behind the last.

@@ -90,28 +90,14 @@ private:
 };
 
 // Calls visit(halfedge) once for each edge of the contour that crosses the edge of `start`, which has a triangle, as
-// have all the other ones, until a call returns true.
-template <class Complex, class IsBelow, class Visit>
-void visit_contour(const Complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
-{
-  if(visit(start))
-    return;
-  Contour_walk walk(complex, start, is_below);
-  while(walk.go_on(is_below))
-  {
-    if(visit(walk.crossed_edge()))
-      return;
-  }
-}
-
-// Calls visit(halfedge) in the same way for all edges of the contour.
+// have all the other ones.
 template <class Complex, class IsBelow, class Visit>
 void trace_contour(const Complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
 {
-  visit_contour(complex, start, is_below, [&](Halfedge_index halfedge) {
-    visit(halfedge);
-    return false;
-  });
+  visit(start);
+  Contour_walk walk(complex, start, is_below);
+  while(walk.go_on(is_below))
+    visit(walk.crossed_edge());
 }
 
 // Replaces the content of `crossed` by halfedges of the edges of the contour that crosses the edge of `start`, in the
@@ -167,34 +153,24 @@ void for_each_crossed_edge_beside(const Simplicial_complex& complex,
     visit(crossed_edge_beside(complex, crossed_edge, triangle, is_below), triangle);
 }
 
-// Calls visit(halfedge) for the edges of the contour that crosses the edge of `start`, until a call returns true; see
-// contour_tracing.h. In a complex a contour is any connected graph.
+// The same in a complex, where a contour is any connected graph.
 template <class IsBelow, class Visit>
-void visit_contour(const Simplicial_complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
+void trace_contour(const Simplicial_complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
 {
   std::unordered_set<Number> found = {edge_of(start).number()};
   Plain_vector<Edge_index> pending = {edge_of(start)};
-  bool is_over = visit(start);
-  while(!is_over && !pending.empty())
+  visit(start);
+  while(!pending.empty())
   {
     const Edge_index edge = pending.back();
     pending.pop_back();
     for_each_crossed_edge_beside(complex, edge, is_below, [&](Edge_index beside, Triangle_index) {
-      if(is_over || !found.insert(beside.number()).second)
+      if(!found.insert(beside.number()).second)
         return;
-      is_over = visit(even_halfedge(beside));
+      visit(even_halfedge(beside));
       pending.push_back(beside);
     });
   }
-}
-
-template <class IsBelow, class Visit>
-void trace_contour(const Simplicial_complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
-{
-  visit_contour(complex, start, is_below, [&](Halfedge_index halfedge) {
-    visit(halfedge);
-    return false;
-  });
 }
 
 // Traces contours of one level of a surface, in steps by turns, so that the longest one costs no more than the next

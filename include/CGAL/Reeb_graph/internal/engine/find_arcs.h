@@ -19,7 +19,6 @@
 #include <CGAL/Reeb_graph/internal/engine/Contour_trees_engine.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/Slicing.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
 #include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
 #include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
@@ -204,21 +203,6 @@ Slab_arcs find_arcs(const Complex& complex,
   return find_arcs_of_slab<ConcurrencyTag>(Slab(complex, critical_vertices), order, method, report);
 }
 
-// The same arcs by the default method, which answers the queries.
-template <class ConcurrencyTag, class Complex, class Order, class Queries, class Report>
-Slab_arcs find_arcs_and_answer(const Complex& complex,
-                               const Order& order,
-                               const Swept_vertices& critical_vertices,
-                               Queries& queries,
-                               const Report& report)
-{
-  const Slab slab(complex, critical_vertices);
-  Slab_arcs arcs =
-    Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report, queries);
-  check_arcs(slab, arcs);
-  return arcs;
-}
-
 // The same arcs by the default method, and the one of each regular vertex.
 template <class ConcurrencyTag, class Complex, class Order>
 Slab_arcs find_arcs_of_vertices(const Complex& complex,
@@ -227,8 +211,11 @@ Slab_arcs find_arcs_of_vertices(const Complex& complex,
                                 Arc_of_vertex& arc_of_vertex,
                                 const Stage_progress& progress)
 {
+  const Slab slab(complex, critical_vertices);
   const auto find = [&](auto& queries) {
-    Slab_arcs arcs = find_arcs_and_answer<ConcurrencyTag>(complex, order, critical_vertices, queries, progress);
+    Slab_arcs arcs =
+      Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(progress, queries);
+    check_arcs(slab, arcs);
     arc_of_vertex = queries.take_arc_of_vertex();
     return arcs;
   };

@@ -17,7 +17,6 @@
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
 
 #include <cstddef>
@@ -353,8 +352,7 @@ public:
   Tree_combination(Shrinking_tree join_tree,
                    Shrinking_tree split_tree,
                    Indexed_vector<Slab_node, Ascending_step> first_steps)
-    : join_tree_(std::move(join_tree)),
-      split_tree_(std::move(split_tree)),
+    : trees_{{std::move(join_tree), std::move(split_tree)}},
       first_steps_(std::move(first_steps))
   {
     arcs_.reserve(first_steps_.size());
@@ -380,25 +378,21 @@ public:
       const Slab_arc_index arc(--i);
       const Side side = sides_of_leaves_[i];
       const Slab_node leaf = side == Side::LOWER ? arcs[arc].lower : arcs[arc].upper;
-      const Shrinking_tree& other_tree = side == Side::LOWER ? split_tree_ : join_tree_;
+      const Side other = opposite_of(side);
       result[side][leaf] = arc;
-      result[opposite_of(side)][leaf] = result[opposite_of(side)][other_tree.only_child(leaf)];
+      result[other][leaf] = result[other][trees_[other].only_child(leaf)];
     }
     return result;
   }
 
 private:
+  // Whether the node is a leaf that is left at one side: the lower one in the join tree, the upper one in the split tree.
   // A root is no leaf, as it is none of trees of the same order.
-  bool is_lower_leaf(Slab_node node) const
+  template <Side side>
+  bool is_leaf(Slab_node node) const
   {
-    return join_tree_.number_of_children(node) == 0 && split_tree_.number_of_children(node) == 1
-        && join_tree_.parent(node) != no_index;
-  }
-
-  bool is_upper_leaf(Slab_node node) const
-  {
-    return split_tree_.number_of_children(node) == 0 && join_tree_.number_of_children(node) == 1
-        && split_tree_.parent(node) != no_index;
+    return trees_[side].number_of_children(node) == 0 && trees_[opposite_of(side)].number_of_children(node) == 1
+        && trees_[side].parent(node) != no_index;
   }
 
   // Takes the node away if it is a leaf, and then its neighbor if that makes it one, and so on.
@@ -406,44 +400,36 @@ private:
   {
     while(node != no_index)
     {
-      if(is_lower_leaf(node))
-        node = take_lower_leaf(node);
-      else if(is_upper_leaf(node))
-        node = take_upper_leaf(node);
+      if(is_leaf<Side::LOWER>(node))
+        node = take_leaf<Side::LOWER>(node);
+      else if(is_leaf<Side::UPPER>(node))
+        node = take_leaf<Side::UPPER>(node);
       else
         node = no_index;
     }
   }
 
-  Slab_node take_lower_leaf(Slab_node node)
+  // Returns the other end of the leaf's arc.
+  template <Side side>
+  Slab_node take_leaf(Slab_node leaf)
   {
-    const Slab_node upper = join_tree_.parent(node), child = split_tree_.only_child(node);
-    arcs_.push_back({node, upper, first_steps_[child]});
-    keep_side(Side::LOWER);
-    first_steps_[child] = first_steps_[node];
-    join_tree_.remove_leaf(node);
-    split_tree_.remove_inner_node(node);
-    return upper;
-  }
-
-  Slab_node take_upper_leaf(Slab_node node)
-  {
-    const Slab_node lower = split_tree_.parent(node);
-    arcs_.push_back({lower, node, first_steps_[node]});
-    keep_side(Side::UPPER);
-    split_tree_.remove_leaf(node);
-    join_tree_.remove_inner_node(node);
-    return lower;
-  }
-
-  void keep_side(Side side)
-  {
+    const Slab_node end = trees_[side].parent(leaf);
+    if constexpr(side == Side::LOWER)
+    {
+      const Slab_node child = trees_[Side::UPPER].only_child(leaf);
+      arcs_.push_back({leaf, end, first_steps_[child]});
+      first_steps_[child] = first_steps_[leaf];
+    }
+    else
+      arcs_.push_back({end, leaf, first_steps_[leaf]});
     if constexpr(are_leaves_kept)
       sides_of_leaves_.push_back(side);
+    trees_[side].remove_leaf(leaf);
+    trees_[opposite_of(side)].remove_inner_node(leaf);
+    return end;
   }
 
-  Shrinking_tree join_tree_;
-  Shrinking_tree split_tree_;
+  By_side<Shrinking_tree> trees_;
   Indexed_vector<Slab_node, Ascending_step> first_steps_; // from its parent in the split tree towards it
   Slab_arcs arcs_;
   Plain_vector<Side> sides_of_leaves_; // by arc

@@ -17,9 +17,7 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
-#include <CGAL/Reeb_graph/internal/engine/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
 #include <CGAL/Reeb_graph/options.h>
 
@@ -30,43 +28,57 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// The canonical order of the arcs that leave one node: by upper node, then by the second and the first vertex of their
-// chains. Nothing in it depends on how the arcs were found.
-template <class Complex, class Order>
-class Arc_order
+struct Node_tag;
+struct Arc_tag;
+struct Piece_tag;
+typedef Index_of<Node_tag> Node_index;
+typedef Index_of<Arc_tag> Arc_index;
+typedef Index_of<Piece_tag> Piece_index;
+
+struct Flat_node
 {
-public:
-  Arc_order(const Complex& complex, const Order& order, const Indexed_vector<Piece_index, Chain_piece>& pieces)
-    : complex_(complex),
-      order_(order),
-      pieces_(pieces)
-  {}
+  Vertex_index vertex;
+  Node_kind kind;
+};
 
-  bool operator()(const Flat_arc& a, const Flat_arc& b) const
-  {
-    return a.upper != b.upper ? a.upper < b.upper
-                              : is_before(pieces_[a.first_piece].first_step, pieces_[b.first_piece].first_step);
-  }
+inline Node_kind node_kind(Number in_degree, Number out_degree)
+{
+  if(in_degree == 0)
+    return out_degree == 0 ? Node_kind::ISOLATED : Node_kind::MINIMUM;
+  if(out_degree == 0)
+    return Node_kind::MAXIMUM;
+  return in_degree == 1 && out_degree == 1 ? Node_kind::DEGREE_TWO : Node_kind::SADDLE;
+}
 
-private:
-  // Halfedges count only if there are several between two vertices: meshes number them in different ways.
-  bool is_before(const Ascending_step& a, const Ascending_step& b) const
-  {
-    if(a.target != b.target)
-      return order_(a.target, b.target);
-    const Vertex_index first_of_a = first_vertex(a), first_of_b = first_vertex(b);
-    return first_of_a != first_of_b ? order_(first_of_a, first_of_b) : a.edge < b.edge;
-  }
+// A piece of a chain: steepest steps from the first one on, up to the level just below a vertex. An arc has one, and
+// one more for each plateau of several critical vertices that it passes.
+struct Chain_piece
+{
+  Ascending_step first_step;
+  Vertex_index upper_vertex;
+};
 
-  Vertex_index first_vertex(const Ascending_step& step) const
-  {
-    const Vertex_index source = complex_.source(step.edge);
-    return source == step.target ? complex_.target(step.edge) : source;
-  }
+struct Flat_arc
+{
+  Node_index lower;
+  Node_index upper;
+  Piece_index first_piece;
+  Number number_of_pieces;
+};
 
-  const Complex& complex_;
-  const Order& order_;
-  const Indexed_vector<Piece_index, Chain_piece>& pieces_;
+// The Reeb graph by indices: nodes in ascending order, arcs sorted.
+struct Flat_graph
+{
+  Indexed_vector<Node_index, Flat_node> nodes;
+  Indexed_vector<Arc_index, Flat_arc> arcs;
+  Indexed_vector<Piece_index, Chain_piece> pieces;
+
+  // By critical vertex: the node that it is part of, or else, on request, the arc that passes it.
+  Indexed_vector<Swept_index, Node_index> node_of_critical;
+  Indexed_vector<Swept_index, Arc_index> arc_of_critical;
+
+  // By arc between critical vertices, on request: the arc that it is part of, no_index if it has been contracted.
+  Indexed_vector<Slab_arc_index, Arc_index> arc_of_critical_arc;
 };
 
 // The groups that critical vertices form: each one alone, or if ties are contracted, those that arcs of length zero
@@ -311,9 +323,25 @@ private:
       first_pieces[i] = first_piece;
   }
 
+  // The canonical order of the arcs that leave one node: by upper node, then by the second and the first vertex of their
+  // chains. Nothing in it depends on how the arcs were found. Halfedges count only if there are several between two
+  // vertices: meshes number them in different ways.
   void sort_arcs_of_nodes()
   {
-    const Arc_order is_before(complex_, order_, graph_.pieces);
+    const auto first_vertex = [&](const Ascending_step& step) {
+      const Vertex_index source = complex_.source(step.edge);
+      return source == step.target ? complex_.target(step.edge) : source;
+    };
+    const auto is_before = [&](const Flat_arc& arc_a, const Flat_arc& arc_b) {
+      if(arc_a.upper != arc_b.upper)
+        return arc_a.upper < arc_b.upper;
+      const Ascending_step& a = graph_.pieces[arc_a.first_piece].first_step;
+      const Ascending_step& b = graph_.pieces[arc_b.first_piece].first_step;
+      if(a.target != b.target)
+        return order_(a.target, b.target);
+      const Vertex_index first_of_a = first_vertex(a), first_of_b = first_vertex(b);
+      return first_of_a != first_of_b ? order_(first_of_a, first_of_b) : a.edge < b.edge;
+    };
     for_each_block<ConcurrencyTag>(graph_.nodes.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t node = begin; node != end; ++node)
       {

@@ -14,12 +14,13 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
-#include <CGAL/Reeb_graph/internal/base/descriptors.h>
+#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
-#include <CGAL/Reeb_graph/internal/engine/Flat_graph.h>
 #include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
+#include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -28,7 +29,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -127,14 +127,8 @@ auto chain_halfedges(const FaceListGraph& mesh,
   return std::make_shared<const std::vector<halfedge_descriptor>>(std::move(halfedges));
 }
 
-template <class Graph, class = void>
-struct Has_node_array : std::false_type
-{
-};
 template <class Graph>
-struct Has_node_array<Graph, std::void_t<decltype(std::declval<Graph&>().m_vertices.reserve(0))>> : std::true_type
-{
-};
+using Node_array = decltype(std::declval<Graph&>().m_vertices.reserve(0));
 
 // Makes room for the nodes of an empty graph if they are in an array. There is no documented way, but this one has
 // always been there. Threads share what takes longest, longer than to write the nodes: to touch each new page of memory
@@ -142,7 +136,7 @@ struct Has_node_array<Graph, std::void_t<decltype(std::declval<Graph&>().m_verti
 template <class ConcurrencyTag, class Graph>
 void reserve_nodes(Graph& graph, std::size_t size)
 {
-  if constexpr(Has_node_array<Graph>::value)
+  if constexpr(Has<Node_array, Graph>::value)
   {
     graph.m_vertices.reserve(size);
     if constexpr(is_parallel<ConcurrencyTag>())
@@ -163,7 +157,7 @@ void reserve_nodes(Graph& graph, std::size_t size)
 template <class Graph>
 void prefetch_node(const Graph& graph, std::size_t node)
 {
-  if constexpr(Has_node_array<Graph>::value)
+  if constexpr(Has<Node_array, Graph>::value)
   {
     constexpr std::size_t line = 64;
     const char* const bytes = reinterpret_cast<const char*>(&graph.m_vertices[node]);

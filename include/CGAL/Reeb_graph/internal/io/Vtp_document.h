@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
@@ -51,8 +51,8 @@ inline void write_base64(std::ostream& out, std::vector<unsigned char> bytes)
 template <class Point>
 void add_coordinates(const Point& point, std::vector<double>& coordinates)
 {
-  coordinates.insert(coordinates.end(),
-                     {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())});
+  for(const double coordinate : coordinates_of(point))
+    coordinates.push_back(coordinate);
 }
 
 // An XML file of VTK for points, and cells on them: vertices, lines, and polygons, in this order. Arrays are written as

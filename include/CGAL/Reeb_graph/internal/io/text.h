@@ -14,9 +14,9 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/Reeb_graph/options.h>
 
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/Named_function_parameters.h>
 
 #include <cerrno>
 #include <charconv>
@@ -33,6 +33,8 @@
 #include <string_view>
 #include <system_error>
 #include <type_traits>
+#include <variant>
+#include <vector>
 
 namespace CGAL::Reeb_graph::internal {
 
@@ -171,8 +173,7 @@ std::string json_list(const Range& range, const JsonOfElement& json_of_element)
 template <class Point>
 std::string json_of_point(const Point& point)
 {
-  return "[" + json_of(CGAL::to_double(point.x())) + ", " + json_of(CGAL::to_double(point.y())) + ", "
-       + json_of(CGAL::to_double(point.z())) + "]";
+  return json_list(coordinates_of(point), [](double number) { return json_of(number); });
 }
 
 // The pieces of a chain as paths of vertices. `ends_of` returns the two vertices of a halfedge by their indices.
@@ -284,6 +285,20 @@ private:
   std::ostream& out_;
   std::locale before_;
 };
+
+// The attributes of a named parameter, which have to be as many as things.
+template <class Parameter>
+std::vector<Attribute> checked_attributes(const Parameter& parameter, std::size_t size)
+{
+  std::vector<Attribute> attributes = parameters::choose_parameter(parameter, std::vector<Attribute>());
+  for(const Attribute& attribute : attributes)
+  {
+    const std::size_t given = std::visit([](const auto& numbers) { return numbers.size(); }, attribute.numbers);
+    if(given != size)
+      throw Attribute_count_error(attribute.name, given, size);
+  }
+  return attributes;
+}
 
 // Says why, where the system does.
 template <class Write>

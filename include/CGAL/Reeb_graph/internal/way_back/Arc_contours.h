@@ -16,7 +16,7 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
-#include <CGAL/Reeb_graph/internal/way_back/check_graph.h>
+#include <CGAL/Reeb_graph/internal/way_back/locate_vertices.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -24,146 +24,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
-
-// The levels at which contours are asked for: those of values, next to nodes, and of parameters along arcs.
-template <class GraphOnMesh>
-class Arc_levels
-{
-  typedef typename GraphOnMesh::Scalar Scalar;
-  typedef typename GraphOnMesh::Order Order;
-  typedef typename GraphOnMesh::node_descriptor node_descriptor;
-  typedef typename GraphOnMesh::arc_descriptor arc_descriptor;
-  typedef internal::Level<Scalar, Order> Is_below;
-
-public:
-  // A level with its value.
-  struct Level
-  {
-    Is_below is_below;
-    double value;
-  };
-
-  Arc_levels(const GraphOnMesh& on_mesh, Ties ties)
-    : on_mesh_(on_mesh),
-      order_(on_mesh.order()),
-      are_ties_contracted_(ties == Ties::CONTRACT)
-  {}
-
-  // Whether the level of the value crosses the arc.
-  bool is_alive_at(arc_descriptor arc, const Scalar& value) const
-  {
-    return !order_.is_higher(on_mesh_.lower_vertex(arc), value) && order_.is_higher(on_mesh_.upper_vertex(arc), value);
-  }
-
-  // Whether the level crosses the arc.
-  bool is_alive_at(arc_descriptor arc, const Level& level) const
-  {
-    const Is_below& is_below = level.is_below;
-    return is_below(on_mesh_.lower_vertex(arc)) && !is_below(on_mesh_.upper_vertex(arc));
-  }
-
-  Level at_value(const Scalar& value) const
-  {
-    return {Is_below::above_value(order_, value), on_mesh_.conversion().to_double(value)};
-  }
-
-  Level below_node(node_descriptor node) const { return below_vertex(on_mesh_.node_vertex(node)); }
-
-  Level below_vertex(Vertex_index v) const
-  {
-    return {are_ties_contracted_ ? Is_below::below_value(order_, on_mesh_.scalar(v))
-                                 : Is_below::below_vertex(order_, v),
-            on_mesh_.value(v)};
-  }
-
-  Level above_node(node_descriptor node) const { return above_vertex(on_mesh_.node_vertex(node)); }
-
-  Level above_vertex(Vertex_index v) const
-  {
-    return {are_ties_contracted_ ? Is_below::above_value(order_, on_mesh_.scalar(v))
-                                 : Is_below::above_vertex(order_, v),
-            on_mesh_.value(v)};
-  }
-
-  // The level at the fraction t of the values along the arc.
-  Level at_parameter(arc_descriptor arc, double t) const
-  {
-    const double lower = on_mesh_.value(on_mesh_.lower_vertex(arc)), upper = on_mesh_.value(on_mesh_.upper_vertex(arc));
-    const auto& chain = on_mesh_.chain(arc);
-    const std::size_t step = (std::min)(static_cast<std::size_t>(t * chain.size()), chain.size() - 1);
-    return between(arc, value_at_fraction(lower, upper, t), on_mesh_.source_of(chain[step]));
-  }
-
-  // The level at the fraction t of the differences of another field, summed up along the chain.
-  template <class ParametrizationMap>
-  Level at_parameter(arc_descriptor arc, double t, const ParametrizationMap& parametrization) const
-  {
-    const auto& chain = on_mesh_.chain(arc);
-    const double scale = 0.5 / static_cast<double>(chain.size()); // so that no sum is infinite
-    const auto scaled_value = [&](Vertex_index v) {
-      const double value = static_cast<double>(get(parametrization, on_mesh_.vertex(v)));
-      if(!std::isfinite(value))
-        throw Non_finite_scalar_error(on_mesh_.position(v));
-      return scale * value;
-    };
-    std::vector<double> sums = {0};
-    for(std::size_t i = 0; i != chain.size(); ++i)
-    {
-      const double difference = scaled_value(on_mesh_.target_of(chain[i])) - scaled_value(on_mesh_.source_of(chain[i]));
-      sums.push_back(sums.back() + std::abs(difference) * used_fraction(arc, i));
-    }
-    const double sum = t * sums.back();
-    if(!(sum > 0))
-      return at_parameter(arc, t);
-    const std::size_t step =
-      (std::min)(std::size_t(std::lower_bound(sums.begin() + 1, sums.end(), sum) - sums.begin()), chain.size()) - 1;
-    const double fraction = used_fraction(arc, step) * (sum - sums[step]) / (sums[step + 1] - sums[step]);
-    const Vertex_index from = on_mesh_.source_of(chain[step]), to = on_mesh_.target_of(chain[step]);
-    return between(arc, value_at_fraction(on_mesh_.value(from), on_mesh_.value(to), fraction), from);
-  }
-
-private:
-  // The level of the value, if that is inside the arc. If it has been rounded up to the upper end, it is the last level
-  // of lower values; if values do not tell, because they are tied or infinite, it is next to a vertex of the chain.
-  // With another order than that of numbers, values can fall along an arc.
-  Level between(arc_descriptor arc, double value, Vertex_index chain_vertex) const
-  {
-    const Vertex_index upper = on_mesh_.upper_vertex(arc);
-    const double lower_end = on_mesh_.value(on_mesh_.lower_vertex(arc)), upper_end = on_mesh_.value(upper);
-    const bool is_falling = upper_end < lower_end;
-    const bool is_rounded_up = is_falling ? value <= upper_end : value >= upper_end;
-    if(!is_rounded_up && (is_falling ? value <= lower_end : value >= lower_end))
-    {
-      // For integers, the vertices below 2.5 are those below 2.
-      const auto scalar = on_mesh_.conversion().from_double(value, is_falling);
-      if(scalar && is_alive_at(arc, *scalar))
-        return {Is_below::above_value(order_, *scalar), value};
-    }
-    const Scalar& upper_value = on_mesh_.scalar(upper);
-    const bool is_chain_vertex_lower = order_.is_lower(chain_vertex, upper_value);
-    if(is_chain_vertex_lower ? is_rounded_up && std::isfinite(value) : are_ties_contracted_)
-      return {Is_below::below_value(order_, upper_value), upper_end};
-    return above_vertex(chain_vertex);
-  }
-
-  // The part of halfedge i of the chain that is used: that below the upper node, and below the next piece of the chain,
-  // as the last halfedge of a piece overshoots.
-  double used_fraction(arc_descriptor arc, std::size_t i) const
-  {
-    const auto& chain = on_mesh_.chain(arc);
-    const Vertex_index end = i + 1 == chain.size() ? on_mesh_.upper_vertex(arc) : on_mesh_.source_of(chain[i + 1]);
-    const bool is_all_used = end == on_mesh_.target_of(chain[i]);
-    return is_all_used ? 1 : crossing_fraction(on_mesh_, chain[i], on_mesh_.value(end));
-  }
-
-  const GraphOnMesh& on_mesh_;
-  const Order& order_;
-  const bool are_ties_contracted_;
-};
 
 // A halfedge of the chain of an arc that crosses a level. Chains can overlap where a piece ends; then the later one is
 // inside the arc. It throws Graph_mismatch_error if there is none.
@@ -180,21 +43,26 @@ auto find_crossing(const GraphOnComplex& on_complex,
   return h;
 }
 
-// The contours of arcs at levels that cross their chains, and whether they do: what an augmentation is asked for.
+// The contours of arcs at levels that cross their chains, and whether they do: what an augmentation is asked for. Levels
+// are those of values, those next to nodes and vertices, and those of parameters along arcs.
 template <class GraphOnComplex>
 class Arc_contours
 {
   typedef typename GraphOnComplex::Scalar Scalar;
+  typedef typename GraphOnComplex::Order Order;
   typedef typename GraphOnComplex::vertex_descriptor vertex_descriptor;
   typedef typename GraphOnComplex::node_descriptor node_descriptor;
   typedef typename GraphOnComplex::arc_descriptor arc_descriptor;
-  typedef Arc_levels<GraphOnComplex> Levels;
-  typedef typename Levels::Level Level;
+  typedef internal::Level<Scalar, Order> Is_below;
 
 public:
   typedef typename GraphOnComplex::Contour Contour;
 
-  Arc_contours(const GraphOnComplex& on_complex, Ties ties) : on_complex_(on_complex), levels_(on_complex, ties) {}
+  Arc_contours(const GraphOnComplex& on_complex, Ties ties)
+    : on_complex_(on_complex),
+      order_(on_complex.order()),
+      are_ties_contracted_(ties == Ties::CONTRACT)
+  {}
 
   // The contour at a fraction of the values, or of the differences of another field, along the arc.
   template <class... ParametrizationMap>
@@ -203,37 +71,37 @@ public:
     check_is_arc(on_complex_.graph(), arc);
     if(!(t > 0 && t < 1))
       throw Parameter_error(t);
-    return trace(arc, levels_.at_parameter(arc, t, parametrization...));
+    return trace(arc, level_at_parameter(arc, t, parametrization...));
   }
 
   Contour at_value(arc_descriptor arc, const Scalar& value) const
   {
     check_is_arc(on_complex_.graph(), arc);
-    if(!levels_.is_alive_at(arc, value))
+    if(!is_alive_at(arc, value))
       throw Level_error();
-    return trace(arc, levels_.at_value(value));
+    return trace(arc, level_at_value(value));
   }
 
   Contour below_vertex(arc_descriptor arc, vertex_descriptor v) const
   {
-    return at_level(arc, levels_.below_vertex(checked_number(on_complex_, v)));
+    return at_level(arc, level_beside(Side::LOWER, checked_number(on_complex_, v)));
   }
 
   Contour above_vertex(arc_descriptor arc, vertex_descriptor v) const
   {
-    return at_level(arc, levels_.above_vertex(checked_number(on_complex_, v)));
+    return at_level(arc, level_beside(Side::UPPER, checked_number(on_complex_, v)));
   }
 
   // The contours of all arcs at the level of the value.
   template <class ConcurrencyTag>
   std::vector<Contour> all_at_value(const Scalar& value) const
   {
-    const Level level = levels_.at_value(value);
+    const Level level = level_at_value(value);
     std::vector<arc_descriptor> arcs;
     std::vector<decltype(find_start(arcs[0], level))> starts;
     for(const arc_descriptor arc : on_complex_.arcs())
     {
-      if(levels_.is_alive_at(arc, value))
+      if(is_alive_at(arc, value))
       {
         arcs.push_back(arc);
         starts.push_back(find_start(arc, level));
@@ -248,15 +116,22 @@ public:
   // The contours of all arcs below a node, or above it, next to the node, which has been checked.
   std::vector<Contour> all_below_node(node_descriptor node) const
   {
-    return all_at_level(in_edges(node, on_complex_.graph()), levels_.below_node(node));
+    return all_at_level(in_edges(node, on_complex_.graph()), level_beside(Side::LOWER, on_complex_.node_vertex(node)));
   }
 
   std::vector<Contour> all_above_node(node_descriptor node) const
   {
-    return all_at_level(out_edges(node, on_complex_.graph()), levels_.above_node(node));
+    return all_at_level(out_edges(node, on_complex_.graph()), level_beside(Side::UPPER, on_complex_.node_vertex(node)));
   }
 
 private:
+  // A level with its value.
+  struct Level
+  {
+    Is_below is_below;
+    double value;
+  };
+
   auto find_start(arc_descriptor arc, const Level& level) const
   {
     return on_complex_.find_start(find_crossing(on_complex_, arc, level.is_below));
@@ -267,10 +142,11 @@ private:
     return on_complex_.trace(arc, find_start(arc, level), level);
   }
 
+  // The contour at a level that may not cross the arc.
   Contour at_level(arc_descriptor arc, const Level& level) const
   {
     check_is_arc(on_complex_.graph(), arc);
-    if(!levels_.is_alive_at(arc, level))
+    if(!level.is_below(on_complex_.lower_vertex(arc)) || level.is_below(on_complex_.upper_vertex(arc)))
       throw Level_error();
     return trace(arc, level);
   }
@@ -284,8 +160,100 @@ private:
     return contours;
   }
 
+  // Whether the level of the value crosses the arc.
+  bool is_alive_at(arc_descriptor arc, const Scalar& value) const
+  {
+    return !order_.is_higher(on_complex_.lower_vertex(arc), value)
+        && order_.is_higher(on_complex_.upper_vertex(arc), value);
+  }
+
+  Level level_at_value(const Scalar& value) const
+  {
+    return {Is_below(order_, Side::UPPER, value), on_complex_.conversion().to_double(value)};
+  }
+
+  Level level_beside(Side side, Vertex_index v) const
+  {
+    return {are_ties_contracted_ ? Is_below(order_, side, on_complex_.scalar(v)) : Is_below(order_, side, v),
+            on_complex_.value(v)};
+  }
+
+  // The level at the fraction t of the values along the arc.
+  Level level_at_parameter(arc_descriptor arc, double t) const
+  {
+    const double lower = on_complex_.value(on_complex_.lower_vertex(arc)),
+                 upper = on_complex_.value(on_complex_.upper_vertex(arc));
+    const auto& chain = on_complex_.chain(arc);
+    const std::size_t step = (std::min)(static_cast<std::size_t>(t * chain.size()), chain.size() - 1);
+    return between(arc, value_at_fraction(lower, upper, t), on_complex_.source_of(chain[step]));
+  }
+
+  // The level at the fraction t of the differences of another field, summed up along the chain.
+  template <class ParametrizationMap>
+  Level level_at_parameter(arc_descriptor arc, double t, const ParametrizationMap& parametrization) const
+  {
+    const auto& chain = on_complex_.chain(arc);
+    const double scale = 0.5 / static_cast<double>(chain.size()); // so that no sum is infinite
+    const auto scaled_value = [&](Vertex_index v) {
+      const double value = static_cast<double>(get(parametrization, on_complex_.vertex(v)));
+      if(!std::isfinite(value))
+        throw Non_finite_scalar_error(on_complex_.position(v));
+      return scale * value;
+    };
+    std::vector<double> sums = {0};
+    for(std::size_t i = 0; i != chain.size(); ++i)
+    {
+      const double difference =
+        scaled_value(on_complex_.target_of(chain[i])) - scaled_value(on_complex_.source_of(chain[i]));
+      sums.push_back(sums.back() + std::abs(difference) * used_fraction(arc, i));
+    }
+    const double sum = t * sums.back();
+    if(!(sum > 0))
+      return level_at_parameter(arc, t);
+    const std::size_t step =
+      (std::min)(std::size_t(std::lower_bound(sums.begin() + 1, sums.end(), sum) - sums.begin()), chain.size()) - 1;
+    const double fraction = used_fraction(arc, step) * (sum - sums[step]) / (sums[step + 1] - sums[step]);
+    const Vertex_index from = on_complex_.source_of(chain[step]), to = on_complex_.target_of(chain[step]);
+    return between(arc, value_at_fraction(on_complex_.value(from), on_complex_.value(to), fraction), from);
+  }
+
+  // The level of the value, if that is inside the arc. If it has been rounded up to the upper end, it is the last level
+  // of lower values; if values do not tell, because they are tied or infinite, it is next to a vertex of the chain.
+  // With another order than that of numbers, values can fall along an arc.
+  Level between(arc_descriptor arc, double value, Vertex_index chain_vertex) const
+  {
+    const Vertex_index upper = on_complex_.upper_vertex(arc);
+    const double lower_end = on_complex_.value(on_complex_.lower_vertex(arc)), upper_end = on_complex_.value(upper);
+    const bool is_falling = upper_end < lower_end;
+    const bool is_rounded_up = is_falling ? value <= upper_end : value >= upper_end;
+    if(!is_rounded_up && (is_falling ? value <= lower_end : value >= lower_end))
+    {
+      // For integers, the vertices below 2.5 are those below 2.
+      const auto scalar = on_complex_.conversion().from_double(value, is_falling);
+      if(scalar && is_alive_at(arc, *scalar))
+        return {Is_below(order_, Side::UPPER, *scalar), value};
+    }
+    const Scalar& upper_value = on_complex_.scalar(upper);
+    const bool is_chain_vertex_lower = order_.is_lower(chain_vertex, upper_value);
+    if(is_chain_vertex_lower ? is_rounded_up && std::isfinite(value) : are_ties_contracted_)
+      return {Is_below(order_, Side::LOWER, upper_value), upper_end};
+    return level_beside(Side::UPPER, chain_vertex);
+  }
+
+  // The part of halfedge i of the chain that is used: that below the upper node, and below the next piece of the chain,
+  // as the last halfedge of a piece overshoots.
+  double used_fraction(arc_descriptor arc, std::size_t i) const
+  {
+    const auto& chain = on_complex_.chain(arc);
+    const Vertex_index end =
+      i + 1 == chain.size() ? on_complex_.upper_vertex(arc) : on_complex_.source_of(chain[i + 1]);
+    const bool is_all_used = end == on_complex_.target_of(chain[i]);
+    return is_all_used ? 1 : crossing_fraction(on_complex_, chain[i], on_complex_.value(end));
+  }
+
   const GraphOnComplex& on_complex_;
-  const Levels levels_;
+  const Order& order_;
+  const bool are_ties_contracted_;
 };
 
 } // namespace CGAL::Reeb_graph::internal

@@ -77,8 +77,8 @@ public:
   // What Vertex_lists needs. It can outlive this object and the mesh.
   auto list_vertices(const std::shared_ptr<const Vertex_places>& places, std::size_t number_of_places) const
   {
-    return [complex = complex_, order = order_, places, number_of_places](auto& vertices, auto& begins) {
-      sort_vertices_by_place(complex->field.vertices, order, *places, number_of_places, vertices, begins);
+    return [complex = complex_, order = order_, places, number_of_places] {
+      return sort_vertices_by_place(complex->field.vertices, order, *places, number_of_places);
     };
   }
 
@@ -91,12 +91,19 @@ public:
   double value(Vertex_index number) const { return conversion_.to_double(scalar(number)); }
 
 protected:
-  Graph_on_complex(const ReebGraph& graph, const Traits& traits, std::shared_ptr<const ComplexWithField> complex)
+  // make_complex() returns a shared pointer, and takes most of the time.
+  template <class MakeComplex>
+  Graph_on_complex(const ReebGraph& graph,
+                   const Traits& traits,
+                   const Progress& progress,
+                   const MakeComplex& make_complex)
     : graph_(graph),
-      complex_(std::move(complex)),
+      complex_((progress.report(0), make_complex())),
       order_(field().values, traits.less_scalar_object()),
       conversion_(traits)
-  {}
+  {
+    progress.report(0.8);
+  }
 
   const decltype(ComplexWithField::field)& field() const { return complex_->field; }
 
@@ -148,7 +155,7 @@ public:
                 const Traits& traits,
                 const NamedParameters& np,
                 const Progress& progress)
-    : Base(graph, traits, flatten_reported(mesh, scalar_map, traits, np, progress)),
+    : Base(graph, traits, progress, [&] { return share_flat<Sequential_tag>(mesh, scalar_map, traits, np); }),
       mesh_(mesh)
   {}
 
@@ -250,19 +257,6 @@ private:
       return found != no_index || ++number_of_steps == most_steps;
     });
     return number_of_steps != most_steps;
-  }
-
-  template <class ScalarMap, class NamedParameters>
-  static std::shared_ptr<const Surface> flatten_reported(const FaceListGraph& mesh,
-                                                         const ScalarMap& scalar_map,
-                                                         const Traits& traits,
-                                                         const NamedParameters& np,
-                                                         const Progress& progress)
-  {
-    progress.report(0);
-    auto surface = share_flat<Sequential_tag>(mesh, scalar_map, traits, np);
-    progress.report(0.8);
-    return surface;
   }
 
   const FaceListGraph& mesh_;

@@ -14,14 +14,13 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/engine/Flat_graph.h>
+#include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 
@@ -32,7 +31,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <mutex>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -49,138 +47,105 @@ class Vertex_lists
 public:
   typedef Iterator_range<const VertexDescriptor*> Range;
 
-  // Writes the vertices by place, and where those of each place begin; and the end.
-  typedef std::function<void(std::vector<VertexDescriptor>& vertices, std::vector<std::size_t>& begins)> Make;
+  struct Lists
+  {
+    std::vector<VertexDescriptor> vertices; // by place
+    std::vector<std::size_t> begins;        // of the vertices of each place; and the end
+  };
 
-  explicit Vertex_lists(Make make) : make_(std::move(make)) {}
+  explicit Vertex_lists(std::function<Lists()> make) : make_(std::move(make)) {}
 
   Range operator()(std::size_t place) const
   {
-    std::call_once(is_made_, [&] {
-      make_(vertices_, begins_);
-      make_ = nullptr;
+    const Lists& lists = lists_([this] {
+      Lists result = make_();
+      make_ = nullptr; // It holds what the lists are made of.
+      return result;
     });
-    return Range(vertices_.data() + begins_[place], vertices_.data() + begins_[place + 1]);
+    return Range(lists.vertices.data() + lists.begins[place], lists.vertices.data() + lists.begins[place + 1]);
   }
 
 private:
-  mutable std::once_flag is_made_;
-  mutable Make make_;
-  mutable std::vector<VertexDescriptor> vertices_;
-  mutable std::vector<std::size_t> begins_;
+  mutable std::function<Lists()> make_;
+  Made_on_demand<Lists> lists_;
 };
 
-// Does what Vertex_lists needs: counts the vertices of each place, and sorts those of one place by the order.
-template <class VertexList, class Order, class VertexDescriptor>
-void sort_vertices_by_place(const VertexList& vertex_list,
+// Makes what Vertex_lists needs: counts the vertices of each place, and sorts those of one place by the order.
+template <class VertexList, class Order>
+auto sort_vertices_by_place(const VertexList& vertex_list,
                             const Order& order,
                             const Vertex_places& places,
-                            std::size_t number_of_places,
-                            std::vector<VertexDescriptor>& vertices,
-                            std::vector<std::size_t>& begins)
+                            std::size_t number_of_places)
 {
-  begins.assign(number_of_places + 1, 0);
+  typename Vertex_lists<typename VertexList::vertex_descriptor>::Lists result;
+  result.begins.assign(number_of_places + 1, 0);
   for(const Index place : places)
   {
     if(place != no_index)
-      ++begins[place + 1];
+      ++result.begins[place + 1];
   }
-  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  std::partial_sum(result.begins.begin(), result.begins.end(), result.begins.begin());
   std::vector<typename Order::template Key<Vertex_index>> keys;
-  keys.resize(begins.back());
-  std::vector<std::size_t> next(begins);
+  keys.resize(result.begins.back());
+  std::vector<std::size_t> next(result.begins);
   for(const Vertex_index v : places.keys())
   {
     if(places[v] != no_index)
       keys[next[places[v]]++] = order.key(v, v);
   }
   for(std::size_t place = 0; place != number_of_places; ++place)
-    internal::sort<Sequential_tag>(keys.begin() + begins[place], keys.begin() + begins[place + 1], order);
-  vertices.reserve(keys.size());
+    internal::sort<Sequential_tag>(keys.begin() + result.begins[place], keys.begin() + result.begins[place + 1], order);
+  result.vertices.reserve(keys.size());
   for(const auto& key : keys)
-    vertices.push_back(vertex_list[key.name]);
+    result.vertices.push_back(vertex_list[key.name]);
+  return result;
 }
 
 // The place of each vertex in the exact graph, from the arcs between critical vertices and what they have been reduced
-// to.
-template <class Complex, class Order>
-class Vertex_place_finder
+// to: the number of a node, or the number of nodes plus that of an arc.
+template <class ConcurrencyTag, class Complex, class Order>
+Vertex_places find_vertex_places(const Complex& complex,
+                                 const Order& order,
+                                 const Swept_vertices& critical_vertices,
+                                 const Slab_arcs& critical_arcs,
+                                 const Arc_of_vertex& arc_of_vertex,
+                                 const Flat_graph& graph,
+                                 Ties ties)
 {
-public:
-  Vertex_place_finder(const Complex& complex,
-                      const Order& order,
-                      const Swept_vertices& critical_vertices,
-                      const Slab_arcs& critical_arcs,
-                      const Arc_of_vertex& arc_of_vertex,
-                      const Flat_graph& graph,
-                      Ties ties)
-    : complex_(complex),
-      order_(order),
-      critical_vertices_(critical_vertices),
-      critical_arcs_(critical_arcs),
-      arc_of_vertex_(arc_of_vertex),
-      graph_(graph),
-      are_ties_contracted_(ties == Ties::CONTRACT)
-  {}
-
-  // The number of a node, or the number of nodes plus that of an arc.
-  template <class ConcurrencyTag>
-  Vertex_places find() const
-  {
-    checked_index(graph_.nodes.size() + graph_.arcs.size());
-    Vertex_places places(complex_.number_of_vertices(), no_index);
-    for(const Swept_index critical : critical_vertices_.indices())
-      places[critical_vertices_.vertex(critical)] = place_of_critical(critical);
-    for_each_block<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {
-      for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
-      {
-        if(places[vertex] == no_index && complex_.has_vertex(vertex))
-          places[vertex] = place_on_arc(vertex, arc_of_vertex_[vertex]);
-      }
-    });
-    return places;
-  }
-
-private:
-  Index place_of_critical(Swept_index critical) const
-  {
-    const Node_index node = graph_.node_of_critical[critical];
-    return node != no_index ? node.number()
-                            : place_of_arc(graph_.arc_of_critical[critical], critical_vertices_.vertex(critical));
-  }
-
-  // The place of a regular vertex on an arc between critical vertices. On a plateau, it is where the end of the arc is.
-  Index place_on_arc(Vertex_index vertex, Slab_arc_index critical_arc) const
-  {
-    if(critical_arc == no_index)
-      complex_.throw_contradiction_near(vertex);
-    if(are_ties_contracted_)
-    {
-      const Slab_arc& arc = critical_arcs_[critical_arc];
-      for(const Swept_index end : {arc.lower_vertex(), arc.upper_vertex()})
-      {
-        if(order_.are_tied(vertex, critical_vertices_.vertex(end)))
-          return place_of_critical(end);
-      }
-    }
-    return place_of_arc(graph_.arc_of_critical_arc[critical_arc], vertex);
-  }
-
-  Index place_of_arc(Arc_index arc, Vertex_index vertex) const
-  {
+  checked_index(graph.nodes.size() + graph.arcs.size());
+  const auto place_of_arc = [&](Arc_index arc, Vertex_index vertex) {
     if(arc == no_index)
-      complex_.throw_contradiction_near(vertex);
-    return static_cast<Index>(graph_.nodes.size()) + arc.number();
-  }
-
-  const Complex& complex_;
-  const Order& order_;
-  const Swept_vertices& critical_vertices_;
-  const Slab_arcs& critical_arcs_;
-  const Arc_of_vertex& arc_of_vertex_;
-  const Flat_graph& graph_;
-  const bool are_ties_contracted_;
-};
+      complex.throw_contradiction_near(vertex);
+    return static_cast<Index>(graph.nodes.size()) + arc.number();
+  };
+  const auto place_of_critical = [&](Swept_index critical) {
+    const Node_index node = graph.node_of_critical[critical];
+    return node != no_index ? node.number()
+                            : place_of_arc(graph.arc_of_critical[critical], critical_vertices.vertex(critical));
+  };
+  // The place of a regular vertex on an arc between critical vertices. On a plateau, it is where the end of the arc is.
+  const auto place_on_arc = [&](Vertex_index vertex, Slab_arc_index critical_arc) {
+    if(critical_arc == no_index)
+      complex.throw_contradiction_near(vertex);
+    if(ties == Ties::CONTRACT)
+      for(const Swept_index end :
+          {critical_arcs[critical_arc].lower_vertex(), critical_arcs[critical_arc].upper_vertex()})
+        if(order.are_tied(vertex, critical_vertices.vertex(end)))
+          return place_of_critical(end);
+    return place_of_arc(graph.arc_of_critical_arc[critical_arc], vertex);
+  };
+  Vertex_places places(complex.number_of_vertices(), no_index);
+  for(const Swept_index critical : critical_vertices.indices())
+    places[critical_vertices.vertex(critical)] = place_of_critical(critical);
+  for_each_block<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {
+    for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
+    {
+      if(places[vertex] == no_index && complex.has_vertex(vertex))
+        places[vertex] = place_on_arc(vertex, arc_of_vertex[vertex]);
+    }
+  });
+  return places;
+}
 
 // What the pipeline finds besides the graph if no places of vertices are wanted: nothing.
 struct No_vertex_places
@@ -222,8 +187,8 @@ public:
             const Flat_graph& graph,
             Ties ties)
   {
-    places_ = Vertex_place_finder(complex, order, critical_vertices, critical_arcs, arc_of_vertex_, graph, ties)
-                .template find<ConcurrencyTag>();
+    places_ =
+      find_vertex_places<ConcurrencyTag>(complex, order, critical_vertices, critical_arcs, arc_of_vertex_, graph, ties);
     arc_of_vertex_ = Arc_of_vertex();
   }
 

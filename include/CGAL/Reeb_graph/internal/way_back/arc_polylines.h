@@ -11,8 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
-#include <CGAL/Reeb_graph/internal/way_back/contour_geometry.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -21,14 +23,262 @@
 #include <boost/unordered_map.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <iterator>
 #include <limits>
+#include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
+
+template <class Point>
+Point make_point(const Coordinates& coordinates)
+{
+  typedef std::decay_t<decltype(std::declval<const Point&>().x())> Number;
+  return Point(Number(coordinates[0]), Number(coordinates[1]), Number(coordinates[2]));
+}
+
+inline Coordinates mix(double t, const Coordinates& a, const Coordinates& b)
+{
+  return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
+}
+
+inline double distance(const Coordinates& a, const Coordinates& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+inline double area(const Coordinates& a, const Coordinates& b, const Coordinates& c)
+{
+  const Coordinates u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+  return 0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+}
+
+// The centroid of curves, or of triangles: the mean of their points, each piece with the weight of its length or area,
+// so that it does not count into how many pieces they are split. Where all weights are 0, it is that of the first
+// point.
+class Centroid
+{
+public:
+  template <class Point>
+  void add_curve(const std::vector<Point>& points, bool is_closed)
+  {
+    for(std::size_t i = 0; i + 1 < points.size(); ++i)
+      add_segment(coordinates_of(points[i]), coordinates_of(points[i + 1]));
+    if(is_closed && !points.empty())
+      add_segment(coordinates_of(points.back()), coordinates_of(points.front()));
+    if(points.size() == 1)
+      add_segment(coordinates_of(points[0]), coordinates_of(points[0]));
+  }
+
+  void add_triangle(const Coordinates& a, const Coordinates& b, const Coordinates& c)
+  {
+    add_piece(a, {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3}, area(a, b, c));
+  }
+
+  bool is_of_length_zero() const { return !(length_ > 0); }
+
+  Coordinates operator()() const
+  {
+    return is_of_length_zero() ? first_ : mix(1, {}, {sum_[0] / length_, sum_[1] / length_, sum_[2] / length_});
+  }
+
+private:
+  void add_segment(const Coordinates& a, const Coordinates& b) { add_piece(a, mix(0.5, a, b), distance(a, b)); }
+
+  void add_piece(const Coordinates& first, const Coordinates& middle, double weight)
+  {
+    if(!has_first_)
+      first_ = first;
+    has_first_ = true;
+    length_ += weight;
+    for(std::size_t i = 0; i != 3; ++i)
+      sum_[i] += weight * middle[i];
+  }
+
+  bool has_first_ = false;
+  double length_ = 0;
+  Coordinates first_ = {}, sum_ = {};
+};
+
+// What an embedding asks of a contour, of any kind: one on a mesh, in triangles, or in tetrahedra.
+
+template <class Contour>
+struct Is_contour_on_mesh : std::false_type
+{
+};
+template <class Arc, class Halfedge>
+struct Is_contour_on_mesh<Contour<Arc, Halfedge>> : std::true_type
+{
+};
+
+// The edges that a contour crosses, one for each of its points.
+template <class Arc, class Halfedge>
+const std::vector<Halfedge>& crossed_edges(const Contour<Arc, Halfedge>& contour)
+{
+  return contour.halfedges;
+}
+template <class Arc>
+const auto& crossed_edges(const Crossed_edges<Arc>& contour)
+{
+  return contour.edges;
+}
+
+template <class Augmentation, class PointMap>
+auto points_of(const Augmentation& augmentation,
+               const typename Augmentation::Contour& contour,
+               const PointMap& point_map)
+{
+  std::vector<typename boost::property_traits<PointMap>::value_type> points;
+  points.reserve(crossed_edges(contour).size());
+  if constexpr(Is_contour_on_mesh<typename Augmentation::Contour>::value)
+    augmentation.points_of_contour(contour, std::back_inserter(points), parameters::vertex_point_map(point_map));
+  else
+    for(std::size_t i = 0; i != contour.edges.size(); ++i)
+      points.push_back(point_of_crossing(contour, i, [&](std::size_t v) { return get(point_map, v); }));
+  return points;
+}
+
+// ---- The centroid of a contour, to which each part of it counts by its length, or by its area in tetrahedra.
+
+template <class Arc, class Halfedge, class Point>
+void add_to_centroid(const Contour<Arc, Halfedge>& contour, const std::vector<Point>& points, Centroid& centroid)
+{
+  centroid.add_curve(points, contour.is_closed);
+}
+
+template <class Arc, class Point>
+void add_to_centroid(const Soup_contour<Arc>& contour, const std::vector<Point>& points, Centroid& centroid)
+{
+  for(const std::vector<std::size_t>& polyline : contour.polylines)
+  {
+    std::vector<Point> curve;
+    for(const std::size_t i : polyline)
+      curve.push_back(points[i]);
+    centroid.add_curve(curve, false);
+  }
+  if(contour.polylines.empty()) // a point of an edge without triangles
+    centroid.add_curve(points, false);
+}
+
+template <class Arc, class Point>
+void add_to_centroid(const Isosurface_patch<Arc>& contour, const std::vector<Point>& points, Centroid& centroid)
+{
+  for(const std::array<std::size_t, 3>& t : contour.triangles)
+    centroid.add_triangle(coordinates_of(points[t[0]]), coordinates_of(points[t[1]]), coordinates_of(points[t[2]]));
+  if(contour.triangles.empty())
+    centroid.add_curve(points, false);
+}
+
+// A point of the contour, off its ends.
+template <class Arc, class Halfedge, class Point>
+const Point& inner_point(const Contour<Arc, Halfedge>& contour, const std::vector<Point>& points)
+{
+  return points[contour.is_closed ? 0 : points.size() / 2];
+}
+template <class Arc, class Point>
+const Point& inner_point(const Crossed_edges<Arc>&, const std::vector<Point>& points)
+{
+  return points[0];
+}
+
+// ---- The way along a contour from its point `start` to one that is_end(i) tells of: the numbers of the points between
+// the two, or nothing if there is no way.
+
+typedef std::optional<std::vector<std::size_t>> Way_along_contour;
+
+// The shorter one of the two on a mesh.
+template <class Arc, class Halfedge, class Point, class IsEnd>
+Way_along_contour way_along(const Contour<Arc, Halfedge>& contour,
+                            const std::vector<Point>& points,
+                            std::size_t start,
+                            const IsEnd& is_end)
+{
+  const std::size_t size = points.size();
+  Way_along_contour shorter;
+  double least_length = std::numeric_limits<double>::infinity();
+  for(const bool is_forward : {true, false})
+  {
+    std::vector<std::size_t> way;
+    double length = 0;
+    for(std::size_t i = start, step = 1; step != size; ++step)
+    {
+      const std::size_t last = i;
+      if(i == (is_forward ? size - 1 : 0) && !contour.is_closed)
+        break;
+      i = (i + (is_forward ? 1 : size - 1)) % size;
+      length += distance(coordinates_of(points[last]), coordinates_of(points[i]));
+      if(is_end(i))
+      {
+        if(length < least_length)
+          shorter = way;
+        least_length = (std::min)(least_length, length);
+        break;
+      }
+      way.push_back(i);
+    }
+  }
+  return shorter;
+}
+
+// Calls visit(i, j) for the lines between points of a contour.
+template <class Arc, class Visit>
+void for_each_line(const Soup_contour<Arc>& contour, const Visit& visit)
+{
+  for(const std::vector<std::size_t>& polyline : contour.polylines)
+    for(std::size_t i = 1; i < polyline.size(); ++i)
+      visit(polyline[i - 1], polyline[i]);
+}
+
+template <class Arc, class Visit>
+void for_each_line(const Isosurface_patch<Arc>& contour, const Visit& visit)
+{
+  for(const std::array<std::size_t, 3>& t : contour.triangles)
+    for(std::size_t i = 0; i != 3; ++i)
+      visit(t[i], t[(i + 1) % 3]);
+}
+
+// One of fewest lines in triangles and in tetrahedra.
+template <template <class> class ContourOfArc, class Arc, class Point, class IsEnd>
+Way_along_contour way_along(const ContourOfArc<Arc>& contour,
+                            const std::vector<Point>& points,
+                            std::size_t start,
+                            const IsEnd& is_end)
+{
+  constexpr std::size_t nowhere = (std::numeric_limits<std::size_t>::max)();
+  std::vector<std::vector<std::size_t>> neighbors(points.size());
+  for_each_line(contour, [&](std::size_t i, std::size_t j) {
+    neighbors[i].push_back(j);
+    neighbors[j].push_back(i);
+  });
+  std::vector<std::size_t> from(points.size(), nowhere);
+  from[start] = start;
+  for(std::deque<std::size_t> queue = {start}; !queue.empty(); queue.pop_front())
+  {
+    const std::size_t i = queue.front();
+    if(is_end(i))
+    {
+      std::vector<std::size_t> way;
+      for(std::size_t j = from[i]; j != start; j = from[j])
+        way.push_back(j);
+      std::reverse(way.begin(), way.end());
+      return way;
+    }
+    for(const std::size_t neighbor : neighbors[i])
+    {
+      if(from[neighbor] != nowhere)
+        continue;
+      from[neighbor] = i;
+      queue.push_back(neighbor);
+    }
+  }
+  return std::nullopt;
+}
 
 // The edges that lead inside of a level set from halfedge h to a face at the vertex `end`, whose value the level is:
 // the fewest that there are; none if there is no way. `value` is called with a vertex. In each triangle, a level set is
@@ -181,213 +431,6 @@ private:
   const typename Augmentation::Mesh& mesh_;
   const PointMap& point_map_;
 };
-
-// The middles of the border loops that leaves of a graph on a mesh stand for. Each loop is walked once, however many
-// leaves it has. A soup has no border loops.
-template <class Augmentation, class PointMap>
-class Leaf_borders
-{
-  typedef typename Augmentation::Mesh Mesh;
-  typedef typename Augmentation::vertex_descriptor vertex_descriptor;
-  typedef typename Augmentation::halfedge_descriptor halfedge_descriptor;
-  typedef typename boost::property_traits<PointMap>::value_type Point;
-
-public:
-  Leaf_borders(const Augmentation& augmentation, const PointMap& point_map)
-    : augmentation_(augmentation),
-      point_map_(point_map)
-  {
-    if constexpr(Is_contour_on_mesh<typename Augmentation::Contour>::value)
-    {
-      const auto& graph = augmentation.graph();
-      for(const auto node : CGAL::make_range(vertices(graph)))
-      {
-        const bool is_leaf = (in_degree(node, graph) == 0) != (out_degree(node, graph) == 0);
-        if(is_leaf && loop_of_vertex_.count(graph[node].vertex) == 0)
-          add_loop(graph[node].vertex);
-      }
-    }
-  }
-
-  // Of length 0 if the vertex, which is that of a leaf, is not on a border of one value.
-  Centroid centroid(vertex_descriptor v) const
-  {
-    const auto found = loop_of_vertex_.find(v);
-    return found == loop_of_vertex_.end() ? Centroid() : centroids_[found->second];
-  }
-
-private:
-  void add_loop(vertex_descriptor v)
-  {
-    const Mesh& mesh = augmentation_.mesh();
-    const auto border = CGAL::is_border(v, mesh);
-    if(!border)
-      return;
-    std::vector<Point> points;
-    bool is_level = true;
-    halfedge_descriptor h = *border;
-    do
-    {
-      points.push_back(get(point_map_, target(h, mesh)));
-      is_level = is_level && augmentation_.value(target(h, mesh)) == augmentation_.value(v);
-      loop_of_vertex_[target(h, mesh)] = centroids_.size();
-      h = next(h, mesh);
-    } while(h != *border);
-    centroids_.emplace_back();
-    if(is_level)
-      centroids_.back().add_curve(points, true);
-  }
-
-  const Augmentation& augmentation_;
-  const PointMap& point_map_;
-  boost::unordered_map<vertex_descriptor, std::size_t> loop_of_vertex_;
-  std::vector<Centroid> centroids_;
-};
-
-// Contours along an arc, and for each one its centroid, a point of it, and its value.
-struct Contours_of_arc
-{
-  std::vector<Coordinates> centroids;
-  std::vector<Coordinates> contour_points;
-  std::vector<double> values;
-};
-
-// The nodes and arcs of a graph at the centroids of contours.
-template <class Augmentation, class PointMap>
-class Centroid_polylines
-{
-  typedef typename Augmentation::Contour Contour;
-  typedef typename Augmentation::arc_descriptor arc_descriptor;
-  typedef typename Augmentation::node_descriptor node_descriptor;
-  typedef typename Augmentation::vertex_descriptor vertex_descriptor;
-  typedef typename boost::property_traits<PointMap>::value_type Point;
-  static constexpr bool is_mesh = Is_contour_on_mesh<Contour>::value;
-
-public:
-  Centroid_polylines(const Augmentation& augmentation, const PointMap& point_map)
-    : augmentation_(augmentation),
-      graph_(augmentation.graph()),
-      point_map_(point_map),
-      leaf_borders_(augmentation, point_map)
-  {}
-
-  // A node with arcs above and below is at the centroid of the contours that meet there, a leaf at its vertex or, on a
-  // mesh, in the middle of the border loop or of the tied vertices that it stands for.
-  Point node_point(node_descriptor node) const
-  {
-    const vertex_descriptor vertex = graph_[node].vertex;
-    const bool is_minimum = in_degree(node, graph_) == 0, is_leaf = is_minimum || out_degree(node, graph_) == 0;
-    Centroid centroid = is_leaf ? leaf_borders_.centroid(vertex) : Centroid();
-    if(centroid.is_of_length_zero() && (is_mesh || !is_leaf))
-    {
-      for(const arc_descriptor arc : CGAL::make_range(in_edges(node, graph_)))
-        add_contour(augmentation_.contour_below(arc, vertex), vertex, is_leaf, centroid);
-      if(is_minimum)
-        for(const arc_descriptor arc : CGAL::make_range(out_edges(node, graph_)))
-          add_contour(augmentation_.contour_above(arc, vertex), vertex, is_leaf, centroid);
-    }
-    return centroid.is_of_length_zero() ? Point(get(point_map_, vertex)) : make_point<Point>(centroid());
-  }
-
-  // `contour_at` is called with the arc and a place between 0 and 1.
-  template <class ContourAt>
-  Contours_of_arc contours(arc_descriptor arc, std::size_t number_of_contours, const ContourAt& contour_at) const
-  {
-    Contours_of_arc result;
-    for(std::size_t i = 1; i <= number_of_contours; ++i)
-    {
-      const double t = static_cast<double>(i) / static_cast<double>(number_of_contours + 1);
-      const Contour contour = contour_at(arc, t);
-      const std::vector<Point> points = points_of(augmentation_, contour, point_map_);
-      Centroid centroid;
-      add_to_centroid(contour, points, centroid);
-      result.centroids.push_back(centroid());
-      result.contour_points.push_back(coordinates_of(inner_point(contour, points)));
-      result.values.push_back(contour.value);
-    }
-    return result;
-  }
-
-private:
-  // Adds a contour next to a node, but not one that is no more than the vertex of a leaf.
-  void add_contour(const Contour& contour, vertex_descriptor vertex, bool is_leaf, Centroid& centroid) const
-  {
-    const auto& mesh = augmentation_.mesh();
-    const auto& crossed = crossed_edges(contour);
-    const bool is_point =
-      is_leaf && std::all_of(crossed.begin(), crossed.end(), [&](const auto& h) {
-        const vertex_descriptor from = source(h, mesh), to = target(h, mesh);
-        return (from == vertex || to == vertex) && augmentation_.value(from) != augmentation_.value(to);
-      });
-    if(!is_point)
-      add_to_centroid(contour, points_of(augmentation_, contour, point_map_), centroid);
-  }
-
-  const Augmentation& augmentation_;
-  const typename Augmentation::Graph& graph_;
-  const PointMap& point_map_;
-  const Leaf_borders<Augmentation, PointMap> leaf_borders_;
-};
-
-// How far apart two lines are that look like one: about the width of a line in a picture of all.
-inline double width_of_lines(const std::vector<Contours_of_arc>& contours)
-{
-  constexpr double part_of_picture = 0.015, infinity = std::numeric_limits<double>::infinity();
-  Coordinates low, high;
-  low.fill(infinity);
-  high.fill(-infinity);
-  for(const Contours_of_arc& arc : contours)
-    for(const Coordinates& point : arc.contour_points)
-      for(std::size_t i = 0; i != point.size(); ++i)
-      {
-        low[i] = (std::min)(low[i], point[i]);
-        high[i] = (std::max)(high[i], point[i]);
-      }
-  return low[0] <= high[0] ? part_of_picture * distance(low, high) : 0;
-}
-
-// Whether the two sides of a loop look like one line, as those of a round tube inside of another one.
-inline bool do_coincide(const Contours_of_arc& a, const Contours_of_arc& b, double small)
-{
-  return std::equal(a.centroids.begin(), a.centroids.end(), b.centroids.begin(), b.centroids.end(),
-                    [&](const Coordinates& p, const Coordinates& q) { return distance(p, q) <= small; });
-}
-
-// Moves those arcs halfway to their contours that lead from the same node to the same node along the same line.
-template <class Graph>
-void separate_parallel_arcs(const Graph& graph, std::vector<Contours_of_arc>& contours)
-{
-  std::vector<std::pair<std::pair<std::size_t, std::size_t>, std::size_t>> arcs; // by their ends
-  for(const auto arc : CGAL::make_range(edges(graph)))
-    arcs.push_back({{source(arc, graph), target(arc, graph)}, arcs.size()});
-  std::sort(arcs.begin(), arcs.end());
-  std::vector<bool> is_moved(contours.size(), false);
-  const double width = width_of_lines(contours);
-  for(auto first = arcs.begin(), last = first; first != arcs.end(); first = last)
-  {
-    last = std::find_if(first, arcs.end(), [&](const auto& arc) { return arc.first != first->first; });
-    for(auto i = first; i != last; ++i)
-      for(auto j = first; j != i; ++j)
-        if(do_coincide(contours[i->second], contours[j->second], width))
-          is_moved[i->second] = is_moved[j->second] = true;
-  }
-  for(std::size_t i = 0; i != contours.size(); ++i)
-  {
-    for(std::size_t j = 0; is_moved[i] && j != contours[i].centroids.size(); ++j)
-      contours[i].centroids[j] = mix(0.5, contours[i].centroids[j], contours[i].contour_points[j]);
-  }
-}
-
-// Replaces each inner point by the mean of itself and the middle of its neighbors, as many times as given.
-inline void smooth(std::vector<Coordinates>& points, std::size_t number_of_steps)
-{
-  for(std::size_t step = 0; step != number_of_steps; ++step)
-  {
-    const std::vector<Coordinates> old = points;
-    for(std::size_t i = 1; i + 1 < points.size(); ++i)
-      points[i] = mix(0.5, old[i], mix(0.5, old[i - 1], old[i + 1]));
-  }
-}
 
 } // namespace CGAL::Reeb_graph::internal
 

@@ -11,10 +11,11 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Soup_contour.h>
+#include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten_soup.h>
@@ -29,7 +30,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -72,89 +72,51 @@ Level_set_component find_level_set_component(const Simplicial_complex& complex,
   return component;
 }
 
-// Splits the lines of a component of a level set into polylines, which end where not exactly two lines meet.
-class Polyline_search
+struct Point_tag;
+typedef Index_of<Point_tag> Point_index;
+
+// Splits the lines of a component of a level set into polylines, which end where not exactly two lines meet: those from
+// branch points and points of the border, in the order of their first points, or the only one, if the component is a
+// closed curve. Branch points are those of more than two lines.
+inline void find_polylines(const Level_set_component& component,
+                           std::vector<std::vector<std::size_t>>& polylines,
+                           std::vector<std::size_t>& branch_points)
 {
-public:
-  typedef std::vector<std::size_t> Polyline; // the numbers of its points
-
-  explicit Polyline_search(const Level_set_component& component)
-    : lines_(component.lines),
-      first_of_points_(component.edges.size() + 1, 0),
-      lines_of_points_(2 * lines_.size()),
-      is_used_(lines_.size(), false)
-  {
-    for(const Line& line : lines_)
-      for(const Number point : line)
-        ++first_of_points_[point + 1];
-    std::partial_sum(first_of_points_.begin(), first_of_points_.end(), first_of_points_.begin());
-    std::vector<std::size_t> places(first_of_points_);
-    for(std::size_t line = 0; line != lines_.size(); ++line)
-      for(const Number point : lines_[line])
-        lines_of_points_[places[point]++] = line;
-  }
-
-  std::vector<std::size_t> branch_points() const
-  {
-    std::vector<std::size_t> result;
-    for(std::size_t point = 0; point != number_of_points(); ++point)
-    {
-      if(number_of_lines(point) > 2)
-        result.push_back(point);
-    }
-    return result;
-  }
-
-  // The polylines from branch points and points of the border, in the order of their first points, or the only one, if
-  // the component is a closed curve.
-  std::vector<Polyline> find_polylines()
-  {
-    std::vector<Polyline> result;
-    for(std::size_t point = 0; point != number_of_points(); ++point)
-    {
-      if(number_of_lines(point) != 2)
-        follow_lines(point, result);
-    }
-    if(result.empty() && !lines_.empty())
-      result.push_back(follow(0, lines_of_points_[0]));
-    return result;
-  }
-
-private:
-  typedef Level_set_component::Line Line;
-
-  std::size_t number_of_points() const { return first_of_points_.size() - 1; }
-  std::size_t number_of_lines(std::size_t point) const { return first_of_points_[point + 1] - first_of_points_[point]; }
-
-  void follow_lines(std::size_t point, std::vector<Polyline>& polylines)
-  {
-    for(std::size_t i = first_of_points_[point]; i != first_of_points_[point + 1]; ++i)
-    {
-      if(!is_used_[lines_of_points_[i]])
-        polylines.push_back(follow(point, lines_of_points_[i]));
-    }
-  }
-
-  Polyline follow(std::size_t first_point, std::size_t line)
-  {
-    Polyline polyline = {first_point};
+  const std::vector<Level_set_component::Line>& lines = component.lines;
+  const Buckets<Point_index, std::size_t> lines_of_points(component.edges.size(), [&](const auto& visit) {
+    for(std::size_t line = 0; line != lines.size(); ++line)
+      for(const Number point : lines[line])
+        visit(Point_index(point), line);
+  });
+  const auto lines_at = [&](std::size_t point) { return lines_of_points[Point_index(point)]; };
+  std::vector<bool> is_used(lines.size(), false);
+  const auto follow = [&](std::size_t first_point, std::size_t line) {
+    polylines.push_back({first_point});
+    std::vector<std::size_t>& polyline = polylines.back();
     for(;;)
     {
-      is_used_[line] = true;
-      const std::size_t point = lines_[line][lines_[line][0] == polyline.back() ? 1 : 0];
+      is_used[line] = true;
+      const std::size_t point = lines[line][lines[line][0] == polyline.back() ? 1 : 0];
       polyline.push_back(point);
-      if(point == first_point || number_of_lines(point) != 2)
-        return polyline;
-      const std::size_t first = first_of_points_[point];
-      line = lines_of_points_[lines_of_points_[first] == line ? first + 1 : first];
+      const auto lines_on = lines_at(point);
+      if(point == first_point || lines_on.size() != 2)
+        return;
+      line = lines_on.begin()[*lines_on.begin() == line ? 1 : 0];
+    }
+  };
+  for(std::size_t point = 0; point != component.edges.size(); ++point)
+  {
+    if(lines_at(point).size() > 2)
+      branch_points.push_back(point);
+    for(const std::size_t line : lines_at(point))
+    {
+      if(lines_at(point).size() != 2 && !is_used[line])
+        follow(point, line);
     }
   }
-
-  const std::vector<Line>& lines_;
-  std::vector<std::size_t> first_of_points_; // in lines_of_points_; and the end
-  std::vector<std::size_t> lines_of_points_;
-  std::vector<bool> is_used_;
-};
+  if(polylines.empty() && !lines.empty())
+    follow(0, *lines_at(0).begin());
+}
 
 // A graph and the complex that its nodes and chains are on, whose vertices are numbers for the user, too. `CellList`
 // holds the triangles or tetrahedra as the user lists them. A derived class traces the contours.
@@ -180,7 +142,14 @@ public:
                 const Traits& traits,
                 const NamedParameters& np,
                 const Progress& progress)
-    : Base(graph, traits, flatten_reported(points, cells, scalars, traits, np, progress)),
+    : Base(graph,
+           traits,
+           progress,
+           [&] {
+             return std::make_shared<const Flat_soup<typename Traits::Scalar>>(
+               flatten_cells<Sequential_tag, CellList::vertices_per_cell>(
+                 points, cells, parameters::get_parameter(np, edges_of_soup), scalars, traits));
+           }),
       cells_(this->end_of_vertices(), points, cells)
   {}
 
@@ -205,7 +174,8 @@ public:
 
   Critical_set critical_set(node_descriptor node, std::vector<Contour> lower, std::vector<Contour> upper) const
   {
-    return {std::move(lower), std::move(upper), cells_.at_vertex(this->node_vertex(node))};
+    const auto star = cells_.at_vertex(this->node_vertex(node));
+    return {std::move(lower), std::move(upper), {star.begin(), star.end()}};
   }
 
   const CellList& cells() const { return cells_; }
@@ -239,21 +209,6 @@ private:
     return vertex;
   }
 
-  template <class PointsOrNumber, class Cells, class Scalars, class NamedParameters>
-  static std::shared_ptr<const Flat_soup<typename Traits::Scalar>> flatten_reported(const PointsOrNumber& points,
-                                                                                    const Cells& cells,
-                                                                                    const Scalars& scalars,
-                                                                                    const Traits& traits,
-                                                                                    const NamedParameters& np,
-                                                                                    const Progress& progress)
-  {
-    progress.report(0);
-    auto soup = std::make_shared<const Flat_soup<typename Traits::Scalar>>(
-      flatten_cells<CellList::vertices_per_cell>(points, cells, scalars, traits, np));
-    progress.report(0.8);
-    return soup;
-  }
-
   const CellList cells_;
 };
 
@@ -273,9 +228,7 @@ public:
   {
     const Level_set_component component = find_level_set_component(this->complex(), start, level.is_below);
     Contour contour = this->make_points(arc, component, level);
-    Polyline_search search(component);
-    contour.polylines = search.find_polylines();
-    contour.branch_points = search.branch_points();
+    find_polylines(component, contour.polylines, contour.branch_points);
     return contour;
   }
 };
@@ -306,17 +259,16 @@ public:
         lower_vertices_in_order.push_back(Vertex_index(contour.edges[point].first));
     }
     for(const Vertex_index vertex : lower_vertices_in_order)
-    {
-      this->cells().for_each_at(vertex, [&](Number number) {
+      for(const Number number : this->cells().at_vertex(vertex))
+      {
         Tetrahedron tetrahedron = this->cells()[number];
         const std::size_t number_of_lower = move_lower_to_front(tetrahedron, level.is_below);
         // so that the tetrahedron comes once
         const bool is_first = vertex == *std::min_element(tetrahedron.begin(), tetrahedron.begin() + number_of_lower);
         if(number_of_lower != 4 && is_first && point_of_edge.count(edge(tetrahedron[0], tetrahedron[3])) != 0)
           add_triangles(tetrahedron, number_of_lower, point_of_edge, contour);
-      });
-    }
-    Triangle_orientation::orient(contour.triangles);
+      }
+    orient_alike(contour.triangles);
     return contour;
   }
 

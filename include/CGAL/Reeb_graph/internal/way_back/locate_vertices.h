@@ -11,26 +11,180 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Vertex_locations.h>
+#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
-#include <CGAL/Reeb_graph/internal/engine/Flat_graph.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
 #include <CGAL/Reeb_graph/internal/way_back/Vertex_places.h>
-#include <CGAL/Reeb_graph/internal/way_back/check_graph.h>
 #include <CGAL/Reeb_graph/options.h>
 
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace CGAL::Reeb_graph::internal {
+
+// The places in a simplified graph of the nodes, and behind them the arcs, of the exact graph. In a graph that has not
+// been simplified, each has the same place.
+class Simplified_places
+{
+public:
+  // From a Simplification, or from no named parameter.
+  template <class Parameter>
+  explicit Simplified_places(const Parameter& simplification)
+  {
+    if constexpr(is_given<Parameter>)
+    {
+      is_simplified_ = true;
+      for(std::size_t node = 0; node != simplification.number_of_old_nodes(); ++node)
+        places_.push_back(static_cast<Index>(simplification.index_of_node(node)));
+      for(std::size_t arc = 0; arc != simplification.number_of_old_arcs(); ++arc)
+        places_.push_back(static_cast<Index>(simplification.index_of_arc(arc)));
+    }
+    else
+      static_cast<void>(simplification);
+  }
+
+  bool is_simplified() const { return is_simplified_; }
+  std::size_t size() const { return places_.size(); }
+  Index operator()(Index place) const { return is_simplified_ ? places_[place] : place; }
+
+private:
+  bool is_simplified_ = false;
+  std::vector<Index> places_;
+};
+
+// The checks below throw Graph_mismatch_error for a graph that is not of this mesh and field.
+
+// Checks that the nodes are vertices of the mesh with their values, in ascending order.
+template <class GraphOnMesh>
+void check_nodes(const GraphOnMesh& on_mesh)
+{
+  const auto& graph = on_mesh.graph();
+  if(num_vertices(graph) == 0 && on_mesh.has_vertices())
+    throw Graph_mismatch_error();
+  Vertex_index lower_vertex = no_index;
+  for(const auto node : CGAL::make_range(vertices(graph)))
+  {
+    const Vertex_index v = on_mesh.node_vertex(node);
+    if(!on_mesh.is_vertex(v, graph[node].vertex) || on_mesh.order().is_lower(v, graph[node].value)
+       || on_mesh.order().is_higher(v, graph[node].value)
+       || (lower_vertex != no_index && !on_mesh.order()(lower_vertex, v)))
+      throw Graph_mismatch_error();
+    lower_vertex = v;
+  }
+}
+
+// Checks that each arc ascends, and that its chain begins at its lower node. With other ties than those of the graph,
+// the levels next to a node could miss its arcs.
+template <class GraphOnMesh>
+void check_arcs(const GraphOnMesh& on_mesh, Ties ties)
+{
+  const auto& order = on_mesh.order();
+  for(const auto arc : on_mesh.arcs())
+  {
+    const Vertex_index lower = on_mesh.lower_vertex(arc), upper = on_mesh.upper_vertex(arc);
+    if(!order(lower, upper) || on_mesh.chain(arc).empty())
+      throw Graph_mismatch_error();
+    const Vertex_index first = on_mesh.checked_source(on_mesh.chain(arc).front());
+    const bool fits =
+      ties == Ties::CONTRACT ? order.are_tied(lower, first) && !order.are_tied(lower, upper) : lower == first;
+    if(!fits)
+      throw Graph_mismatch_error();
+  }
+}
+
+// Whether the graph is the exact one, which `flat_graph` is.
+template <class GraphOnMesh>
+bool is_same_graph(const GraphOnMesh& on_mesh, const Flat_graph& flat_graph)
+{
+  const auto& graph = on_mesh.graph();
+  bool is_same = flat_graph.nodes.size() == num_vertices(graph) && flat_graph.arcs.size() == num_edges(graph);
+  for(std::size_t node = 0; is_same && node != flat_graph.nodes.size(); ++node)
+    is_same = flat_graph.nodes[Node_index(node)].vertex == on_mesh.node_vertex(node);
+  auto flat_arc = flat_graph.arcs.begin();
+  for(auto arc = edges(graph).first; is_same && flat_arc != flat_graph.arcs.end(); ++arc, ++flat_arc)
+    is_same = source(*arc, graph) == flat_arc->lower.number() && target(*arc, graph) == flat_arc->upper.number();
+  return is_same;
+}
+
+// Whether the exact graph, which `flat_graph` is, has been simplified to this one: whether each node here is one of
+// those that have come to its place.
+template <class GraphOnMesh>
+bool is_simplified_graph(const GraphOnMesh& on_mesh,
+                         const Flat_graph& flat_graph,
+                         const Simplified_places& simplified_places)
+{
+  if(simplified_places.size() != flat_graph.nodes.size() + flat_graph.arcs.size())
+    return false;
+  const std::size_t number_of_nodes = num_vertices(on_mesh.graph());
+  std::size_t number_of_found = 0;
+  for(Index old_place = 0; old_place != simplified_places.size(); ++old_place)
+  {
+    const Index place = simplified_places(old_place);
+    if(place >= number_of_nodes + num_edges(on_mesh.graph()))
+      return false;
+    const bool is_node = old_place < flat_graph.nodes.size() && place < number_of_nodes;
+    if(is_node && on_mesh.node_vertex(place) == flat_graph.nodes[Node_index(old_place)].vertex)
+      ++number_of_found;
+  }
+  return number_of_found == number_of_nodes;
+}
+
+// Checks that the graph is the exact one, or what that has been simplified to.
+template <class GraphOnMesh>
+void check_same_graph(const GraphOnMesh& on_mesh,
+                      const Flat_graph& flat_graph,
+                      const Simplified_places& simplified_places)
+{
+  const bool is_right = simplified_places.is_simplified() ? is_simplified_graph(on_mesh, flat_graph, simplified_places)
+                                                          : is_same_graph(on_mesh, flat_graph);
+  if(!is_right)
+    throw Graph_mismatch_error();
+}
+
+// The number of a vertex that may be one of another mesh.
+template <class GraphOnComplex>
+Vertex_index checked_number(const GraphOnComplex& on_complex, typename GraphOnComplex::vertex_descriptor v)
+{
+  const Vertex_index number = on_complex.number(v);
+  if(!on_complex.is_vertex(number, v))
+    throw Unknown_vertex_error();
+  return number;
+}
+
+template <class ReebGraph>
+void check_is_node(const ReebGraph& graph, typename boost::graph_traits<ReebGraph>::vertex_descriptor node)
+{
+  if(node >= num_vertices(graph))
+    throw Unknown_node_error();
+}
+
+template <class ReebGraph>
+void check_is_arc(const ReebGraph& graph, typename boost::graph_traits<ReebGraph>::edge_descriptor arc)
+{
+  const auto lower = source(arc, graph), upper = target(arc, graph);
+  if(lower >= num_vertices(graph) || upper >= num_vertices(graph))
+    throw Unknown_arc_error();
+  const auto is_in = [&](const auto& range) { return std::find(range.first, range.second, arc) != range.second; };
+  // Nodes of high degree mostly have neighbors of low degree.
+  const bool is_known =
+    out_degree(lower, graph) < in_degree(upper, graph) ? is_in(out_edges(lower, graph)) : is_in(in_edges(upper, graph));
+  if(!is_known)
+    throw Unknown_arc_error();
+}
 
 // The places of all vertices in the exact graph, which is computed once more. Nothing but the surface and the order of
 // its vertices is asked. check_graph(graph) may throw.
@@ -52,8 +206,7 @@ Vertex_places find_places(const Complex& complex,
     reduce_arcs<ConcurrencyTag>(complex, order, critical_vertices, arcs, ties, are_degree_two_nodes_kept, true);
   progress.report(0.95);
   check_graph(graph);
-  return Vertex_place_finder(complex, order, critical_vertices, arcs, arc_of_vertex, graph, ties)
-    .template find<ConcurrencyTag>();
+  return find_vertex_places<ConcurrencyTag>(complex, order, critical_vertices, arcs, arc_of_vertex, graph, ties);
 }
 
 // The places of all vertices in the exact graph as a map has them, which compute_reeb_graph() has been given.
@@ -75,12 +228,12 @@ Vertex_places read_places(const GraphOnMesh& on_mesh, const PlaceMap& map, std::
 }
 
 // The places of all vertices in the graph, which has to be the exact one, or one that this has been simplified to.
-template <class ConcurrencyTag, class GraphOnMesh, class NamedParameters>
-auto locate_vertices(const GraphOnMesh& on_mesh,
-                     Ties ties,
-                     bool are_degree_two_nodes_kept,
-                     const Simplified_places& simplified_places,
-                     const NamedParameters& np)
+template <class ConcurrencyTag, class VertexLocations, class GraphOnMesh, class NamedParameters>
+VertexLocations locate_vertices(const GraphOnMesh& on_mesh,
+                                Ties ties,
+                                bool are_degree_two_nodes_kept,
+                                const Simplified_places& simplified_places,
+                                const NamedParameters& np)
 {
   typedef typename GraphOnMesh::vertex_descriptor vertex_descriptor;
   const Progress progress(np);
@@ -106,7 +259,7 @@ auto locate_vertices(const GraphOnMesh& on_mesh,
   }
   const auto arcs = edges(graph);
   progress.report_end();
-  return Reeb_graph::Vertex_locations<vertex_descriptor, typename GraphOnMesh::Graph>(
+  return VertexLocations(
     on_mesh.vertex_numbers(), num_vertices(graph), {arcs.first, arcs.second}, place_of_vertex,
     std::make_shared<Vertex_lists<vertex_descriptor>>(on_mesh.list_vertices(place_of_vertex, number_of_places)));
 }

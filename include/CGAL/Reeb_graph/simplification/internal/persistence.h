@@ -40,7 +40,7 @@ template <class ReebGraph, class NamedParameters>
 std::vector<double> numbers_of_nodes(const ReebGraph& graph, const NamedParameters& np)
 {
   typedef Traits_of_nodes<ReebGraph, NamedParameters> Traits;
-  constexpr bool are_exact = !std::is_arithmetic_v<Value_of_node<ReebGraph>> && !Has_scalar_to_double<Traits>::value;
+  constexpr bool are_exact = !std::is_arithmetic_v<Value_of_node<ReebGraph>> && !Has<Scalar_to_double, Traits>::value;
   const auto conversion = choose_conversion_of_nodes<ReebGraph>(np);
   std::vector<double> numbers;
   numbers.reserve(num_vertices(graph));

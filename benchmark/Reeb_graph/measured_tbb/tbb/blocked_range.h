@@ -1,9 +1,0 @@
-// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
-//
-// This file is part of the CGAL-style package Reeb_graph.
-//
-// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
-//
-// Author(s)     : The Reeb_graph authors
-
-#include "../work_and_span.h"
