@@ -17,7 +17,7 @@
 #include <CGAL/Reeb_graph/handles/internal/triangle_intersections.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/simplification/internal/pairs.h>
+#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 #include <CGAL/compute_reeb_graph.h>
 
@@ -56,23 +56,18 @@ auto find_reeb_loops(const Mesh& mesh,
   Graph graph;
   compute_reeb_graph(mesh, scalar_map, graph,
                      parameters::geom_traits(traits).callback(progress.part(0, 0.5).callback()));
-  const Flat_arc_ends ends = read_arc_ends(graph);
-  const Graph_core core(ends);
-  std::vector<typename boost::graph_traits<Graph>::edge_descriptor> arcs;
+  const std::vector<typename boost::graph_traits<Graph>::edge_descriptor> graph_arcs(edges(graph).first,
+                                                                                     edges(graph).second);
+  const std::vector<Pruned_arc> arcs = read_arcs(graph);
+  const auto number_of_nodes = static_cast<Index>(num_vertices(graph));
   Highest_forest forest(checked_index(2 * num_vertices(graph)) / 2);
   std::vector<std::pair<Index, node_descriptor>> leaving; // arcs, and the upper nodes of their loops
-  for(Index node = 0; node != core.size(); ++node)
+  for(const Index arc : core_arcs(number_of_nodes, arcs))
   {
-    for(auto below = in_edges(node, graph); core.contains(node) && below.first != below.second; ++below.first)
-    {
-      const Index lower = static_cast<Index>(source(*below.first, graph));
-      if(!core.contains(lower))
-        continue;
-      arcs.push_back(*below.first);
-      const Index leaves = forest.add({lower, node, lower, static_cast<Index>(arcs.size() - 1)}).leaving;
-      if(leaves != no_index)
-        leaving.emplace_back(leaves, node);
-    }
+    const auto [lower, upper] = arcs[arc];
+    const Index leaves = forest.add({lower, upper, lower, arc}).leaving;
+    if(leaves != no_index)
+      leaving.emplace_back(leaves, upper);
   }
   std::vector<Loop> loops;
   const Augmentation<Mesh, ScalarMap, Graph, Traits> augmentation(
@@ -80,9 +75,9 @@ auto find_reeb_loops(const Mesh& mesh,
   for(const auto& [arc, upper] : leaving)
   {
     progress.part(0.8, 1).report_step(loops.size(), leaving.size());
-    const Persistence_pair<node_descriptor> pair = {source(arcs[arc], graph), upper, Persistence_pair_kind::LOOP};
+    const Persistence_pair<node_descriptor> pair = {arcs[arc].lower, upper, Persistence_pair_kind::LOOP};
     loops.push_back({Reeb_graph::persistence(graph, pair, parameters::geom_traits(traits)),
-                     augmentation.contour(arcs[arc], 0.5).halfedges});
+                     augmentation.contour(graph_arcs[arc], 0.5).halfedges});
   }
   std::stable_sort(loops.begin(), loops.end(),
                    [](const Loop& a, const Loop& b) { return a.persistence < b.persistence; });
