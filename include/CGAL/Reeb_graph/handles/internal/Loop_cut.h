@@ -318,8 +318,8 @@ private:
   const PointMap& point_map_;
   std::vector<halfedge_descriptor> loop_;
   std::set<vertex_descriptor> passed_;
-  std::vector<std::array<std::size_t, 3>> disc_triangles_; // by positions in the loop
-  std::vector<Disc_kernel::Vector_3> normals_;             // of the disc
+  Disc_triangles disc_triangles_;              // by positions in the loop
+  std::vector<Disc_kernel::Vector_3> normals_; // of the disc
   std::vector<Triangle> disc_, placed_;
   std::array<std::vector<Point>, 2> moved_; // the vertices of the loop, on its left and on its right
 };
