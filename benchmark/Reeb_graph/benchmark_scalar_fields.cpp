@@ -21,7 +21,6 @@
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
-#include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Weights/cotangent_weights.h>

@@ -3,7 +3,7 @@
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <CGAL/Reeb_graph/curves/Interpolating_visitor.h>
+#include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/compute_reeb_graph.h>
 

@@ -5,7 +5,7 @@
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
-#include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
+#include <CGAL/Reeb_graph/fields/poisson_field.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 #include "base/progress_bar.h"
 #include <CGAL/Reeb_graph/IO/polylines.h>
 
-#include <CGAL/Reeb_graph/curves/Interpolating_visitor.h>
+#include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/cutting_system.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>

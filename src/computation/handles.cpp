@@ -11,7 +11,7 @@
 #include "base/progress_bar.h"
 
 #include <CGAL/Reeb_graph/IO/polylines.h>
-#include <CGAL/Reeb_graph/curves/Interpolating_visitor.h>
+#include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
 #include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
 #include <CGAL/Reeb_graph/handles/handle_and_tunnel_loops.h>
 #include <CGAL/Reeb_graph/handles/remove_handles.h>

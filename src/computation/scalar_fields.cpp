@@ -12,10 +12,8 @@
 
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
-#include <CGAL/Reeb_graph/fields/harmonic_field_between_borders.h>
 #include <CGAL/Reeb_graph/fields/height_field.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
-#include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
 #include <CGAL/Reeb_graph/internal/complex/border_cycles.h>
 
 #include <algorithm>
@@ -112,10 +110,10 @@ void compute_between_borders(const Input_options& options,
 {
   Progress_bar progress_bar("harmonic field");
   const auto np = CGAL::parameters::laplacian_weights(weights(options)).callback(std::ref(progress_bar));
-  const CGAL::Reeb_graph::internal::scalar_fields::Harmonic_constraints<Surface> constraints(surface, np);
-  report.field = CGAL::Reeb_graph::compute_harmonic_field(surface, scalar_map, constraints.range(), np);
+  const auto constraints = CGAL::Reeb_graph::internal::scalar_fields::fix_borders(surface, np);
+  report.field = CGAL::Reeb_graph::compute_harmonic_field(surface, scalar_map, constraints, np);
   Constraints inner;
-  for(const auto& constraint : constraints.range())
+  for(const auto& constraint : constraints)
     if(!surface.is_border(constraint.first, false))
       inner.push_back(constraint);
   report.fixed_values = fixed_values("harmonic", surface, inner);

@@ -12,7 +12,7 @@
 #include "curve_samples.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/curves/Interpolating_visitor.h>
+#include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 

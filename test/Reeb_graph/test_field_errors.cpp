@@ -13,10 +13,8 @@
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/fields/gradient_and_divergence.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
-#include <CGAL/Reeb_graph/fields/harmonic_field_between_borders.h>
 #include <CGAL/Reeb_graph/fields/height_field.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
-#include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
 
 #include <algorithm>
 #include <cmath>

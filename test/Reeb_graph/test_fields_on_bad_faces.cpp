@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/fields/gradient_and_divergence.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
-#include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
 
 #include <algorithm>
 #include <array>

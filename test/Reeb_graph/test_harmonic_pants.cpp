@@ -12,7 +12,7 @@
 #include "cut_mesh_checks.h"
 
 #include <CGAL/Reeb_graph/curves/harmonic_pants_decomposition.h>
-#include <CGAL/Reeb_graph/fields/harmonic_field_between_borders.h>
+#include <CGAL/Reeb_graph/fields/harmonic_field.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/iterator.h>

@@ -11,7 +11,7 @@
 #include "mesh_builders.h"
 
 #include <CGAL/Reeb_graph.h>
-#include <CGAL/Reeb_graph/curves/Interpolating_visitor.h>
+#include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/cut_along_contours.h>
 #include <CGAL/Reeb_graph/curves/cutting_system.h>
@@ -22,7 +22,6 @@
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/fields/gradient_and_divergence.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
-#include <CGAL/Reeb_graph/fields/harmonic_field_between_borders.h>
 #include <CGAL/Reeb_graph/fields/height_field.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>

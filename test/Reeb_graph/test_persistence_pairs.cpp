@@ -12,7 +12,7 @@
 #include "persistence_oracle.h"
 #include "random_graphs.h"
 
-#include <CGAL/Reeb_graph/simplification/internal/pairs.h>
+#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 
 #include <algorithm>

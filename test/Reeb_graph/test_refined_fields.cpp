@@ -12,7 +12,7 @@
 #include "cut_mesh_checks.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/curves/Interpolating_visitor.h>
+#include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/cut_along_contours.h>
 #include <CGAL/Reeb_graph/curves/cutting_system.h>

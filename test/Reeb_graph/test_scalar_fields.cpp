@@ -16,7 +16,6 @@
 #include <CGAL/Reeb_graph/fields/height_field.h>
 #include <CGAL/Reeb_graph/fields/internal/solve.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
-#include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
 
 #include <CGAL/Exact_rational.h>
 

@@ -14,11 +14,9 @@
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/fields/gradient_and_divergence.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
-#include <CGAL/Reeb_graph/fields/harmonic_field_between_borders.h>
 #include <CGAL/Reeb_graph/fields/height_field.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
-#include <CGAL/Reeb_graph/fields/unit_gradient_field.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/iterator.h>
 

@@ -75,7 +75,7 @@ Plane_layout lay_out_in_plane(const ReebGraph& graph, const NamedParameters& np 
   Plane_layout layout;
   if constexpr(internal::Plain_graph_of_numbers<ReebGraph, NamedParameters>::value)
   {
-    const std::vector<internal::Leaf_pruning::Arc> arcs = internal::read_arcs(graph);
+    const std::vector<internal::Pruned_arc> arcs = internal::read_arcs(graph);
     const std::vector<double> values = internal::drawn_values(internal::numbers_of_nodes(graph, np));
     const internal::Value_scale scale(values);
     std::vector<double> heights;

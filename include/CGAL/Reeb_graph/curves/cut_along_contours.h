@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/curves/Curve.h>
-#include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/curves/internal/Contour_choice.h>
 #include <CGAL/Reeb_graph/curves/internal/Ranked_mesh.h>

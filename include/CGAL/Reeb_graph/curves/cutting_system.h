@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
-#include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/curves/internal/choose_contours.h>
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/curves/curve_parameters.h>
+#include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>

@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -54,7 +55,8 @@ OutputIterator find_far_apart_vertices(const FaceListGraph& mesh,
     progress.report(0);
     const fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
     progress.report(0.3);
-    const auto pairs = fields::far_apart_vertices(surface, fields::uniform_graph(surface));
+    const auto pairs =
+      fields::far_apart_vertices(surface, fields::laplacian_graph(surface, Laplacian_weights::UNIFORM));
     progress.report(0.9);
     for(const auto& pair : pairs)
       *out++ = std::make_pair(surface.vertex_handle(pair.first), surface.vertex_handle(pair.second));

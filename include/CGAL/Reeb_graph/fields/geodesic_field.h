@@ -19,6 +19,7 @@
 #include <CGAL/Reeb_graph/fields/internal/triangle_geometry.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -85,7 +86,7 @@ Field_report compute_geodesic_field(const FaceListGraph& mesh,
     fields::Constraints<double> fixed(surface.number_of_vertices());
     for(const auto v : sources)
       fixed.fix(surface.position(v), 0);
-    const fields::Weighted_graph graph = fields::uniform_graph(surface);
+    const fields::Weighted_graph graph = fields::laplacian_graph(surface, Laplacian_weights::UNIFORM);
     fields::check_components(graph, fixed.is_fixed);
     Field_report report = fields::make_triangles_proper(surface);
     fields::Geodesic_distances geodesic_distances(fixed.is_fixed,

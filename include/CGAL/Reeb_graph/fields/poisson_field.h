@@ -17,16 +17,49 @@
 #include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/fields/internal/constraints.h>
 #include <CGAL/Reeb_graph/fields/internal/differential_operators.h>
-#include <CGAL/Reeb_graph/fields/internal/poisson_values.h>
+#include <CGAL/Reeb_graph/fields/internal/solve.h>
 #include <CGAL/Reeb_graph/fields/internal/triangle_geometry.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Reeb_graph {
+
+namespace internal::scalar_fields {
+
+// Solves the equations sum_j w_ij (f_j - f_i) = h_i at the free vertices, with the constraints that fix_vertices(surface,
+// graph, constraints) gives, and h that integrated_right_side(surface, graph) gives, in the scale of the indexed surface.
+template <class FaceListGraph, class FieldMap, class NamedParameters, class FixVertices, class RightSide>
+Field_report solve_poisson_equation(const FaceListGraph& mesh,
+                                    FieldMap field_map,
+                                    const NamedParameters& np,
+                                    const FixVertices& fix_vertices,
+                                    const RightSide& integrated_right_side)
+{
+  const Laplacian_weights weights = Laplacian_weights::COTANGENT;
+  const auto solve = [&](const auto& surface, const Weighted_graph& graph, const Constraints<double>& fixed,
+                         const Progress& progress, double fraction, Field_report& report) {
+    std::vector<double> right_side = integrated_right_side(surface, graph);
+    for(Position v = 0; v != graph.number_of_vertices(); ++v)
+      if(fixed.is_fixed[v])
+        right_side[v] = fixed.values[v];
+    progress.report(fraction);
+    Dirichlet_solution solution = solve_dirichlet_problem({surface, graph, weights, fixed.is_fixed, right_side}, 0, np);
+    report.number_of_iterations = solution.number_of_steps;
+    check_finite(solution.values);
+    progress.report(0.9);
+    return std::move(solution.values);
+  };
+  return write_solution<double>(mesh, field_map, weights, np, fix_vertices, solve);
+}
+
+} // namespace internal::scalar_fields
 
 /// \ingroup PkgReebGraphFields
 ///
@@ -39,13 +72,8 @@ namespace CGAL::Reeb_graph {
 /// 2-Manifolds*, 2003. It is never negative. On the border the formula means little; at isolated vertices it is zero.
 /// It takes linear time.
 ///
-/// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
-/// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
-///         type that can be constructed from `double`
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters": `callback` and `vertex_point_map`
-///         as for `compute_harmonic_field()`
-///
-/// \returns what was changed because of bad faces, see `Field_report`
+/// Of the parameters of `compute_harmonic_field()`, it has `mesh`, `field_map`, and the named ones `callback` and
+/// `vertex_point_map`. It returns what was changed because of bad faces, see `Field_report`.
 ///
 /// \exception Non_finite_scalar_error if the result is infinite or NaN
 /// \exception Cancelled_error if `callback` returns `false`
@@ -64,6 +92,7 @@ Field_report compute_mean_curvature(const FaceListGraph& mesh,
     progress.report(0);
     fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
     Field_report report = fields::make_triangles_proper(surface);
+    const auto weights = Laplacian_weights::COTANGENT;
     const auto curvatures_of = [&](const fields::Weighted_graph& graph, double) {
       auto values = fields::scaled_integrated_mean_curvatures(surface, graph);
       const auto areas = fields::scaled_mixed_areas(surface);
@@ -72,10 +101,9 @@ Field_report compute_mean_curvature(const FaceListGraph& mesh,
       fields::check_finite(values);
       return values;
     };
-    const fields::Weighted_graph cotangents = fields::cotangent_graph(surface);
+    const fields::Weighted_graph cotangents = fields::laplacian_graph(surface, weights);
     progress.report(0.5);
-    const auto curvatures = fields::solve_or_lengthen_edges(surface, report, cotangents, curvatures_of,
-                                                            [&] { return fields::cotangent_graph(surface); });
+    const auto curvatures = fields::solve_or_lengthen_edges(surface, cotangents, weights, report, curvatures_of);
     progress.report(0.9);
     fields::write_field(surface, curvatures, field_map, progress);
     return report;
@@ -161,6 +189,68 @@ Field_report compute_curvature_poisson_field(const FaceListGraph& mesh,
       for(double& value : right_side)
         value *= surface.scale();
       return right_side;
+    });
+}
+
+/// \ingroup PkgReebGraphFields
+///
+/// \brief computes a field whose level sets are about those of a given one, and whose gradient has about unit length.
+///
+/// The gradient of the given field is computed on each face and divided by its length, \f$ X = \nabla f / |\nabla f|
+/// \f$. On a face where the field is constant, it has no direction, and \f$ X = 0 \f$. The result is the field
+/// \f$ \hat f \f$ whose gradient is closest to \f$ X \f$ in the mean square, the solution of \f$ \Delta \hat f =
+/// \mathrm{div} X \f$. See M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020,
+/// Section 6.3. In each component the lowest vertex of \f$ f \f$ gets the value 0.
+///
+/// The level sets are parallel to those of \f$ f \f$ only as far as \f$ X \f$ is a gradient. It is none near saddles,
+/// and where level sets of \f$ f \f$ are not equally far apart everywhere. The gradient is shorter there. So \f$
+/// \hat f \f$ measures arcs of the Reeb graph of \f$ f \f$, see `Augmentation::contour()`, and does not replace it.
+/// Where \f$ f \f$ is flat to the last digits, the direction of its gradient is one of rounding errors. Time and memory
+/// are those of `compute_harmonic_field()`.
+///
+/// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
+/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
+///         type that can be converted to `double`
+/// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
+///         type that can be constructed from `double`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the triangulated surface, of any number of components; it is only read
+/// \param scalar_map the field
+/// \param field_map the result
+/// \param np `sparse_linear_solver`, `solver_tolerance`, `callback` and `vertex_point_map` as for
+///        `compute_harmonic_field()`
+///
+/// \returns what was changed because of bad faces, see `Field_report`
+///
+/// The exceptions are those of `compute_gradient()`, `Solver_tolerance_error`, `Linear_solver_error`, and
+/// `Cancelled_error`. When one is thrown, `field_map` is as it was before.
+template <class FaceListGraph,
+          class ScalarMap,
+          class FieldMap,
+          class NamedParameters = parameters::Default_named_parameters>
+Field_report compute_unit_gradient_field(const FaceListGraph& mesh,
+                                         ScalarMap scalar_map,
+                                         FieldMap field_map,
+                                         const NamedParameters& np = parameters::default_values())
+{
+  namespace fields = internal::scalar_fields;
+  std::vector<double> values;
+  return fields::solve_poisson_equation(
+    mesh, field_map, np,
+    [&](const auto& surface, const auto& graph, auto& fixed) {
+      values = fields::read_field(surface, scalar_map);
+      for(const fields::Position v : fields::lowest_vertices_of_components(graph, values))
+        fixed.fix(v, 0);
+    },
+    [&](const auto& surface, const auto&) {
+      auto vectors = fields::scaled_gradients(surface, values);
+      for(fields::Vector& vector : vectors)
+        vector = fields::normalized(vector);
+      auto divergences = fields::scaled_divergences(surface, vectors);
+      for(double& divergence : divergences)
+        divergence *= surface.scale();
+      return divergences;
     });
 }
 

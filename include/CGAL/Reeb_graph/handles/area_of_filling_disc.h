@@ -11,18 +11,23 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/handles/internal/triangle_intersections.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+
+// With the library, there is no need to read how holes are filled.
+#ifndef CGAL_REEB_GRAPH_ARE_LOOPS_COMPILED
 // Algorithms of Boost.Graph that look up get() for pointers as they are defined: they come first, as triangulate_hole.h of
 // CGAL 6 includes compressed_sparse_row_graph.hpp, whose boost::detail::get() would hide that function from them.
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
 
-#include <CGAL/Reeb_graph/handles/internal/triangle_intersections.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/utility.h>
+#endif
+
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/utility.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -67,11 +72,17 @@ inline constexpr std::size_t largest_loop_of_disc = 1000;
 
 // A disc of triangles with little area that spans a closed polyline, by positions of its points. Empty if there
 // is none, or if the polyline has less than 3 or more than 1000 points. `third_points`, if there are any, are those of the
-// triangles that its segments have on one side: the disc avoids to fold back on these.
-inline std::vector<std::array<std::size_t, 3>> triangulate_disc(const std::vector<Disc_point>& polyline,
-                                                                const std::vector<Disc_point>& third_points = {})
+// triangles that its segments have on one side: the disc avoids to fold back on these. A template, so that the library can
+// have it.
+typedef std::vector<std::array<std::size_t, 3>> Disc_triangles;
+template <class Polyline>
+Disc_triangles triangulate_disc(const Polyline& polyline, const Polyline& third_points);
+
+#ifndef CGAL_REEB_GRAPH_ARE_LOOPS_COMPILED
+template <class Polyline>
+Disc_triangles triangulate_disc(const Polyline& polyline, const Polyline& third_points)
 {
-  std::vector<std::array<std::size_t, 3>> result;
+  Disc_triangles result;
   if(polyline.size() < 3 || polyline.size() > largest_loop_of_disc)
     return result;
   std::vector<CGAL::Triple<int, int, int>> triangles;
@@ -84,6 +95,11 @@ inline std::vector<std::array<std::size_t, 3>> triangulate_disc(const std::vecto
       {static_cast<std::size_t>(t.first), static_cast<std::size_t>(t.second), static_cast<std::size_t>(t.third)});
   return result;
 }
+#endif
+
+#define CGAL_REEB_GRAPH_TRIANGULATE_DISC(PREFIX)                                                                       \
+  PREFIX template Disc_triangles triangulate_disc(const std::vector<Disc_point>&, const std::vector<Disc_point>&);
+CGAL_REEB_GRAPH_FOR_LOOPS(CGAL_REEB_GRAPH_TRIANGULATE_DISC)
 
 // Discs that span loops of a mesh, and the test which of them meet the mesh elsewhere.
 template <class Mesh>
@@ -114,7 +130,7 @@ public:
       passed_.back().insert(source(h, mesh_));
       polyline.push_back(disc_point(source(h, mesh_), point_map));
     }
-    const auto triangles = triangulate_disc(polyline);
+    const Disc_triangles triangles = triangulate_disc(polyline, {});
     if(triangles.empty())
       return;
     double area = 0;

@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/handles/Handle_loop.h>
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
-#include <CGAL/Reeb_graph/handles/internal/Handle_homology.h>
 #include <CGAL/Reeb_graph/handles/internal/make_loops.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
@@ -94,8 +93,7 @@ public:
   }
 
 #ifndef DOXYGEN_RUNNING
-  template <class Found>
-  Handle_and_tunnel_loops(std::shared_ptr<const Found> found,
+  Handle_and_tunnel_loops(std::shared_ptr<const internal::Loop_finder> found,
                           std::shared_ptr<const internal::Surface_closing<FaceListGraph>> closing,
                           const std::vector<internal::Surface_loop>& loops)
     : found_(std::move(found)),
@@ -118,7 +116,7 @@ private:
     internal::Halfedge_walk result;
     for(const halfedge_descriptor h : halfedges)
       result.push_back(closing_->number(h));
-    const auto& surface = found_->homology().surface();
+    const auto& surface = found_->surface();
     for(std::size_t i = 0; i != result.size(); ++i)
     {
       const internal::Index before = result[(i + result.size() - 1) % result.size()];
@@ -128,7 +126,7 @@ private:
     return result;
   }
 
-  std::shared_ptr<const internal::Found_loops> found_;
+  std::shared_ptr<const internal::Loop_finder> found_;
   std::shared_ptr<const internal::Surface_closing<FaceListGraph>> closing_;
   std::vector<internal::Halfedge_walk> walks_;
   std::vector<Loop> loops_;
@@ -226,8 +224,8 @@ Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGra
     internal::find_reeb_loops(mesh, scalar_map, traits, internal::Stage_progress(progress, 0, 0.1));
   const auto closing =
     std::make_shared<internal::Surface_closing<FaceListGraph>>(mesh, internal::choose_point_map(mesh, np));
-  auto found = std::make_shared<internal::Found_loops>(std::move(closing->surface()),
-                                                       internal::Stage_progress(progress, 0.1, 0.2));
+  const std::shared_ptr<internal::Loop_finder> found =
+    internal::make_loop_finder(std::move(closing->surface()), internal::Stage_progress(progress, 0.1, 0.2));
   if(choose_parameter(get_parameter(np, internal::check_self_intersections), true))
     found->refuse_self_intersections(found->self_intersections());
   const bool are_short = choose_parameter(get_parameter(np, internal::shorten_loops), true);
@@ -236,9 +234,7 @@ Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGra
   internal::set_persistences(
     reeb_loops, [&](const auto h) { return closing->number(h); }, loops);
   progress.report_end();
-  return Handle_and_tunnel_loops<FaceListGraph>(
-    std::shared_ptr<const internal::Found_loops>(found),
-    std::shared_ptr<const internal::Surface_closing<FaceListGraph>>(closing), loops);
+  return Handle_and_tunnel_loops<FaceListGraph>(found, closing, loops);
 }
 
 } // namespace CGAL::Reeb_graph

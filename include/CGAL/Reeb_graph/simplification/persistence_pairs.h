@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
-#include <CGAL/Reeb_graph/simplification/internal/pairs.h>
 #include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -148,13 +147,17 @@ OutputIterator persistence_pairs(const ReebGraph& graph, OutputIterator pairs)
     const auto add = [&](Persistence_pair_kind kind) {
       return [&found, kind](internal::Index lower, internal::Index upper) { found.push_back({lower, upper, kind}); };
     };
-    const internal::Flat_arc_ends ends = internal::read_arc_ends(graph);
-    found.reserve(ends.lower.number_of_nodes());
-    auto components = internal::sweep_upwards(ends.lower, add(Persistence_pair_kind::MINIMUM_SADDLE));
-    internal::sweep_downwards(ends.upper, add(Persistence_pair_kind::SADDLE_MAXIMUM));
-    internal::pair_ends_of_components(std::move(components), ends.lower.number_of_nodes(),
-                                      add(Persistence_pair_kind::MINIMUM_MAXIMUM));
-    internal::pair_loops(ends, add(Persistence_pair_kind::LOOP));
+    const std::vector<internal::Pruned_arc> arcs = internal::read_arcs(graph);
+    const internal::Index size = static_cast<internal::Index>(num_vertices(graph));
+    found.reserve(size);
+    auto components =
+      internal::sweep_over_nodes(internal::Side::LOWER, arcs, size, add(Persistence_pair_kind::MINIMUM_SADDLE));
+    internal::sweep_over_nodes(internal::Side::UPPER, arcs, size, add(Persistence_pair_kind::SADDLE_MAXIMUM));
+    const std::vector<internal::Index> highest = internal::highest_nodes(components, size);
+    for(internal::Index node = 0; node != size; ++node)
+      if(components.find(node) == node)
+        found.push_back({node, highest[node], Persistence_pair_kind::MINIMUM_MAXIMUM});
+    internal::pair_loops(arcs, size, add(Persistence_pair_kind::LOOP));
     std::sort(found.begin(), found.end());
     return std::copy(found.begin(), found.end(), pairs);
   }

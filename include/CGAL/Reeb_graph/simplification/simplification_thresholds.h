@@ -134,7 +134,7 @@ OutputIterator simplification_thresholds(const ReebGraph& graph,
   if constexpr(internal::Graph_of_numbers<ReebGraph, NamedParameters>::value)
   {
     const std::vector<double> values = internal::numbers_of_nodes(graph, np);
-    const std::vector<double> ranges = internal::component_ranges(graph, values);
+    const std::vector<double> ranges = internal::component_ranges(internal::read_arcs(graph), values);
     if(num_edges(graph) == 0)
       return thresholds;
     const double range = *std::max_element(ranges.begin(), ranges.end());

@@ -15,144 +15,70 @@
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/curves/internal/Contour_cutting.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
 
-// A sequence of arcs that a curve can be moved along.
-template <class ArcDescriptor>
+// A sequence of arcs that a curve can be moved along, by their numbers in the order of edges(graph).
 struct Arc_path
 {
   struct Passed_arc
   {
-    ArcDescriptor arc;
+    Index arc;
     bool is_passed_upwards;
   };
-
-  std::size_t first_node = 0, last_node = 0;
+  Index first_node = 0, last_node = 0;
   std::vector<Passed_arc> arcs;
 };
 
-// The deformation retract of a Reeb graph: leaves are removed one after the other, unless they are to be kept; arcs
-// that meet at a node of degree 2 are joined. A component that is a cycle then is one path from a node to itself.
-template <class ReebGraph>
-class Graph_retract
+// The paths of the deformation retract of a Reeb graph: leaves are removed one after the other, unless they are to be
+// kept; arcs that meet at a node of degree 2 are joined. A component that is a cycle then is one path from a node to
+// itself.
+inline std::vector<Arc_path> paths_of_retract(const std::vector<Pruned_arc>& arcs, const std::vector<bool>& is_kept)
 {
-  typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor;
-  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-
-public:
-  typedef Arc_path<arc_descriptor> Path;
-
-  // A leaf stays if `is_kept` is true for its node.
-  Graph_retract(const ReebGraph& graph, const std::vector<bool>& is_kept)
-    : graph_(graph),
-      arcs_(edges(graph).first, edges(graph).second),
-      is_left_(arcs_.size(), true)
+  const auto number_of_nodes = static_cast<Index>(is_kept.size());
+  std::vector<Index> core = core_arcs(number_of_nodes, arcs, is_kept);
+  std::sort(core.begin(), core.end());
+  std::vector<std::vector<Index>> arcs_of_node(number_of_nodes);
+  for(const Index arc : core)
   {
-    list_arcs_of_nodes();
-    remove_leaves(is_kept);
-    for(std::size_t node = 0; node != degrees_.size(); ++node)
-    {
-      if(degrees_[node] != 0 && degrees_[node] != 2)
-        add_paths(node);
-    }
-    for(std::size_t node = 0; node != degrees_.size(); ++node)
-    {
-      if(degrees_[node] == 2)
-        add_paths(node);
-    }
+    arcs_of_node[arcs[arc].lower].push_back(arc);
+    arcs_of_node[arcs[arc].upper].push_back(arc);
   }
-
-  const std::vector<Path>& paths() const { return paths_; }
-
-private:
-  std::size_t lower(std::size_t arc) const { return source(arcs_[arc], graph_); }
-  std::size_t upper(std::size_t arc) const { return target(arcs_[arc], graph_); }
-  std::size_t other_end(std::size_t arc, std::size_t node) const
-  {
-    return lower(arc) == node ? upper(arc) : lower(arc);
-  }
-
-  void list_arcs_of_nodes()
-  {
-    arcs_of_node_.resize(num_vertices(graph_));
-    for(std::size_t arc = 0; arc != arcs_.size(); ++arc)
-    {
-      arcs_of_node_[lower(arc)].push_back(arc);
-      arcs_of_node_[upper(arc)].push_back(arc);
-    }
-    for(const auto& arcs : arcs_of_node_)
-      degrees_.push_back(arcs.size());
-  }
-
-  std::size_t any_arc_left(std::size_t node) const
-  {
-    const auto& arcs = arcs_of_node_[node];
-    const auto found = std::find_if(arcs.begin(), arcs.end(), [&](std::size_t arc) { return is_left_[arc]; });
-    return found == arcs.end() ? none : *found;
-  }
-
-  void remove_leaves(const std::vector<bool>& is_kept)
-  {
-    for(std::size_t leaf = 0; leaf != degrees_.size(); ++leaf)
-    {
-      std::size_t node = leaf;
-      while(degrees_[node] == 1 && !is_kept[node])
-      {
-        const std::size_t arc = any_arc_left(node);
-        is_left_[arc] = false;
-        --degrees_[node];
-        node = other_end(arc, node);
-        --degrees_[node];
-      }
-    }
-  }
-
-  // Adds all paths that leave the node and have not been followed from their other end.
-  void add_paths(std::size_t node)
-  {
-    for(const std::size_t arc : arcs_of_node_[node])
-    {
-      if(is_left_[arc])
-        follow_path(node, arc);
-    }
-  }
-
-  void follow_path(std::size_t first_node, std::size_t arc)
-  {
-    Path path;
-    std::size_t node = first_node;
+  std::vector<bool> is_followed(arcs.size(), false);
+  std::vector<Arc_path> paths;
+  const auto follow = [&](Index first_node, Index arc) {
+    Arc_path path = {first_node, first_node, {}};
+    Index& node = path.last_node;
     do
     {
-      path.arcs.push_back({arcs_[arc], lower(arc) == node});
-      is_left_[arc] = false;
-      node = other_end(arc, node);
-      arc = any_arc_left(node);
-    } while(degrees_[node] == 2 && node != first_node);
-    path.first_node = first_node;
-    path.last_node = node;
-    paths_.push_back(path);
-  }
-
-  const ReebGraph& graph_;
-  std::vector<arc_descriptor> arcs_;
-  std::vector<bool> is_left_;
-  std::vector<std::vector<std::size_t>> arcs_of_node_;
-  std::vector<std::size_t> degrees_;
-  std::vector<Path> paths_;
-};
+      path.arcs.push_back({arc, arcs[arc].lower == node});
+      is_followed[arc] = true;
+      node = arcs[arc].lower == node ? arcs[arc].upper : arcs[arc].lower;
+      for(const Index next : arcs_of_node[node])
+        if(!is_followed[next])
+          arc = next;
+    } while(arcs_of_node[node].size() == 2 && node != first_node);
+    paths.push_back(path);
+  };
+  for(const bool is_passed : {false, true}) // Those that are left for nodes that are passed are cycles.
+    for(Index node = 0; node != number_of_nodes; ++node)
+      for(const Index arc : arcs_of_node[node])
+        if((arcs_of_node[node].size() == 2) == is_passed && !is_followed[arc])
+          follow(node, arc);
+  return paths;
+}
 
 // The levels at which a contour stays the same lie between two ranks; its value is in the middle of theirs.
 template <class RankedMesh, class HalfedgeDescriptor>
@@ -174,6 +100,13 @@ Contour_to_cut<HalfedgeDescriptor> make_contour_to_cut(const RankedMesh& ranked,
           ranked.value(upper) < ranked.value(lower)};
 }
 
+// A contour, and what is known of it when it is chosen.
+template <class HalfedgeDescriptor>
+struct Chosen_contour : Contour_to_cut<HalfedgeDescriptor>
+{
+  Candidate_curve properties;
+};
+
 // Chooses contours of the Reeb graph of the ranks.
 template <class RankedMesh, class CurveCost>
 class Contour_choice
@@ -184,15 +117,7 @@ class Contour_choice
 
 public:
   typedef typename Reeb_graph_traits<Mesh, Rank_map>::Graph Graph;
-  typedef typename boost::graph_traits<Graph>::edge_descriptor arc_descriptor;
-  typedef Arc_path<arc_descriptor> Path;
-  typedef typename Path::Passed_arc Passed_arc;
-
-  struct Choice
-  {
-    Contour_to_cut<halfedge_descriptor> contour;
-    Candidate_curve properties;
-  };
+  typedef Chosen_contour<halfedge_descriptor> Choice;
 
   Contour_choice(const RankedMesh& ranked,
                  const Graph& graph,
@@ -201,6 +126,7 @@ public:
                  const Stage_progress& progress)
     : ranked_(ranked),
       graph_(graph),
+      arcs_(edges(graph).first, edges(graph).second),
       curve_cost_(curve_cost),
       number_of_candidates_((std::max)(number_of_candidates, std::size_t(1))),
       augmentation_(ranked.mesh(),
@@ -210,11 +136,11 @@ public:
   {}
 
   // The contour of least cost among those just above some vertices of the chains along the path.
-  Choice operator()(const Path& path) const
+  Choice operator()(const Arc_path& path) const
   {
     std::size_t number_of_places = 0;
-    for(const Passed_arc& passed : path.arcs)
-      number_of_places += graph_[passed.arc].chain.size();
+    for(const Arc_path::Passed_arc& passed : path.arcs)
+      number_of_places += chain(passed).size();
     const std::size_t number_of_candidates = (std::min)(number_of_candidates_, number_of_places);
     Choice best;
     double least_cost = 0;
@@ -222,8 +148,8 @@ public:
     for(std::size_t i = 0; i != number_of_candidates; ++i)
     {
       const std::size_t place = (2 * i + 1) * number_of_places / (2 * number_of_candidates);
-      for(; place >= first_place + chain(path, piece).size(); ++piece)
-        first_place += chain(path, piece).size();
+      for(; place >= first_place + chain(path.arcs[piece]).size(); ++piece)
+        first_place += chain(path.arcs[piece]).size();
       Choice choice = choice_at(path.arcs[piece], place - first_place);
       choice.properties.position = (place + 0.5) / static_cast<double>(number_of_places);
       const double cost = curve_cost_(choice.properties);
@@ -236,16 +162,16 @@ public:
   }
 
 private:
-  const auto& chain(const Path& path, std::size_t piece) const { return graph_[path.arcs[piece].arc].chain; }
+  const auto& chain(const Arc_path::Passed_arc& passed) const { return graph_[arcs_[passed.arc]].chain; }
 
-  Choice choice_at(const Passed_arc& passed, std::size_t place) const
+  Choice choice_at(const Arc_path::Passed_arc& passed, std::size_t place) const
   {
-    const auto& halfedges = graph_[passed.arc].chain;
+    const auto& halfedges = chain(passed);
     const halfedge_descriptor h = halfedges[passed.is_passed_upwards ? place : halfedges.size() - 1 - place];
-    const auto contour = augmentation_.contour_at_value(passed.arc, ranked_.rank(source(h, ranked_.mesh())));
+    const auto contour = augmentation_.contour_at_value(arcs_[passed.arc], ranked_.rank(source(h, ranked_.mesh())));
     Choice choice = {make_contour_to_cut(ranked_, contour.halfedges, contour.is_closed), Candidate_curve()};
-    choice.properties.value = choice.contour.value;
-    choice.properties.length = length(choice.contour);
+    choice.properties.value = choice.value;
+    choice.properties.length = length(choice);
     return choice;
   }
 
@@ -268,6 +194,7 @@ private:
 
   const RankedMesh& ranked_;
   const Graph& graph_;
+  std::vector<typename boost::graph_traits<Graph>::edge_descriptor> arcs_;
   const CurveCost& curve_cost_;
   std::size_t number_of_candidates_;
   Augmentation<Mesh, Rank_map> augmentation_;

@@ -268,15 +268,18 @@ private:
 
 // Parts a mesh along one curve after the other. The higher side keeps the vertices of the curve, and the halfedges that
 // have become its border; the lower side gets copies of both.
-template <class RankedMesh>
+template <class Mesh, class VertexPointMap, class Visitor>
 class Curve_opening
 {
-  typedef typename RankedMesh::Mesh Mesh;
-  typedef typename RankedMesh::vertex_descriptor vertex_descriptor;
-  typedef typename RankedMesh::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
 
 public:
-  explicit Curve_opening(const RankedMesh& ranked) : ranked_(ranked), mesh_(ranked.mesh()) {}
+  Curve_opening(Mesh& mesh, const VertexPointMap& vertex_point_map, Visitor& visitor)
+    : mesh_(mesh),
+      vertex_point_map_(vertex_point_map),
+      visitor_(visitor)
+  {}
 
   void operator()(Curve<halfedge_descriptor>& curve)
   {
@@ -319,7 +322,7 @@ private:
       set_face(old, boost::graph_traits<Mesh>::null_face(), mesh_);
       set_face(added_.back(), boost::graph_traits<Mesh>::null_face(), mesh_);
       curve.lower_halfedges[i] = inner;
-      ranked_.visitor().halfedge_duplicated(old, inner);
+      visitor_.halfedge_duplicated(old, inner);
     }
   }
 
@@ -360,8 +363,8 @@ private:
   void add_vertex_at(halfedge_descriptor border)
   {
     const vertex_descriptor old = target(border, mesh_), created = add_vertex(mesh_);
-    const auto point = get(ranked_.vertex_point_map(), old);
-    put(ranked_.vertex_point_map(), created, point);
+    const auto point = get(vertex_point_map_, old);
+    put(vertex_point_map_, created, point);
     set_halfedge(created, border, mesh_);
     halfedge_descriptor h = border;
     do
@@ -369,11 +372,12 @@ private:
       set_target(h, created, mesh_);
       h = opposite(next(h, mesh_), mesh_);
     } while(h != border);
-    ranked_.visitor().vertex_duplicated(old, created);
+    visitor_.vertex_duplicated(old, created);
   }
 
-  const RankedMesh& ranked_;
   Mesh& mesh_;
+  const VertexPointMap& vertex_point_map_;
+  Visitor& visitor_;
   std::vector<halfedge_descriptor> added_; // border halfedges of the lower side
   halfedge_descriptor to_start_, to_end_;  // border halfedges that lead to the ends of the curve
 };

@@ -400,27 +400,17 @@ auto sorted_vertex_keys(const RankedMesh& ranked,
   return keys;
 }
 
-// Gives each vertex the rank of its place in the total order.
-template <class RankedMesh, class ScalarMap, class Traits>
-void rank_vertices(const RankedMesh& ranked, const ScalarMap& scalar_map, const Traits& traits)
-{
-  const Scalar_conversion<Traits> conversion(traits);
-  Rank rank = 0;
-  for(const auto& key : sorted_vertex_keys(ranked, scalar_map, traits, nullptr))
-    ranked.place(key.vertex, rank += rank_spacing, conversion.to_double(key.value));
-}
-
-// Gives each vertex the rank of its place in the total order, but all vertices of a border component one rank, beyond
-// all other vertices of their value.
+// Gives each vertex the rank of its place in the total order, but, if there are `borders`, all vertices of a border
+// component one rank, beyond all other vertices of their value.
 template <class RankedMesh, class ScalarMap, class Traits>
 void rank_vertices(const RankedMesh& ranked,
                    const ScalarMap& scalar_map,
                    const Traits& traits,
-                   Level_borders<typename RankedMesh::Mesh>& borders)
+                   Level_borders<typename RankedMesh::Mesh>* borders = nullptr)
 {
   const Scalar_conversion<Traits> conversion(traits);
   const auto less = traits.less_scalar_object();
-  const auto keys = sorted_vertex_keys(ranked, scalar_map, traits, &borders);
+  const auto keys = sorted_vertex_keys(ranked, scalar_map, traits, borders);
   Rank rank = 0;
   for(std::size_t i = 0; i != keys.size(); ++i)
   {
@@ -433,10 +423,10 @@ void rank_vertices(const RankedMesh& ranked,
     if(keys[i].side == 0 || is_same_border)
       continue;
     if(!is_same_side)
-      borders.last_ranks.push_back(rank); // where a group of maxima begins
+      borders->last_ranks.push_back(rank); // where a group of maxima begins
     if(keys[i].side < 0)
-      borders.last_ranks.back() = rank; // where a group of minima ends
-    borders.borders[keys[i].position - 1].group = borders.last_ranks.size() - 1;
+      borders->last_ranks.back() = rank; // where a group of minima ends
+    borders->borders[keys[i].position - 1].group = borders->last_ranks.size() - 1;
   }
 }
 

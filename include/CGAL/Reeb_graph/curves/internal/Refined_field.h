@@ -170,7 +170,7 @@ public:
     if constexpr(is_written)
     {
       for(const Contour& contour : contours)
-        lower_values_.push_back(lower_end_value(contour));
+        lower_values_.push_back(end_value(contour, false));
       values_ = lower_values_;
       std::vector<std::size_t> order(contours.size());
       std::iota(order.begin(), order.end(), std::size_t(0));
@@ -180,14 +180,14 @@ public:
       for_each_contour(contours, order.begin(), order.end(), [&](std::size_t i, const std::vector<std::size_t>& lower) {
         std::optional<Scalar> below = lower_values_[i];
         for(const std::size_t j : lower)
-          raise_bound(below, values_[j]);
-        values_[i] = between(*below, upper_end_value(contours[i]), contours[i].value);
+          bound_by(below, values_[j], false);
+        values_[i] = between(*below, end_value(contours[i], true), contours[i].value);
       });
       for_each_contour(contours, order.rbegin(), order.rend(),
                        [&](std::size_t i, const std::vector<std::size_t>& upper) {
-                         std::optional<Scalar> above = upper_end_value(contours[i]);
+                         std::optional<Scalar> above = end_value(contours[i], true);
                          for(const std::size_t j : upper)
-                           lower_bound(above, values_[j]);
+                           bound_by(above, values_[j], true);
                          if(!less_(values_[i], *above))
                            values_[i] = between(lower_values_[i], *above, contours[i].value);
                        });
@@ -213,14 +213,10 @@ public:
 private:
   Scalar scalar(vertex_descriptor v) const { return get(scalar_map_, v); }
   bool is_added(vertex_descriptor v) const { return ranked_.rank(v) % rank_spacing != 0; }
-  void raise_bound(std::optional<Scalar>& bound, const Scalar& value) const
+  // Lowers an upper bound, or raises a lower one.
+  void bound_by(std::optional<Scalar>& bound, const Scalar& value, bool is_upper) const
   {
-    if(!bound || less_(*bound, value))
-      bound = value;
-  }
-  void lower_bound(std::optional<Scalar>& bound, const Scalar& value) const
-  {
-    if(!bound || less_(value, *bound))
+    if(!bound || (is_upper ? less_(value, *bound) : less_(*bound, value)))
       bound = value;
   }
 
@@ -246,11 +242,11 @@ private:
       for_each_bound(v, i == 0 ? nullptr : &added[i - 1], [&](vertex_descriptor u) {
         if(ranked_.rank(u) < ranked_.rank(v))
         {
-          raise_bound(below, scalar(u));
-          raise_bound(given_below, is_added(u) ? lower_values.at(ranked_.rank(u)) : scalar(u));
+          bound_by(below, scalar(u), false);
+          bound_by(given_below, is_added(u) ? lower_values.at(ranked_.rank(u)) : scalar(u), false);
         }
         else if(!is_added(u))
-          lower_bound(above, scalar(u));
+          bound_by(above, scalar(u), true);
       });
       lower_values.emplace(ranked_.rank(v), given_below ? *given_below : *above);
       const Scalar lowest = below ? *below : *above;
@@ -262,7 +258,7 @@ private:
       std::optional<Scalar> above;
       for_each_bound(v, i + 1 == added.size() ? nullptr : &added[i + 1], [&](vertex_descriptor u) {
         if(ranked_.rank(v) < ranked_.rank(u))
-          lower_bound(above, scalar(u));
+          bound_by(above, scalar(u), true);
       });
       if(above && !less_(scalar(v), *above))
         put(scalar_map_, v, value_next_to_vertex(v, lower_values.at(ranked_.rank(v)), *above));
@@ -289,19 +285,12 @@ private:
     return value_between(lower, upper, wish, less_);
   }
 
-  Scalar lower_end_value(const Contour& contour) const
+  // Of all upper ends the lowest, or of all lower ones the highest.
+  Scalar end_value(const Contour& contour, bool is_upper) const
   {
     std::optional<Scalar> value;
     for(const halfedge_descriptor h : contour.halfedges)
-      raise_bound(value, scalar(source(h, ranked_.mesh())));
-    return *value;
-  }
-
-  Scalar upper_end_value(const Contour& contour) const
-  {
-    std::optional<Scalar> value;
-    for(const halfedge_descriptor h : contour.halfedges)
-      lower_bound(value, scalar(target(h, ranked_.mesh())));
+      bound_by(value, scalar(is_upper ? target(h, ranked_.mesh()) : source(h, ranked_.mesh())), is_upper);
     return *value;
   }
 

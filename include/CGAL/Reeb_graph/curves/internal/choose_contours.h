@@ -13,8 +13,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/arc_measures.h>
-#include <CGAL/Reeb_graph/curves/curve_parameters.h>
+#include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/internal/Contour_choice.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
@@ -39,6 +38,7 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -136,39 +136,23 @@ std::vector<Branch_weight> branch_weights(const RankedMesh& ranked,
   return weights;
 }
 
-// The way from the saddle to the leaf along the arcs that have become one leaf arc.
-template <class GraphArcs>
-auto path_of_branch(const Weighted_leaf_pruning<Branch_weight>& pruned,
-                    const Weighted_leaf_arc<Branch_weight>& leaf_arc,
-                    const GraphArcs& graph_arcs)
-{
-  Arc_path<typename GraphArcs::value_type> path;
-  path.first_node = leaf_arc.saddle;
-  path.last_node = leaf_arc.leaf;
-  pruned.for_each_piece(pruned.arc_of_leaf(leaf_arc.leaf), [&](Index arc) {
-    path.arcs.push_back({graph_arcs[arc], !leaf_arc.is_minimum});
-  });
-  if(leaf_arc.is_minimum)
-    std::reverse(path.arcs.begin(), path.arcs.end());
-  return path;
-}
-
 // The branches of a surface: leaf arcs that reach the thresholds, once those that do not have been removed from the
 // graph as by simplify(). A leaf at a border is no branch, and an arc between two leaves has none.
 template <class RankedMesh, class Thresholds>
-auto find_branches(const RankedMesh& ranked,
-                   const Simple_reeb_graph<RankedMesh>& simple,
-                   const Thresholds& thresholds,
-                   const Stage_progress& progress)
+std::vector<Arc_path> find_branches(const RankedMesh& ranked,
+                                    const Simple_reeb_graph<RankedMesh>& simple,
+                                    const Thresholds& thresholds,
+                                    const Stage_progress& progress)
 {
   typedef typename RankedMesh::vertex_descriptor vertex_descriptor;
-  typedef typename boost::graph_traits<typename Simple_reeb_graph<RankedMesh>::Graph>::edge_descriptor arc_descriptor;
   const auto& graph = simple.graph;
   const auto difference = [&](Index a, Index b) {
     return persistence(ranked.value(graph[a].vertex), ranked.value(graph[b].vertex));
   };
   typedef Weighted_leaf_arc<Branch_weight> Leaf_arc;
   const auto size = [&](const Leaf_arc& arc) {
+    if(simple.is_border[arc.leaf])
+      return std::numeric_limits<double>::infinity(); // It stays.
     const Branch<vertex_descriptor> branch = {graph[arc.leaf].vertex, graph[arc.saddle].vertex, arc.is_minimum,
                                               persistence_of_leaf_arc(arc, difference), arc.weight.area};
     return thresholds.relative_size(branch, arc.weight.vertex_count);
@@ -176,19 +160,21 @@ auto find_branches(const RankedMesh& ranked,
   Weighted_leaf_pruning<Branch_weight> pruned(static_cast<Index>(num_vertices(graph)), read_arcs(graph),
                                               branch_weights(ranked, simple, thresholds, progress));
   pruned(
-    size, [&](const Leaf_arc& arc) { return !simple.is_border[arc.leaf]; },
-    [](double relative_size) { return relative_size < 1; }, [](Index) { return true; });
-
-  const std::vector<arc_descriptor> graph_arcs(edges(graph).first, edges(graph).second);
-  std::vector<Arc_path<arc_descriptor>> branches;
+    size, [](double relative_size) { return relative_size < 1; }, [](Index) { return true; }, [](Index) {});
+  std::vector<Arc_path> branches;
   for(Index arc = 0; arc != pruned.number_of_arcs(); ++arc)
   {
     const auto [lower, upper] = pruned.arc(arc);
     if(!pruned.is_left(pruned.place_of_arc(arc)) || pruned.is_leaf(lower) == pruned.is_leaf(upper))
       continue;
     const Leaf_arc leaf_arc = pruned.leaf_arc_of(pruned.is_leaf(lower) ? lower : upper);
-    if(!simple.is_border[leaf_arc.leaf] && size(leaf_arc) >= 1)
-      branches.push_back(path_of_branch(pruned, leaf_arc, graph_arcs));
+    if(simple.is_border[leaf_arc.leaf] || !(size(leaf_arc) >= 1))
+      continue;
+    Arc_path path = {leaf_arc.saddle, leaf_arc.leaf, {}};
+    pruned.for_each_piece(arc, [&](Index piece) { path.arcs.push_back({piece, !leaf_arc.is_minimum}); });
+    if(leaf_arc.is_minimum)
+      std::reverse(path.arcs.begin(), path.arcs.end());
+    branches.push_back(std::move(path));
   }
   return branches;
 }
@@ -209,37 +195,41 @@ struct Cost_of_branch_curve
   }
 };
 
-template <class DefaultCost, class NamedParameters>
-auto choose_curve_cost(const NamedParameters& np)
+// The contour of least cost along each path.
+template <class DefaultCost, class RankedMesh, class NamedParameters>
+auto choose_along_paths(const RankedMesh& ranked,
+                        const Simple_reeb_graph<RankedMesh>& simple,
+                        const std::vector<Arc_path>& paths,
+                        const NamedParameters& np,
+                        const Stage_progress& progress)
 {
-  return parameters::choose_parameter<DefaultCost>(parameters::get_parameter(np, curve_cost));
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const auto cost = choose_parameter<DefaultCost>(get_parameter(np, curve_cost));
+  const std::size_t number = choose_parameter(get_parameter(np, number_of_candidates), std::size_t(16));
+  const Contour_choice<RankedMesh, std::decay_t<decltype(cost)>> choose(ranked, simple.graph, cost, number,
+                                                                        progress.part(0, 0.2));
+  std::vector<Chosen_contour<typename RankedMesh::halfedge_descriptor>> choices;
+  for(const Arc_path& path : paths)
+  {
+    progress.part(0.2, 1).report_step(choices.size(), paths.size());
+    choices.push_back(choose(path));
+  }
+  return choices;
 }
 
-template <class RankedMesh, class CurveCost, class NamedParameters>
-Contour_choice<RankedMesh, CurveCost> make_contour_choice(const RankedMesh& ranked,
-                                                          const Simple_reeb_graph<RankedMesh>& simple,
-                                                          const CurveCost& cost,
-                                                          const NamedParameters& np,
-                                                          const Stage_progress& progress)
-{
-  const std::size_t number =
-    parameters::choose_parameter(parameters::get_parameter(np, number_of_candidates), std::size_t(16));
-  return Contour_choice<RankedMesh, CurveCost>(ranked, simple.graph, cost, number, progress);
-}
-
-// The positions of the edges that are in no maximum spanning tree of a graph with parallel edges and loops. `Path` has
+// The positions of the edges that are in no maximum spanning tree of a graph with parallel edges and loops. A path has
 // the ends of each edge.
-template <class Path>
-std::vector<std::size_t> edges_outside_of_maximum_spanning_tree(const std::vector<Path>& paths,
-                                                                const std::vector<double>& weights,
-                                                                std::size_t number_of_nodes)
+inline std::vector<std::size_t> edges_outside_of_maximum_spanning_tree(const std::vector<Arc_path>& paths,
+                                                                       const std::vector<double>& weights,
+                                                                       std::size_t number_of_nodes)
 {
   typedef boost::property<boost::edge_index_t, std::size_t, boost::property<boost::edge_weight_t, double>> Edge;
   typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, Edge> Graph;
   Graph graph(number_of_nodes);
   for(std::size_t i = 0; i != paths.size(); ++i)
     add_edge(paths[i].first_node, paths[i].last_node, Edge(i, -weights[i]), graph);
-  std::vector<typename boost::graph_traits<Graph>::edge_descriptor> tree;
+  std::vector<boost::graph_traits<Graph>::edge_descriptor> tree;
   boost::kruskal_minimum_spanning_tree(graph, std::back_inserter(tree));
   std::vector<bool> is_in_tree(paths.size(), false);
   for(const auto edge : tree)
@@ -254,74 +244,47 @@ std::vector<std::size_t> edges_outside_of_maximum_spanning_tree(const std::vecto
 }
 
 template <class RankedMesh, class NamedParameters>
-std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_cutting_system(
-  const RankedMesh& ranked,
-  const Simple_reeb_graph<RankedMesh>& simple,
-  const NamedParameters& np,
-  const Stage_progress& progress)
+auto choose_cutting_system(const RankedMesh& ranked,
+                           const Simple_reeb_graph<RankedMesh>& simple,
+                           const NamedParameters& np,
+                           const Stage_progress& progress)
 {
-  typedef typename Simple_reeb_graph<RankedMesh>::Graph Graph;
-  const auto cost = choose_curve_cost<Length_of_curve>(np);
   const auto weight = parameters::choose_parameter<Length_of_curve>(parameters::get_parameter(np, arc_weight));
-  const auto choose = make_contour_choice(ranked, simple, cost, np, progress.part(0, 0.2));
-  const std::vector<bool> no_border(num_vertices(simple.graph), false);
-  const Graph_retract<Graph> retract(simple.graph, no_border);
-
-  std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> candidates, contours;
+  const std::size_t number_of_nodes = num_vertices(simple.graph);
+  const auto paths = paths_of_retract(read_arcs(simple.graph), std::vector<bool>(number_of_nodes, false));
+  auto candidates = choose_along_paths<Length_of_curve>(ranked, simple, paths, np, progress);
   std::vector<double> weights;
-  for(const auto& path : retract.paths())
-  {
-    progress.part(0.2, 1).report_step(candidates.size(), retract.paths().size());
-    auto choice = choose(path);
-    weights.push_back(weight(choice.properties));
-    candidates.push_back(std::move(choice.contour));
-  }
-  for(const std::size_t i :
-      edges_outside_of_maximum_spanning_tree(retract.paths(), weights, num_vertices(simple.graph)))
-    contours.push_back(std::move(candidates[i]));
-  return contours;
+  for(const auto& candidate : candidates)
+    weights.push_back(weight(candidate.properties));
+  decltype(candidates) choices;
+  for(const std::size_t i : edges_outside_of_maximum_spanning_tree(paths, weights, number_of_nodes))
+    choices.push_back(std::move(candidates[i]));
+  return choices;
 }
 
 template <class RankedMesh, class NamedParameters>
-std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_pants_decomposition(
-  const RankedMesh& ranked,
-  const Simple_reeb_graph<RankedMesh>& simple,
-  const NamedParameters& np,
-  const Stage_progress& progress)
+auto choose_pants_decomposition(const RankedMesh& ranked,
+                                const Simple_reeb_graph<RankedMesh>& simple,
+                                const NamedParameters& np,
+                                const Stage_progress& progress)
 {
-  typedef typename Simple_reeb_graph<RankedMesh>::Graph Graph;
-  const auto cost = choose_curve_cost<Length_of_curve>(np);
-  const auto choose = make_contour_choice(ranked, simple, cost, np, progress.part(0, 0.2));
-  std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> contours;
-  const Graph_retract<Graph> retract(simple.graph, simple.is_border);
-  std::size_t number_of_paths = 0;
-  for(const auto& path : retract.paths())
-  {
-    progress.part(0.2, 1).report_step(number_of_paths++, retract.paths().size());
-    if(!simple.is_border[path.first_node] && !simple.is_border[path.last_node])
-      contours.push_back(choose(path).contour);
-  }
-  return contours;
+  std::vector<Arc_path> paths = paths_of_retract(read_arcs(simple.graph), simple.is_border);
+  const auto ends_at_border = [&](const Arc_path& path) {
+    return simple.is_border[path.first_node] || simple.is_border[path.last_node];
+  };
+  paths.erase(std::remove_if(paths.begin(), paths.end(), ends_at_border), paths.end());
+  return choose_along_paths<Length_of_curve>(ranked, simple, paths, np, progress);
 }
 
 template <class RankedMesh, class NamedParameters>
-std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> choose_branch_curves(
-  const RankedMesh& ranked,
-  const Simple_reeb_graph<RankedMesh>& simple,
-  const Branch_thresholds<NamedParameters>& thresholds,
-  const NamedParameters& np,
-  const Stage_progress& progress)
+auto choose_branch_curves(const RankedMesh& ranked,
+                          const Simple_reeb_graph<RankedMesh>& simple,
+                          const Branch_thresholds<NamedParameters>& thresholds,
+                          const NamedParameters& np,
+                          const Stage_progress& progress)
 {
-  const auto cost = choose_curve_cost<Cost_of_branch_curve>(np);
-  const auto choose = make_contour_choice(ranked, simple, cost, np, progress.part(0, 0.2));
-  std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>> contours;
-  const auto branches = find_branches(ranked, simple, thresholds, progress.part(0.2, 0.5));
-  for(const auto& path : branches)
-  {
-    progress.part(0.5, 1).report_step(contours.size(), branches.size());
-    contours.push_back(choose(path).contour);
-  }
-  return contours;
+  const auto paths = find_branches(ranked, simple, thresholds, progress.part(0, 0.3));
+  return choose_along_paths<Cost_of_branch_curve>(ranked, simple, paths, np, progress.part(0.3, 1));
 }
 
 // Copies the values at vertices that have been added to the field of the user, if that has room for them.
@@ -358,7 +321,9 @@ OutputIterator cut_along_chosen_contours(Mesh& mesh,
     const auto cut = [&](const auto& map, const Stage_progress& stage) {
       const auto find_contours = [&](const auto& ranked, const Stage_progress& finding) {
         const auto simple = compute_simple_reeb_graph(ranked, map, traits, finding.part(0, 0.55));
-        return choose(ranked, simple, finding.part(0.55, 1));
+        const auto choices = choose(ranked, simple, finding.part(0.55, 1));
+        return std::vector<Contour_to_cut<typename boost::graph_traits<Mesh>::halfedge_descriptor>>(choices.begin(),
+                                                                                                    choices.end());
       };
       return cut_along_found_contours(mesh, map, traits, output, np, stage.part(0, 0.85), stage.part(0.85, 1),
                                       find_contours);

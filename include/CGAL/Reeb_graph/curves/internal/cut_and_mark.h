@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
-#include <CGAL/Reeb_graph/curves/curve_parameters.h>
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/curves/internal/Contour_cutting.h>
 #include <CGAL/Reeb_graph/curves/internal/Refined_field.h>
@@ -135,7 +134,7 @@ std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
   ranked.keep_splits();
   if(choose_parameter(get_parameter(np, cut_open), false))
   {
-    Curve_opening<RankedMesh> open(ranked);
+    Curve_opening open(mesh, ranked.vertex_point_map(), ranked.visitor());
     for(auto& curve : curves)
       open(curve);
   }

@@ -160,55 +160,40 @@ void check_input(const Mesh& mesh, const ScalarMap& scalar_map, const NamedParam
     flatten<Sequential_tag>(mesh, scalar_map, choose_traits<Traits>(np), parameters::default_values());
 }
 
-struct Component_counts
-{
-  std::size_t first_face;
-  long euler_characteristic;
-  bool has_border;
-};
-
 template <class Mesh>
-std::vector<Component_counts> count_components(const Mesh& mesh)
+void check_negative_euler_characteristics(const Mesh& mesh)
 {
+  struct Component
+  {
+    std::size_t first_face = 0;
+    long euler_characteristic = 0;
+    bool has_border = false;
+  };
   const auto component_map = get(dynamic_face_property_t<std::size_t>(), mesh);
-  Polygon_mesh_processing::connected_components(mesh, component_map);
-  std::vector<Component_counts> components;
+  std::vector<Component> components(Polygon_mesh_processing::connected_components(mesh, component_map));
+  const auto component_of = [&](auto h) -> Component& {
+    return components[get(component_map, face(is_border(h, mesh) ? opposite(h, mesh) : h, mesh))];
+  };
   std::size_t position = 0;
   for(const auto f : faces(mesh))
   {
-    const std::size_t component = get(component_map, f);
-    if(component >= components.size())
-      components.resize(component + 1, {position, 0, false});
-    ++components[component].euler_characteristic;
+    Component& component = components[get(component_map, f)];
+    if(component.euler_characteristic++ == 0)
+      component.first_face = position;
     ++position;
   }
   for(const auto e : edges(mesh))
   {
-    const auto h = halfedge(e, mesh), g = opposite(h, mesh);
-    const bool is_on_border = is_border(h, mesh) || is_border(g, mesh);
-    Component_counts& component = components[get(component_map, face(is_border(h, mesh) ? g : h, mesh))];
+    Component& component = component_of(halfedge(e, mesh));
     --component.euler_characteristic;
-    component.has_border = component.has_border || is_on_border;
+    component.has_border = component.has_border || is_border(e, mesh);
   }
   for(const auto v : vertices(mesh))
-  {
-    auto h = halfedge(v, mesh);
-    if(h == boost::graph_traits<Mesh>::null_halfedge())
-      continue;
-    h = is_border(h, mesh) ? opposite(h, mesh) : h;
-    ++components[get(component_map, face(h, mesh))].euler_characteristic;
-  }
-  return components;
-}
-
-template <class Mesh>
-void check_negative_euler_characteristics(const Mesh& mesh)
-{
-  for(const Component_counts& component : count_components(mesh))
-  {
+    if(halfedge(v, mesh) != boost::graph_traits<Mesh>::null_halfedge())
+      ++component_of(halfedge(v, mesh)).euler_characteristic;
+  for(const Component& component : components)
     if(component.euler_characteristic >= 0)
       throw No_pants_decomposition_error(component.first_face, component.euler_characteristic, component.has_border);
-  }
 }
 
 // The Reeb graph of a refinement of the mesh all of whose saddles are simple, and in which each border is one leaf.
@@ -234,7 +219,7 @@ Simple_reeb_graph<RankedMesh> compute_simple_reeb_graph(const RankedMesh& ranked
   result.given_vertices.assign(vertices(mesh).first, vertices(mesh).second);
   progress(0);
   auto borders = find_level_borders(mesh, scalar_map, traits.less_scalar_object());
-  rank_vertices(ranked, scalar_map, traits, borders);
+  rank_vertices(ranked, scalar_map, traits, &borders);
   progress(0.4);
   split_chords(ranked, borders);
   unfold_all_vertices(ranked);

@@ -31,8 +31,6 @@ namespace CGAL::Reeb_graph::internal::scalar_fields {
 class Dirichlet_problem
 {
 public:
-  typedef std::vector<double> Values;
-
   // The rows are in the order `order`; `values` holds the values of the fixed vertices, and h for the free ones.
   Dirichlet_problem(const Weighted_graph& graph,
                     const std::vector<Position>& order,
@@ -125,14 +123,16 @@ private:
   Values factors_; // of the rows, none if they are all 1
 };
 
-// The factorized matrix of a Dirichlet problem, with its own weights or other ones, see Dirichlet_problem::fill().
+// The equations of a Dirichlet problem, with the factorized matrix that has its own weights or other ones, see
+// Dirichlet_problem::fill(), as preconditioner.
 template <class Solver>
-class Factorized_matrix
+class Factorized_system
 {
 public:
   template <class... Weight>
-  Factorized_matrix(Solver& solver, const Dirichlet_problem& problem, const Weight&... weight)
-    : solver_(solver),
+  Factorized_system(Solver& solver, const Dirichlet_problem& problem, const Weight&... weight)
+    : problem_(problem),
+      solver_(solver),
       matrix_(problem.number_of_rows())
   {
     problem.fill(matrix_, weight...);
@@ -141,42 +141,32 @@ public:
       throw Linear_solver_error();
   }
 
-  std::vector<double> solve(const std::vector<double>& right_side)
+  void compute_residual(const Values& x, Values& residual) const { problem_.compute_residual(x, residual); }
+  void multiply(const Values& x, Values& product) const { problem_.multiply(x, product); }
+  void precondition(const Values& r, Values& z)
   {
-    typename Solver::Vector b(right_side.size()), x(right_side.size());
-    for(std::size_t i = 0; i != right_side.size(); ++i)
-      b.set(i, right_side[i]);
+    typename Solver::Vector b(r.size()), x(r.size());
+    for(std::size_t i = 0; i != r.size(); ++i)
+      b.set(i, r[i]);
     if(!solver_.linear_solver(b, x))
       throw Linear_solver_error();
-    std::vector<double> solution(right_side.size());
-    for(std::size_t i = 0; i != solution.size(); ++i)
-      solution[i] = x[static_cast<int>(i)];
+    z.resize(r.size());
+    for(std::size_t i = 0; i != z.size(); ++i)
+      z[i] = x[static_cast<int>(i)];
+  }
+
+  // The solution with the weights of the matrix.
+  Values solve()
+  {
+    Values solution;
+    precondition(problem_.right_side(), solution);
     return solution;
   }
 
 private:
+  const Dirichlet_problem& problem_;
   Solver& solver_;
   typename Solver::Matrix matrix_;
-};
-
-// The equations of a Dirichlet problem, with a factorized matrix as preconditioner.
-template <class Solver>
-class Factorized_system
-{
-public:
-  template <class Weight>
-  Factorized_system(Solver& solver, const Dirichlet_problem& problem, const Weight& weight)
-    : problem_(problem),
-      matrix_(solver, problem, weight)
-  {}
-
-  void compute_residual(const Values& x, Values& residual) const { problem_.compute_residual(x, residual); }
-  void multiply(const Values& x, Values& product) const { problem_.multiply(x, product); }
-  void precondition(const Values& r, Values& z) { z = matrix_.solve(r); }
-
-private:
-  const Dirichlet_problem& problem_;
-  Factorized_matrix<Solver> matrix_;
 };
 
 // Mean value weights are not symmetric, but the equations can be scaled so that they come close to symmetric ones: the
@@ -330,7 +320,7 @@ Dirichlet_solution solve_directly(const Dirichlet_equations& equations, const Ac
   const Dirichlet_problem problem =
     equations.make_problem(Nested_dissection(equations.surface, equations.graph).vertices());
   if(equations.weights != Laplacian_weights::MEAN_VALUE)
-    return equations.make_solution(problem, Factorized_matrix<Solver>(solver, problem).solve(problem.right_side()), 0);
+    return equations.make_solution(problem, Factorized_system<Solver>(solver, problem).solve(), 0);
   Factorized_system<Solver> system(solver, problem, equations.symmetric_weights());
   constexpr std::size_t largest_number_of_steps = 80;
   const Iterative_solution solution =

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
 #include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -29,7 +30,6 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -45,11 +45,15 @@ class Marching
 public:
   Marching(const Indexed_surface& surface, const std::vector<bool>& is_source)
     : surface_(surface),
-      first_(surface.number_of_vertices() + 1, 0),
+      triangles_(surface.number_of_vertices(),
+                 [&](const auto& visit) {
+                   for(std::size_t t = 0; t != surface.triangles().size(); ++t)
+                     for(const Position v : surface.triangles()[t].vertices)
+                       visit(Vertex_index(v), static_cast<Number>(t));
+                 }),
       distances_(surface.number_of_vertices(), std::numeric_limits<double>::infinity()),
       is_final_(surface.number_of_vertices(), false)
   {
-    list_triangles();
     for(Position v = 0; v != surface.number_of_vertices(); ++v)
       if(is_source[v])
         reach(v, 0);
@@ -62,19 +66,6 @@ public:
 private:
   typedef std::pair<double, Position> Entry;
 
-  void list_triangles()
-  {
-    for(const Indexed_triangle& t : surface_.triangles())
-      for(const Position v : t.vertices)
-        ++first_[v + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    triangles_.resize(first_.back());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for(std::size_t t = 0; t != surface_.triangles().size(); ++t)
-      for(const Position v : surface_.triangles()[t].vertices)
-        triangles_[next[v]++] = t;
-  }
-
   void march()
   {
     while(!queue_.empty())
@@ -84,8 +75,8 @@ private:
       if(is_final_[v])
         continue;
       is_final_[v] = true;
-      for(std::size_t i = first_[v]; i != first_[v + 1]; ++i)
-        cross_triangle(surface_.triangles()[triangles_[i]], v);
+      for(const Number t : triangles_[Vertex_index(v)])
+        cross_triangle(surface_.triangles()[t], v);
     }
   }
 
@@ -131,7 +122,7 @@ private:
   }
 
   const Indexed_surface& surface_;
-  std::vector<std::size_t> first_, triangles_; // the triangles of each vertex
+  const Buckets<Vertex_index, Number> triangles_; // of each vertex
   std::vector<double> distances_;
   std::vector<bool> is_final_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;

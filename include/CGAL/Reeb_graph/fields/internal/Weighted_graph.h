@@ -104,44 +104,6 @@ private:
   std::vector<Neighbor> neighbors_;
 };
 
-// The weights w_ij = (tan(theta / 2) + tan(phi / 2)) / |v_j - v_i|, with the angles at v_i on both sides of the edge.
-inline Weighted_graph mean_value_graph(const Indexed_surface& surface)
-{
-  return Weighted_graph(surface.number_of_vertices(), [&](const auto& visit) {
-    for(std::size_t t = 0; t != surface.triangles().size(); ++t)
-    {
-      const Triangle_geometry geometry = triangle_geometry(surface, t);
-      const auto& v = surface.triangles()[t].vertices;
-      for(int i = 0; i != 3; ++i)
-      {
-        const double half_tangent = geometry.half_tangent(i);
-        const int next = (i + 1) % 3, previous = (i + 2) % 3;
-        visit(Weighted_graph::Contribution{v[i], v[next], half_tangent / length(geometry.edges[i])});
-        visit(Weighted_graph::Contribution{v[i], v[previous], half_tangent / length(geometry.edges[previous])});
-      }
-    }
-  });
-}
-
-// The weights w_ij = (cot(alpha) + cot(beta)) / 2, with the angles that face the edge.
-inline Weighted_graph cotangent_graph(const Indexed_surface& surface)
-{
-  return Weighted_graph(surface.number_of_vertices(), [&](const auto& visit) {
-    for(std::size_t t = 0; t != surface.triangles().size(); ++t)
-    {
-      const Triangle_geometry geometry = triangle_geometry(surface, t);
-      const auto& v = surface.triangles()[t].vertices;
-      for(int i = 0; i != 3; ++i)
-      {
-        const double weight = geometry.cotangent(i) / 2;
-        const int next = (i + 1) % 3, previous = (i + 2) % 3;
-        visit(Weighted_graph::Contribution{v[next], v[previous], weight});
-        visit(Weighted_graph::Contribution{v[previous], v[next], weight});
-      }
-    }
-  });
-}
-
 // The edges of a complex, with the weight 1, for what needs neither faces nor points.
 template <class Complex>
 Weighted_graph edge_graph(const Complex& complex)
@@ -158,29 +120,58 @@ Weighted_graph edge_graph(const Complex& complex)
   });
 }
 
-// The weights w_ij = 1.
-inline Weighted_graph uniform_graph(const Indexed_surface& surface)
+// The weights of the Laplacian.
+inline Weighted_graph laplacian_graph(const Indexed_surface& surface, Laplacian_weights weights)
 {
   return Weighted_graph(surface.number_of_vertices(), [&](const auto& visit) {
-    for(const Indexed_triangle& t : surface.triangles())
+    const auto visit_both = [&](Position u, Position v, double weight) {
+      visit(Weighted_graph::Contribution{u, v, weight});
+      visit(Weighted_graph::Contribution{v, u, weight});
+    };
+    for(std::size_t t = 0; t != surface.triangles().size(); ++t)
+    {
+      const auto& [v, is_on_border] = surface.triangles()[t];
+      const bool has_geometry = weights != Laplacian_weights::UNIFORM;
+      const Triangle_geometry geometry = has_geometry ? triangle_geometry(surface, t) : Triangle_geometry();
       for(int i = 0; i != 3; ++i)
       {
-        const double weight = t.is_on_border[i] ? 1 : 0.5;
-        const Position u = t.vertices[i], v = t.vertices[(i + 1) % 3];
-        visit(Weighted_graph::Contribution{u, v, weight});
-        visit(Weighted_graph::Contribution{v, u, weight});
+        const int next = (i + 1) % 3, previous = (i + 2) % 3;
+        if(weights == Laplacian_weights::UNIFORM) // w_ij = 1
+          visit_both(v[i], v[next], is_on_border[i] ? 1 : 0.5);
+        else if(weights == Laplacian_weights::COTANGENT) // the mean of the cotangents of the angles that face the edge
+          visit_both(v[next], v[previous], geometry.cotangent(i) / 2);
+        else // the tangents of half the angles at v_i on both sides of the edge, divided by its length
+        {
+          const double half_tangent = geometry.half_tangent(i);
+          visit(Weighted_graph::Contribution{v[i], v[next], half_tangent / length(geometry.edges[i])});
+          visit(Weighted_graph::Contribution{v[i], v[previous], half_tangent / length(geometry.edges[previous])});
+        }
       }
+    }
   });
 }
 
-inline Weighted_graph laplacian_graph(const Indexed_surface& surface, Laplacian_weights weights)
+// Calls solve(graph, fraction), with the fraction of the work that is done when its equations have been set up. If they
+// have no finite solution, and the edges have their own lengths, it makes them longer, and calls it once more.
+template <class Solve>
+auto solve_or_lengthen_edges(Indexed_surface& surface,
+                             const Weighted_graph& graph,
+                             Laplacian_weights weights,
+                             Field_report& report,
+                             const Solve& solve)
 {
-  switch(weights)
+  if(weights == Laplacian_weights::UNIFORM || surface.added_length() > 0)
+    return solve(graph, 0.2);
+  try
   {
-  case Laplacian_weights::COTANGENT: return cotangent_graph(surface);
-  case Laplacian_weights::UNIFORM: return uniform_graph(surface);
-  default: return mean_value_graph(surface);
+    return solve(graph, 0.2);
   }
+  catch(const Linear_solver_error&)
+  {}
+  catch(const Non_finite_scalar_error&)
+  {}
+  lengthen_edges(surface, report);
+  return solve(laplacian_graph(surface, weights), 0.6);
 }
 
 // The vertices in the order of a breadth-first search, which keeps neighbors close to each other in memory.
@@ -242,76 +233,158 @@ inline std::vector<Position> lowest_vertices_of_components(const Weighted_graph&
   return lowest_vertices;
 }
 
-// Finds the vertex of a component that is farthest from another one along the edges, the first one if there are
-// several.
-class Farthest_vertex_search
-{
-public:
-  Farthest_vertex_search(const Indexed_surface& surface, const Weighted_graph& graph)
-    : surface_(surface),
-      graph_(graph),
-      distances_(graph.number_of_vertices(), std::numeric_limits<double>::infinity())
-  {}
-
-  Position operator()(Position source)
-  {
-    Entry farthest(0, source);
-    reach(farthest);
-    while(!queue_.empty())
-    {
-      const Entry entry = queue_.top();
-      queue_.pop();
-      if(entry.first > distances_[entry.second])
-        continue;
-      if(entry.first > farthest.first)
-        farthest = entry;
-      for(const auto& n : graph_.neighbors(entry.second))
-        reach({entry.first + length(surface_.point(n.vertex) - surface_.point(entry.second)), n.vertex});
-    }
-    for(const Position v : reached_)
-      distances_[v] = std::numeric_limits<double>::infinity();
-    reached_.clear();
-    return farthest.second;
-  }
-
-private:
-  typedef std::pair<double, Position> Entry;
-
-  void reach(const Entry& entry)
-  {
-    if(!(entry.first < distances_[entry.second]))
-      return;
-    distances_[entry.second] = entry.first;
-    reached_.push_back(entry.second);
-    queue_.push(entry);
-  }
-
-  const Indexed_surface& surface_;
-  const Weighted_graph& graph_;
-  std::vector<double> distances_;
-  std::vector<Position> reached_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
-};
-
-// Two vertices of each component: the one farthest from its first vertex, and the one farthest from that. They are the
-// same only in a component of a single vertex.
+// Two vertices of each component: the one farthest from its first vertex along the edges, and the one farthest from
+// that; of several the first one. They are the same only in a component of a single vertex.
 inline std::vector<std::pair<Position, Position>> far_apart_vertices(const Indexed_surface& surface,
                                                                      const Weighted_graph& graph)
 {
+  typedef std::pair<double, Position> Entry;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> distances(graph.number_of_vertices(), infinity); // between two searches
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  const auto farthest_from = [&](Position source) {
+    std::vector<Position> reached;
+    const auto reach = [&](double distance, Position v) {
+      if(!(distance < distances[v]))
+        return;
+      distances[v] = distance;
+      reached.push_back(v);
+      queue.emplace(distance, v);
+    };
+    Entry farthest(0, source);
+    for(reach(0, source); !queue.empty();)
+    {
+      const Entry entry = queue.top();
+      queue.pop();
+      if(entry.first > distances[entry.second])
+        continue;
+      if(entry.first > farthest.first)
+        farthest = entry;
+      for(const auto& n : graph.neighbors(entry.second))
+        reach(entry.first + length(surface.point(n.vertex) - surface.point(entry.second)), n.vertex);
+    }
+    for(const Position v : reached)
+      distances[v] = infinity;
+    return farthest.second;
+  };
   const std::vector<Position> labels = label_components(graph);
-  Farthest_vertex_search farthest_vertex(surface, graph);
   std::vector<std::pair<Position, Position>> pairs;
   for(Position v = 0; v != graph.number_of_vertices(); ++v)
     if(labels[v] == pairs.size())
     {
-      const Position lowest = farthest_vertex(v);
-      const Position highest = farthest_vertex(lowest);
+      const Position lowest = farthest_from(v), highest = farthest_from(lowest);
       const auto neighbors = graph.neighbors(lowest);
       const bool do_all_points_coincide = lowest == highest && !neighbors.empty();
       pairs.emplace_back(lowest, do_all_points_coincide ? neighbors.begin()->vertex : highest);
     }
   return pairs;
 }
+
+// Orders the vertices of a connected part of a graph so that each has a lower and a higher neighbor, where the
+// neighbors outside of the part count as one vertex below it, the source, or as one above it, the sink. That is the
+// st-numbering of R. E. Tarjan, Two Streamlined Depth-First Search Algorithms, 1986, for a graph that stays connected
+// without any one vertex if source and sink are joined. The time is linear in the size of the part.
+class St_numbering
+{
+public:
+  explicit St_numbering(const Weighted_graph& graph) : graph_(graph), records_(graph.number_of_vertices()) {}
+
+  // The order of `part`. `is_in_part` tells its vertices from the other ones, and `is_source` tells which of these
+  // belong to the source.
+  template <class IsInPart, class IsSource>
+  std::vector<Position> operator()(const std::vector<Position>& part,
+                                   const IsInPart& is_in_part,
+                                   const IsSource& is_source)
+  {
+    const auto is_sink = [&](const auto& n) { return !is_in_part(n.vertex) && !is_source(n.vertex); };
+    const Position root = *std::find_if(part.begin(), part.end(), [&](Position v) {
+      const auto neighbors = graph_.neighbors(v);
+      return std::any_of(neighbors.begin(), neighbors.end(), is_sink);
+    });
+    for(const Position v : part) // It may have been in another part before.
+      records_[v].preorder = no_position;
+    search(root, is_in_part, is_source);
+    return list(root);
+  }
+
+private:
+  // The number of a vertex in preorder; those of the source and the sink are 0 and 1.
+  typedef Position Preorder;
+  static constexpr Preorder source = 0, sink = 1;
+
+  struct Record
+  {
+    Preorder preorder = no_position;
+    Preorder low; // lowest number that is joined to a vertex of the subtree, or in it
+    Preorder parent;
+    Position next_edge;
+  };
+
+  template <class IsInPart, class IsSource>
+  void search(Position root, const IsInPart& is_in_part, const IsSource& is_source)
+  {
+    preordered_ = {no_position, no_position};
+    std::vector<Position> path;
+    const auto enter = [&](Position v, Preorder parent) {
+      const auto preorder = static_cast<Preorder>(preordered_.size());
+      records_[v] = {preorder, preorder, parent, 0};
+      preordered_.push_back(v);
+      path.push_back(v);
+    };
+    enter(root, sink);
+    while(!path.empty())
+    {
+      const Position v = path.back();
+      Record& record = records_[v];
+      const auto neighbors = graph_.neighbors(v);
+      if(record.next_edge == neighbors.size())
+      {
+        path.pop_back();
+        if(!path.empty())
+          records_[path.back()].low = (std::min)(records_[path.back()].low, record.low);
+        continue;
+      }
+      const Position u = (neighbors.begin() + record.next_edge++)->vertex;
+      if(!is_in_part(u))
+        record.low = (std::min)(record.low, is_source(u) ? source : sink);
+      else if(records_[u].preorder == no_position)
+        enter(u, record.preorder);
+      else
+        record.low = (std::min)(record.low, records_[u].preorder);
+    }
+  }
+
+  // Inserts the vertices in preorder into a list from the source to the sink, before or behind their parents.
+  std::vector<Position> list(Position root)
+  {
+    const std::size_t size = preordered_.size();
+    std::vector<Preorder> next(size), previous(size);
+    std::vector<bool> is_plus(size, false);
+    next[source] = sink;
+    previous[sink] = source;
+    for(Preorder i = records_[root].preorder; i != size; ++i)
+    {
+      const Record& record = records_[preordered_[i]];
+      const bool is_behind_parent = is_plus[record.low];
+      const Preorder before = is_behind_parent ? record.parent : previous[record.parent];
+      const Preorder behind = is_behind_parent ? next[record.parent] : record.parent;
+      is_plus[record.parent] = !is_behind_parent;
+      next[before] = i;
+      previous[i] = before;
+      next[i] = behind;
+      previous[behind] = i;
+    }
+    std::vector<Position> result;
+    result.reserve(size - 2);
+    for(Preorder i = next[source]; i != sink; i = next[i])
+      result.push_back(preordered_[i]);
+    return result;
+  }
+
+  const Weighted_graph& graph_;
+  std::vector<Record> records_;
+  std::vector<Position> preordered_;
+};
 
 } // namespace CGAL::Reeb_graph::internal::scalar_fields
 

@@ -37,12 +37,7 @@ namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 // The floating point type in which the values of a field are found: that of the map, else double.
 template <class FieldMap>
-struct Scalar_of_field
-{
-  typedef typename Value_of_map<FieldMap>::type Value;
-  static_assert(!std::is_integral_v<Value>, "the value type of the field map must not be an integer type");
-  typedef std::conditional_t<std::is_same_v<Value, float>, float, double> type;
-};
+using Scalar_of_field = std::conditional_t<std::is_same_v<typename Value_of_map<FieldMap>::type, float>, float, double>;
 
 // Vertices whose values are given, and these values.
 template <class Scalar>
@@ -80,21 +75,13 @@ void fix_vertices(const Surface& surface, const ConstraintRange& range, Constrai
 inline void check_components(const Weighted_graph& graph, const std::vector<bool>& is_fixed)
 {
   const std::vector<Position> labels = label_components(graph);
-  std::vector<bool> is_constrained;
-  std::vector<Position> first_vertices;
+  std::vector<bool> is_constrained(graph.number_of_vertices(), false); // by component
   for(Position v = 0; v != graph.number_of_vertices(); ++v)
-  {
-    if(labels[v] == first_vertices.size())
-    {
-      first_vertices.push_back(v);
-      is_constrained.push_back(false);
-    }
     if(is_fixed[v])
       is_constrained[labels[v]] = true;
-  }
-  for(std::size_t component = 0; component != first_vertices.size(); ++component)
-    if(!is_constrained[component])
-      throw Unconstrained_component_error(component, first_vertices[component]);
+  for(Position v = 0; v != graph.number_of_vertices(); ++v)
+    if(!is_constrained[labels[v]])
+      throw Unconstrained_component_error(labels[v], v);
 }
 
 template <class Scalar>
@@ -105,29 +92,24 @@ void check_finite(const std::vector<Scalar>& values)
       throw Non_finite_scalar_error(v);
 }
 
-// Writes a field only when all of its values are known to be finite.
-template <class Surface, class Scalar, class FieldMap>
-void write_field(const Surface& surface, const std::vector<Scalar>& values, FieldMap field_map)
-{
-  if constexpr(Writable_vertex_map<FieldMap, typename Surface::Mesh>::value)
-  {
-    typedef typename boost::property_traits<FieldMap>::value_type Value;
-    for(std::size_t v = 0; v != values.size(); ++v)
-      if(!std::isfinite(static_cast<typename Scalar_of_field<FieldMap>::type>(values[v])))
-        throw Non_finite_scalar_error(v);
-    for(std::size_t v = 0; v != values.size(); ++v)
-      put(field_map, surface.vertex_handle(v), static_cast<Value>(values[v]));
-  }
-}
-
-// Writes the field as the last step of a computation, which cannot be cancelled any more.
+// Writes a field only when all of its values are known to be finite: the last step of a computation, which cannot be
+// cancelled any more.
 template <class Surface, class Scalar, class FieldMap>
 void write_field(const Surface& surface,
                  const std::vector<Scalar>& values,
                  FieldMap field_map,
                  const Progress& progress)
 {
-  write_field(surface, values, field_map);
+  if constexpr(Writable_vertex_map<FieldMap, typename Surface::Mesh>::value)
+  {
+    typedef typename boost::property_traits<FieldMap>::value_type Value;
+    static_assert(!std::is_integral_v<Value>, "the value type of the field map must not be an integer type");
+    for(std::size_t v = 0; v != values.size(); ++v)
+      if(!std::isfinite(static_cast<Scalar_of_field<FieldMap>>(values[v])))
+        throw Non_finite_scalar_error(v);
+    for(std::size_t v = 0; v != values.size(); ++v)
+      put(field_map, surface.vertex_handle(v), static_cast<Value>(values[v]));
+  }
   progress.report_end();
 }
 
@@ -149,80 +131,88 @@ std::vector<double> read_field(const Surface& surface, const ScalarMap& scalar_m
   return values;
 }
 
+// Writes the field that solve(surface, graph, constraints, progress, fraction, report) finds with the constraints that
+// fix_vertices(surface, graph, constraints) gives. The fraction is that of the work that is done when the equations are
+// set up.
+template <class Scalar, class FaceListGraph, class FieldMap, class NamedParameters, class FixVertices, class Solve>
+Field_report write_solution(const FaceListGraph& mesh,
+                            FieldMap field_map,
+                            Laplacian_weights weights,
+                            const NamedParameters& np,
+                            const FixVertices& fix_vertices,
+                            const Solve& solve)
+{
+  Field_report report;
+  if constexpr(Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
+  {
+    const Progress progress(np);
+    progress.report(0);
+    Indexed_mesh<FaceListGraph> surface(mesh, np);
+    if(weights != Laplacian_weights::UNIFORM)
+      report = make_triangles_proper(surface);
+    const Weighted_graph graph = laplacian_graph(surface, weights);
+    Constraints<Scalar> constraints(surface.number_of_vertices());
+    fix_vertices(surface, graph, constraints);
+    check_components(graph, constraints.is_fixed);
+    const auto values = solve_or_lengthen_edges(
+      surface, graph, weights, report, [&](const Weighted_graph& weighted_graph, double fraction) {
+        return solve(surface, weighted_graph, constraints, progress, fraction, report);
+      });
+    write_field(surface, values, field_map, progress);
+  }
+  return report;
+}
+
 // The vertices with given values of a harmonic field whose extrema are all borders: 0 on the first border of each
 // component, 1 on the other ones. A component with one border has a vertex far from it as other end; a component
 // without border has two vertices that are far apart.
-template <class Mesh>
-class Harmonic_constraints
+template <class Mesh, class NamedParameters>
+auto fix_borders(const Mesh& mesh, const NamedParameters& np)
 {
   typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
-  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
-
-public:
-  typedef std::vector<std::pair<vertex_descriptor, double>> Range;
-
-  template <class NamedParameters>
-  Harmonic_constraints(const Mesh& mesh, const NamedParameters& np)
-    : mesh_(mesh),
-      is_reached_(get(dynamic_vertex_property_t<bool>(), mesh))
+  std::vector<std::pair<vertex_descriptor, double>> constraints;
+  const auto is_reached = get(dynamic_vertex_property_t<bool>(), mesh);
+  for(const vertex_descriptor v : vertices(mesh))
+    put(is_reached, v, false);
+  for(const auto& cycle : find_border_cycles(mesh))
   {
-    for(const vertex_descriptor v : vertices(mesh))
-      put(is_reached_, v, false);
-    fix_borders();
-    std::vector<std::pair<vertex_descriptor, vertex_descriptor>> ends;
-    // The callback is that of the field, whose progress begins later.
-    find_far_apart_vertices(mesh, std::back_inserter(ends), parameters::vertex_point_map(choose_point_map(mesh, np)));
-    for(const auto& pair : ends)
-    {
-      if(get(is_reached_, pair.first))
-        continue;
-      range_.emplace_back(pair.first, 0.);
-      if(pair.second != pair.first)
-        range_.emplace_back(pair.second, 1.);
-    }
-  }
-
-  const Range& range() const { return range_; }
-
-private:
-  void fix_borders()
-  {
-    for(const auto& cycle : find_border_cycles(mesh_))
-      fix_border(cycle.halfedge);
-  }
-
-  // Fixes a border; the first one of a component reaches all of its vertices.
-  void fix_border(halfedge_descriptor border)
-  {
-    const bool is_first = !get(is_reached_, target(border, mesh_));
-    fix_border_cycle(border, mesh_, is_first ? 0. : 1., std::back_inserter(range_));
+    const bool is_first = !get(is_reached, target(cycle.halfedge, mesh)); // which reaches all vertices of its component
+    fix_border_cycle(cycle.halfedge, mesh, is_first ? 0. : 1., std::back_inserter(constraints));
     if(!is_first)
-      return;
+      continue;
     std::vector<vertex_descriptor> reached;
     const auto reach = [&](vertex_descriptor v) {
-      if(get(is_reached_, v))
+      if(get(is_reached, v))
         return;
-      put(is_reached_, v, true);
+      put(is_reached, v, true);
       reached.push_back(v);
     };
-    for(const vertex_descriptor v : vertices_around_face(border, mesh_))
+    for(const vertex_descriptor v : vertices_around_face(cycle.halfedge, mesh))
       reach(v);
     const std::size_t size_of_border = reached.size();
     bool has_other_border = false;
     for(std::size_t i = 0; i != reached.size(); ++i)
-      for(const halfedge_descriptor h : halfedges_around_target(reached[i], mesh_))
+      for(const auto h : halfedges_around_target(reached[i], mesh))
       {
-        has_other_border = has_other_border || (i >= size_of_border && is_border(h, mesh_));
-        reach(source(h, mesh_));
+        has_other_border = has_other_border || (i >= size_of_border && is_border(h, mesh));
+        reach(source(h, mesh));
       }
     if(!has_other_border && reached.size() > size_of_border)
-      range_.emplace_back(reached.back(), 1.);
+      constraints.emplace_back(reached.back(), 1.);
   }
-
-  const Mesh& mesh_;
-  typename boost::property_map<Mesh, dynamic_vertex_property_t<bool>>::const_type is_reached_;
-  Range range_;
-};
+  std::vector<std::pair<vertex_descriptor, vertex_descriptor>> ends;
+  // The callback is that of the field, whose progress begins later.
+  find_far_apart_vertices(mesh, std::back_inserter(ends), parameters::vertex_point_map(choose_point_map(mesh, np)));
+  for(const auto& [lowest, highest] : ends)
+  {
+    if(get(is_reached, lowest))
+      continue;
+    constraints.emplace_back(lowest, 0.);
+    if(highest != lowest)
+      constraints.emplace_back(highest, 1.);
+  }
+  return constraints;
+}
 
 } // namespace CGAL::Reeb_graph::internal::scalar_fields
 

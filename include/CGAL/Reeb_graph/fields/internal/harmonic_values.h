@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
-#include <CGAL/Reeb_graph/fields/internal/St_numbering.h>
 #include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/fields/internal/constraints.h>
 #include <CGAL/Reeb_graph/fields/internal/solve.h>
@@ -269,41 +268,30 @@ struct Supports
   }
 };
 
-// Sweeps over the vertices in ascending order, and raises each to `raise` of its lower neighbors.
-template <class Scalar, class Raise>
-std::vector<Scalar> sweep_upwards(const std::vector<Position>& ascending,
-                                  const Supports& supports,
-                                  std::vector<Scalar> values,
-                                  const Raise& raise)
+// Sweeps over the vertices upwards, and raises each to `move` of its lower support, and its upper support to that of
+// it; or sweeps downwards, and lowers them.
+template <class Scalar, class Move>
+std::vector<Scalar> sweep(Side begin,
+                          const std::vector<Position>& ascending,
+                          const Supports& supports,
+                          std::vector<Scalar> values,
+                          const Move& move)
 {
-  for(const Position v : ascending)
+  const bool is_upwards = begin == Side::LOWER;
+  const std::vector<Position>&before = is_upwards ? supports.lower : supports.upper,
+        &behind = is_upwards ? supports.upper : supports.lower;
+  const auto push = [&](Position v, Position support) {
+    const Scalar bound = move(values[support]);
+    values[v] = is_upwards ? (std::max)(values[v], bound) : (std::min)(values[v], bound);
+  };
+  for(std::size_t i = 0; i != ascending.size(); ++i)
   {
-    if(supports.lower[v] == no_position)
+    const Position v = ascending[is_upwards ? i : ascending.size() - 1 - i];
+    if(before[v] == no_position)
       continue;
-    values[v] = (std::max)(values[v], raise(values[supports.lower[v]]));
-    const Position upper = supports.upper[v];
-    if(supports.upper[upper] != no_position)
-      values[upper] = (std::max)(values[upper], raise(values[v]));
-  }
-  return values;
-}
-
-// Sweeps over the vertices in descending order, and lowers each to `lower` of its higher neighbors.
-template <class Scalar, class Lower>
-std::vector<Scalar> sweep_downwards(const std::vector<Position>& ascending,
-                                    const Supports& supports,
-                                    std::vector<Scalar> values,
-                                    const Lower& lower)
-{
-  for(auto it = ascending.rbegin(); it != ascending.rend(); ++it)
-  {
-    const Position v = *it;
-    if(supports.upper[v] == no_position)
-      continue;
-    values[v] = (std::min)(values[v], lower(values[supports.upper[v]]));
-    const Position below = supports.lower[v];
-    if(supports.lower[below] != no_position)
-      values[below] = (std::min)(values[below], lower(values[v]));
+    push(v, before[v]);
+    if(before[behind[v]] != no_position)
+      push(behind[v], v);
   }
   return values;
 }
@@ -329,11 +317,11 @@ void remove_extrema(const Weighted_graph& graph, const std::vector<bool>& is_fix
       lowest[v] = -infinity;
       highest[v] = infinity;
     }
-  lowest = sweep_upwards(ascending, supports, std::move(lowest), next_above<Scalar>);
-  highest = sweep_downwards(ascending, supports, std::move(highest), next_below<Scalar>);
+  lowest = sweep(Side::LOWER, ascending, supports, std::move(lowest), next_above<Scalar>);
+  highest = sweep(Side::UPPER, ascending, supports, std::move(highest), next_below<Scalar>);
 
-  const std::vector<Scalar> above = sweep_upwards(ascending, supports, values, same);
-  const std::vector<Scalar> below = sweep_downwards(ascending, supports, values, same);
+  const std::vector<Scalar> above = sweep(Side::LOWER, ascending, supports, values, same);
+  const std::vector<Scalar> below = sweep(Side::UPPER, ascending, supports, values, same);
   for(const Position v : ascending)
   {
     if(is_fixed[v])
@@ -346,7 +334,7 @@ void remove_extrema(const Weighted_graph& graph, const std::vector<bool>& is_fix
   for(const Position v : ascending)
     if(!is_fixed[v])
       values[v] = (std::min)((std::max)(values[v], lowest[v]), highest[v]);
-  values = sweep_upwards(ascending, supports, std::move(values), next_above<Scalar>);
+  values = sweep(Side::LOWER, ascending, supports, std::move(values), next_above<Scalar>);
   for(Position v = 0; v != graph.number_of_vertices(); ++v)
     if(order.is_constant(v))
       values[v] = order.constant_value(v);
@@ -383,70 +371,39 @@ struct Unit_range
   Scalar from_unit(double t) const { return static_cast<Scalar>(value_at_fraction(lowest, highest, t)); }
 };
 
-// The harmonic field with these fixed values, and without extrema at free vertices. The fraction is that of the work
-// which is done when the equations are set up.
-template <class Scalar, class NamedParameters>
-std::vector<Scalar> harmonic_values(const Indexed_surface& surface,
-                                    const Weighted_graph& graph,
-                                    const Constraints<Scalar>& constraints,
-                                    const Progress& progress,
-                                    double fraction,
-                                    const NamedParameters& np,
-                                    Field_report& report)
-{
-  const Unit_range<Scalar> range(constraints);
-  std::vector<double> fixed_values(graph.number_of_vertices(), 0);
-  for(Position v = 0; v != graph.number_of_vertices(); ++v)
-    if(constraints.is_fixed[v])
-      fixed_values[v] = range.to_unit(constraints.values[v]);
-  progress.report(fraction);
-  const Dirichlet_solution solution =
-    solve_dirichlet_problem({surface, graph, choose_weights(np), constraints.is_fixed, fixed_values}, 1, np);
-  report.number_of_iterations = solution.number_of_steps;
-  std::vector<Scalar> values = constraints.values;
-  for(Position v = 0; v != graph.number_of_vertices(); ++v)
-    if(!constraints.is_fixed[v])
-    {
-      values[v] = range.from_unit(solution.values[v]);
-      if(!std::isfinite(values[v]))
-        throw Non_finite_scalar_error(v);
-    }
-  progress.report(0.8);
-  remove_extrema(graph, constraints.is_fixed, values);
-  progress.report(0.9);
-  return values;
-}
-
-// The harmonic field with the values that fix_vertices(surface, graph, constraints) gives.
+// The harmonic field with the values that fix_vertices(surface, graph, constraints) gives, and without extrema at free
+// vertices.
 template <class FaceListGraph, class FieldMap, class NamedParameters, class FixVertices>
 Field_report write_harmonic_field(const FaceListGraph& mesh,
                                   FieldMap field_map,
                                   const NamedParameters& np,
                                   const FixVertices& fix_vertices)
 {
-  if constexpr(Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
-  {
-    const Progress progress(np);
-    progress.report(0);
-    Indexed_mesh<FaceListGraph> surface(mesh, np);
-    const Laplacian_weights weights = choose_weights(np);
-    const bool has_geometry = weights != Laplacian_weights::UNIFORM;
-    Field_report report = has_geometry ? make_triangles_proper(surface) : Field_report();
-    const Weighted_graph graph = laplacian_graph(surface, weights);
-    Constraints<typename Scalar_of_field<FieldMap>::type> constraints(surface.number_of_vertices());
-    fix_vertices(surface, graph, constraints);
-    check_components(graph, constraints.is_fixed);
-    const auto solve = [&](const Weighted_graph& weighted_graph, double fraction) {
-      return harmonic_values(surface, weighted_graph, constraints, progress, fraction, np, report);
-    };
-    const auto values = has_geometry ? solve_or_lengthen_edges(surface, report, graph, solve,
-                                                               [&] { return laplacian_graph(surface, weights); })
-                                     : solve(graph, 0.2);
-    write_field(surface, values, field_map, progress);
-    return report;
-  }
-  else
-    return Field_report();
+  typedef Scalar_of_field<FieldMap> Scalar;
+  const Laplacian_weights weights = choose_weights(np);
+  const auto solve = [&](const Indexed_surface& surface, const Weighted_graph& graph,
+                         const Constraints<Scalar>& constraints, const Progress& progress, double fraction,
+                         Field_report& report) {
+    const Unit_range<Scalar> range(constraints);
+    std::vector<double> fixed_values(graph.number_of_vertices(), 0);
+    for(Position v = 0; v != graph.number_of_vertices(); ++v)
+      if(constraints.is_fixed[v])
+        fixed_values[v] = range.to_unit(constraints.values[v]);
+    progress.report(fraction);
+    const Dirichlet_solution solution =
+      solve_dirichlet_problem({surface, graph, weights, constraints.is_fixed, fixed_values}, 1, np);
+    report.number_of_iterations = solution.number_of_steps;
+    std::vector<Scalar> values = constraints.values;
+    for(Position v = 0; v != graph.number_of_vertices(); ++v)
+      if(!constraints.is_fixed[v])
+        values[v] = range.from_unit(solution.values[v]);
+    check_finite(values);
+    progress.report(0.8);
+    remove_extrema(graph, constraints.is_fixed, values);
+    progress.report(0.9);
+    return values;
+  };
+  return write_solution<Scalar>(mesh, field_map, weights, np, fix_vertices, solve);
 }
 
 } // namespace CGAL::Reeb_graph::internal::scalar_fields

@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/internal/Border_levels.h>
-#include <CGAL/Reeb_graph/fields/internal/St_numbering.h>
 #include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>

@@ -146,7 +146,7 @@ Values solve_unsymmetric([[maybe_unused]] const Problem& problem)
 {
 #ifdef CGAL_EIGEN3_ENABLED
   Unsymmetric_solver solver;
-  return Factorized_matrix<Unsymmetric_solver>(solver, problem).solve(problem.right_side());
+  return Factorized_system<Unsymmetric_solver>(solver, problem).solve();
 #else
   throw Linear_solver_error();
 #endif

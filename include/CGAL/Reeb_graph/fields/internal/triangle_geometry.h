@@ -165,30 +165,6 @@ inline Field_report make_triangles_proper(Indexed_surface& surface)
   return report;
 }
 
-// Calls solve(graph, fraction), with the fraction of the work that is done when its equations have been set up. If they
-// have no finite solution, and the edges have their own lengths, it makes them longer, and calls it once more with the
-// graph that make_graph() gives then.
-template <class Graph, class Solve, class MakeGraph>
-auto solve_or_lengthen_edges(Indexed_surface& surface,
-                             Field_report& report,
-                             const Graph& graph,
-                             const Solve& solve,
-                             const MakeGraph& make_graph)
-{
-  if(surface.added_length() > 0)
-    return solve(graph, 0.2);
-  try
-  {
-    return solve(graph, 0.2);
-  }
-  catch(const Linear_solver_error&)
-  {}
-  catch(const Non_finite_scalar_error&)
-  {}
-  lengthen_edges(surface, report);
-  return solve(make_graph(), 0.6);
-}
-
 } // namespace CGAL::Reeb_graph::internal::scalar_fields
 
 #endif // CGAL_REEB_GRAPH_FIELDS_INTERNAL_TRIANGLE_GEOMETRY_H

@@ -12,7 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/handles/Handle_loop.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -25,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <unordered_set>
 #include <vector>
 
@@ -74,6 +77,17 @@ struct Closed_surface
   {
     const Point &p = points[u], &q = points[v];
     return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  }
+  // Calls visit(halfedge) for those that leave a vertex that has some, counterclockwise.
+  template <class Visit>
+  void for_each_outgoing(Index v, const Visit& visit) const
+  {
+    Index h = outgoing[v];
+    do
+    {
+      visit(h);
+      h = turned(h);
+    } while(h != outgoing[v]);
   }
   bool is_apex(Index v) const { return v >= number_of_given_vertices; }
   bool is_given(Index h) const { return h < number_of_given_halfedges; }
@@ -305,21 +319,16 @@ private:
 
   void add_neighbors(Index v, std::vector<Index>& queue)
   {
-    const Index first = surface_.outgoing[v];
-    Index h = first;
-    do
-    {
+    surface_.for_each_outgoing(v, [&](Index h) {
       const Index w = surface_.target[h];
-      if(component_of_[w] == no_index)
-      {
-        component_of_[w] = component_of_[v];
-        to_vertex_[w] = h;
-        is_in_tree_[h / 2] = true;
-        distances_[w] = distances_[v] + surface_.length(h);
-        queue.push_back(w);
-      }
-      h = surface_.turned(h);
-    } while(h != first);
+      if(component_of_[w] != no_index)
+        return;
+      component_of_[w] = component_of_[v];
+      to_vertex_[w] = h;
+      is_in_tree_[h / 2] = true;
+      distances_[w] = distances_[v] + surface_.length(h);
+      queue.push_back(w);
+    });
   }
 
   // Breadth first, but the faces that fill a hole come one right after the other, so that all their edges that are not
@@ -440,6 +449,43 @@ private:
   std::unordered_set<Index> is_joint_;
   std::vector<Index> parents_, nodes_;
 };
+
+// A loop as that of the public interface, with numbers of halfedges.
+struct Surface_loop
+{
+  Loop_kind kind;
+  Halfedge_walk walk;
+  std::size_t partner = Handle_loop<Index>::no_partner;
+  double length = 0;
+  double persistence = 0;
+  std::size_t component = 0;
+  bool is_simple = true;
+};
+
+// What finds the loops of a surface, and answers questions about them. The library has it.
+class Loop_finder
+{
+public:
+  virtual ~Loop_finder() = default;
+  virtual const Closed_surface& surface() const = 0;
+  virtual std::size_t number_of_components() const = 0;
+  virtual Index component_of(Index v) const = 0;
+  // Whether each component intersects itself.
+  virtual std::vector<bool> self_intersections() const = 0;
+  // A component that intersects itself has no inside.
+  virtual void refuse_self_intersections(const std::vector<bool>& is_crossed) = 0;
+  // Loops are made shorter than `bound`, and than the `number`-th size of a pair, where that can be.
+  virtual std::vector<Surface_loop> make_loops(double bound, std::size_t number, const Stage_progress& progress) = 0;
+  // Whether a loop of the surface bounds inside, or outside, but not on the surface.
+  virtual bool is_bounding(const Halfedge_walk& walk, bool is_inside) const = 0;
+  virtual long long intersection_number(const Halfedge_walk& a, const Halfedge_walk& b) const = 0;
+  // That of a with b pushed outside.
+  virtual long long linking_number(const Halfedge_walk& a, const Halfedge_walk& b) const = 0;
+};
+
+// The one for a surface. It is a template so that the library can have it, and defined in Loop_choice.h.
+template <class Surface>
+std::unique_ptr<Loop_finder> make_loop_finder(Surface surface, const Stage_progress& progress);
 
 } // namespace CGAL::Reeb_graph::internal
 

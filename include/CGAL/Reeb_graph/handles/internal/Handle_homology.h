@@ -44,8 +44,12 @@ public:
     : surface_(surface),
       trees_(trees),
       component_(component),
-      pieces_(vertices_of_ends(), pieces_of_vertices, [&](Index v) { return trees.parent(v); }),
-      copieces_(faces_of_ends(), pieces_of_faces, [&](Index f) { return trees.parent_face(f); })
+      pieces_(ends([&](Index h) { return surface.source(h); }),
+              pieces_of_vertices,
+              [&](Index v) { return trees.parent(v); }),
+      copieces_(ends([&](Index h) { return surface.face[h]; }), pieces_of_faces, [&](Index f) {
+        return trees.parent_face(f);
+      })
   {
     for(std::size_t k = 0; k != size(); ++k)
       numbers_.emplace(component.left_over[k], k);
@@ -102,27 +106,18 @@ public:
   }
 
 private:
-  std::vector<Index> vertices_of_ends() const
+  // What belongs to both halfedges of each edge that is left over.
+  template <class Of>
+  std::vector<Index> ends(const Of& of) const
   {
     std::vector<Index> result;
     for(const Index h : component_.left_over)
     {
-      result.push_back(surface_.source(h));
-      result.push_back(surface_.target[h]);
+      result.push_back(of(h));
+      result.push_back(of(surface_.opposite(h)));
     }
     return result;
   }
-  std::vector<Index> faces_of_ends() const
-  {
-    std::vector<Index> result;
-    for(const Index h : component_.left_over)
-    {
-      result.push_back(surface_.face[h]);
-      result.push_back(surface_.face[surface_.opposite(h)]);
-    }
-    return result;
-  }
-
   bool is_in_pieces(Index h) const
   {
     const Index v = surface_.target[h], u = surface_.source(h);
@@ -208,8 +203,8 @@ public:
     }
     for(Index v = 0; v != surface_.number_of_given_vertices; ++v)
     {
-      if(Component* component = component_of(v))
-        ++component->number_of_vertices;
+      if(component_of(v) != nullptr)
+        ++components_[place_of(v)].number_of_vertices;
     }
     find_sides();
     progress(0.5);
@@ -237,11 +232,6 @@ public:
       return nullptr;
     return &components_[places_[number]];
   }
-  Component* component_of(Index v)
-  {
-    return const_cast<Component*>(static_cast<const Handle_homology*>(this)->component_of(v));
-  }
-
   // The place of that of a vertex in components().
   std::size_t place_of(Index v) const { return places_[trees_.component_of(v)]; }
 

@@ -87,19 +87,19 @@ private:
   {
     plans_.clear();
     Surface_closing<Mesh> closing(mesh_, point_map_);
-    Found_loops found(std::move(closing.surface()), progress.part(0, 0.2));
-    const std::vector<std::size_t> components = number_components(closing, found);
+    const auto found = make_loop_finder(std::move(closing.surface()), progress.part(0, 0.2));
+    const std::vector<std::size_t> components = number_components(closing, *found);
     if(are_checked)
     {
       // A cut makes none, so they are looked for once.
       if(is_crossed_.empty())
-        is_crossed_ = found.self_intersections();
+        is_crossed_ = found->self_intersections();
       std::vector<bool> is_crossed;
       for(const std::size_t component : components)
         is_crossed.push_back(is_crossed_[component]);
-      found.refuse_self_intersections(is_crossed);
+      found->refuse_self_intersections(is_crossed);
     }
-    const std::vector<Surface_loop> loops = found.make_loops(size, number, progress.part(0.2, 1));
+    const std::vector<Surface_loop> loops = found->make_loops(size, number, progress.part(0.2, 1));
     std::vector<const Surface_loop*> shorter;
     for(std::size_t i = 0; i != loops.size(); ++i)
     {
@@ -121,19 +121,19 @@ private:
     }
     components_.clear();
     for(const face_descriptor f : faces(mesh_))
-      components_.push_back(components[component_of(closing.number(halfedge(f, mesh_)), found)]);
+      components_.push_back(components[component_of(closing.number(halfedge(f, mesh_)), *found)]);
   }
 
-  static std::size_t component_of(Index h, const Found_loops& found)
+  static std::size_t component_of(Index h, const Loop_finder& found)
   {
-    return found.homology().trees().component_of(found.homology().surface().target[h]);
+    return found.component_of(found.surface().target[h]);
   }
 
   // The number that each component had before the first cut. It may come in another order, as a mesh may put new vertices
   // where removed ones have been.
-  std::vector<std::size_t> number_components(const Surface_closing<Mesh>& closing, const Found_loops& found)
+  std::vector<std::size_t> number_components(const Surface_closing<Mesh>& closing, const Loop_finder& found)
   {
-    const std::size_t size = found.homology().trees().components().size();
+    const std::size_t size = found.number_of_components();
     if(representatives_.empty())
     {
       representatives_.resize(size);

@@ -79,13 +79,11 @@ public:
   template <class Visitor, class Act>
   void operator()(Mesh& mesh, Visitor& visitor, const Act& act) const
   {
-    Opened_mesh<Visitor> opened = {mesh, point_map_, visitor};
     Curve<halfedge_descriptor> curve;
     curve.halfedges = loop_;
     curve.is_closed = true;
     curve.lower_halfedges.resize(loop_.size());
-    Curve_opening<Opened_mesh<Visitor>> open(opened);
-    open(curve);
+    Curve_opening(mesh, point_map_, visitor)(curve);
     const std::size_t size = loop_.size();
     std::array<std::vector<halfedge_descriptor>, 2> cycles; // of the borders
     for(std::size_t k = 0; k != size; ++k)
@@ -106,21 +104,6 @@ public:
 
 private:
   typedef typename boost::property_traits<PointMap>::value_type Point;
-
-  // What Curve_opening asks for.
-  template <class Visitor>
-  struct Opened_mesh
-  {
-    typedef FaceGraph Mesh;
-    typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
-    typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
-    Mesh& mesh() const { return mesh_; }
-    Visitor& visitor() const { return visitor_; }
-    const PointMap& vertex_point_map() const { return point_map_; }
-    Mesh& mesh_;
-    const PointMap& point_map_;
-    Visitor& visitor_;
-  };
 
   Disc_point point(vertex_descriptor v) const { return disc_point(v, point_map_); }
 
@@ -335,8 +318,8 @@ private:
   const PointMap& point_map_;
   std::vector<halfedge_descriptor> loop_;
   std::set<vertex_descriptor> passed_;
-  std::vector<std::array<std::size_t, 3>> disc_triangles_; // by positions in the loop
-  std::vector<Disc_kernel::Vector_3> normals_;             // of the disc
+  Disc_triangles disc_triangles_;              // by positions in the loop
+  std::vector<Disc_kernel::Vector_3> normals_; // of the disc
   std::vector<Triangle> disc_, placed_;
   std::array<std::vector<Point>, 2> moved_; // the vertices of the loop, on its left and on its right
 };

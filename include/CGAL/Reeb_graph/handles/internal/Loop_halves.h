@@ -28,80 +28,58 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// Integers of 64 bits that throw Integer_overflow rather than be wrong.
-typedef boost::multiprecision::number<
-  boost::multiprecision::
-    cpp_int_backend<64, 64, boost::multiprecision::signed_magnitude, boost::multiprecision::checked, void>,
-  boost::multiprecision::et_off>
-  Checked_integer;
-typedef std::overflow_error Integer_overflow;
-
-typedef boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>
-  Large_integer;
-
-template <class Integer>
-Integer magnitude(const Integer& a)
-{
-  return a < Integer(0) ? Integer(-a) : a;
-}
+typedef boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off> Integer;
+typedef std::vector<std::vector<Integer>> Rows;
 
 // The remainder modulo 2^64.
-template <class Integer>
-std::uint64_t low_bits(const Integer& a)
+inline std::uint64_t low_bits(const Integer& a)
 {
-  const std::uint64_t bits = static_cast<std::uint64_t>(Integer(magnitude(a) & Integer(~std::uint64_t(0))));
-  return a < Integer(0) ? std::uint64_t(0) - bits : bits;
+  const std::uint64_t bits = static_cast<std::uint64_t>(abs(a) & ~std::uint64_t(0));
+  return a < 0 ? std::uint64_t(0) - bits : bits;
 }
 
-template <class Integer>
-long long to_machine_integer(const Integer& a)
+inline long long to_machine_integer(const Integer& a)
 {
   const Integer bound = Integer(1) << 62;
-  return bound < magnitude(a) ? throw Integer_overflow("more than 64 bits") : static_cast<long long>(a);
+  return bound < abs(a) ? throw std::overflow_error("more than 64 bits") : static_cast<long long>(a);
 }
 
-template <class Integer>
-using Rows = std::vector<std::vector<Integer>>;
-
-template <class Integer>
-void add_multiple(std::vector<Integer>& row, const std::vector<Integer>& other, const Integer& factor)
+inline void add_multiple(std::vector<Integer>& row, const std::vector<Integer>& other, const Integer& factor)
 {
   for(std::size_t k = 0; k != row.size(); ++k)
   {
-    if(other[k] != Integer(0))
+    if(other[k] != 0)
       row[k] += factor * other[k];
   }
 }
 
-template <class Integer>
-Rows<Integer> converted(const Rows<long long>& rows)
+inline Rows converted(const Integer_rows& rows)
 {
-  Rows<Integer> result;
+  Rows result;
   for(const auto& row : rows)
     result.emplace_back(row.begin(), row.end());
   return result;
 }
 
 // The sum of the rows, each as often as the coefficients say.
-template <class Integer, class Coefficient>
-std::vector<Integer> combination(const std::vector<Coefficient>& coefficients, const Rows<Integer>& rows)
+template <class Coefficient>
+std::vector<Integer> combination(const std::vector<Coefficient>& coefficients, const Rows& rows)
 {
   std::vector<Integer> sum(rows.empty() ? 0 : rows.front().size(), Integer(0));
   for(std::size_t k = 0; k != coefficients.size(); ++k)
   {
-    if(coefficients[k] != Coefficient(0))
+    if(coefficients[k] != 0)
       add_multiple(sum, rows[k], Integer(coefficients[k]));
   }
   return sum;
 }
 
-template <class Integer>
-Integer dot_product(const std::vector<Integer>& a, const std::vector<Integer>& b)
+inline Integer dot_product(const std::vector<Integer>& a, const std::vector<Integer>& b)
 {
   Integer sum(0);
   for(std::size_t k = 0; k != a.size(); ++k)
   {
-    if(a[k] != Integer(0) && b[k] != Integer(0))
+    if(a[k] != 0 && b[k] != 0)
       sum += a[k] * b[k];
   }
   return sum;
@@ -109,18 +87,16 @@ Integer dot_product(const std::vector<Integer>& a, const std::vector<Integer>& b
 
 // A basis of the lattice that some rows span, and what the rows are in that basis: rows[i] is the sum of
 // coordinates[j][i] * basis[j].
-template <class Integer>
 struct Row_lattice
 {
-  Rows<Integer> basis, coordinates;
+  Rows basis, coordinates;
 };
 
 // By elimination with integers. The inverse of the operations on rows, done to columns, gives the coordinates.
-template <class Integer>
-Row_lattice<Integer> find_row_lattice(Rows<Integer> rows)
+inline Row_lattice find_row_lattice(Rows rows)
 {
   const std::size_t size = rows.size(), width = rows.empty() ? 0 : rows.front().size();
-  Rows<Integer> columns(size, std::vector<Integer>(size, Integer(0)));
+  Rows columns(size, std::vector<Integer>(size, Integer(0)));
   for(std::size_t i = 0; i != size; ++i)
     columns[i][i] = Integer(1);
   std::size_t rank = 0;
@@ -131,10 +107,10 @@ Row_lattice<Integer> find_row_lattice(Rows<Integer> rows)
       std::size_t least = size, number_of_others = 0;
       for(std::size_t i = rank; i != size; ++i)
       {
-        if(rows[i][column] == Integer(0))
+        if(rows[i][column] == 0)
           continue;
         ++number_of_others;
-        if(least == size || magnitude(rows[i][column]) < magnitude(rows[least][column]))
+        if(least == size || abs(rows[i][column]) < abs(rows[least][column]))
           least = i;
       }
       if(number_of_others == 0)
@@ -144,9 +120,9 @@ Row_lattice<Integer> find_row_lattice(Rows<Integer> rows)
       for(std::size_t i = rank + 1; i != size; ++i)
       {
         const Integer factor = rows[i][column] / rows[rank][column];
-        if(factor == Integer(0))
+        if(factor == 0)
           continue;
-        add_multiple(rows[i], rows[rank], Integer(-factor));
+        add_multiple(rows[i], rows[rank], -factor);
         add_multiple(columns[rank], columns[i], factor);
       }
       if(number_of_others == 1)
@@ -163,7 +139,6 @@ Row_lattice<Integer> find_row_lattice(Rows<Integer> rows)
 
 // Two bases of Z^n that are dual to one another under the dot product, members of which are chosen one by one. Any set
 // of chosen ones is part of such a pair of bases.
-template <class Integer>
 class Dual_bases
 {
 public:
@@ -202,9 +177,9 @@ public:
     std::optional<std::size_t> place;
     for(std::size_t i = 0; i != size(); ++i)
     {
-      if(!is_chosen_[1 - side][i] || y[i] == Integer(0))
+      if(!is_chosen_[1 - side][i] || y[i] == 0)
         continue;
-      if(place || is_chosen_[side][i] || magnitude(y[i]) != Integer(1))
+      if(place || is_chosen_[side][i] || abs(y[i]) != 1)
         return std::nullopt;
       place = i;
     }
@@ -212,11 +187,11 @@ public:
       place = reduce_free_coordinates(side, y);
     if(!place)
       return std::nullopt;
-    const int sign = y[*place] < Integer(0) ? -1 : 1;
+    const int sign = y[*place] < 0 ? -1 : 1;
     for(std::size_t k = 0; k != size(); ++k)
     {
-      if(k != *place && y[k] != Integer(0))
-        add(side, *place, k, Integer(y[k] * Integer(sign)));
+      if(k != *place && y[k] != 0)
+        add(side, *place, k, y[k] * sign);
     }
     is_chosen_[side][*place] = true;
     return Choice{*place, sign};
@@ -232,25 +207,25 @@ private:
     Integer divisor(0);
     for(std::size_t i = 0; i != size(); ++i)
       if(is_free(i))
-        divisor = greatest_common_divisor(divisor, magnitude(y[i]));
-    if(divisor != Integer(1))
+        divisor = gcd(divisor, y[i]);
+    if(divisor != 1)
       return std::nullopt;
     for(;;)
     {
       std::size_t least = size(), number = 0;
       for(std::size_t i = 0; i != size(); ++i)
       {
-        if(!is_free(i) || y[i] == Integer(0))
+        if(!is_free(i) || y[i] == 0)
           continue;
         ++number;
-        if(least == size() || magnitude(y[i]) < magnitude(y[least]))
+        if(least == size() || abs(y[i]) < abs(y[least]))
           least = i;
       }
       if(number == 1)
         return least;
       for(std::size_t i = 0; i != size(); ++i)
       {
-        if(i == least || !is_free(i) || y[i] == Integer(0))
+        if(i == least || !is_free(i) || y[i] == 0)
           continue;
         const Integer factor = y[i] / y[least];
         y[i] -= factor * y[least];
@@ -259,25 +234,14 @@ private:
     }
   }
 
-  static Integer greatest_common_divisor(Integer a, Integer b)
-  {
-    while(b != Integer(0))
-    {
-      const Integer quotient = a / b;
-      a -= quotient * b;
-      std::swap(a, b);
-    }
-    return a;
-  }
-
   // Adds a multiple of a vector to another one on one side, and what this means for the other side.
   void add(int side, std::size_t to, std::size_t other, const Integer& factor)
   {
     add_multiple(bases_[side][to], bases_[side][other], factor);
-    add_multiple(bases_[1 - side][other], bases_[1 - side][to], Integer(-factor));
+    add_multiple(bases_[1 - side][other], bases_[1 - side][to], -factor);
   }
 
-  std::array<Rows<Integer>, 2> bases_;
+  std::array<Rows, 2> bases_;
   std::array<std::vector<bool>, 2> is_chosen_;
 };
 
@@ -289,7 +253,6 @@ private:
 // and Vietoris each loop is the sum of one of either kind, which is the same as P being the projection xP, P^2 = P.
 // Loops that bound on the same side are isotropic, and the intersection form is unimodular, so both halves have rank g
 // and are dual to each other.
-template <class Integer>
 class Loop_halves
 {
 public:
@@ -298,14 +261,14 @@ public:
   Loop_halves(const Component_loops& loops, const Integer_rows& projection) : size_(loops.size() / 2)
   {
     const auto intersections = loops.intersection_numbers();
-    const Row_lattice<Integer> front = find_row_lattice(converted<Integer>(projection));
+    const Row_lattice front = find_row_lattice(converted(projection));
     is_valid_ = front.basis.size() == size_ && is_isotropic(front.basis, intersections[0]);
     if(!is_valid_)
       return;
     basis_[1] = front.basis;
     coordinates_[0].assign(loops.size(), std::vector<Integer>());
     coordinates_[1].assign(loops.size(), std::vector<Integer>());
-    const Rows<Integer> forms = converted<Integer>(intersections[0]), inverse = converted<Integer>(intersections[1]);
+    const Rows forms = converted(intersections[0]), inverse = converted(intersections[1]);
     for(std::size_t k = 0; k != loops.size(); ++k)
       for(std::size_t j = 0; j != size_; ++j)
       {
@@ -347,14 +310,14 @@ public:
   }
 
 private:
-  static bool is_isotropic(const Rows<Integer>& basis, const Integer_rows& intersections)
+  static bool is_isotropic(const Rows& basis, const Integer_rows& intersections)
   {
-    const Rows<Integer> forms = converted<Integer>(intersections);
+    const Rows forms = converted(intersections);
     for(const auto& loop : basis)
     {
       const std::vector<Integer> crossing = combination(loop, forms);
       for(const auto& other : basis)
-        if(dot_product(crossing, other) != Integer(0))
+        if(dot_product(crossing, other) != 0)
           return false;
     }
     return true;
@@ -369,7 +332,7 @@ private:
       {
         const std::vector<Integer> sum = combination(basis_[half][i], coordinates_[1]);
         for(std::size_t j = 0; j != size_; ++j)
-          if(sum[j] != Integer(half == 1 && i == j ? 1 : 0))
+          if(sum[j] != (half == 1 && i == j ? 1 : 0))
             return false;
       }
     return true;
@@ -377,20 +340,19 @@ private:
 
   std::size_t size_;
   bool is_valid_ = false;
-  std::array<Rows<Integer>, 2> coordinates_, basis_;
+  std::array<Rows, 2> coordinates_, basis_;
 };
 
 // Some projection to an isotropic half along another one, for a surface without inside: a symplectic basis e_j, f_j is
 // made of the loops b, and each f_j stays.
-template <class Integer>
-Integer_rows splitting(const Component_loops& loops)
+inline Integer_rows splitting(const Component_loops& loops)
 {
   const std::size_t size = loops.size();
-  const Rows<Integer> forms = converted<Integer>(loops.intersection_numbers()[0]);
+  const Rows forms = converted(loops.intersection_numbers()[0]);
   const auto dual = [&](const std::vector<Integer>& x) {
     return combination(x, forms);
   }; // intersection numbers with all b
-  Rows<Integer> rest(size, std::vector<Integer>(size, Integer(0)));
+  Rows rest(size, std::vector<Integer>(size, Integer(0)));
   for(std::size_t k = 0; k != size; ++k)
     rest[k][k] = Integer(1);
   Integer_rows projection(size, std::vector<long long>(size, 0));
@@ -405,15 +367,15 @@ Integer_rows splitting(const Component_loops& loops)
       for(std::size_t i = 0; i != rest.size(); ++i)
       {
         const Integer crossing = dot_product(crossed, rest[i]);
-        if(crossing == Integer(0))
+        if(crossing == 0)
           continue;
-        if(number++ == 0 || magnitude(crossing) < magnitude(dot_product(crossed, rest[least])))
+        if(number++ == 0 || abs(crossing) < abs(dot_product(crossed, rest[least])))
           least = i;
       }
       const Integer divisor = dot_product(crossed, rest[least]);
       for(std::size_t i = 0; i != rest.size(); ++i)
         if(i != least)
-          add_multiple(rest[i], rest[least], Integer(-(dot_product(crossed, rest[i]) / divisor)));
+          add_multiple(rest[i], rest[least], -(dot_product(crossed, rest[i]) / divisor));
     }
     const Integer sign = dot_product(crossed, rest[least]);
     std::vector<Integer> f(size, Integer(0));
@@ -424,7 +386,7 @@ Integer_rows splitting(const Component_loops& loops)
       add_multiple(x, e, dot_product(crossed_by_f, x)); // x crosses neither e nor f then
     for(std::size_t k = 0; k != size; ++k)
       for(std::size_t i = 0; i != size; ++i)
-        projection[k][i] += to_machine_integer(Integer(crossed[k] * f[i]));
+        projection[k][i] += to_machine_integer(crossed[k] * f[i]);
   }
   return projection;
 }

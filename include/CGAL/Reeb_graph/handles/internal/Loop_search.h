@@ -65,10 +65,11 @@ public:
     }
     while(!queue_.empty() && queue_.top().first < bound)
     {
-      const auto [distance, v] = queue_.top();
+      const double distance = queue_.top().first;
+      const Index v = queue_.top().second;
       queue_.pop();
       if(distance == distances_[v])
-        follow_all(v);
+        surface_.for_each_outgoing(v, [&](Index h) { follow(h, distances_[v]); });
     }
     queue_ = {};
     for(const Index v : reached_)
@@ -80,17 +81,6 @@ public:
 private:
   typedef std::pair<double, Index> Queued;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  void follow_all(Index v)
-  {
-    const Index first = surface_.outgoing[v];
-    Index h = first;
-    do
-    {
-      follow(h, distances_[v]);
-      h = surface_.turned(h);
-    } while(h != first);
-  }
 
   void follow(Index h, double distance)
   {
@@ -265,18 +255,12 @@ private:
   template <class Accept>
   void settle(Index place, int closed_half, Loop& best, const Accept& accept)
   {
-    const Index v = places_[place].vertex, first = surface_.outgoing[v];
-    Index h = first;
-    do
-    {
-      const Index w = surface_.target[h];
-      if(surface_.is_given(h) && surface_.opposite(h) != came_along(place))
-        follow(place, h, w, closed_half, best, accept);
-      h = surface_.turned(h);
-    } while(h != first);
+    const Index came_from = surface_.opposite(places_[place].halfedge);
+    surface_.for_each_outgoing(places_[place].vertex, [&](Index h) {
+      if(surface_.is_given(h) && h != came_from)
+        follow(place, h, surface_.target[h], closed_half, best, accept);
+    });
   }
-
-  Index came_along(Index place) const { return places_[place].halfedge; }
 
   template <class Accept>
   void follow(Index place, Index h, Index w, int closed_half, Loop& best, const Accept& accept)

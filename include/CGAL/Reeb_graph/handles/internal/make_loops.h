@@ -9,26 +9,28 @@
 #ifndef CGAL_REEB_GRAPH_HANDLES_INTERNAL_MAKE_LOOPS_H
 #define CGAL_REEB_GRAPH_HANDLES_INTERNAL_MAKE_LOOPS_H
 
+#include <CGAL/license/Reeb_graph.h>
+
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/handles/Handle_loop.h>
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
-#include <CGAL/Reeb_graph/handles/internal/Handle_homology.h>
-#include <CGAL/Reeb_graph/handles/internal/Loop_choice.h>
-#include <CGAL/Reeb_graph/handles/internal/triangle_intersections.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/simplification/internal/pairs.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 #include <CGAL/compute_reeb_graph.h>
 
-#include <CGAL/license/Reeb_graph.h>
+// Who links the library need not read how loops are found.
+#ifndef CGAL_REEB_GRAPH_ARE_LOOPS_COMPILED
+#include <CGAL/Reeb_graph/handles/internal/Loop_choice.h>
+#endif
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -56,23 +58,18 @@ auto find_reeb_loops(const Mesh& mesh,
   Graph graph;
   compute_reeb_graph(mesh, scalar_map, graph,
                      parameters::geom_traits(traits).callback(progress.part(0, 0.5).callback()));
-  const Flat_arc_ends ends = read_arc_ends(graph);
-  const Graph_core core(ends);
-  std::vector<typename boost::graph_traits<Graph>::edge_descriptor> arcs;
+  const std::vector<typename boost::graph_traits<Graph>::edge_descriptor> graph_arcs(edges(graph).first,
+                                                                                     edges(graph).second);
+  const std::vector<Pruned_arc> arcs = read_arcs(graph);
+  const auto number_of_nodes = static_cast<Index>(num_vertices(graph));
   Highest_forest forest(checked_index(2 * num_vertices(graph)) / 2);
   std::vector<std::pair<Index, node_descriptor>> leaving; // arcs, and the upper nodes of their loops
-  for(Index node = 0; node != core.size(); ++node)
+  for(const Index arc : core_arcs(number_of_nodes, arcs))
   {
-    for(auto below = in_edges(node, graph); core.contains(node) && below.first != below.second; ++below.first)
-    {
-      const Index lower = static_cast<Index>(source(*below.first, graph));
-      if(!core.contains(lower))
-        continue;
-      arcs.push_back(*below.first);
-      const Index leaves = forest.add({lower, node, lower, static_cast<Index>(arcs.size() - 1)}).leaving;
-      if(leaves != no_index)
-        leaving.emplace_back(leaves, node);
-    }
+    const auto [lower, upper] = arcs[arc];
+    const Index leaves = forest.add({lower, upper, lower, arc}).leaving;
+    if(leaves != no_index)
+      leaving.emplace_back(leaves, upper);
   }
   std::vector<Loop> loops;
   const Augmentation<Mesh, ScalarMap, Graph, Traits> augmentation(
@@ -80,9 +77,9 @@ auto find_reeb_loops(const Mesh& mesh,
   for(const auto& [arc, upper] : leaving)
   {
     progress.part(0.8, 1).report_step(loops.size(), leaving.size());
-    const Persistence_pair<node_descriptor> pair = {source(arcs[arc], graph), upper, Persistence_pair_kind::LOOP};
+    const Persistence_pair<node_descriptor> pair = {arcs[arc].lower, upper, Persistence_pair_kind::LOOP};
     loops.push_back({Reeb_graph::persistence(graph, pair, parameters::geom_traits(traits)),
-                     augmentation.contour(arcs[arc], 0.5).halfedges});
+                     augmentation.contour(graph_arcs[arc], 0.5).halfedges});
   }
   std::stable_sort(loops.begin(), loops.end(),
                    [](const Loop& a, const Loop& b) { return a.persistence < b.persistence; });
@@ -183,160 +180,6 @@ std::vector<double> persistences_of_pairs(const ReebLoops& reeb_loops,
   return result;
 }
 
-// A loop as that of the public interface, with numbers of halfedges.
-struct Surface_loop
-{
-  Loop_kind kind;
-  Halfedge_walk walk;
-  std::size_t partner = Handle_loop<Index>::no_partner;
-  double length = 0;
-  double persistence = 0;
-  std::size_t component = 0;
-  bool is_simple = true;
-};
-
-// Finds the loops, and keeps what answers questions about them.
-class Found_loops
-{
-public:
-  Found_loops(Closed_surface surface, const Stage_progress& progress) : homology_(std::move(surface), progress) {}
-
-  const Handle_homology& homology() const { return homology_; }
-
-  // Whether each component intersects itself.
-  std::vector<bool> self_intersections() const { return Self_intersections(homology_.surface(), homology_.trees())(); }
-
-  // A component that intersects itself has no inside.
-  void refuse_self_intersections(const std::vector<bool>& is_crossed)
-  {
-    for(auto& component : homology_.components())
-    {
-      if(is_crossed[component.number])
-        component.projection.clear();
-    }
-  }
-
-  // Loops are made shorter than `bound`, and than the `number`-th size of a pair, where that can be.
-  std::vector<Surface_loop> make_loops(double bound, std::size_t number, const Stage_progress& progress)
-  {
-    std::vector<Surface_loop> result;
-    const auto pairs = find_pairs(bound, number, progress);
-    for(std::size_t place = 0; place != pairs.size(); ++place)
-      add_pairs(homology_.components()[place], pairs[place], result);
-    for(const Halfedge_walk& cycle : homology_.surface().border_cycles)
-      result.push_back(make_loop(Loop_kind::HOLE, cycle));
-    return result;
-  }
-
-  // Whether a loop of the surface bounds inside, or outside, but not on the surface.
-  bool is_bounding(const Halfedge_walk& walk, bool is_inside) const
-  {
-    const auto* component = component_of(walk);
-    if(!component || component->projection.empty())
-      return false;
-    const auto loop = coordinates(*component, walk);
-    if(std::all_of(loop.begin(), loop.end(), [](const Large_integer& number) { return number == 0; }))
-      return false;
-    const auto front = part_in_front(*component, loop);
-    const bool is_behind = is_inside == component->is_front_outside;
-    return is_behind ? std::all_of(front.begin(), front.end(), [](const Large_integer& number) { return number == 0; })
-                     : front == loop;
-  }
-
-  long long intersection_number(const Halfedge_walk& a, const Halfedge_walk& b) const
-  {
-    const auto* component = component_of(a);
-    if(!component || component != component_of(b))
-      return 0;
-    return crossing(*component, coordinates(*component, a), coordinates(*component, b));
-  }
-
-  // That of a with b pushed outside. In front, it is that of b with the part of a that bounds in front.
-  long long linking_number(const Halfedge_walk& a, const Halfedge_walk& b) const
-  {
-    const auto* component = component_of(a);
-    if(!component || component != component_of(b) || component->projection.empty())
-      return 0;
-    const auto loop = coordinates(*component, a), other = coordinates(*component, b);
-    const long long in_front = crossing(*component, other, part_in_front(*component, loop));
-    return component->is_front_outside ? in_front : in_front + crossing(*component, loop, other);
-  }
-
-private:
-  typedef Handle_homology::Component Component;
-  typedef std::vector<Large_integer> Class;
-
-  std::vector<std::vector<Pair_of_loops>> find_pairs(double bound, std::size_t number, const Stage_progress& progress)
-  {
-    try
-    {
-      return All_loops<Checked_integer>(homology_)(bound, number, progress);
-    }
-    catch(const Integer_overflow&)
-    {
-      return All_loops<Large_integer>(homology_)(bound, number, progress);
-    }
-  }
-
-  void add_pairs(const Component& component, const std::vector<Pair_of_loops>& pairs, std::vector<Surface_loop>& loops)
-  {
-    const bool has_inside = !component.projection.empty();
-    std::vector<std::array<Surface_loop, 2>> made;
-    for(const Pair_of_loops& pair : pairs)
-    {
-      const std::size_t inside = has_inside && !component.is_front_outside ? 1 : 0;
-      made.push_back({make_loop(has_inside ? Loop_kind::HANDLE : Loop_kind::LOOP, pair[inside]),
-                      make_loop(has_inside ? Loop_kind::TUNNEL : Loop_kind::LOOP, pair[1 - inside])});
-    }
-    const auto size = [](const std::array<Surface_loop, 2>& pair) {
-      return std::make_pair((std::min)(pair[0].length, pair[1].length), pair[0].length + pair[1].length);
-    };
-    std::stable_sort(made.begin(), made.end(), [&](const auto& a, const auto& b) { return size(a) < size(b); });
-    for(auto& pair : made)
-      for(std::size_t k : {0, 1})
-      {
-        pair[k].partner = k == 0 ? loops.size() + 1 : loops.size() - 1;
-        loops.push_back(std::move(pair[k]));
-      }
-  }
-
-  Surface_loop make_loop(Loop_kind kind, const Halfedge_walk& walk) const
-  {
-    const Closed_surface& surface = homology_.surface();
-    Surface_loop loop = {kind, walk};
-    loop.length = surface.length(walk);
-    loop.component = homology_.trees().component_of(surface.target[walk.front()]);
-    std::unordered_set<Index> passed;
-    for(const Index h : walk)
-      loop.is_simple = passed.insert(surface.target[h]).second && loop.is_simple;
-    return loop;
-  }
-
-  const Component* component_of(const Halfedge_walk& walk) const
-  {
-    return walk.empty() ? nullptr : homology_.component_of(homology_.surface().target[walk.front()]);
-  }
-
-  static Class coordinates(const Component& component, const Halfedge_walk& walk)
-  {
-    const auto numbers = component.loops.coordinates(walk);
-    return Class(numbers.begin(), numbers.end());
-  }
-
-  static Class part_in_front(const Component& component, const Class& loop)
-  {
-    return combination(loop, converted<Large_integer>(component.projection));
-  }
-
-  static long long crossing(const Component& component, const Class& a, const Class& b)
-  {
-    return to_machine_integer(
-      dot_product(combination(a, converted<Large_integer>(component.loops.intersection_numbers()[0])), b));
-  }
-
-  Handle_homology homology_;
-};
-
 // Sets the persistences of the loops that have partners.
 template <class ReebLoops, class Number>
 void set_persistences(const ReebLoops& reeb_loops, const Number& number, std::vector<Surface_loop>& loops)
@@ -356,6 +199,10 @@ void set_persistences(const ReebLoops& reeb_loops, const Number& number, std::ve
   for(std::size_t k = 0; k != firsts.size(); ++k)
     loops[firsts[k]].persistence = loops[firsts[k] + 1].persistence = persistences[k];
 }
+
+#define CGAL_REEB_GRAPH_MAKE_LOOP_FINDER(PREFIX)                                                                       \
+  PREFIX template std::unique_ptr<Loop_finder> make_loop_finder<Closed_surface>(Closed_surface, const Stage_progress&);
+CGAL_REEB_GRAPH_FOR_LOOPS(CGAL_REEB_GRAPH_MAKE_LOOP_FINDER)
 
 } // namespace CGAL::Reeb_graph::internal
 

@@ -69,6 +69,9 @@ typedef std::size_t Rank; // the scalars of those who cut along curves
 #define CGAL_REEB_GRAPH_PARALLEL extern
 #endif
 
+#ifndef CGAL_REEB_GRAPH_LOOPS
+#define CGAL_REEB_GRAPH_LOOPS extern
+#endif
 #ifndef CGAL_REEB_GRAPH_SOLVERS
 #define CGAL_REEB_GRAPH_SOLVERS extern
 #endif
@@ -112,6 +115,16 @@ typedef std::size_t Rank; // the scalars of those who cut along curves
 #define CGAL_REEB_GRAPH_FOR_SURFACES_OF_RANKS(M)
 #define CGAL_REEB_GRAPH_FOR_SOUPS(M)
 #define CGAL_REEB_GRAPH_FOR_POINTS(M)
+#endif
+// Functions of handles, which know surfaces by numbers. They have no parameters but M(PREFIX), and only the library sees
+// their definition.
+#ifdef CGAL_REEB_GRAPH_COMPILED
+#define CGAL_REEB_GRAPH_FOR_LOOPS(M) M(CGAL_REEB_GRAPH_LOOPS)
+#ifndef CGAL_REEB_GRAPH_DEFINE_LOOPS
+#define CGAL_REEB_GRAPH_ARE_LOOPS_COMPILED
+#endif
+#else
+#define CGAL_REEB_GRAPH_FOR_LOOPS(M)
 #endif
 // Functions that need Eigen, on both sides. They have no parameters but M(PREFIX); only the library sees their definition.
 #if defined(CGAL_REEB_GRAPH_COMPILED) && defined(CGAL_REEB_GRAPH_COMPILED_SOLVERS) && defined(CGAL_EIGEN3_ENABLED)

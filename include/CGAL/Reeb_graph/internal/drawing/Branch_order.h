@@ -183,8 +183,8 @@ public:
       sides_(tree.branches.size(), 0),
       children_(tree.branches.size())
   {
-    for(const Drawn_branch& branch : tree.branches)
-      extents_[number_of(branch)] = own_extent(branch, heights);
+    for(Index branch = 0; branch != size(); ++branch)
+      extents_[branch] = {heights[tree.branches[branch].lower], heights[tree.branches[branch].upper]};
     own_extents_ = extents_;
     for(Index branch = 0; branch != size(); ++branch)
     {
@@ -239,13 +239,6 @@ private:
   static constexpr int most_steps = 50;
 
   Index size() const { return static_cast<Index>(tree_.branches.size()); }
-  Index number_of(const Drawn_branch& branch) const { return static_cast<Index>(&branch - tree_.branches.data()); }
-
-  static Height_range own_extent(const Drawn_branch& branch, const std::vector<double>& heights)
-  {
-    return {heights[branch.lower], heights[branch.upper]};
-  }
-
   // Calls visit(height) where a branch is led to others.
   template <class Visit>
   void for_each_port(Index branch, const Visit& visit) const

@@ -137,8 +137,8 @@ private:
     const auto difference = [&](Index lower, Index upper) {
       return persistence(heights[old_numbers[lower]], heights[old_numbers[upper]]);
     };
-    pruning([&](const Leaf_arc& arc) { return persistence_of_leaf_arc(arc, difference); },
-            [](const Leaf_arc&) { return true; }, [](double) { return true; }, [](Index) { return true; },
+    pruning([&](const Leaf_arc& arc) { return persistence_of_leaf_arc(arc, difference); }, [](double) { return true; },
+            [](Index) { return true; },
             [&](Index leaf) {
               const bool is_minimum = pruning.leaf_arc_of(leaf).is_minimum;
               add_branch(pruning.arc_of_leaf(leaf), !is_minimum, is_minimum);

@@ -20,7 +20,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -354,7 +353,7 @@ private:
     out << "</g>\n";
   }
 
-  // The taller the arcs at a node, the earlier is its label placed; then those of the arcs.
+  // Those of the nodes first.
   void write_labels(std::ostream& out) const
   {
     constexpr std::size_t most_nodes = 5000; // with labels, whose places would take more memory than all the rest
@@ -380,19 +379,12 @@ private:
       found->write(out);
     };
     out << "<g id=\"node_labels\" fill=\"#263238\">\n";
-    for(const std::size_t node : nodes_by_importance())
-      place(places_of_label(nodes_[node]));
+    for(const Drawn_node& node : nodes_)
+      place(places_of_label(node));
     out << "</g>\n<g id=\"arc_labels\" fill=\"#78909c\" font-style=\"italic\">\n";
     for(const Drawn_arc& arc : arcs_)
       place(places_of_label(arc));
     out << "</g>\n";
-  }
-
-  std::vector<std::size_t> nodes_by_importance() const
-  {
-    std::vector<std::size_t> order(nodes_.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    return order;
   }
 
   std::vector<Svg_text> places_of_label(const Drawn_node& node) const

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 
 #include <algorithm>
 #include <array>
@@ -23,12 +24,6 @@
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
-
-// The nodes of an arc.
-struct Pruned_arc
-{
-  Index lower, upper;
-};
 
 // A leaf arc that could be removed.
 template <class Weight>
@@ -239,13 +234,11 @@ public:
       number_of_leaves_ += is_leaf(node) ? 1 : 0;
   }
 
-  // `measure(leaf arc)` is a number, `can_be_removed(leaf arc)` whether it may be, `is_small(measure)` whether an arc
-  // of that measure is to be removed, and `goes_on(number of leaves)` whether there are still so many leaves. Before an
+  // `measure(leaf arc)` is a number, `is_small(measure)` whether an arc of that measure is to be removed, and `goes_on(number of leaves)` whether there are still so many leaves. Before an
   // arc is removed, `visit(leaf)` is called; but before, `rival.remove_arc(measure)`, with NaN if no leaf arc is left, may
   // call remove_arc() for another arc, and returns it, or no_index. The rival sees each arc that two have become.
-  template <class Measure, class CanBeRemoved, class IsSmall, class GoesOn, class Visit, class Rival = No_rival>
+  template <class Measure, class IsSmall, class GoesOn, class Visit, class Rival = No_rival>
   void operator()(const Measure& measure,
-                  const CanBeRemoved& can_be_removed,
                   const IsSmall& is_small,
                   const GoesOn& goes_on,
                   const Visit& visit,
@@ -255,10 +248,7 @@ public:
     const auto consider = [&](Index node) {
       if(!is_left(node) || !is_leaf(node) || !is_branch(node))
         return;
-      const Leaf_arc leaf_arc = leaf_arc_of(node);
-      if(!can_be_removed(leaf_arc))
-        return;
-      const double size = measure(leaf_arc);
+      const double size = measure(leaf_arc_of(node));
       if(is_small(size))
         queue.push(size, node);
       else
@@ -292,15 +282,6 @@ public:
         remove(leaf, consider, rival);
       }
     }
-  }
-
-  template <class Measure, class CanBeRemoved, class IsSmall, class GoesOn>
-  void operator()(const Measure& measure,
-                  const CanBeRemoved& can_be_removed,
-                  const IsSmall& is_small,
-                  const GoesOn& goes_on)
-  {
-    operator()(measure, can_be_removed, is_small, goes_on, [](Index) {});
   }
 
   // Removes an arc that is not the only one on its side of either end. It is taken up by another place. Nodes that are

@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/fields/internal/St_numbering.h>
 #include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>

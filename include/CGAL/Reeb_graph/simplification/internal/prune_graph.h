@@ -18,7 +18,6 @@
 #include <CGAL/Reeb_graph/simplification/Simplification.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 #include <CGAL/Reeb_graph/simplification/internal/Leaf_pruning.h>
-#include <CGAL/Reeb_graph/simplification/internal/pairs.h>
 #include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -34,49 +33,6 @@
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
-
-// The arcs that are left and in loops, or between two of these, sorted by their upper nodes.
-inline std::vector<Index> arcs_of_core(const Leaf_pruning& graph)
-{
-  struct Node
-  {
-    Index degree = 0;
-    Index arcs = 0; // the exclusive or of their numbers
-  };
-  std::vector<Node> nodes(graph.number_of_nodes());
-  std::vector<bool> is_in_core(graph.number_of_arcs(), false);
-  const auto toggle = [&](Index arc, Index change) {
-    is_in_core[arc] = !is_in_core[arc];
-    for(const Index node : {graph.arc(arc).lower, graph.arc(arc).upper})
-    {
-      nodes[node].degree += change;
-      nodes[node].arcs ^= arc;
-    }
-  };
-  for(Index arc = 0; arc != graph.number_of_arcs(); ++arc)
-  {
-    if(graph.is_left(graph.place_of_arc(arc)))
-      toggle(arc, 1);
-  }
-  for(Index leaf = 0; leaf != graph.number_of_nodes(); ++leaf)
-  {
-    Index node = leaf;
-    while(nodes[node].degree == 1)
-    {
-      const Index arc = nodes[node].arcs;
-      toggle(arc, static_cast<Index>(-1));
-      node = graph.arc(arc).lower == node ? graph.arc(arc).upper : graph.arc(arc).lower;
-    }
-  }
-  std::vector<Index> arcs;
-  for(Index arc = 0; arc != graph.number_of_arcs(); ++arc)
-  {
-    if(is_in_core[arc])
-      arcs.push_back(arc);
-  }
-  std::stable_sort(arcs.begin(), arcs.end(), [&](Index a, Index b) { return graph.arc(a).upper < graph.arc(b).upper; });
-  return arcs;
-}
 
 // By arc, its place in the order of lower nodes, from below, and then of upper nodes, from above.
 inline std::vector<Index> rank_arcs(const Leaf_pruning& graph, std::vector<Index> arcs)
@@ -99,7 +55,12 @@ template <class IsSmall>
 bool remove_small_loops(Leaf_pruning& graph, const IsSmall& is_small)
 {
   bool is_changed = false;
-  const std::vector<Index> arcs = arcs_of_core(graph), ranks = rank_arcs(graph, arcs);
+  std::vector<bool> is_left(graph.number_of_arcs());
+  for(Index arc = 0; arc != graph.number_of_arcs(); ++arc)
+    is_left[arc] = graph.is_left(graph.place_of_arc(arc));
+  const std::vector<Index> arcs =
+    core_arcs(graph.number_of_nodes(), std::move(is_left), [&](Index arc) { return graph.arc(arc); });
+  const std::vector<Index> ranks = rank_arcs(graph, arcs);
   Highest_forest forest(checked_index(2 * std::size_t(graph.number_of_nodes())) / 2);
   for(const Index arc : arcs)
   {
@@ -118,22 +79,6 @@ bool remove_small_loops(Leaf_pruning& graph, const IsSmall& is_small)
     is_changed = true;
   }
   return is_changed;
-}
-
-template <class ReebGraph>
-std::vector<Leaf_pruning::Arc> read_arcs(const ReebGraph& graph)
-{
-  std::vector<Leaf_pruning::Arc> arcs;
-  arcs.reserve(num_edges(graph));
-  checked_index(num_vertices(graph) + num_edges(graph));
-  for(auto range = edges(graph); range.first != range.second; ++range.first)
-  {
-    const auto lower = source(*range.first, graph), upper = target(*range.first, graph);
-    if(!(lower < upper))
-      throw Arc_direction_error();
-    arcs.push_back({static_cast<Index>(lower), static_cast<Index>(upper)});
-  }
-  return arcs;
 }
 
 template <class NamedParameters>
@@ -190,9 +135,8 @@ Leaf_pruning prune_graph(const ReebGraph& graph, double threshold, const NamedPa
   };
   const auto prune = [&] {
     pruned(
-      measure, [](const Leaf_arc&) { return true; },
-      [&](double size) { return size < threshold || std::isinf(threshold); },
-      [&](Index number) { return number > leaves; });
+      measure, [&](double size) { return size < threshold || std::isinf(threshold); },
+      [&](Index number) { return number > leaves; }, [](Index) {});
   };
   prune();
   const auto is_small = [&](Index split, Index join) { return difference(split, join) < threshold; };
@@ -358,7 +302,7 @@ Pruning_history prune_step_by_step(const ReebGraph& graph, const std::vector<dou
     history.persistences.push_back(history.persistences.empty() ? size : (std::max)(size, history.persistences.back()));
   };
   pruned(
-    measure, [](const Leaf_arc&) { return true; }, [](double) { return true; }, see_leaves, visit, joins);
+    measure, [](double) { return true; }, see_leaves, visit, joins);
   std::size_t leaves = 0;
   for(Index node = 0; node != static_cast<Index>(number_of_nodes); ++node)
     leaves += pruned.is_left(node) && pruned.is_leaf(node) ? 1 : 0;
