@@ -23,6 +23,9 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
+#ifdef __unix__
+#include <sys/resource.h>
+#endif
 
 // Clocks, medians, memory, and growth.
 namespace benchmark {
@@ -106,6 +109,19 @@ private:
   std::optional<double> resident_before_;
   bool is_reset_ = false;
 };
+
+// How often the process has touched a page that it did not have yet, which takes longer than to write what is in it.
+// Zero where no system tells.
+inline double number_of_minor_faults()
+{
+#ifdef __unix__
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_minflt);
+#else
+  return 0;
+#endif
+}
 
 // The exponent e of the power size^e that fits the times best: least squares of the logarithms.
 inline double growth_exponent(const std::vector<std::pair<double, double>>& times_by_size)

@@ -128,6 +128,7 @@ public:
                       efficiency(measurements.copy.median(), measurements.parallel_copy.median(), threads),
                       cell(total(Method::CRITICAL_SETS, 1), 1), cell(total(Method::CRITICAL_SETS, threads), 1),
                       cell(ratio(properties.extra_peak_bytes, n), 0),
+                      cell(ratio(measurements.engines[{Method::CONTOUR_TREES, 1}].minor_faults.median(), n / 1000), 1),
                       cell(ratio(sum(sequential, measurements.vertex_places.median()), sort), 2),
                       cell(ratio(measurements.graph_with_vertex_places.median(), sort), 2),
                       cell(nanoseconds_per_crossed_edge(input, properties.graph), 0)});
@@ -142,11 +143,11 @@ private:
 
   static std::vector<Column> columns(const std::string& threads)
   {
-    return {{"surface", "", 8},   {"field", "", 6},         {"vertices", "", 8},      {"arcs", "", 7},
-            {"sort", "ms", 6},    {"sweep", "ms", 5},       {"trees", "ms", 7},       {"trees", "/ sort"},
-            {threads, "ms", 7},   {threads, "effic. %"},    {"sorts", "effic. %"},    {"copy", "effic. %"},
-            {"sets", "ms", 7},    {threads, "ms", 7},       {"memory", "B / vertex"}, {"+ places", "/ sort"},
-            {"in one", "/ sort"}, {"contours", "ns / edge"}};
+    return {{"surface", "", 8},     {"field", "", 6},      {"vertices", "", 8},      {"arcs", "", 7},
+            {"sort", "ms", 6},      {"sweep", "ms", 5},    {"trees", "ms", 7},       {"trees", "/ sort"},
+            {threads, "ms", 7},     {threads, "effic. %"}, {"sorts", "effic. %"},    {"copy", "effic. %"},
+            {"sets", "ms", 7},      {threads, "ms", 7},    {"memory", "B / vertex"}, {"faults", "/ 1000 v."},
+            {"+ places", "/ sort"}, {"in one", "/ sort"},  {"contours", "ns / edge"}};
   }
 
   const Options& options_;

@@ -44,7 +44,7 @@ constexpr bool is_parallel_available = false;
 
 struct Engine_times
 {
-  Sample total;
+  Sample total, minor_faults;
   std::map<Stage, Sample> stages;
 };
 
@@ -76,8 +76,10 @@ void run_engine(const Input& input, Method method, Engine_times& times)
   Stage_clock clock(times);
   Graph graph; // a fresh one each time: destroying the one before is not timed
   const auto np = CGAL::parameters::method(method).visitor(std::ref(clock));
+  const double earlier_faults = number_of_minor_faults();
   times.total.add(
     milliseconds([&] { CGAL::compute_reeb_graph<ConcurrencyTag>(input.mesh(), input.scalar_map(), graph, np); }));
+  times.minor_faults.add(number_of_minor_faults() - earlier_faults);
 }
 
 // One thread is the sequential algorithm.

@@ -6,8 +6,9 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-// Lets large arrays have huge pages where the system has them for those who ask. A file as large as its memory is read
-// in two thirds of the time: to touch a new page for the first time costs more than to write what is in it.
+// Lets large arrays have huge pages where the system has them for those who ask. To touch a new page for the first time
+// costs more than to write what is in it: without them, the program takes 15 to 70 percent longer. Most are those of a
+// Surface_mesh, which has no allocator to choose.
 
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #ifdef __has_feature

@@ -124,7 +124,7 @@ private:
   {
     const auto& slabs = surface.slabs_of_vertices;
     Disjoint_sets<Border_path> sets(static_cast<Number>(edges.size()));
-    Zeroed_array<Vertex_index, Number> edges_at_vertices(complex.number_of_vertices()); // from 1 on
+    Indexed_vector<Vertex_index, Number> edges_at_vertices(complex.number_of_vertices(), 0); // from 1 on
     Indexed_vector<Border_path, Number> names(edges.size(), no_index);
     for(const Border_path i : edges.keys())
     {

@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/tuning.h>
 
 #include <boost/config.hpp>
 
@@ -20,7 +19,6 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <initializer_list>
 #include <iterator>
@@ -255,44 +253,6 @@ public:
   Key last_key() const { return Key(size() - 1); }
 
   Index_range<Key> keys() const { return Index_range<Key>(size()); }
-};
-
-// An array of zeros, for few of which another value comes: most systems let the pages where none does take neither
-// memory nor time. For numbers, whose zero has no bit set, and which need no constructor.
-template <class Key, class T>
-class Zeroed_array
-{
-  static_assert(std::is_trivial_v<T>);
-
-public:
-  explicit Zeroed_array(std::size_t size) : elements_(static_cast<T*>(std::calloc(size, sizeof(T))))
-  {
-    if(elements_ == nullptr && size != 0)
-      throw std::bad_alloc();
-    if(!is_used(Tuned_part::ZEROED_ARRAY))
-      touch(size);
-  }
-
-  T& operator[](Key key) { return elements_.get()[key.number()]; }
-  const T& operator[](Key key) const { return elements_.get()[key.number()]; }
-
-private:
-  // What other arrays do: each line of the cache is written. Compilers know that calloc() leaves zeros, and drop a
-  // memset().
-  void touch(std::size_t size)
-  {
-    constexpr std::size_t line = 64;
-    volatile char* const bytes = reinterpret_cast<volatile char*>(elements_.get());
-    for(std::size_t i = 0; i < size * sizeof(T); i += line)
-      bytes[i] = 0;
-  }
-
-  struct Free
-  {
-    void operator()(T* elements) const { std::free(elements); }
-  };
-
-  std::unique_ptr<T, Free> elements_;
 };
 
 // A set of indices below a bound, one bit for each, that tells the rank of an index in it.

@@ -23,7 +23,6 @@ enum class Tuned_part
   PREFETCH,
   KEPT_NEIGHBORS,
   BRANCHLESS_ORDER,
-  ZEROED_ARRAY,
   TRIANGLE_SWEEP
 };
 

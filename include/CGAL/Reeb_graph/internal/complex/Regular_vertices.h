@@ -174,13 +174,12 @@ public:
   template <class Complex, class Order>
   Regular_vertices(const Complex& complex, const Order& order)
   {
-    const std::size_t number_of_parts = (std::min)(number_of_threads<ConcurrencyTag>(), most_parts);
-    for(std::size_t part = 0; part != number_of_parts; ++part)
-      counts_.emplace_back(complex.number_of_vertices());
-    Apexes apexes(complex.number_of_halfedges() + 2 * edges_per_group);
+    counts_.resize((std::min)(number_of_threads<ConcurrencyTag>(), most_parts));
+    Apexes apexes(complex.number_of_halfedges() + 2 * edges_per_group, 0);
     Relaxed_value<bool> is_any_bad;
-    for_each_part<ConcurrencyTag>(number_of_parts, complex.end_of_triangles(),
+    for_each_part<ConcurrencyTag>(counts_.size(), complex.end_of_triangles(),
                                   [&](std::size_t part, std::size_t begin, std::size_t end) {
+                                    counts_[part].renew(complex.number_of_vertices(), 0);
                                     if(!sweep(complex, order, begin, end, counts_[part], apexes))
                                       is_any_bad.set(true);
                                   });
@@ -203,10 +202,10 @@ public:
   }
 
 private:
-  typedef Zeroed_array<Vertex_index, Number> Counts;
+  typedef Indexed_vector<Vertex_index, Number> Counts;
 
   // For the triangle of a halfedge, and for the vertex opposite of it there. Zero where there is no triangle.
-  typedef Zeroed_array<Halfedge_index, std::uint8_t> Apexes;
+  typedef Indexed_vector<Halfedge_index, std::uint8_t> Apexes;
 
   static constexpr std::size_t edges_per_group = 4;
   static constexpr std::size_t most_parts = 16; // each of which may need memory for all vertices

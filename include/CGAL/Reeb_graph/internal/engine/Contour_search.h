@@ -130,7 +130,9 @@ private:
 class Contour_search
 {
 public:
-  explicit Contour_search(const Simplicial_complex& complex) : complex_(complex), searches_(complex.number_of_edges())
+  explicit Contour_search(const Simplicial_complex& complex)
+    : complex_(complex),
+      searches_(complex.number_of_edges(), 0)
   {}
 
   // Calls visit(ascending halfedges of the crossed edges) for all but one of the contours that cross the edges of
@@ -247,7 +249,7 @@ private:
   }
 
   const Simplicial_complex& complex_;
-  Zeroed_array<Edge_index, Number> searches_; // the number of the start from which the edge has been found
+  Indexed_vector<Edge_index, Number> searches_; // the number of the start from which the edge has been found
   Number first_search_ = 1;
   Number last_search_ = 0;
   std::vector<Contour> contours_;

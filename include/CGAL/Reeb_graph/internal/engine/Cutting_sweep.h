@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -253,7 +252,7 @@ private:
   // again, this is left to merge_at(); then no later cut, as it is further down, can change an end that is known.
   void correct_path_ends(const Plain_vector<Halfedge_index>& crossed_edges)
   {
-    if(!critical_numbers_)
+    if(critical_numbers_.empty())
       number_critical_vertices();
     Plain_vector<Vertex_index> lower_ends;
     lower_ends.reserve(crossed_edges.size());
@@ -309,16 +308,16 @@ private:
 
   void number_critical_vertices()
   {
-    critical_numbers_.emplace(complex_.number_of_vertices());
+    critical_numbers_.resize(complex_.number_of_vertices(), 0);
     for(const Swept_index i : critical_vertices_.indices())
-      (*critical_numbers_)[critical_vertices_.vertex(i)] = i.number() + 1;
+      critical_numbers_[critical_vertices_.vertex(i)] = i.number() + 1;
   }
 
   // Corrects the components of the upper sectors from which a path now meets the last cut.
   template <class IsChanged>
   void correct_components(Vertex_index vertex, const IsChanged& is_changed)
   {
-    const Number number = (*critical_numbers_)[vertex];
+    const Number number = critical_numbers_[vertex];
     if(number == 0)
       return;
     number_of_steps_ += critical_vertices_.number_of_upper_sectors(Swept_index(number - 1));
@@ -336,12 +335,12 @@ private:
     if(i + far_ahead >= vertices.size())
       return;
     const Vertex_index vertex = vertices[i + far_ahead];
-    prefetch(&(*critical_numbers_)[vertex]);
+    prefetch(&critical_numbers_[vertex]);
     critical_vertices_.kept_neighbors().prefetch(vertex);
     sweep_.path_ends().prefetch(vertex);
-    if(const Number number = (*critical_numbers_)[vertices[i + ahead]]; number != 0)
+    if(const Number number = critical_numbers_[vertices[i + ahead]]; number != 0)
       critical_vertices_.prefetch(Swept_index(number - 1));
-    if(const Number number = (*critical_numbers_)[vertices[i + near_ahead]]; number != 0)
+    if(const Number number = critical_numbers_[vertices[i + near_ahead]]; number != 0)
       critical_vertices_.prefetch_sectors(Swept_index(number - 1), Side::UPPER);
   }
 
@@ -367,8 +366,8 @@ private:
   Loop_cuts cuts_;
   Indexed_vector<Cut_index, Component_index> components_of_cuts_;
   Plain_vector<Vertex_index> passed_;
-  std::optional<Zeroed_array<Vertex_index, Number>> critical_numbers_; // from 1 on; 0 if it is not critical
-  bool are_paths_walked_late_ = true;                                  // each when its vertex is merged
+  Indexed_vector<Vertex_index, Number> critical_numbers_; // from 1 on; 0 if it is not critical
+  bool are_paths_walked_late_ = true;                     // each when its vertex is merged
   std::size_t number_of_corrections_ = 0;
   std::size_t number_of_steps_ = 0; // of corrections
 };

@@ -162,7 +162,7 @@ public:
       join_tree_(join_tree),
       split_tree_(split_tree),
       search_(slab.complex()),
-      last_vertices_at_edges_(slab.complex().number_of_edges()),
+      last_vertices_at_edges_(slab.complex().number_of_edges(), 0),
       contours_(critical_vertices_.total_number_of_sectors(Side::LOWER), no_index)
   {
     const auto& shared = join_tree.is_class_shared;
@@ -336,9 +336,9 @@ private:
   const Merge_tree& split_tree_;
   std::optional<Components_of_complex> components_; // if there are many vertices to ask about
   Contour_search search_;
-  Zeroed_array<Edge_index, Number> last_vertices_at_edges_; // whose fans have been turned around; from 1 on
-  Indexed_vector<Sector_index, Number> contours_;           // by lower sector; no_index where none has been looked for
-  std::size_t number_of_lost_steps_ = 0;                    // of searches that have closed no loop
+  Indexed_vector<Edge_index, Number> last_vertices_at_edges_; // whose fans have been turned around; from 1 on
+  Indexed_vector<Sector_index, Number> contours_; // by lower sector; no_index where none has been looked for
+  std::size_t number_of_lost_steps_ = 0;          // of searches that have closed no loop
   bool are_all_found_ = false;
   std::vector<Lower_contour> contours_of_vertex_; // of the last one
   Plain_vector<Slab_node> upper_classes_;

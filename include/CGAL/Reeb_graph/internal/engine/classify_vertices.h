@@ -210,7 +210,7 @@ public:
       sets_(
         {Disjoint_sets<Edge_index>(complex.number_of_edges()), Disjoint_sets<Edge_index>(complex.number_of_edges())}),
       numbers_of_sectors_(complex.number_of_vertices(), {0, 0}),
-      sector_at_root_(complex.number_of_edges())
+      sector_at_root_(complex.number_of_edges(), 0)
   {
     for(const Edge_index edge : complex.edges())
     {
@@ -287,8 +287,8 @@ private:
   const Order& order_;
   By_side<Disjoint_sets<Edge_index>> sets_; // by their upper, and by their lower end
   Indexed_vector<Vertex_index, By_side<Number>> numbers_of_sectors_;
-  Zeroed_array<Edge_index, Number> sector_at_root_; // of the vertex of the last call
-  By_side<Plain_vector<Edge_index>> roots_;         // by sector of that vertex
+  Indexed_vector<Edge_index, Number> sector_at_root_; // of the vertex of the last call
+  By_side<Plain_vector<Edge_index>> roots_;           // by sector of that vertex
 };
 
 // What is done above for surfaces, for any complex: finds the vertices that is_wanted(vertex, its numbers of

@@ -35,7 +35,7 @@ public:
   static constexpr std::size_t block_size = 512;
   typedef std::array<Monotone_neighbors, block_size> Block;
 
-  explicit Kept_neighbors(std::size_t number_of_vertices) : neighbors_(number_of_vertices) {}
+  explicit Kept_neighbors(std::size_t number_of_vertices) : neighbors_(number_of_vertices, {no_index, no_index}) {}
 
   static bool are_worth_keeping(std::size_t number_of_critical_vertices, std::size_t number_of_vertices)
   {
@@ -57,7 +57,7 @@ public:
   void prefetch(Vertex_index vertex) const { internal::prefetch(&neighbors_[vertex]); }
 
 private:
-  Zeroed_array<Vertex_index, Monotone_neighbors> neighbors_;
+  Indexed_vector<Vertex_index, Monotone_neighbors> neighbors_;
 };
 
 // A connected component of the upper or of the lower link of a vertex, given by its extreme neighbor: the highest
