@@ -13,6 +13,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/internal/Contour_choice.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>

@@ -171,24 +171,19 @@ private:
   template <class IsPassed>
   void add_faces_around(Index v, const IsPassed& is_passed)
   {
-    const Index first = surface_.outgoing[v];
-    Index h = first;
-    do
-    {
+    surface_.for_each_outgoing(v, [&](Index h) {
       const Index face = surface_.face[h];
-      if(!contains(face) && is_passed(face))
+      if(contains(face) || !is_passed(face))
+        return;
+      ball_of_face_[face] = number_;
+      faces_.push_back(face);
+      for(const Index w : {surface_.target[h], surface_.target[surface_.next[h]]})
       {
-        ball_of_face_[face] = number_;
-        faces_.push_back(face);
-        for(const Index w : {surface_.target[h], surface_.target[surface_.next[h]]})
-        {
-          if(ball_of_vertex_[w] != number_)
-            reached_.push_back(w);
-          ball_of_vertex_[w] = number_;
-        }
+        if(ball_of_vertex_[w] != number_)
+          reached_.push_back(w);
+        ball_of_vertex_[w] = number_;
       }
-      h = surface_.turned(h);
-    } while(h != first);
+    });
   }
 
   void find_border()
