@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-// All that is about graphs. The headers of the folders fields/, curves/ and handles/, which are about meshes, are
-// included one by one.
+// All that is about graphs. The headers of the folders fields/, curves/ and handles/, which are about meshes, and those
+// of distributed/, which need MPI, are included one by one.
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/Complex_augmentation.h>
 #include <CGAL/Reeb_graph/Contour.h>

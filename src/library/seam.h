@@ -9,7 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_SRC_LIBRARY_SEAM_H
 #define CGAL_REEB_GRAPH_SRC_LIBRARY_SEAM_H
 
-// All headers with functions of the seam, and what they are compiled for. internal/base/compiled.h tells more.
+// The headers with functions of the seam, but those of loops.cpp and solvers.cpp, and what they are compiled for.
+// internal/base/compiled.h tells more.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>

@@ -307,7 +307,7 @@ struct Dirichlet_equations
   }
 };
 
-// The following two are in Default_solver.h. They are templates so that the library can have them.
+// The following two are in solve.h. They are templates so that the library can have them.
 template <class Equations>
 Dirichlet_solution solve_by_default(const Equations& equations, const Accuracy& accuracy);
 template <class Problem>
