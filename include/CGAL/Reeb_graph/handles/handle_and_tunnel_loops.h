@@ -185,7 +185,7 @@ private:
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{check_self_intersections}
 ///     \cgalParamDescription{whether triangles that intersect are looked for, so that what has no inside is known. This
-///                           takes more than half of the time that is taken without shortening; leave it out if there are
+///                           takes half of the time that is taken without shortening; leave it out if there are
 ///                           none. Without it, a component whose linking numbers are those of no surface with two sides
 ///                           is still found. Not every intersection changes these, so the default is to look.}
 ///     \cgalParamType{`bool`}

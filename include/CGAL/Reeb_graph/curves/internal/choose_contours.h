@@ -322,9 +322,9 @@ OutputIterator cut_along_chosen_contours(Mesh& mesh,
     const auto cut = [&](const auto& map, const Stage_progress& stage) {
       const auto find_contours = [&](const auto& ranked, const Stage_progress& finding) {
         const auto simple = compute_simple_reeb_graph(ranked, map, traits, finding.part(0, 0.55));
-        const auto choices = choose(ranked, simple, finding.part(0.55, 1));
-        return std::vector<Contour_to_cut<typename boost::graph_traits<Mesh>::halfedge_descriptor>>(choices.begin(),
-                                                                                                    choices.end());
+        auto choices = choose(ranked, simple, finding.part(0.55, 1));
+        return std::vector<Contour_to_cut<typename boost::graph_traits<Mesh>::halfedge_descriptor>>(
+          std::make_move_iterator(choices.begin()), std::make_move_iterator(choices.end()));
       };
       return cut_along_found_contours(mesh, map, traits, output, np, stage.part(0, 0.85), stage.part(0.85, 1),
                                       find_contours);

@@ -96,12 +96,15 @@ public:
   const std::vector<Index>& faces() const { return faces_; }                   // layer by layer
   std::size_t number_of_inner_faces() const { return number_of_inner_faces_; } // those not in the last layer
   bool contains(Index face) const { return ball_of_face_[face] == number_; }
+  Index last_vertex() const { return reached_.back(); }
 
-  // Takes only those faces that are to be passed. Returns the vertex that is reached last.
+  // Takes only those faces that are to be passed. Returns whether it is complete: it ends after so many steps around
+  // vertices, as around one with many neighbors each ball near by would take all of them.
   template <class IsPassed>
-  Index grow(Index center, int number_of_layers, const IsPassed& is_passed)
+  bool grow(Index center, int number_of_layers, std::size_t most_steps, const IsPassed& is_passed)
   {
     ++number_;
+    steps_left_ = most_steps;
     faces_.clear();
     reached_.assign(1, center);
     ball_of_vertex_[center] = number_;
@@ -109,10 +112,10 @@ public:
     for(int layer = 0; layer != number_of_layers; ++layer)
     {
       number_of_inner_faces_ = faces_.size();
-      for(const std::size_t end = reached_.size(); next != end; ++next)
+      for(const std::size_t end = reached_.size(); next != end && steps_left_ != 0; ++next)
         add_faces_around(reached_[next], is_passed);
     }
-    return reached_.back();
+    return steps_left_ != 0;
   }
 
   // Takes faces of an earlier ball, of which it is only to be told what it contains.
@@ -171,19 +174,24 @@ private:
   template <class IsPassed>
   void add_faces_around(Index v, const IsPassed& is_passed)
   {
-    surface_.for_each_outgoing(v, [&](Index h) {
+    const Index first = surface_.outgoing[v];
+    Index h = first;
+    do
+    {
       const Index face = surface_.face[h];
-      if(contains(face) || !is_passed(face))
-        return;
-      ball_of_face_[face] = number_;
-      faces_.push_back(face);
-      for(const Index w : {surface_.target[h], surface_.target[surface_.next[h]]})
+      if(!contains(face) && is_passed(face))
       {
-        if(ball_of_vertex_[w] != number_)
-          reached_.push_back(w);
-        ball_of_vertex_[w] = number_;
+        ball_of_face_[face] = number_;
+        faces_.push_back(face);
+        for(const Index w : {surface_.target[h], surface_.target[surface_.next[h]]})
+        {
+          if(ball_of_vertex_[w] != number_)
+            reached_.push_back(w);
+          ball_of_vertex_[w] = number_;
+        }
       }
-    });
+      h = surface_.turned(h);
+    } while(h != first && --steps_left_ != 0);
   }
 
   void find_border()
@@ -202,7 +210,7 @@ private:
   std::vector<Index> ball_of_vertex_, ball_of_face_; // the number of the last one
   Index number_ = 0;
   std::vector<Index> faces_, reached_, border_; // vertices that are reached, the center first, and halfedges
-  std::size_t number_of_inner_faces_ = 0;
+  std::size_t number_of_inner_faces_ = 0, steps_left_ = 0;
 };
 
 // Finds the closed components with handles that intersect themselves, or have faces without area. Other components may
@@ -226,25 +234,32 @@ public:
     make_patches();
     std::vector<Numbered_box> boxes;
     for(const Patch& patch : patches_)
+    {
       boxes.push_back(Numbered_box(patch.box, boxes.size()));
-    std::vector<std::pair<std::size_t, std::size_t>> pairs; // of patches that overlap, the first one flat if one is
+      if(!patch.is_flat())
+        test_patch(patch);
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> pairs; // of a flat patch, and one that overlaps it
     box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Numbered_box& a, const Numbered_box& b) {
-      if(component_of(patches_[a.number]) != component_of(patches_[b.number]))
+      const Patch &patch = patches_[a.number], &other = patches_[b.number];
+      if(component_of(patch) != component_of(other))
         return;
-      const bool is_first = patches_[a.number].is_flat();
-      pairs.emplace_back(is_first ? a.number : b.number, is_first ? b.number : a.number);
+      if(patch.is_flat())
+        pairs.emplace_back(a.number, b.number);
+      else if(other.is_flat())
+        pairs.emplace_back(b.number, a.number);
+      else
+        test_patches(patch, other);
     });
     std::sort(pairs.begin(), pairs.end());
-    auto pair = pairs.begin();
-    for(std::size_t number = 0; number != patches_.size(); ++number)
+    std::size_t marked = patches_.size();
+    for(const auto& [flat, other] : pairs)
     {
-      const Patch& patch = patches_[number];
-      if(patch.is_flat())
+      const Patch& patch = patches_[flat];
+      if(marked != flat)
         ball_.mark(faces_of_balls_.begin() + patch.ball_begin, faces_of_balls_.begin() + patch.ball_end);
-      else
-        test_patch(patch);
-      for(; pair != pairs.end() && pair->first == number; ++pair)
-        test_patches(patch, patches_[pair->second]);
+      marked = flat;
+      test_patches(patch, patches_[other]);
     }
     return result_;
   }
@@ -270,6 +285,9 @@ private:
     bool is_flat() const { return ball_begin != ball_end; }
   };
 
+  static constexpr std::size_t most_steps = 2000; // A ball of seven layers takes 762 where vertices have six neighbors.
+  static constexpr std::size_t largest_patch = 48; // of those that are not flat
+
   Index component_of(const Face& face) const { return trees_.component_of(surface_.corners(face.number)[0]); }
   Index component_of(const Patch& patch) const { return component_of(faces_[patch.begin]); }
 
@@ -287,37 +305,55 @@ private:
     }
   }
 
-  // A patch has the faces of a ball that are in none yet, but for those of the last layer: so what is around it is in the
-  // ball too. The center is a few steps away from the seed, where many faces are in no patch. Larger balls would be flat
-  // more seldom, and smaller ones have more faces in the last layer. Those around a vertex with very many neighbors are
-  // kept for few patches, so that memory is linear.
+  // A patch has the faces of a flat ball that are in none yet, but for those of the last layer: so what is around it is in
+  // the ball too. The center is a few steps away from the seed, where many faces are in no patch. Larger balls would be
+  // flat more seldom, and smaller ones have more faces in the last layer.
   void make_patch(Index seed, std::vector<bool>& is_placed)
   {
-    const Index center = ball_.grow(surface_.corners(seed)[0], 4, [&](Index face) { return !is_placed[face]; });
-    Patch patch = {faces_.size(), 0, static_cast<std::ptrdiff_t>(faces_of_balls_.size()), 0, {}};
+    const auto is_new = [&](Index face) { return !is_placed[face]; };
+    ball_.grow(surface_.corners(seed)[0], 4, most_steps, is_new);
+    const Index center = ball_.last_vertex();
+    patches_.push_back({faces_.size(), 0, static_cast<std::ptrdiff_t>(faces_of_balls_.size()), 0, {}});
     for(const int number_of_layers : {7, 3})
     {
-      ball_.grow(center, number_of_layers, [](Index) { return true; });
-      const auto begin = ball_.faces().begin(),
-                 end = begin + static_cast<std::ptrdiff_t>(ball_.number_of_inner_faces());
-      const std::ptrdiff_t size = std::count_if(begin, end, [&](Index face) { return !is_placed[face]; });
-      if(static_cast<std::ptrdiff_t>(ball_.faces().size()) > 1000 + 16 * size || !ball_.is_flat())
+      if(!ball_.grow(center, number_of_layers, most_steps, [](Index) { return true; }) || !ball_.is_flat())
         continue;
-      faces_of_balls_.insert(faces_of_balls_.end(), ball_.faces().begin(), ball_.faces().end());
+      for(std::size_t i = 0; i != ball_.number_of_inner_faces(); ++i)
+        if(is_new(ball_.faces()[i]))
+          add_face(ball_.faces()[i], is_placed);
       break;
     }
-    for(std::size_t i = 0; i != ball_.number_of_inner_faces(); ++i)
-    {
-      const Index face = ball_.faces()[i];
-      if(is_placed[face])
-        continue;
-      is_placed[face] = true;
-      faces_.push_back({face, box(face)});
-      patch.box += faces_.back().box;
-    }
+    Patch& patch = patches_.back();
+    if(faces_.size() != patch.begin)
+      faces_of_balls_.insert(faces_of_balls_.end(), ball_.faces().begin(), ball_.faces().end());
+    else
+      add_connected_faces(seed, is_placed);
     patch.end = faces_.size();
     patch.ball_end = static_cast<std::ptrdiff_t>(faces_of_balls_.size());
-    patches_.push_back(patch);
+  }
+
+  // What is not flat is compared face by face, so that the patch is small.
+  void add_connected_faces(Index seed, std::vector<bool>& is_placed)
+  {
+    const std::size_t begin = faces_.size();
+    add_face(seed, is_placed);
+    for(std::size_t i = begin; i != faces_.size(); ++i)
+    {
+      Index h = surface_.halfedge[faces_[i].number];
+      for(int k = 0; k != 3; ++k, h = surface_.next[h])
+      {
+        const Index neighbor = surface_.face[surface_.opposite(h)];
+        if(!is_placed[neighbor] && faces_.size() != begin + largest_patch)
+          add_face(neighbor, is_placed);
+      }
+    }
+  }
+
+  void add_face(Index face, std::vector<bool>& is_placed)
+  {
+    is_placed[face] = true;
+    faces_.push_back({face, box(face)});
+    patches_.back().box += faces_.back().box;
   }
 
   Bbox_3 box(Index face) const
@@ -348,15 +384,17 @@ private:
   {
     if(flatness_[v] == Flatness::UNKNOWN)
     {
-      ball_.grow(v, 1, [](Index) { return true; });
+      ball_.grow(v, 1, surface_.next.size(), [](Index) { return true; });
       flatness_[v] = ball_.is_flat() ? Flatness::FLAT : Flatness::FOLDED;
     }
     return flatness_[v] == Flatness::FLAT;
   }
 
+  bool is_crossed(const Patch& patch) const { return result_[component_of(patch)]; }
+
   void test_patch(const Patch& patch)
   {
-    for(std::size_t i = patch.begin; i != patch.end; ++i)
+    for(std::size_t i = patch.begin; i != patch.end && !is_crossed(patch); ++i)
     {
       const auto [u, v, w] = surface_.corners(faces_[i].number);
       if(!is_flat(u) && !is_flat(v) && !is_flat(w) && triangle(faces_[i]).triangle().is_degenerate())
@@ -372,7 +410,7 @@ private:
   void test_patches(const Patch& a, const Patch& b)
   {
     near_.clear();
-    for(std::size_t i = b.begin; i != b.end; ++i)
+    for(std::size_t i = b.begin; i != b.end && !is_crossed(a); ++i)
       if(!(a.is_flat() && ball_.contains(faces_[i].number)) && do_overlap(faces_[i].box, a.box))
         near_.push_back(i);
     for(std::size_t i = a.begin; i != a.end && !near_.empty(); ++i)
@@ -396,9 +434,7 @@ private:
 
   void test(const Face& a, const Face& b)
   {
-    if(is_plane_between(a, b) || is_plane_between(b, a) || result_[component_of(a)])
-      return;
-    if(do_intersect(triangle(a), triangle(b)))
+    if(!is_plane_between(a, b) && !is_plane_between(b, a) && do_intersect(triangle(a), triangle(b)))
       result_[component_of(a)] = true;
   }
 

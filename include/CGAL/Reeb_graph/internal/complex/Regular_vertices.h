@@ -208,7 +208,7 @@ private:
   typedef Indexed_vector<Halfedge_index, std::uint8_t> Apexes;
 
   static constexpr std::size_t edges_per_group = 4;
-  static constexpr std::size_t most_parts = 16; // each of which may need memory for all vertices
+  static constexpr std::size_t most_parts = 16; // each of which needs memory for all vertices
 
   // Triangles that have been read, whose vertices are fetched before they are compared.
   struct Fetched_block

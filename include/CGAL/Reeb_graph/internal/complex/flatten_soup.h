@@ -42,7 +42,7 @@ std::size_t count_vertices(const PointsOrNumber& points)
 }
 
 template <class Range>
-using Value_of_range = std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>;
+using Value_of_range = typename std::iterator_traits<decltype(std::begin(std::declval<const Range&>()))>::value_type;
 
 // The indices of an edge, which may be given as a pair.
 template <class Simplex>

@@ -234,8 +234,8 @@ public:
       number_of_leaves_ += is_leaf(node) ? 1 : 0;
   }
 
-  // `measure(leaf arc)` is a number, `is_small(measure)` whether an arc of that measure is to be removed, and `goes_on(number of leaves)` whether there are still so many leaves. Before an
-  // arc is removed, `visit(leaf)` is called; but before, `rival.remove_arc(measure)`, with NaN if no leaf arc is left, may
+  // `measure(leaf arc)` is a number, `is_small(measure)` whether an arc of that measure is to be removed, and
+  // `goes_on(number of leaves)` whether there are still so many leaves. Before an arc is removed, `visit(leaf)` is called; but before, `rival.remove_arc(measure)`, with NaN if no leaf arc is left, may
   // call remove_arc() for another arc, and returns it, or no_index. The rival sees each arc that two have become.
   template <class Measure, class IsSmall, class GoesOn, class Visit, class Rival = No_rival>
   void operator()(const Measure& measure,
