@@ -23,26 +23,28 @@ def run(function: Any, *arguments: Any, threads: int | None = None, progress: Pr
     control = _core.Run(_number_of_threads(threads))
     results: list[Any] = []
     errors: list[BaseException] = []
+    ended = threading.Event()  # A signal in Thread.join() makes Python 3.11 take a running thread for one that has ended.
 
     def work() -> None:
         try:
             results.append(function(*arguments, control))
         except BaseException as error:
             errors.append(error)
+        finally:
+            ended.set()
 
-    worker = threading.Thread(target=work)
-    worker.start()
+    threading.Thread(target=work).start()
     told = -1.0
     try:
-        while worker.is_alive():
-            worker.join(TURN)
+        while not ended.is_set():
+            ended.wait(TURN)
             if show is not None and control.fraction > told:
                 told = control.fraction
                 if show(told) is False:
                     raise StoppedError("the function progress has stopped the work")
     except BaseException:
         control.stop()
-        worker.join(PATIENCE)
+        ended.wait(PATIENCE)
         raise
     if errors:
         raise errors.pop()

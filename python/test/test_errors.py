@@ -221,16 +221,19 @@ pressed = []
 def press():
     pressed.append(time.monotonic())
     os.kill(os.getpid(), signal.SIGINT)
-threading.Timer(1.5, press).start()
+begin = time.monotonic()
+reeb_graph.compute(triangles, scalars, threads=1)
+whole = time.monotonic() - begin
+threading.Timer(whole / 3, press).start()
 try:
     while True:
         reeb_graph.compute(triangles, scalars, threads=1)
 except KeyboardInterrupt:
-    print(time.monotonic() - pressed[0])
+    print((time.monotonic() - pressed[0]) / whole)
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=Path(__file__).parent)
     assert done.returncode == 0, done.stderr
-    assert float(done.stdout) < 3  # within a second, where the machine is not busy
+    assert float(done.stdout) < 0.6  # of the time of a run, of which two thirds were left
 
 
 def test_import_without_the_extension(tmp_path):
