@@ -19,7 +19,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 // Reeb graphs of soups and tetrahedra, against the oracle, and against those of the same surfaces as meshes.
@@ -55,6 +57,22 @@ Graph graph_of(const Complex& complex, const std::vector<double>& values, const 
   return graph;
 }
 } // namespace
+
+// A range of scalars of which each is read through something else.
+struct Scalars_behind_proxies
+{
+  struct Iterator
+  {
+    typedef double value_type;
+    typedef float reference;
+    typedef std::ptrdiff_t difference_type;
+    typedef void pointer;
+    typedef std::input_iterator_tag iterator_category;
+    float operator*() const { return 0; }
+  };
+  Iterator begin() const { return {}; }
+};
+static_assert(std::is_same_v<CGAL::Reeb_graph::internal::Value_of_range<Scalars_behind_proxies>, double>);
 
 BOOST_AUTO_TEST_CASE(graphs_of_random_complexes_are_those_of_the_oracle)
 {
