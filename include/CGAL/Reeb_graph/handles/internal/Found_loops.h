@@ -1,0 +1,169 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_HANDLES_INTERNAL_FOUND_LOOPS_H
+#define CGAL_REEB_GRAPH_HANDLES_INTERNAL_FOUND_LOOPS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
+#include <CGAL/Reeb_graph/handles/internal/Handle_homology.h>
+#include <CGAL/Reeb_graph/handles/internal/Loop_choice.h>
+#include <CGAL/Reeb_graph/handles/internal/triangle_intersections.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Reeb_graph::internal {
+
+// Finds the loops, and keeps what answers questions about them.
+class Found_loops : public Loop_finder
+{
+public:
+  Found_loops(Closed_surface surface, const Stage_progress& progress) : homology_(std::move(surface), progress) {}
+
+  const Closed_surface& surface() const override { return homology_.surface(); }
+  std::size_t number_of_components() const override { return homology_.trees().components().size(); }
+  Index component_of(Index v) const override { return homology_.trees().component_of(v); }
+
+  std::vector<bool> self_intersections() const override
+  {
+    return Self_intersections(homology_.surface(), homology_.trees())();
+  }
+
+  void refuse_self_intersections(const std::vector<bool>& is_crossed) override
+  {
+    for(auto& component : homology_.components())
+    {
+      if(is_crossed[component.number])
+        component.projection.clear();
+    }
+  }
+
+  std::vector<Surface_loop> make_loops(double bound, std::size_t number, const Stage_progress& progress) override
+  {
+    std::vector<Surface_loop> result;
+    const auto pairs = All_loops(homology_)(bound, number, progress);
+    for(std::size_t place = 0; place != pairs.size(); ++place)
+      add_pairs(homology_.components()[place], pairs[place], result);
+    for(const Halfedge_walk& cycle : homology_.surface().border_cycles)
+      result.push_back(make_loop(Loop_kind::HOLE, cycle));
+    return result;
+  }
+
+  bool is_bounding(const Halfedge_walk& walk, bool is_inside) const override
+  {
+    const auto* component = homology_component_of(walk);
+    if(!component || component->projection.empty())
+      return false;
+    const auto loop = coordinates(*component, walk);
+    if(std::all_of(loop.begin(), loop.end(), [](const Integer& number) { return number == 0; }))
+      return false;
+    const auto front = part_in_front(*component, loop);
+    const bool is_behind = is_inside == component->is_front_outside;
+    return is_behind ? std::all_of(front.begin(), front.end(), [](const Integer& number) { return number == 0; })
+                     : front == loop;
+  }
+
+  long long intersection_number(const Halfedge_walk& a, const Halfedge_walk& b) const override
+  {
+    const auto* component = homology_component_of(a);
+    if(!component || component != homology_component_of(b))
+      return 0;
+    return crossing(*component, coordinates(*component, a), coordinates(*component, b));
+  }
+
+  // In front, it is the intersection number of b with the part of a that bounds in front.
+  long long linking_number(const Halfedge_walk& a, const Halfedge_walk& b) const override
+  {
+    const auto* component = homology_component_of(a);
+    if(!component || component != homology_component_of(b) || component->projection.empty())
+      return 0;
+    const auto loop = coordinates(*component, a), other = coordinates(*component, b);
+    const long long in_front = crossing(*component, other, part_in_front(*component, loop));
+    return component->is_front_outside ? in_front : in_front + crossing(*component, loop, other);
+  }
+
+private:
+  typedef Handle_homology::Component Component;
+  typedef std::vector<Integer> Class;
+
+  void add_pairs(const Component& component, const std::vector<Pair_of_loops>& pairs, std::vector<Surface_loop>& loops)
+  {
+    const bool has_inside = !component.projection.empty();
+    std::vector<std::array<Surface_loop, 2>> made;
+    for(const Pair_of_loops& pair : pairs)
+    {
+      const std::size_t inside = has_inside && !component.is_front_outside ? 1 : 0;
+      made.push_back({make_loop(has_inside ? Loop_kind::HANDLE : Loop_kind::LOOP, pair[inside]),
+                      make_loop(has_inside ? Loop_kind::TUNNEL : Loop_kind::LOOP, pair[1 - inside])});
+    }
+    const auto size = [](const std::array<Surface_loop, 2>& pair) {
+      return std::make_pair((std::min)(pair[0].length, pair[1].length), pair[0].length + pair[1].length);
+    };
+    std::stable_sort(made.begin(), made.end(), [&](const auto& a, const auto& b) { return size(a) < size(b); });
+    for(auto& pair : made)
+      for(std::size_t k : {0, 1})
+      {
+        pair[k].partner = k == 0 ? loops.size() + 1 : loops.size() - 1;
+        loops.push_back(std::move(pair[k]));
+      }
+  }
+
+  Surface_loop make_loop(Loop_kind kind, const Halfedge_walk& walk) const
+  {
+    const Closed_surface& surface = homology_.surface();
+    Surface_loop loop = {kind, walk};
+    loop.length = surface.length(walk);
+    loop.component = component_of(surface.target[walk.front()]);
+    std::unordered_set<Index> passed;
+    for(const Index h : walk)
+      loop.is_simple = passed.insert(surface.target[h]).second && loop.is_simple;
+    return loop;
+  }
+
+  const Component* homology_component_of(const Halfedge_walk& walk) const
+  {
+    return walk.empty() ? nullptr : homology_.component_of(homology_.surface().target[walk.front()]);
+  }
+
+  static Class coordinates(const Component& component, const Halfedge_walk& walk)
+  {
+    const auto numbers = component.loops.coordinates(walk);
+    return Class(numbers.begin(), numbers.end());
+  }
+
+  static Class part_in_front(const Component& component, const Class& loop)
+  {
+    return combination(loop, converted(component.projection));
+  }
+
+  static long long crossing(const Component& component, const Class& a, const Class& b)
+  {
+    return to_machine_integer(dot_product(combination(a, converted(component.loops.intersection_numbers()[0])), b));
+  }
+
+  Handle_homology homology_;
+};
+
+template <class Surface>
+std::unique_ptr<Loop_finder> make_loop_finder(Surface surface, const Stage_progress& progress)
+{
+  return std::make_unique<Found_loops>(std::move(surface), progress);
+}
+
+} // namespace CGAL::Reeb_graph::internal
+
+#endif // CGAL_REEB_GRAPH_HANDLES_INTERNAL_FOUND_LOOPS_H
