@@ -249,7 +249,7 @@ private:
                            return;
                          Triangle face;
                          for(std::size_t k = 0; k != 3; ++k)
-                           face.corners[k] = {vertices[k], 0, disc_point(vertices[k], point_map_)};
+                           face.corners[k] = {vertices[k], 0, disc_point(get(point_map_, vertices[k]))};
                          if(do_intersect(*t.triangle, face))
                            refuse(plan, components_[b.number] != plan.row.component, t.is_disc);
                        });

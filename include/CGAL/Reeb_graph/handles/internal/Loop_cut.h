@@ -105,7 +105,7 @@ public:
 private:
   typedef typename boost::property_traits<PointMap>::value_type Point;
 
-  Disc_point point(vertex_descriptor v) const { return disc_point(v, point_map_); }
+  Disc_point point(vertex_descriptor v) const { return disc_point(get(point_map_, v)); }
 
   void span_disc(const std::vector<Disc_point>& polyline, const std::vector<Disc_point>& third_points)
   {
@@ -198,7 +198,7 @@ private:
         const halfedge_descriptor begin = side == 0 ? loop_[k] : back, end = side == 0 ? back : loop_[k];
         moved_[side].push_back(is_along_normals ? moved(begin, (side == 0 ? step : -step) * normals_[k])
                                                 : moved(begin, step * way_to_neighbors(begin, end)));
-        points[side].push_back(to_disc_point(moved_[side].back()));
+        points[side].push_back(disc_point(moved_[side].back()));
         for(halfedge_descriptor h = begin; h != end; h = turned(h))
           copies.emplace(prev(h, mesh_), std::make_pair(static_cast<int>(side) + 1, points[side].back()));
       }
@@ -244,11 +244,6 @@ private:
   {
     const Disc_point p = point(source(h, mesh_)) + way;
     return Point(p.x(), p.y(), p.z());
-  }
-
-  static Disc_point to_disc_point(const Point& p)
-  {
-    return Disc_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }
 
   bool fits_itself() const
