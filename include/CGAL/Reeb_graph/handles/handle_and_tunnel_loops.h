@@ -101,9 +101,9 @@ public:
   {
     for(const internal::Surface_loop& loop : loops)
     {
-      walks_.push_back(loop.walk);
+      walks_.push_back(loop.halfedges);
       loops_.push_back({loop.kind, {}, loop.partner, loop.length, loop.persistence, loop.component, loop.is_simple});
-      for(const internal::Index h : loop.walk)
+      for(const internal::Index h : loop.halfedges)
         loops_.back().halfedges.push_back(closing_->halfedges()[h]);
     }
   }

@@ -59,10 +59,10 @@ public:
   const Tree_and_cotree::Component& component() const { return component_; }
   Halfedge_walk walk(std::size_t k) const { return trees_.walk_through(component_.left_over[k]); }
 
-  Integer_rows linking_numbers() const { return Linking_numbers(surface_, trees_, component_, pieces_, copieces_)(); }
+  Rows linking_numbers() const { return Linking_numbers(surface_, trees_, component_, pieces_, copieces_)(); }
 
   // The coordinates of a closed walk in the basis b: how often each loop c crosses it from its right to its left.
-  std::vector<long long> coordinates(const Halfedge_walk& walk) const
+  std::vector<Integer> coordinates(const Halfedge_walk& walk) const
   {
     std::vector<long long> result(size(), 0), sums(copieces_.size(), 0);
     for(const Index h : walk)
@@ -84,12 +84,12 @@ public:
       const Index h = component_.left_over[k];
       result[k] += copieces_.at(sums, surface_.face[h]) - copieces_.at(sums, surface_.face[surface_.opposite(h)]);
     }
-    return result;
+    return {result.begin(), result.end()};
   }
 
   // The intersection numbers of the loops b with each other, and of the loops c with each other. The second matrix
   // has the coordinates of the loops c in the basis b, and its transpose is the inverse of the first one.
-  std::array<Integer_rows, 2> intersection_numbers() const
+  std::array<Rows, 2> intersection_numbers() const
   {
     const std::vector<Index> ends = ends_around_tree();
     std::unordered_map<Index, std::size_t> places;
@@ -143,7 +143,7 @@ private:
   // The intersection numbers of chords of a circle: chord k leads from the place of left_over[k] to that of its
   // opposite, and around the tree, the other way round on the outside. Counterclockwise, they begin, begin, end, end if
   // the second one crosses the first one from its right to its left.
-  Integer_rows crossings(const std::vector<Index>& places) const
+  Rows crossings(const std::vector<Index>& places) const
   {
     std::vector<std::array<std::size_t, 2>> chords(size());
     for(std::size_t i = 0; i != places.size(); ++i)
@@ -151,7 +151,7 @@ private:
       const std::size_t k = numbers_.at(places[i] & ~Index(1));
       chords[k][places[i] == component_.left_over[k] ? 0 : 1] = i;
     }
-    Integer_rows result(size(), std::vector<long long>(size(), 0));
+    Rows result(size(), std::vector<Integer>(size(), Integer(0)));
     for(std::size_t i = 0; i != size(); ++i)
       for(std::size_t j = 0; j != size(); ++j)
       {
@@ -181,8 +181,8 @@ public:
   struct Component
   {
     Component_loops loops;
-    std::size_t number;      // among all components of the surface
-    Integer_rows projection; // empty if there is no inside
+    std::size_t number; // among all components of the surface
+    Rows projection;    // empty if there is no inside
     bool is_front_outside = true;
     std::size_t number_of_vertices = 0;
   };
@@ -243,8 +243,7 @@ private:
   template <class FT>
   static FT volume(const Corners<FT>& p)
   {
-    return p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) + p[0][1] * (p[1][2] * p[2][0] - p[1][0] * p[2][2])
-         + p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
+    return dot(p[0], cross(p[1], p[2]));
   }
 
   // A volume with a bound of what rounding has changed: interval arithmetic takes ten times as long.

@@ -115,7 +115,7 @@ private:
       if(!(loop->length < size))
         break;
       std::vector<halfedge_descriptor> halfedges;
-      for(const Index h : loop->walk)
+      for(const Index h : loop->halfedges)
         halfedges.push_back(closing.halfedges()[h]);
       add_plan(*loop, components[loop->component], std::move(halfedges));
     }

@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <random>
 #include <set>
 #include <unordered_map>
 #include <unordered_set>
@@ -32,14 +33,6 @@
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
-
-inline Halfedge_walk reversed(const Halfedge_walk& walk)
-{
-  Halfedge_walk result;
-  for(auto h = walk.rbegin(); h != walk.rend(); ++h)
-    result.push_back(Closed_surface::opposite(*h));
-  return result;
-}
 
 // A loop of each half whose intersection number is 1.
 typedef std::array<Halfedge_walk, 2> Pair_of_loops;
@@ -299,7 +292,8 @@ public:
         component.projection.clear();
         halves_.emplace_back(component.loops, splitting(component.loops));
       }
-      const auto random = random_numbers(component.loops.size());
+      std::vector<std::uint64_t> random(component.loops.size());
+      std::generate(random.begin(), random.end(), std::mt19937_64());
       for(std::size_t k = 0; k != component.loops.size(); ++k)
         codes[component.loops.component().left_over[k] / 2] = halves_.back().code(k, random);
     }
