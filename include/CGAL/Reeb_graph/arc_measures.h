@@ -135,12 +135,7 @@ std::vector<double> vertex_counts_of_pieces(const FaceListGraph& mesh,
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type and points of a
-///                    three-dimensional kernel as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
+///   \reebGraphPoints{ReadablePropertyMap}
 /// \cgalNamedParamsEnd
 ///
 /// \returns the areas of the nodes, and behind them those of the arcs, in the order of `edges(graph)`.
