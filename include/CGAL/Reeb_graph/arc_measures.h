@@ -100,9 +100,7 @@ std::vector<double> lengths_of_arcs(const Mesh& mesh,
 /// \brief counts the vertices of the mesh that belong to each node and to each arc of a Reeb graph: weights for
 /// `simplify()`, as named parameter `piece_weights`.
 ///
-/// \param mesh the mesh
-/// \param graph the Reeb graph
-/// \param locations what `Augmentation::locate_vertices()` has returned for the two
+/// \reebGraphLocatedVertices
 ///
 /// \returns the counts of the nodes, and behind them those of the arcs, in the order of `edges(graph)`.
 ///
@@ -128,9 +126,7 @@ std::vector<double> vertex_counts_of_pieces(const FaceListGraph& mesh,
 ///
 /// A third of the area of each face belongs to each of its vertices.
 ///
-/// \param mesh the mesh
-/// \param graph the Reeb graph
-/// \param locations what `Augmentation::locate_vertices()` has returned for the two
+/// \reebGraphLocatedVertices
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -173,9 +169,7 @@ std::vector<double> areas_of_pieces(const FaceListGraph& mesh,
 /// is shared out equally among its arcs. So the sum is the area of the mesh, but for components without an arc, which
 /// contracted ties can leave.
 ///
-/// \param mesh the mesh
-/// \param graph the Reeb graph
-/// \param locations what `Augmentation::locate_vertices()` has returned for the two
+/// \reebGraphLocatedVertices
 /// \param np named parameters: those of `areas_of_pieces()`
 ///
 /// \returns the areas of the arcs, in the order of `edges(graph)`.

@@ -35,9 +35,7 @@ namespace CGAL::Reeb_graph {
 /// By default, the shortest contour of several candidates in the half next to the saddle is taken: a branch is cut off
 /// where it is attached.
 ///
-/// The method follows Section 7 of M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*,
-/// of 2020. First, saddles of higher multiplicity, which could hide handles, are made simple as in
-/// `unfold_multi_saddles()`. The time is that of `cutting_system()`.
+/// \reebGraphMethodOfCurves The time is that of `cutting_system()`.
 ///
 /// \reebGraphTparamsOfCurves
 ///

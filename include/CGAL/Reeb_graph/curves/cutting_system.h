@@ -32,9 +32,7 @@ namespace CGAL::Reeb_graph {
 /// left the shortest contour of several candidates is taken, and the arcs outside of a maximum spanning tree of these
 /// lengths give the curves.
 ///
-/// The method follows Section 7 of M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*,
-/// of 2020. First, saddles of higher multiplicity, which could hide handles, are made simple as in
-/// `unfold_multi_saddles()`. It takes \f$ O(n \log n + l) \f$ time, where
+/// \reebGraphMethodOfCurves It takes \f$ O(n \log n + l) \f$ time, where
 /// \f$ n \f$ is the number of vertices and faces, and \f$ l \f$ is the number of edges that are crossed by the contours
 /// that the computation of the graph traces, by the candidates, and by the curves.
 ///
