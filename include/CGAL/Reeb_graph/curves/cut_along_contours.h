@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/exceptions.h>
-#include <CGAL/Reeb_graph/curves/internal/Contour_choice.h>
 #include <CGAL/Reeb_graph/curves/internal/Ranked_mesh.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
