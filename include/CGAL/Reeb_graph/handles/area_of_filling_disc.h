@@ -135,8 +135,8 @@ std::vector<std::optional<double>> areas_of_discs(const Mesh& mesh, const LoopRa
     face_boxes.push_back(Numbered_box(face_triangle(f, mesh, point_map).bbox(), face_boxes.size()));
   box_intersection_d(disc_boxes.begin(), disc_boxes.end(), face_boxes.begin(), face_boxes.end(),
                      [&](const Numbered_box& a, const Numbered_box& b) {
-                       const auto& [triangle, disc] = triangles[a.number];
-                       const face_descriptor f = all_faces[b.number];
+                       const auto& [triangle, disc] = triangles[a.info()];
+                       const face_descriptor f = all_faces[b.info()];
                        const auto [u, v, w] = face_corners(f, mesh);
                        const bool is_beside =
                          passed[disc].count(u) + passed[disc].count(v) + passed[disc].count(w) != 0;

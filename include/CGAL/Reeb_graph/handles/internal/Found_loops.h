@@ -68,7 +68,7 @@ public:
     const auto* component = homology_component_of(walk);
     if(!component || component->projection.empty())
       return false;
-    const Class loop = component->loops.coordinates(walk);
+    const Class loop = component->coordinates(walk);
     if(std::all_of(loop.begin(), loop.end(), [](const Integer& number) { return number == 0; }))
       return false;
     const Class front = combination(loop, component->projection);
@@ -82,7 +82,7 @@ public:
     const auto* component = homology_component_of(a);
     if(!component || component != homology_component_of(b))
       return 0;
-    return crossing(*component, component->loops.coordinates(a), component->loops.coordinates(b));
+    return crossing(*component, component->coordinates(a), component->coordinates(b));
   }
 
   // In front, it is the intersection number of b with the part of a that bounds in front.
@@ -91,7 +91,7 @@ public:
     const auto* component = homology_component_of(a);
     if(!component || component != homology_component_of(b) || component->projection.empty())
       return 0;
-    const Class loop = component->loops.coordinates(a), other = component->loops.coordinates(b);
+    const Class loop = component->coordinates(a), other = component->coordinates(b);
     const long long in_front = crossing(*component, other, combination(loop, component->projection));
     return component->is_front_outside ? in_front : in_front + crossing(*component, loop, other);
   }
@@ -141,7 +141,7 @@ private:
 
   static long long crossing(const Component& component, const Class& a, const Class& b)
   {
-    return to_machine_integer(dot_product(combination(a, component.loops.intersection_numbers()[0]), b));
+    return to_machine_integer(dot_product(combination(a, component.intersection_numbers()[0]), b));
   }
 
   Handle_homology homology_;

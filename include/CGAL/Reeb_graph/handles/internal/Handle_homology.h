@@ -16,13 +16,11 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/license/Reeb_graph.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <limits>
 #include <unordered_map>
@@ -31,19 +29,21 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// The loops of one component: coordinates of closed walks in the basis b of its tree, and intersection numbers.
+// The loops of one component: coordinates of closed walks in the basis b of its tree, intersection numbers, and linking
+// numbers.
 class Component_loops
 {
 public:
   // `pieces_of_vertices` and `pieces_of_faces` are places for numbers, no_index for this component.
   Component_loops(const Closed_surface& surface,
                   const Tree_and_cotree& trees,
-                  const Tree_and_cotree::Component& component,
+                  std::size_t number_of_component,
                   std::vector<Index>& pieces_of_vertices,
                   std::vector<Index>& pieces_of_faces)
-    : surface_(surface),
+    : number(number_of_component),
+      surface_(surface),
       trees_(trees),
-      component_(component),
+      component_(trees.components()[number_of_component]),
       pieces_(ends([&](Index h) { return surface.source(h); }),
               pieces_of_vertices,
               [&](Index v) { return trees.parent(v); }),
@@ -52,8 +52,13 @@ public:
       })
   {
     for(std::size_t k = 0; k != size(); ++k)
-      numbers_.emplace(component.left_over[k], k);
+      numbers_.emplace(component_.left_over[k], k);
   }
+
+  std::size_t number; // among all components of the surface
+  Rows projection;    // empty if there is no inside
+  bool is_front_outside = true;
+  std::size_t number_of_vertices = 0;
 
   std::size_t size() const { return component_.left_over.size(); } // twice the genus
   const Tree_and_cotree::Component& component() const { return component_; }
@@ -178,14 +183,7 @@ private:
 class Handle_homology
 {
 public:
-  struct Component
-  {
-    Component_loops loops;
-    std::size_t number; // among all components of the surface
-    Rows projection;    // empty if there is no inside
-    bool is_front_outside = true;
-    std::size_t number_of_vertices = 0;
-  };
+  typedef Component_loops Component;
 
   Handle_homology(Closed_surface surface, const Stage_progress& progress)
     : surface_(std::move(surface)),
@@ -198,8 +196,7 @@ public:
     {
       places_.push_back(components_.size());
       if(trees_.components()[i].genus() != 0)
-        components_.push_back(
-          {Component_loops(surface_, trees_, trees_.components()[i], pieces_of_vertices_, pieces_of_faces_), i, {}});
+        components_.emplace_back(surface_, trees_, i, pieces_of_vertices_, pieces_of_faces_);
     }
     for(Index v = 0; v != surface_.number_of_given_vertices; ++v)
     {
@@ -210,8 +207,8 @@ public:
     progress(0.5);
     for(std::size_t i = 0; i != components_.size(); ++i)
     {
-      if(!components_[i].loops.component().has_border)
-        components_[i].projection = components_[i].loops.linking_numbers();
+      if(!components_[i].component().has_border)
+        components_[i].projection = components_[i].linking_numbers();
       progress.part(0.5, 1).report_step(i, components_.size());
     }
   }
@@ -299,9 +296,9 @@ private:
     for(const Index h : surface_.halfedge)
     {
       const Component* component = component_of(surface_.target[h]);
-      if(!component || component->loops.component().has_border || !filter(*component))
+      if(!component || component->component().has_border || !filter(*component))
         continue;
-      const auto& o = surface_.points[component->loops.component().root];
+      const auto& o = surface_.points[component->component().root];
       Corners<FT> p;
       Index g = h;
       for(auto& point : p)

@@ -18,7 +18,6 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -257,7 +256,7 @@ private:
     }
     bool result = true;
     box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Numbered_box& a, const Numbered_box& b) {
-      result = result && !internal::do_intersect(placed_[a.number], placed_[b.number]);
+      result = result && !internal::do_intersect(placed_[a.info()], placed_[b.info()]);
     });
     return result;
   }
