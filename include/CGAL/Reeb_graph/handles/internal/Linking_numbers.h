@@ -25,10 +25,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -85,6 +83,16 @@ public:
     });
   }
 
+  // From the origin.
+  template <class FT>
+  static Vector<FT> point(const Mean_point& mean)
+  {
+    Vector<FT> sum = vector<FT>(*mean.points[0]);
+    for(int i = 1; i < mean.size; ++i)
+      sum = sum + vector<FT>(*mean.points[i]);
+    return mean.size == 1 ? sum : sum / FT(mean.size);
+  }
+
 private:
   struct Undecided
   {
@@ -111,15 +119,6 @@ private:
   static Vector<FT> vector(const std::array<double, 3>& a)
   {
     return {FT(a[0]), FT(a[1]), FT(a[2])};
-  }
-
-  template <class FT>
-  static Vector<FT> point(const Mean_point& mean)
-  {
-    Vector<FT> sum = vector<FT>(*mean.points[0]);
-    for(int i = 1; i < mean.size; ++i)
-      sum = sum + vector<FT>(*mean.points[i]);
-    return mean.size == 1 ? sum : sum / FT(mean.size);
   }
 
   template <class FT>
@@ -274,36 +273,24 @@ private:
                        });
   }
 
-  // Boxes around the projected segments, large enough for all errors of rounding.
+  // Boxes around the projected segments, by intervals, so that no error of rounding matters.
   std::vector<Box> boxes(const std::vector<Located_segment>& segments, const std::array<double, 3>& direction) const
   {
-    const double slope_x = direction[0] / direction[2], slope_y = direction[1] / direction[2];
-    double largest = 0;
-    for(const Located_segment& located : segments)
-      for(const Mean_point& end : located.segment)
-        for(const double coordinate : *end.points[0])
-          largest = (std::max)(largest, std::abs(coordinate));
-    const double margin = 1e-14 * largest;
+    typedef Interval_nt<> Interval;
+    const Interval slope_x = Interval(direction[0]) / direction[2], slope_y = Interval(direction[1]) / direction[2];
     std::vector<Box> result;
     result.reserve(segments.size());
     for(const Located_segment& located : segments)
     {
-      std::array<double, 2> low = {(std::numeric_limits<double>::max)(), (std::numeric_limits<double>::max)()};
-      std::array<double, 2> high = {-low[0], -low[1]};
+      Box box(false, &located);
       for(const Mean_point& end : located.segment)
       {
-        Closed_surface::Point p = {0, 0, 0};
-        for(int i = 0; i < end.size; ++i)
-          for(std::size_t k = 0; k != 3; ++k)
-            p[k] += (*end.points[i])[k] / end.size;
-        const std::array<double, 2> seen = {p[0] - slope_x * p[2], p[1] - slope_y * p[2]};
-        for(std::size_t k = 0; k != 2; ++k)
-        {
-          low[k] = (std::min)(low[k], seen[k] - margin);
-          high[k] = (std::max)(high[k], seen[k] + margin);
-        }
+        const auto p = Projected_segments::point<Interval>(end);
+        std::array<std::pair<double, double>, 2> seen = {(p.x() - slope_x * p.z()).pair(),
+                                                         (p.y() - slope_y * p.z()).pair()};
+        box.extend(seen.data());
       }
-      result.push_back(Box(low.data(), high.data(), &located));
+      result.push_back(box);
     }
     return result;
   }
