@@ -380,11 +380,7 @@ public:
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
   ///
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{vertex_point_map}
-  ///     \cgalParamDescription{the points of the vertices}
-  ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type}
-  ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-  ///   \cgalParamNEnd
+  ///   \reebGraphPoints{ReadablePropertyMap}
   /// \cgalNamedParamsEnd
   ///
   /// \returns the output iterator behind the last point.

@@ -18,8 +18,9 @@
 
 namespace CGAL::Reeb_graph {
 
-/// \ingroup PkgReebGraphAugmentation
-///
+/// \addtogroup PkgReebGraphAugmentation
+/// @{
+
 /// \brief a contour of an arc: the edges that one connected component of a level set crosses.
 ///
 /// \tparam ArcDescriptor an edge descriptor of the Reeb graph
@@ -42,8 +43,6 @@ struct Contour
   std::vector<HalfedgeDescriptor> halfedges;
 };
 
-/// \ingroup PkgReebGraphAugmentation
-///
 /// \brief what a node of the Reeb graph stands for.
 ///
 /// \tparam Contour_ a `Contour`
@@ -61,8 +60,6 @@ struct Critical_set
   std::vector<HalfedgeDescriptor> border_loop;
 };
 
-/// \ingroup PkgReebGraphAugmentation
-///
 /// \brief the points of a contour of an arc in a complex: one on each edge that the contour crosses.
 ///
 /// \tparam ArcDescriptor an edge descriptor of the Reeb graph
@@ -86,8 +83,6 @@ struct Crossed_edges
   std::vector<double> fractions;
 };
 
-/// \ingroup PkgReebGraphAugmentation
-///
 /// \brief a contour of an arc in a triangle soup: a graph whose points are on edges of the soup, and whose lines are in
 /// its triangles.
 ///
@@ -107,8 +102,6 @@ struct Soup_contour : Crossed_edges<ArcDescriptor>
   std::vector<std::size_t> branch_points;
 };
 
-/// \ingroup PkgReebGraphAugmentation
-///
 /// \brief a contour of an arc in a tetrahedral mesh: a component of an isosurface, triangulated.
 ///
 /// Each crossed tetrahedron holds one triangle, or two. Where the tetrahedra are a 3-manifold, the triangles are a
@@ -123,8 +116,6 @@ struct Isosurface_patch : Crossed_edges<ArcDescriptor>
   std::vector<std::array<std::size_t, 3>> triangles;
 };
 
-/// \ingroup PkgReebGraphAugmentation
-///
 /// \brief what a node of the Reeb graph of a complex stands for.
 ///
 /// \tparam Contour_ a `Soup_contour` or an `Isosurface_patch`
@@ -138,6 +129,8 @@ struct Soup_critical_set
   /// times is there as often.
   std::vector<std::size_t> star;
 };
+
+/// @}
 
 } // namespace CGAL::Reeb_graph
 

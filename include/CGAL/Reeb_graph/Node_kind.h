@@ -6,9 +6,4 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_NODE_KIND_H
-#define CGAL_REEB_GRAPH_NODE_KIND_H
-
 #include <CGAL/Reeb_graph/options.h> // has what was here
-
-#endif // CGAL_REEB_GRAPH_NODE_KIND_H

@@ -6,9 +6,4 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_TETRAHEDRA_AUGMENTATION_H
-#define CGAL_REEB_GRAPH_TETRAHEDRA_AUGMENTATION_H
-
 #include <CGAL/Reeb_graph/Complex_augmentation.h> // has what was here
-
-#endif // CGAL_REEB_GRAPH_TETRAHEDRA_AUGMENTATION_H

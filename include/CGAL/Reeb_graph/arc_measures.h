@@ -94,14 +94,13 @@ std::vector<double> lengths_of_arcs(const Mesh& mesh,
 
 } // namespace internal
 
-/// \ingroup PkgReebGraphAugmentation
-///
+/// \addtogroup PkgReebGraphAugmentation
+/// @{
+
 /// \brief counts the vertices of the mesh that belong to each node and to each arc of a Reeb graph: weights for
 /// `simplify()`, as named parameter `piece_weights`.
 ///
-/// \param mesh the mesh
-/// \param graph the Reeb graph
-/// \param locations what `Augmentation::locate_vertices()` has returned for the two
+/// \reebGraphLocatedVertices
 ///
 /// \returns the counts of the nodes, and behind them those of the arcs, in the order of `edges(graph)`.
 ///
@@ -122,25 +121,16 @@ std::vector<double> vertex_counts_of_pieces(const FaceListGraph& mesh,
     return {};
 }
 
-/// \ingroup PkgReebGraphAugmentation
-///
 /// \brief adds up the area that belongs to each node and to each arc of a Reeb graph: weights for `simplify()`, as
 /// named parameter `piece_weights`.
 ///
 /// A third of the area of each face belongs to each of its vertices.
 ///
-/// \param mesh the mesh
-/// \param graph the Reeb graph
-/// \param locations what `Augmentation::locate_vertices()` has returned for the two
+/// \reebGraphLocatedVertices
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type and points of a
-///                    three-dimensional kernel as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
+///   \reebGraphPoints{ReadablePropertyMap}
 /// \cgalNamedParamsEnd
 ///
 /// \returns the areas of the nodes, and behind them those of the arcs, in the order of `edges(graph)`.
@@ -173,17 +163,13 @@ std::vector<double> areas_of_pieces(const FaceListGraph& mesh,
     return {};
 }
 
-/// \ingroup PkgReebGraphAugmentation
-///
 /// \brief adds up the area of the surface that belongs to each arc of a Reeb graph.
 ///
 /// A third of the area of each face belongs to each of its vertices, as in `areas_of_pieces()`; what belongs to a node
 /// is shared out equally among its arcs. So the sum is the area of the mesh, but for components without an arc, which
 /// contracted ties can leave.
 ///
-/// \param mesh the mesh
-/// \param graph the Reeb graph
-/// \param locations what `Augmentation::locate_vertices()` has returned for the two
+/// \reebGraphLocatedVertices
 /// \param np named parameters: those of `areas_of_pieces()`
 ///
 /// \returns the areas of the arcs, in the order of `edges(graph)`.
@@ -201,8 +187,6 @@ std::vector<double> arc_areas(const FaceListGraph& mesh,
   return internal::measures_of_arcs(graph, areas_of_pieces(mesh, graph, locations, np));
 }
 
-/// \ingroup PkgReebGraphAugmentation
-///
 /// \brief adds up the area of the triangles of a soup that belongs to each arc of its Reeb graph, as that of a mesh. A
 /// triangle that is listed several times counts once.
 ///
@@ -234,8 +218,6 @@ std::vector<double> arc_areas(const Soup_augmentation<Scalar, ReebGraph, Traits>
   return internal::measures_of_arcs(graph, areas);
 }
 
-/// \ingroup PkgReebGraphAugmentation
-///
 /// \brief adds up the volume of the tetrahedra that belongs to each arc of their Reeb graph, as the area of a mesh: a
 /// quarter of each tetrahedron to each of its vertices. One that is listed several times counts once.
 ///
@@ -265,8 +247,6 @@ std::vector<double> arc_volumes(const Tetrahedra_augmentation<Scalar, ReebGraph,
   return internal::measures_of_arcs(graph, volumes);
 }
 
-/// \ingroup PkgReebGraphAugmentation
-///
 /// \brief measures the length of each arc of a Reeb graph on the surface.
 ///
 /// That is the length of its chain as a polyline, from the vertex of the lower node up to the value of the upper node.
@@ -299,8 +279,6 @@ std::vector<double> arc_lengths(const FaceListGraph& mesh,
     return {};
 }
 
-/// \ingroup PkgReebGraphAugmentation
-///
 /// \brief measures the length of each arc of the Reeb graph of a soup or of tetrahedra, as on a mesh.
 ///
 /// \param augmentation a `Soup_augmentation` or `Tetrahedra_augmentation` of the graph
@@ -316,6 +294,8 @@ std::vector<double> arc_lengths(const Complex_augmentation<GraphOnCells>& augmen
                                    internal::checked_point_map(points, augmentation.number_of_vertices()),
                                    [&](std::size_t v) { return augmentation.value(v); });
 }
+
+/// @}
 
 } // namespace CGAL::Reeb_graph
 

@@ -84,16 +84,8 @@ class Complex_augmentation; // callers of embed() with one have included it
 ///                    can be converted to `double`}
 ///     \cgalParamDefault{equal steps of the field itself}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is called with the fraction of the work done; if it returns `false`, the work ends}
-///     \cgalParamType{a function object that is called with a `double` from 0 to 1 and returns a `bool`}
-///     \cgalParamDefault{none}
-///   \cgalParamNEnd
+///   \reebGraphPoints{ReadablePropertyMap}
+///   \reebGraphCallback
 /// \cgalNamedParamsEnd
 ///
 /// \returns an `Embedding` with the type of the points of the mesh.

@@ -97,8 +97,9 @@ private:
 
 } // namespace internal
 
-/// \ingroup PkgReebGraphTopology
-///
+/// \addtogroup PkgReebGraphTopology
+/// @{
+
 /// \brief numbers the connected components of a Reeb graph: those of the surface.
 ///
 /// \tparam ReebGraph the type `Graph` of a model of `ReebGraphTraits`
@@ -132,8 +133,6 @@ std::size_t number_components(const ReebGraph& graph, ComponentMap component_map
   return number_of_sets;
 }
 
-/// \ingroup PkgReebGraphTopology
-///
 /// \brief counts the connected components of a Reeb graph: those of the surface. It takes almost
 /// linear time.
 template <class ReebGraph>
@@ -144,8 +143,6 @@ std::size_t number_of_components(const ReebGraph& graph)
     graph, boost::make_iterator_property_map(components.begin(), boost::typed_identity_property_map<std::size_t>()));
 }
 
-/// \ingroup PkgReebGraphTopology
-///
 /// \brief counts the independent loops of a Reeb graph, its first Betti number: arcs less nodes plus components. It
 /// takes almost linear time.
 template <class ReebGraph>
@@ -154,8 +151,6 @@ std::size_t number_of_loops(const ReebGraph& graph)
   return num_edges(graph) + number_of_components(graph) - num_vertices(graph);
 }
 
-/// \ingroup PkgReebGraphTopology
-///
 /// \brief writes the leaves of a Reeb graph, the nodes with one arc, in ascending order. It takes linear time.
 ///
 /// \param graph the Reeb graph
@@ -173,8 +168,6 @@ OutputIterator leaves(const ReebGraph& graph, OutputIterator nodes)
   return nodes;
 }
 
-/// \ingroup PkgReebGraphTopology
-///
 /// \brief writes a basis of the cycles of a Reeb graph: as many loops as `number_of_loops()`, from which all others are
 /// combined.
 ///
@@ -205,8 +198,6 @@ OutputIterator cycle_basis(const ReebGraph& graph, OutputIterator loops)
   return loops;
 }
 
-/// \ingroup PkgReebGraphTopology
-///
 /// \brief writes one contour for each loop of `cycle_basis()`: curves around handles.
 ///
 /// The contour is the one in the middle of the first arc of the loop. It meets that loop once and no other one of the
@@ -230,6 +221,8 @@ OutputIterator loop_contours(const ReebGraph& graph, const Augmentation& augment
   }
   return contours;
 }
+
+/// @}
 
 } // namespace CGAL::Reeb_graph
 

@@ -19,8 +19,9 @@
 
 namespace CGAL::Reeb_graph {
 
-/// \ingroup PkgReebGraphEnums
-///
+/// \addtogroup PkgReebGraphEnums
+/// @{
+
 /// \brief what happens to the contours at a node of the Reeb graph.
 enum class Node_kind
 {
@@ -31,8 +32,6 @@ enum class Node_kind
   DEGREE_TWO ///< a critical vertex that is touched by one contour below and by one above; kept on request only
 };
 
-/// \ingroup PkgReebGraphEnums
-///
 /// \brief returns the name under which a kind of node is written:
 /// `"isolated"`, `"minimum"`, `"saddle"`, `"maximum"`, or `"degree-two"`.
 inline std::string to_string(Node_kind kind)
@@ -48,13 +47,9 @@ inline std::string to_string(Node_kind kind)
   return "unknown";
 }
 
-/// \ingroup PkgReebGraphEnums
-///
 /// \brief writes what `to_string()` returns.
 inline std::ostream& operator<<(std::ostream& out, Node_kind kind) { return out << to_string(kind); }
 
-/// \ingroup PkgReebGraphEnums
-///
 /// \brief what becomes of vertices of equal value.
 enum class Ties
 {
@@ -63,8 +58,6 @@ enum class Ties
            ///< component of a level set is one point
 };
 
-/// \ingroup PkgReebGraphEnums
-///
 /// \brief the method that finds the arcs; the graph is the same for each.
 enum class Method
 {
@@ -73,8 +66,6 @@ enum class Method
   CONTOUR_TREES  ///< contour trees joined by loop surgery: near-linear for any field
 };
 
-/// \ingroup PkgReebGraphEnums
-///
 /// \brief the weights \f$ w_{ij} \f$ of the Laplace equation \f$ \sum_j w_{ij} (f_j - f_i) = 0 \f$.
 enum class Laplacian_weights
 {
@@ -88,8 +79,6 @@ enum class Laplacian_weights
   UNIFORM ///< one for each edge; the geometry of the faces plays no role
 };
 
-/// \ingroup PkgReebGraphEnums
-///
 /// \brief what `make_borders_level()` makes of a border component that is not an extremal level yet.
 enum class Border_extremum
 {
@@ -98,8 +87,6 @@ enum class Border_extremum
   MAXIMUM    ///< a maximum of the field
 };
 
-/// \ingroup PkgReebGraphEnums
-///
 /// \brief what the functions that find curves do if a border component does not lie in one level of the field, or is
 /// neither a minimum nor a maximum.
 enum class Borders
@@ -108,8 +95,6 @@ enum class Borders
   MAKE_LEVEL ///< they go on with the field that `make_borders_level()` makes; old vertices keep their values in the map
 };
 
-/// \ingroup PkgReebGraphEnums
-///
 /// \brief where `embed()` puts the arcs of a graph.
 enum class Embedding_manner
 {
@@ -118,6 +103,8 @@ enum class Embedding_manner
   STRAIGHT,   ///< straight from node to node
   BY_COST     ///< `CENTROIDS`, or `STRAIGHT` if the contours are much longer than the mesh is large, as those of noise
 };
+
+/// @}
 
 /// \ingroup PkgReebGraphIO
 ///

@@ -28,8 +28,9 @@
 
 namespace CGAL::Reeb_graph {
 
-/// \ingroup PkgReebGraphScalarMaps
-///
+/// \addtogroup PkgReebGraphScalarMaps
+/// @{
+
 /// \brief makes a scalar map from a range of values, one per vertex in the order of `vertices(mesh)`.
 ///
 /// For meshes without property maps of their own, such as `Polyhedron_3`, and for values that come from elsewhere.
@@ -62,8 +63,6 @@ auto make_scalar_map(const FaceListGraph& mesh, const ScalarRange& values)
   }
 }
 
-/// \ingroup PkgReebGraphScalarMaps
-///
 /// \brief makes a scalar map from a function object that is called with a vertex of `mesh`.
 ///
 /// The function object is copied into the map and called each time a value is read.
@@ -77,8 +76,6 @@ auto make_scalar_map_from_function(const FaceListGraph&, const VertexFunction& f
   return boost::make_function_property_map<vertex_descriptor>(function);
 }
 
-/// \ingroup PkgReebGraphScalarMaps
-///
 /// \brief returns a property map from the vertices of a mesh to their positions in `vertices(mesh)`, from 0.
 ///
 /// It serves where a mesh has no indices of its own, such as a plain `Polyhedron_3`, or where its indices have holes.
@@ -95,8 +92,6 @@ auto make_vertex_index_map(const FaceListGraph& mesh)
   return map;
 }
 
-/// \ingroup PkgReebGraphScalarMaps
-///
 /// \brief returns a property map from the halfedges of a mesh to their positions in `halfedges(mesh)`, from 0; else as
 /// `make_vertex_index_map()`.
 template <class FaceListGraph>
@@ -108,6 +103,8 @@ auto make_halfedge_index_map(const FaceListGraph& mesh)
     map.add(h);
   return map;
 }
+
+/// @}
 
 } // namespace CGAL::Reeb_graph
 

@@ -173,12 +173,7 @@ struct Candidate_curve
 /// <b>What is known of the mesh and the field:</b>
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices}
-///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptors as key type and points of a
-///                    three-dimensional kernel as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
+///   \reebGraphPoints{ReadWritePropertyMap}
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is called for all edges and faces that are split, so that attributes can be carried over}
 ///     \cgalParamType{a model of `ReebGraphRefinementVisitor`, by value or as `std::reference_wrapper`}

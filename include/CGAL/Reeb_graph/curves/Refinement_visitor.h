@@ -28,8 +28,9 @@
 
 namespace CGAL::Reeb_graph {
 
-/// \ingroup PkgReebGraphCurves
-///
+/// \addtogroup PkgReebGraphCurves
+/// @{
+
 /// \brief a visitor of a refinement that does nothing; derive from it, and redefine one or more members.
 ///
 /// \tparam FaceGraph the type of the mesh
@@ -62,8 +63,6 @@ struct Default_refinement_visitor
   void halfedge_duplicated(halfedge_descriptor /* old */, halfedge_descriptor /* created */) {}
 };
 
-/// \ingroup PkgReebGraphCurves
-///
 /// \brief linear interpolation between two values of one type: the default of `Interpolating_visitor`.
 ///
 /// Numbers, points and vectors are interpolated, `std::array` and `CGAL::IO::Color` by their components. Integers are
@@ -101,8 +100,6 @@ struct Linear_interpolation
   }
 };
 
-/// \ingroup PkgReebGraphCurves
-///
 /// \brief a visitor of a refinement that carries property maps over to the vertices and faces that are added.
 ///
 /// Add the maps, and pass it as named parameter `visitor`, by value or as `std::reference_wrapper`. A vertex that is
@@ -177,6 +174,8 @@ private:
   std::vector<std::function<void(vertex_descriptor, vertex_descriptor, vertex_descriptor, double)>> vertex_actions_;
   std::vector<std::function<void(face_descriptor, face_descriptor)>> face_actions_;
 };
+
+/// @}
 
 } // namespace CGAL::Reeb_graph
 

@@ -35,21 +35,12 @@ namespace CGAL::Reeb_graph {
 /// By default, the shortest contour of several candidates in the half next to the saddle is taken: a branch is cut off
 /// where it is attached.
 ///
-/// The method follows Section 7 of M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*,
-/// of 2020. First, saddles of higher multiplicity, which could hide handles, are made simple as in
-/// `unfold_multi_saddles()`. The time is that of `cutting_system()`.
+/// \reebGraphMethodOfCurves The time is that of `cutting_system()`.
 ///
-/// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
-///         `Surface_mesh` and `Polyhedron_3`
-/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type of numbers, or one that `geom_traits` makes numbers of. It is not read at vertices that are added, but
-///         written there if it can be.
-/// \tparam OutputIterator a model of `OutputIterator` for `Reeb_graph::Curve`
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \reebGraphTparamsOfCurves
 ///
 /// \param mesh the mesh, which is changed. To keep it, pass a copy made by `CGAL::copy_face_graph()`.
-/// \param scalar_map the scalar field. If the mesh has borders, all vertices of a border component must have the same
-///        value, and not have lower neighbors as well as higher ones, unless `borders` is `Borders::MAKE_LEVEL`.
+/// \reebGraphFieldOfCurves
 /// \param curves the output
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those below
 ///
@@ -89,18 +80,11 @@ namespace CGAL::Reeb_graph {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \copydetails PkgReebGraphPlaceParameters
-///
-/// \copydetails PkgReebGraphBorderParameters
-///
-/// \copydetails PkgReebGraphCuttingParameters
-///
-/// \copydetails PkgReebGraphRefinementParameters
+/// \reebGraphNamedParamsOfCurves
 ///
 /// \returns the output iterator behind the last curve.
 ///
-/// \exception Reeb_graph::Border_level_error if `borders` is `Reeb_graph::Borders::LEVEL`, and the vertices of a border
-///            component do not have one value, or have lower as well as higher neighbors
+/// \reebGraphBorderLevelError
 /// \exception Reeb_graph::Threshold_error if a threshold is negative or NaN
 /// \exception Reeb_graph::Measure_error if a measure is NaN
 ///

@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/exceptions.h>
-#include <CGAL/Reeb_graph/curves/internal/Contour_choice.h>
 #include <CGAL/Reeb_graph/curves/internal/Ranked_mesh.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
@@ -37,11 +36,7 @@ namespace CGAL::Reeb_graph {
 /// With \f$ n \f$ vertices and faces and \f$ l \f$ crossed edges in all contours it takes \f$ O(n \log n + l) \f$
 /// time, the first part for sorting the vertices.
 ///
-/// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
-///         `Surface_mesh` and `Polyhedron_3`
-/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type of numbers, or one that `geom_traits` makes numbers of. It is not read at vertices that are added, but
-///         written there if it can be.
+/// \reebGraphRefinedMeshAndField
 /// \tparam ContourRange a range of `Reeb_graph::Contour`, as `Reeb_graph::Augmentation` makes them
 /// \tparam OutputIterator a model of `OutputIterator` for `Reeb_graph::Curve`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -19,8 +19,9 @@
 
 namespace CGAL::Reeb_graph {
 
-/// \ingroup PkgReebGraphExceptions
-///
+/// \addtogroup PkgReebGraphExceptions
+/// @{
+
 /// \brief thrown for a border that does not lie in one level, or is neither a minimum nor a maximum of the field.
 class Border_level_error : public Vertex_error
 {
@@ -51,8 +52,6 @@ private:
   Reason reason_;
 };
 
-/// \ingroup PkgReebGraphExceptions
-///
 /// \brief thrown for a connected component that has no pants decomposition: a sphere, a disk, an annulus, or a torus.
 class No_pants_decomposition_error : public Face_error
 {
@@ -77,8 +76,6 @@ private:
   long euler_characteristic_;
 };
 
-/// \ingroup PkgReebGraphExceptions
-///
 /// \brief thrown for a sequence of halfedges that is not a contour of the scalar field.
 class Invalid_contour_error : public Error
 {
@@ -96,8 +93,6 @@ private:
   std::size_t contour_;
 };
 
-/// \ingroup PkgReebGraphExceptions
-///
 /// \brief thrown if the named parameter `face_count_callback` returns `false`.
 class Face_count_error : public Error
 {
@@ -114,6 +109,8 @@ public:
 private:
   std::size_t number_of_faces_;
 };
+
+/// @}
 
 } // namespace CGAL::Reeb_graph
 

@@ -31,8 +31,7 @@ namespace CGAL::Reeb_graph {
 /// The field is that of `compute_harmonic_field_between_borders()`: it has no extrema but the borders, or two vertices
 /// that are far apart.
 ///
-/// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
-///         `Surface_mesh` and `Polyhedron_3`
+/// \reebGraphRefinedMesh
 /// \tparam OutputIterator a model of `OutputIterator` for `Reeb_graph::Curve`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///

@@ -31,39 +31,23 @@ namespace CGAL::Reeb_graph {
 ///
 /// By default, the shortest contour of several candidates along each arc is taken.
 ///
-/// The method follows Section 7 of M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*,
-/// of 2020. First, saddles of higher multiplicity, which could hide handles, are made simple as in
-/// `unfold_multi_saddles()`. The time is that of `cutting_system()`.
+/// \reebGraphMethodOfCurves The time is that of `cutting_system()`.
 ///
-/// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
-///         `Surface_mesh` and `Polyhedron_3`
-/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type of numbers, or one that `geom_traits` makes numbers of. It is not read at vertices that are added, but
-///         written there if it can be.
-/// \tparam OutputIterator a model of `OutputIterator` for `Reeb_graph::Curve`
-/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \reebGraphTparamsOfCurves
 ///
 /// \param mesh the mesh, which is changed. To keep it, pass a copy made by `CGAL::copy_face_graph()`. The Euler
 ///        characteristic of each of its connected components must be negative.
-/// \param scalar_map the scalar field. If the mesh has borders, all vertices of a border component must have the same
-///        value, and not have lower neighbors as well as higher ones, unless `borders` is `Borders::MAKE_LEVEL`.
+/// \reebGraphFieldOfCurves
 /// \param curves the output
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those below
 ///
-/// \copydetails PkgReebGraphPlaceParameters
-///
-/// \copydetails PkgReebGraphBorderParameters
-///
-/// \copydetails PkgReebGraphCuttingParameters
-///
-/// \copydetails PkgReebGraphRefinementParameters
+/// \reebGraphNamedParamsOfCurves
 ///
 /// \returns the output iterator behind the last curve.
 ///
 /// \exception Reeb_graph::No_pants_decomposition_error if a connected component is a sphere, a disk, an annulus, or a
 ///            torus
-/// \exception Reeb_graph::Border_level_error if `borders` is `Reeb_graph::Borders::LEVEL`, and the vertices of a border
-///            component do not have one value, or have lower as well as higher neighbors
+/// \reebGraphBorderLevelError
 ///
 /// and the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
 template <class MutableFaceGraph,

@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
-#include <CGAL/Reeb_graph/curves/internal/Contour_choice.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
@@ -157,11 +156,7 @@ std::size_t cut_and_count_patches(Mesh& mesh, FacePatchMap face_patch_map, const
 /// The mesh is cut along the curves of `pants_decomposition()`, and in its time: each patch is a sphere with three
 /// holes.
 ///
-/// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
-///         `Surface_mesh` and `Polyhedron_3`
-/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type of numbers, or one that `geom_traits` makes numbers of. It is not read at vertices that are added, but
-///         written there if it can be.
+/// \reebGraphRefinedMeshAndField
 /// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
 ///         integer type as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -223,11 +218,7 @@ std::size_t segment_by_branches(MutableFaceGraph& mesh,
 /// ties are contracted; it is a patch of its own, numbered behind those of the arcs. The halfedges of the chains of
 /// `graph` are those of the mesh before: an edge that has been split has kept its upper part.
 ///
-/// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
-///         `Surface_mesh` and `Polyhedron_3`
-/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type of numbers, or one that `geom_traits` makes numbers of. It is not read at vertices that are added, but
-///         written there if it can be.
+/// \reebGraphRefinedMeshAndField
 /// \tparam ReebGraph the type `Graph` of the traits class
 /// \tparam FacePatchMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and an
 ///         integer type as value type

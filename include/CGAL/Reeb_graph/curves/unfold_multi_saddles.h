@@ -34,11 +34,7 @@ namespace CGAL::Reeb_graph {
 /// Only comparisons decide the Reeb graph, so that of `rank_map` is the one of the unfolded field. It takes
 /// \f$ O(n \log n) \f$ time for \f$ n \f$ vertices and faces.
 ///
-/// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
-///         `Surface_mesh` and `Polyhedron_3`
-/// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type of numbers, or one that `geom_traits` makes numbers of. It is not read at vertices that are added, but
-///         written there if it can be.
+/// \reebGraphRefinedMeshAndField
 /// \tparam RankMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
 ///         type that 64-bit unsigned integers can be converted to
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -20,8 +20,9 @@
 
 namespace CGAL::Reeb_graph {
 
-/// \ingroup PkgReebGraphHandles
-///
+/// \addtogroup PkgReebGraphHandles
+/// @{
+
 /// \brief what a loop of a surface is.
 enum class Loop_kind
 {
@@ -31,8 +32,6 @@ enum class Loop_kind
   LOOP ///< it is one of a surface that has no inside, since it has a hole, intersects itself, or has faces without area
 };
 
-/// \ingroup PkgReebGraphHandles
-///
 /// \brief returns `handle`, `tunnel`, `hole`, or `loop`, as files and reports have it.
 inline std::string to_string(Loop_kind kind)
 {
@@ -46,8 +45,6 @@ inline std::string to_string(Loop_kind kind)
   return "unknown";
 }
 
-/// \ingroup PkgReebGraphHandles
-///
 /// \brief a loop of a surface, as `handle_and_tunnel_loops()` finds it.
 ///
 /// \tparam HalfedgeDescriptor a halfedge descriptor of the mesh
@@ -81,8 +78,6 @@ struct Handle_loop
   bool is_simple = true;
 };
 
-/// \ingroup PkgReebGraphHandles
-///
 /// \brief what has become of a handle that was to be removed.
 enum class Removal_result
 {
@@ -95,8 +90,6 @@ enum class Removal_result
   INTERSECTS       ///< refused: the surface would intersect itself beside the loop
 };
 
-/// \ingroup PkgReebGraphHandles
-///
 /// \brief returns `removed`, or the reason why not, as reports have it.
 inline std::string to_string(Removal_result result)
 {
@@ -112,8 +105,6 @@ inline std::string to_string(Removal_result result)
   return "unknown";
 }
 
-/// \ingroup PkgReebGraphHandles
-///
 /// \brief a handle that was to be removed: what `remove_handles()` returns.
 struct Handle_removal
 {
@@ -129,6 +120,8 @@ struct Handle_removal
   /// whether it has been removed, or why not
   Removal_result result = Removal_result::REMOVED;
 };
+
+/// @}
 
 /// \ingroup PkgReebGraphExceptions
 ///

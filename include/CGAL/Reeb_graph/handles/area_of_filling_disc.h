@@ -37,15 +37,15 @@
 #include <iterator>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph {
 namespace internal {
 
-template <class VertexDescriptor, class PointMap>
-Disc_point disc_point(VertexDescriptor v, const PointMap& point_map)
+template <class Point>
+Disc_point disc_point(const Point& p)
 {
-  const auto& p = get(point_map, v);
   return Disc_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
 }
 
@@ -64,7 +64,7 @@ Disc_kernel::Triangle_3 face_triangle(typename boost::graph_traits<Mesh>::face_d
                                       const PointMap& point_map)
 {
   const auto [u, v, w] = face_corners(f, mesh);
-  return {disc_point(u, point_map), disc_point(v, point_map), disc_point(w, point_map)};
+  return {disc_point(get(point_map, u)), disc_point(get(point_map, v)), disc_point(get(point_map, w))};
 }
 
 // Triangulating a loop of more edges takes too long, as it takes more than linear time.
@@ -101,85 +101,50 @@ Disc_triangles triangulate_disc(const Polyline& polyline, const Polyline& third_
   PREFIX template Disc_triangles triangulate_disc(const std::vector<Disc_point>&, const std::vector<Disc_point>&);
 CGAL_REEB_GRAPH_FOR_LOOPS(CGAL_REEB_GRAPH_TRIANGULATE_DISC)
 
-// Discs that span loops of a mesh, and the test which of them meet the mesh elsewhere.
-template <class Mesh>
-class Filling_discs
+// The areas of the discs that fill loops, and do not meet a face but those at vertices of their loops.
+template <class Mesh, class LoopRange, class PointMap>
+std::vector<std::optional<double>> areas_of_discs(const Mesh& mesh, const LoopRange& loops, const PointMap& point_map)
 {
-  typedef Disc_kernel::Triangle_3 Triangle;
-  typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
   typedef typename boost::graph_traits<Mesh>::face_descriptor face_descriptor;
-
-  struct Disc_triangle
+  std::vector<std::optional<double>> areas;
+  std::vector<std::set<typename boost::graph_traits<Mesh>::vertex_descriptor>> passed; // by the loop of a disc
+  std::vector<std::pair<Disc_kernel::Triangle_3, std::size_t>> triangles;              // with the number of the disc
+  std::vector<Numbered_box> disc_boxes, face_boxes;
+  for(const auto& loop : loops)
   {
-    Triangle triangle;
-    std::size_t disc;
-  };
-
-public:
-  explicit Filling_discs(const Mesh& mesh) : mesh_(mesh) {}
-
-  template <class HalfedgeRange, class PointMap>
-  void add(const HalfedgeRange& loop, const PointMap& point_map)
-  {
-    const std::size_t disc = areas_.size();
-    areas_.emplace_back();
-    passed_.emplace_back();
+    areas.emplace_back();
+    passed.emplace_back();
     std::vector<Disc_point> polyline;
     for(const auto h : loop)
     {
-      passed_.back().insert(source(h, mesh_));
-      polyline.push_back(disc_point(source(h, mesh_), point_map));
+      passed.back().insert(source(h, mesh));
+      polyline.push_back(disc_point(get(point_map, source(h, mesh))));
     }
-    const Disc_triangles triangles = triangulate_disc(polyline, {});
-    if(triangles.empty())
-      return;
-    double area = 0;
-    for(const auto& t : triangles)
+    for(const auto& t : triangulate_disc(polyline, {}))
     {
-      triangles_.push_back({Triangle(polyline[t[0]], polyline[t[1]], polyline[t[2]]), disc});
-      area += std::sqrt(CGAL::to_double(triangles_.back().triangle.squared_area()));
+      const Disc_kernel::Triangle_3 triangle(polyline[t[0]], polyline[t[1]], polyline[t[2]]);
+      disc_boxes.push_back(Numbered_box(triangle.bbox(), triangles.size()));
+      triangles.emplace_back(triangle, areas.size() - 1);
+      areas.back() = areas.back().value_or(0) + std::sqrt(CGAL::to_double(triangle.squared_area()));
     }
-    areas_.back() = area;
   }
-
-  // The areas of the discs that do not meet a face but those at vertices of their loops.
-  template <class PointMap>
-  std::vector<std::optional<double>> areas(const PointMap& point_map)
-  {
-    std::vector<Numbered_box> disc_boxes, face_boxes;
-    for(const Disc_triangle& t : triangles_)
-      disc_boxes.push_back(Numbered_box(t.triangle.bbox(), disc_boxes.size()));
-    if(disc_boxes.empty())
-      return areas_;
-    const std::vector<face_descriptor> all_faces(faces(mesh_).begin(), faces(mesh_).end());
-    for(const face_descriptor f : all_faces)
-      face_boxes.push_back(Numbered_box(face_triangle(f, mesh_, point_map).bbox(), face_boxes.size()));
-    box_intersection_d(disc_boxes.begin(), disc_boxes.end(), face_boxes.begin(), face_boxes.end(),
-                       [&](const Numbered_box& a, const Numbered_box& b) {
-                         const Disc_triangle& t = triangles_[a.number];
-                         const face_descriptor f = all_faces[b.number];
-                         if(areas_[t.disc] && !is_beside(t.disc, f)
-                            && CGAL::do_intersect(t.triangle, face_triangle(f, mesh_, point_map)))
-                           areas_[t.disc].reset();
-                       });
-    return areas_;
-  }
-
-private:
-  // Whether a face has a vertex of the loop of a disc.
-  bool is_beside(std::size_t disc, face_descriptor f) const
-  {
-    for(const auto v : face_corners(f, mesh_))
-      if(passed_[disc].count(v) != 0)
-        return true;
-    return false;
-  }
-
-  const Mesh& mesh_;
-  std::vector<std::optional<double>> areas_;
-  std::vector<std::set<vertex_descriptor>> passed_; // by the loop of a disc
-  std::vector<Disc_triangle> triangles_;
-};
+  if(triangles.empty())
+    return areas;
+  const std::vector<face_descriptor> all_faces(faces(mesh).begin(), faces(mesh).end());
+  for(const face_descriptor f : all_faces)
+    face_boxes.push_back(Numbered_box(face_triangle(f, mesh, point_map).bbox(), face_boxes.size()));
+  box_intersection_d(disc_boxes.begin(), disc_boxes.end(), face_boxes.begin(), face_boxes.end(),
+                     [&](const Numbered_box& a, const Numbered_box& b) {
+                       const auto& [triangle, disc] = triangles[a.info()];
+                       const face_descriptor f = all_faces[b.info()];
+                       const auto [u, v, w] = face_corners(f, mesh);
+                       const bool is_beside =
+                         passed[disc].count(u) + passed[disc].count(v) + passed[disc].count(w) != 0;
+                       if(areas[disc] && !is_beside && CGAL::do_intersect(triangle, face_triangle(f, mesh, point_map)))
+                         areas[disc].reset();
+                     });
+  return areas;
+}
 
 } // namespace internal
 
@@ -205,11 +170,7 @@ std::vector<std::optional<double>> areas_of_filling_discs(const FaceListGraph& m
                                                           const LoopRange& loops,
                                                           const NamedParameters& np = parameters::default_values())
 {
-  const auto point_map = internal::choose_point_map(mesh, np);
-  internal::Filling_discs<FaceListGraph> discs(mesh);
-  for(const auto& loop : loops)
-    discs.add(loop, point_map);
-  return discs.areas(point_map);
+  return internal::areas_of_discs(mesh, loops, internal::choose_point_map(mesh, np));
 }
 
 } // namespace CGAL::Reeb_graph

@@ -101,9 +101,9 @@ public:
   {
     for(const internal::Surface_loop& loop : loops)
     {
-      walks_.push_back(loop.walk);
+      walks_.push_back(loop.halfedges);
       loops_.push_back({loop.kind, {}, loop.partner, loop.length, loop.persistence, loop.component, loop.is_simple});
-      for(const internal::Index h : loop.walk)
+      for(const internal::Index h : loop.halfedges)
         loops_.back().halfedges.push_back(closing_->halfedges()[h]);
     }
   }
@@ -170,13 +170,7 @@ private:
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those below
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices, of which the nearest ones with coordinates of type `double`
-///                           count}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type and points of a
-///                    three-dimensional kernel as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
+///   \reebGraphPointsOfLoops{ReadablePropertyMap}
 ///   \cgalParamNBegin{shorten_loops}
 ///     \cgalParamDescription{whether the loops are made short}
 ///     \cgalParamType{`bool`}
@@ -197,12 +191,7 @@ private:
 ///     \cgalParamType{a model of `ReebGraphTraits`}
 ///     \cgalParamDefault{`Reeb_graph_traits<FaceListGraph, ScalarMap>`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1. If it returns
-///                           `false`, the work stops with `Reeb_graph::Cancelled_error`.}
-///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
-///     \cgalParamDefault{none}
-///   \cgalParamNEnd
+///   \reebGraphCallback
 /// \cgalNamedParamsEnd
 ///
 /// \returns the loops.

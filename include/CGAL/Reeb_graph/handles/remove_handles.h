@@ -49,8 +49,7 @@ namespace CGAL::Reeb_graph {
 /// Loops that are not shorter than the size are not looked for. A round takes the time of `handle_and_tunnel_loops()` for
 /// short loops, and all handles that do not touch each other are removed in one round.
 ///
-/// \tparam MutableFaceGraph a model of `MutableFaceGraph` and `FaceListGraph` with dynamic property maps, such as
-///         `Surface_mesh` and `Polyhedron_3`
+/// \reebGraphRefinedMesh
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the mesh, which is changed. To keep it, pass a copy made by `CGAL::copy_face_graph()`.
@@ -64,13 +63,7 @@ namespace CGAL::Reeb_graph {
 ///     \cgalParamDefault{all that are smaller than the size}
 ///     \cgalParamExtra{use the functions `parameters::number_of_handles()`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices, of which the nearest ones with coordinates of type `double`
-///                           count}
-///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptors as key type and points of a
-///                    three-dimensional kernel as value type}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
+///   \reebGraphPointsOfLoops{ReadWritePropertyMap}
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is called for the vertices and halfedges of loops that are doubled, and for the faces of
 ///                           discs, as if they were split off from a face beside them. An `Interpolating_visitor`
@@ -84,12 +77,7 @@ namespace CGAL::Reeb_graph {
 ///     \cgalParamDefault{`true`}
 ///     \cgalParamExtra{use the functions `parameters::check_self_intersections()`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{is called now and then with the fraction of the work done, from 0 to 1. If it returns
-///                           `false`, the work stops with `Reeb_graph::Cancelled_error`}
-///     \cgalParamType{a function object that can be called with a `double` and returns `bool`}
-///     \cgalParamDefault{none}
-///   \cgalParamNEnd
+///   \reebGraphCallback
 /// \cgalNamedParamsEnd
 ///
 /// \returns the handles that have been removed, in this order, and behind them those that are refused.

@@ -21,7 +21,6 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +28,6 @@
 #include <cstdint>
 #include <limits>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
@@ -99,13 +97,6 @@ public:
   double distance(vertex_descriptor u, vertex_descriptor w) const
   {
     return std::sqrt(CGAL::to_double((get(vertex_point_map_, u) - get(vertex_point_map_, w)).squared_length()));
-  }
-
-  double area(vertex_descriptor u, vertex_descriptor v, vertex_descriptor w) const
-  {
-    const auto& p = get(vertex_point_map_, u);
-    const auto normal = CGAL::cross_product(get(vertex_point_map_, v) - p, get(vertex_point_map_, w) - p);
-    return std::sqrt(CGAL::to_double(normal.squared_length())) / 2;
   }
 
   // Splits the edge of `h` by a vertex at the fraction `t` of the way from `u` to `w`, the ends of the edge of which
@@ -240,7 +231,8 @@ private:
     const auto& p = get(vertex_point_map_, u);
     const auto uv = get(vertex_point_map_, v) - p, uw = get(vertex_point_map_, w) - p;
     const double lengths = CGAL::to_double(uv.squared_length() + uw.squared_length() + (uw - uv).squared_length());
-    return lengths > 0 ? area(u, v, w) / lengths : 0;
+    const double area = std::sqrt(CGAL::to_double(CGAL::cross_product(uv, uw).squared_length())) / 2;
+    return lengths > 0 ? area / lengths : 0;
   }
 
   Mesh& mesh_;

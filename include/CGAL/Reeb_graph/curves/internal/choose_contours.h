@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/curves/Curve.h>
-#include <CGAL/Reeb_graph/curves/internal/Contour_choice.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
@@ -35,6 +34,7 @@
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -46,6 +46,56 @@
 // The choice of contours of a Reeb graph with simple saddles that become curves.
 
 namespace CGAL::Reeb_graph::internal {
+
+// A sequence of arcs that a curve can be moved along, by their numbers in the order of edges(graph).
+struct Arc_path
+{
+  struct Passed_arc
+  {
+    Index arc;
+    bool is_passed_upwards;
+  };
+  Index first_node = 0, last_node = 0;
+  std::vector<Passed_arc> arcs;
+};
+
+// The paths of the deformation retract of a Reeb graph: leaves are removed one after the other, unless they are to be
+// kept; arcs that meet at a node of degree 2 are joined. A component that is a cycle then is one path from a node to
+// itself.
+inline std::vector<Arc_path> paths_of_retract(const std::vector<Pruned_arc>& arcs, const std::vector<bool>& is_kept)
+{
+  const auto number_of_nodes = static_cast<Index>(is_kept.size());
+  std::vector<Index> core = core_arcs(number_of_nodes, arcs, is_kept);
+  std::sort(core.begin(), core.end());
+  std::vector<std::vector<Index>> arcs_of_node(number_of_nodes);
+  for(const Index arc : core)
+  {
+    arcs_of_node[arcs[arc].lower].push_back(arc);
+    arcs_of_node[arcs[arc].upper].push_back(arc);
+  }
+  std::vector<bool> is_followed(arcs.size(), false);
+  std::vector<Arc_path> paths;
+  const auto follow = [&](Index first_node, Index arc) {
+    Arc_path path = {first_node, first_node, {}};
+    Index& node = path.last_node;
+    do
+    {
+      path.arcs.push_back({arc, arcs[arc].lower == node});
+      is_followed[arc] = true;
+      node = arcs[arc].lower == node ? arcs[arc].upper : arcs[arc].lower;
+      for(const Index next : arcs_of_node[node])
+        if(!is_followed[next])
+          arc = next;
+    } while(arcs_of_node[node].size() == 2 && node != first_node);
+    paths.push_back(path);
+  };
+  for(const bool is_passed : {false, true}) // Those that are left for nodes that are passed are cycles.
+    for(Index node = 0; node != number_of_nodes; ++node)
+      for(const Index arc : arcs_of_node[node])
+        if((arcs_of_node[node].size() == 2) == is_passed && !is_followed[arc])
+          follow(node, arc);
+  return paths;
+}
 
 // What a branch has to reach, each 0 if it does not count, and what the caller measures.
 template <class NamedParameters>
@@ -196,7 +246,34 @@ struct Cost_of_branch_curve
   }
 };
 
-// The contour of least cost along each path.
+// A contour, and what is known of it when it is chosen.
+template <class HalfedgeDescriptor>
+struct Chosen_contour : Contour_to_cut<HalfedgeDescriptor>
+{
+  Candidate_curve properties;
+};
+
+// The length of a contour at its value.
+template <class RankedMesh>
+double length_of_contour(const RankedMesh& ranked,
+                         const Contour_to_cut<typename RankedMesh::halfedge_descriptor>& contour)
+{
+  const auto point = [&](typename RankedMesh::halfedge_descriptor h) {
+    const auto u = source(h, ranked.mesh()), w = target(h, ranked.mesh());
+    return ranked.point_between(u, w, ranked.crossing_fraction(u, w, contour.value));
+  };
+  double sum = 0;
+  auto last = point(contour.is_closed ? contour.halfedges.back() : contour.halfedges.front());
+  for(const auto h : contour.halfedges)
+  {
+    const auto next = point(h);
+    sum += std::sqrt(CGAL::to_double((next - last).squared_length()));
+    last = next;
+  }
+  return sum;
+}
+
+// The contour of least cost along each path, among those just above some vertices of its chains.
 template <class DefaultCost, class RankedMesh, class NamedParameters>
 auto choose_along_paths(const RankedMesh& ranked,
                         const Simple_reeb_graph<RankedMesh>& simple,
@@ -206,15 +283,45 @@ auto choose_along_paths(const RankedMesh& ranked,
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
+  typedef Chosen_contour<typename RankedMesh::halfedge_descriptor> Choice;
+  const auto& graph = simple.graph;
+  const std::vector<typename Simple_reeb_graph<RankedMesh>::Graph::edge_descriptor> arcs(edges(graph).first,
+                                                                                         edges(graph).second);
   const auto cost = choose_parameter<DefaultCost>(get_parameter(np, curve_cost));
-  const std::size_t number = choose_parameter(get_parameter(np, number_of_candidates), std::size_t(16));
-  const Contour_choice<RankedMesh, std::decay_t<decltype(cost)>> choose(ranked, simple.graph, cost, number,
-                                                                        progress.part(0, 0.2));
-  std::vector<Chosen_contour<typename RankedMesh::halfedge_descriptor>> choices;
+  const std::size_t most =
+    (std::max)(choose_parameter(get_parameter(np, number_of_candidates), std::size_t(16)), std::size_t(1));
+  const Augmentation<typename RankedMesh::Mesh, typename RankedMesh::Rank_map> augmentation(
+    ranked.mesh(), ranked.rank_map(), graph,
+    parameters::ties(Ties::CONTRACT).callback(progress.part(0, 0.2).callback()));
+  std::vector<Choice> choices;
+  std::vector<std::pair<Index, typename RankedMesh::halfedge_descriptor>> places; // by arc, halfedges of its chain
   for(const Arc_path& path : paths)
   {
     progress.part(0.2, 1).report_step(choices.size(), paths.size());
-    choices.push_back(choose(path));
+    places.clear();
+    for(const auto& [arc, is_passed_upwards] : path.arcs)
+    {
+      const auto& chain = graph[arcs[arc]].chain;
+      for(std::size_t i = 0; i != chain.size(); ++i)
+        places.emplace_back(arc, chain[is_passed_upwards ? i : chain.size() - 1 - i]);
+    }
+    const std::size_t number_of_tries = (std::min)(most, places.size());
+    choices.emplace_back();
+    double least_cost = 0;
+    for(std::size_t i = 0; i != number_of_tries; ++i)
+    {
+      const std::size_t place = (2 * i + 1) * places.size() / (2 * number_of_tries);
+      const auto& [arc, halfedge] = places[place];
+      const auto contour = augmentation.contour_at_value(arcs[arc], ranked.rank(source(halfedge, ranked.mesh())));
+      Choice choice = {make_contour_to_cut(ranked, contour.halfedges, contour.is_closed), Candidate_curve()};
+      choice.properties = {length_of_contour(ranked, choice), choice.value,
+                           (place + 0.5) / static_cast<double>(places.size())};
+      const double cost_of_choice = cost(choice.properties);
+      if(i != 0 && !(cost_of_choice < least_cost))
+        continue;
+      least_cost = cost_of_choice;
+      choices.back() = std::move(choice);
+    }
   }
   return choices;
 }
@@ -288,23 +395,6 @@ auto choose_branch_curves(const RankedMesh& ranked,
   return choose_along_paths<Cost_of_branch_curve>(ranked, simple, paths, np, progress.part(0.3, 1));
 }
 
-// Copies the values at vertices that have been added to the field of the user, if that has room for them.
-template <class Traits, class Mesh, class VertexDescriptor, class LevelMap, class ScalarMap>
-void copy_added_values(const Mesh& mesh,
-                       const std::set<VertexDescriptor>& old,
-                       const LevelMap& level_map,
-                       ScalarMap scalar_map)
-{
-  if constexpr(Is_field_written<ScalarMap, Traits>::value)
-  {
-    for(const auto v : vertices(mesh))
-    {
-      if(old.count(v) == 0)
-        put(scalar_map, v, get(level_map, v));
-    }
-  }
-}
-
 // Refines a mesh so that the contours of choose(ranked mesh, its Reeb graph with simple saddles, progress) become paths
 // of edges, and outputs these. The input has been checked by check_input().
 template <class Mesh, class ScalarMap, class OutputIterator, class NamedParameters, class Choose>
@@ -338,7 +428,13 @@ OutputIterator cut_along_chosen_contours(Mesh& mesh,
       put(level_map, v, get(scalar_map, v));
     make_borders_level(mesh, level_map, np.callback(progress.part(0, 0.2).callback()));
     const OutputIterator end = cut(level_map, progress.part(0.2, 1));
-    copy_added_values<Traits>(mesh, old, level_map, scalar_map);
+    if constexpr(Is_field_written<ScalarMap, Traits>::value)
+    {
+      ScalarMap written = scalar_map;
+      for(const auto v : vertices(mesh))
+        if(old.count(v) == 0)
+          put(written, v, get(level_map, v));
+    }
     return end;
   }
   else

@@ -17,12 +17,14 @@
 #include <CGAL/Reeb_graph/curves/internal/Contour_cutting.h>
 #include <CGAL/Reeb_graph/curves/internal/Refined_field.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -42,6 +44,63 @@ auto make_ranked_mesh(Mesh& mesh, Visitor& visitor, const NamedParameters& np)
   const auto vertex_point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                              get_property_map(vertex_point, mesh));
   return Ranked_mesh<Mesh, std::decay_t<decltype(vertex_point_map)>, Visitor>(mesh, vertex_point_map, visitor);
+}
+
+// The levels at which a contour stays the same lie between two ranks; its value is in the middle of theirs.
+template <class RankedMesh, class HalfedgeDescriptor>
+Contour_to_cut<HalfedgeDescriptor> make_contour_to_cut(const RankedMesh& ranked,
+                                                       const std::vector<HalfedgeDescriptor>& halfedges,
+                                                       bool is_closed)
+{
+  const auto& mesh = ranked.mesh();
+  const auto has_lower_source = [&](HalfedgeDescriptor a, HalfedgeDescriptor b) {
+    return ranked.rank(source(a, mesh)) < ranked.rank(source(b, mesh));
+  };
+  const auto has_lower_target = [&](HalfedgeDescriptor a, HalfedgeDescriptor b) {
+    return ranked.rank(target(a, mesh)) < ranked.rank(target(b, mesh));
+  };
+  const auto lower = source(*std::max_element(halfedges.begin(), halfedges.end(), has_lower_source), mesh);
+  const auto upper = target(*std::min_element(halfedges.begin(), halfedges.end(), has_lower_target), mesh);
+  const double value = value_at_fraction(ranked.value(lower), ranked.value(upper), 0.5);
+  return {halfedges, is_closed, std::isfinite(value) ? value : ranked.value(lower), ranked.rank(lower),
+          ranked.value(upper) < ranked.value(lower)};
+}
+
+// Whether each two halfedges that follow each other are edges of one face, on the right of the first one.
+template <class RankedMesh, class HalfedgeDescriptor>
+bool is_connected(const RankedMesh& ranked, const std::vector<HalfedgeDescriptor>& halfedges, bool is_closed)
+{
+  const auto& mesh = ranked.mesh();
+  const std::size_t size = halfedges.size();
+  for(std::size_t i = 0; i + (is_closed ? 0 : 1) < size; ++i)
+  {
+    const HalfedgeDescriptor h = opposite(halfedges[i], mesh), following = halfedges[(i + 1) % size];
+    if(is_border(h, mesh) || (next(h, mesh) != following && prev(h, mesh) != following))
+      return false;
+  }
+  return is_closed || (is_border(halfedges.front(), mesh) && is_border(opposite(halfedges.back(), mesh), mesh));
+}
+
+// Checks that the halfedges of each contour ascend, follow each other, and cross a common level.
+template <class RankedMesh, class ContourRange>
+auto make_contours_to_cut(const RankedMesh& ranked, const ContourRange& contours)
+{
+  typedef typename RankedMesh::halfedge_descriptor halfedge_descriptor;
+  const auto& mesh = ranked.mesh();
+  std::vector<Contour_to_cut<halfedge_descriptor>> result;
+  for(const auto& contour : contours)
+  {
+    if(contour.halfedges.empty() || !is_connected(ranked, contour.halfedges, contour.is_closed))
+      throw Invalid_contour_error(result.size());
+    result.push_back(make_contour_to_cut(ranked, contour.halfedges, contour.is_closed));
+    for(const halfedge_descriptor h : contour.halfedges)
+    {
+      if(ranked.rank(target(h, mesh)) <= result.back().lower_rank)
+        throw Invalid_contour_error(result.size() - 1);
+    }
+    result.back().value = contour.value;
+  }
+  return result;
 }
 
 // Calls mark(edge, curve) for each edge of each curve, for both copies if the mesh has been cut open.

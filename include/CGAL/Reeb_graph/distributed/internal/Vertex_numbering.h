@@ -74,7 +74,7 @@ struct Vertex_word
 };
 
 // Some of the vertices of all ranks, numbered in ascending order. A page is kept for each 4096 indices of which any is
-// in the set; it has a bit for each of them, and where many are, also their numbers.
+// in the set; it has a bit for each of them.
 class Vertex_numbering
 {
 public:
@@ -100,9 +100,6 @@ public:
       if(page != nullptr)
         size = page->number(size);
     size_ = checked_index(size);
-    for(std::size_t i = 0; i != pages_.size(); ++i)
-      if(pages_[i] != nullptr)
-        pages_[i]->write_numbers();
   }
 
   Number size() const { return size_; }
@@ -111,7 +108,9 @@ public:
   Vertex_index operator[](Global_vertex vertex) const
   {
     const Page& page = *pages_[vertex / page_size];
-    return page.numbers != nullptr ? (*page.numbers)[vertex % page_size] : Vertex_index(page.count_up_to(vertex));
+    const std::size_t word = word_of(vertex);
+    const Vertex_word::Bits lower = (Vertex_word::Bits(1) << (vertex % Vertex_word::size)) - 1;
+    return Vertex_index(std::size_t(page.first) + page.ranks[word] + Vertex_word::count(page.bits[word] & lower));
   }
 
   // Calls visit(word) for the words from `position` on which have any vertex, in ascending order, until it returns
@@ -138,8 +137,6 @@ private:
   static constexpr std::size_t words_per_page = 64;
   static constexpr std::size_t page_size = words_per_page * Vertex_word::size;
 
-  typedef std::array<Vertex_index, page_size> Numbers;
-
   struct Page
   {
     std::size_t number(std::size_t begin)
@@ -151,35 +148,12 @@ private:
         ranks[i] = static_cast<std::uint16_t>(rank);
         rank += Vertex_word::count(bits[i]);
       }
-      size = static_cast<Number>(rank);
       return begin + rank;
-    }
-
-    void write_numbers()
-    {
-      if(size < page_size / 4)
-        return;
-      numbers.reset(new Numbers);
-      Vertex_index number(first);
-      for(std::size_t i = 0; i != words_per_page; ++i)
-        Vertex_word{i, bits[i]}.for_each([&](std::size_t place) {
-          (*numbers)[place] = number;
-          ++number;
-        });
-    }
-
-    std::size_t count_up_to(Global_vertex vertex) const
-    {
-      const std::size_t word = word_of(vertex);
-      const Vertex_word::Bits lower = (Vertex_word::Bits(1) << (vertex % Vertex_word::size)) - 1;
-      return std::size_t(first) + ranks[word] + Vertex_word::count(bits[word] & lower);
     }
 
     std::array<Vertex_word::Bits, words_per_page> bits = {};
     std::array<std::uint16_t, words_per_page> ranks;
     Number first;
-    Number size;
-    std::unique_ptr<Numbers> numbers;
   };
 
   static std::size_t word_of(Global_vertex vertex) { return vertex / Vertex_word::size % words_per_page; }
@@ -359,11 +333,7 @@ void for_each_of_sample(std::uint64_t size, std::uint64_t sample_size, const Vis
 // The share of a rank that has `local_size` of `size` things in a sample of all, rounded up.
 inline std::uint64_t share_of_sample(std::uint64_t sample_size, std::uint64_t local_size, std::uint64_t size)
 {
-  if(size <= sample_size)
-    return local_size;
-  return static_cast<std::uint64_t>(static_cast<double>(local_size) / static_cast<double>(size)
-                                    * static_cast<double>(sample_size))
-       + (local_size != 0);
+  return size <= sample_size ? local_size : local_size * sample_size / size + (local_size != 0);
 }
 
 // A sample of the vertices, ascending, at rank 0: that of this rank has the indices from `begin` on, and the given values.
@@ -379,17 +349,15 @@ std::vector<Order_key<Scalar>> sample_vertices(Exchange& exchange,
   constexpr std::uint64_t most_per_slab = 2048, least_per_slab = 64, most = std::uint64_t(1) << 22;
   const std::uint64_t sample_size =
     number_of_slabs * (std::max)(least_per_slab, (std::min)(most_per_slab, most / number_of_slabs));
-  Parcels<Order_key<Scalar>> parcels(exchange.number_of_ranks());
+  std::vector<Order_key<Scalar>> own;
   exchange.in_agreement([&] {
     const std::uint64_t size = static_cast<std::uint64_t>(std::end(scalars) - std::begin(scalars));
     for_each_of_sample(size, share_of_sample(sample_size, size, number_of_vertices), [&](std::uint64_t i) {
       const auto place = std::begin(scalars) + static_cast<std::ptrdiff_t>(i);
-      parcels.items.push_back({static_cast<Scalar>(*place), begin + i});
+      own.push_back({static_cast<Scalar>(*place), begin + i});
     });
-    parcels.counts[0] = static_cast<int>(parcels.items.size());
   });
-  std::vector<Order_key<Scalar>> sample;
-  exchange.send(parcels, sample);
+  std::vector<Order_key<Scalar>> sample = gather_arrays(exchange, own).elements;
   std::sort(sample.begin(), sample.end());
   return sample;
 }

@@ -32,63 +32,62 @@ namespace CGAL::Reeb_graph::internal {
 
 // The part of the surface that a rank has brought, and how large that of all ranks is.
 template <class TriangleRange, class ScalarRange>
-class Local_part
+struct Local_part
 {
-public:
   // Throws if the ranges of the ranks do not fit together, or a rank has not as many values as vertices. Collective.
   template <class VertexRange>
   Local_part(Exchange& exchange,
-             const VertexRange& vertices,
-             const TriangleRange& triangles,
-             const ScalarRange& scalars)
-    : triangles_(&triangles),
-      scalars_(&scalars),
-      number_of_local_triangles_(size_of(triangles)),
-      ranges_({})
+             const VertexRange& local_vertices,
+             const TriangleRange& local_triangles,
+             const ScalarRange& local_scalars)
+    : triangles(local_triangles),
+      scalars(local_scalars),
+      size(size_of(local_vertices)),
+      number_of_local_triangles(size_of(local_triangles)),
+      ranges({})
   {
-    Sizes own = {0, size_of(vertices), size_of(scalars), number_of_local_triangles_};
+    Sizes own = {0, size, size_of(local_scalars), number_of_local_triangles};
     exchange.in_agreement([&] {
       if(own.vertices == own.scalars) // else the range may be anything
-        own.begin = first_of_contiguous(vertices);
+        own.begin = first_of_contiguous(local_vertices);
     });
+    begin = own.begin;
     const std::vector<Sizes> all = exchange.all_gather(own);
-    std::vector<Vertex_range> ranges;
+    std::vector<Vertex_range> all_ranges;
     for(std::size_t rank = 0; rank != all.size(); ++rank)
     {
       if(all[rank].vertices != all[rank].scalars)
         throw Scalar_count_error(all[rank].scalars, all[rank].vertices);
-      ranges.push_back({all[rank].begin, all[rank].begin + all[rank].vertices, rank});
+      all_ranges.push_back({all[rank].begin, all[rank].begin + all[rank].vertices, rank});
       if(rank == exchange.rank())
-        first_triangle_ = number_of_triangles_;
-      number_of_triangles_ += all[rank].triangles;
+        first_triangle = number_of_triangles;
+      number_of_triangles += all[rank].triangles;
     }
-    ranges_ = Vertex_ranges(std::move(ranges));
-    begin_ = own.begin;
-    size_ = own.vertices;
+    ranges = Vertex_ranges(std::move(all_ranges));
   }
 
-  // The vertices of this rank, and those of all.
-  Global_vertex begin() const { return begin_; }
-  std::size_t size() const { return size_; }
-  const Vertex_ranges& ranges() const { return ranges_; }
-  std::uint64_t number_of_vertices() const { return ranges_.number_of_vertices(); }
+  const TriangleRange& triangles;
+  const ScalarRange& scalars;
+  Global_vertex begin = 0; // of the vertices of this rank
+  std::size_t size;
+  std::size_t number_of_local_triangles;
+  std::uint64_t first_triangle = 0;      // among those of all ranks
+  std::uint64_t number_of_triangles = 0; // of all ranks
+  Vertex_ranges ranges;
 
-  const ScalarRange& scalars() const { return *scalars_; }
-  const TriangleRange& triangles() const { return *triangles_; }
-  std::size_t number_of_local_triangles() const { return number_of_local_triangles_; }
-  std::uint64_t number_of_triangles() const { return number_of_triangles_; }
+  std::uint64_t number_of_vertices() const { return ranges.number_of_vertices(); }
 
   // The value of a vertex of this rank.
   auto value(Global_vertex vertex) const
   {
-    auto value = std::begin(*scalars_)[static_cast<std::ptrdiff_t>(vertex - begin_)];
+    auto value = std::begin(scalars)[static_cast<std::ptrdiff_t>(vertex - begin)];
     return value;
   }
 
   // Throws if a value is NaN.
   void check_scalars() const
   {
-    for(Global_vertex v = begin_; v != begin_ + size_; ++v)
+    for(Global_vertex v = begin; v != begin + size; ++v)
       if(!is_ordered(value(v)))
         throw Unordered_scalar_error(static_cast<std::size_t>(v));
   }
@@ -98,8 +97,8 @@ public:
   template <class Visit>
   void check_triangles(const Visit& visit) const
   {
-    const Global_vertex end = ranges_.number_of_vertices();
-    std::uint64_t position = first_triangle_;
+    const Global_vertex end = ranges.number_of_vertices();
+    std::uint64_t position = first_triangle;
     for_each_triangle([&](Global_vertex a, Global_vertex b, Global_vertex c) {
       if(a >= end || b >= end || c >= end)
         throw Vertex_out_of_range_error("face", static_cast<std::size_t>(position));
@@ -116,7 +115,7 @@ public:
   template <class Visit>
   void for_each_triangle(const Visit& visit) const
   {
-    for(const auto& t : *triangles_)
+    for(const auto& t : triangles)
       visit(static_cast<Global_vertex>(t[0]), static_cast<Global_vertex>(t[1]), static_cast<Global_vertex>(t[2]));
   }
 
@@ -145,15 +144,6 @@ private:
         throw Vertex_ranges_error(static_cast<std::size_t>(next - 1));
     return first;
   }
-
-  const TriangleRange* triangles_;
-  const ScalarRange* scalars_;
-  std::size_t number_of_local_triangles_;
-  std::uint64_t first_triangle_ = 0;
-  std::uint64_t number_of_triangles_ = 0;
-  Vertex_ranges ranges_;
-  Global_vertex begin_ = 0;
-  std::size_t size_ = 0;
 };
 
 // The number of a slab where there is one for each triangle or vertex.
@@ -330,13 +320,13 @@ Splitters<Scalar> choose_slabs(Exchange& exchange,
   if(number_of_slabs == 1)
     return {};
   const auto vertices =
-    sample_vertices<Scalar>(exchange, part.begin(), part.scalars(), part.number_of_vertices(), number_of_slabs);
-  const auto triangles = sample_triangles<Scalar>(exchange, part.ranges(), part.triangles(), part.number_of_triangles(),
+    sample_vertices<Scalar>(exchange, part.begin, part.scalars, part.number_of_vertices(), number_of_slabs);
+  const auto triangles = sample_triangles<Scalar>(exchange, part.ranges, part.triangles, part.number_of_triangles,
                                                   [&](Global_vertex v) { return part.value(v); });
   Splitters<Scalar> splitters = choose_splitters(exchange, vertices, number_of_slabs);
   double crossings = slabs_per_triangle(exchange, triangles, splitters);
   counts.slabs_per_triangle_if_all = crossings;
-  while(crossings > most_slabs_per_triangle && part.number_of_triangles() >= smallest_limited_surface)
+  while(crossings > most_slabs_per_triangle && part.number_of_triangles >= smallest_limited_surface)
   {
     // A level is crossed by about the same share of the triangles, wherever it is.
     const double crossings_of_level = (crossings - 1) / static_cast<double>(number_of_slabs - 1);
@@ -357,11 +347,11 @@ std::vector<Slab_range> find_slabs_of_triangles(Exchange& exchange,
 {
   std::vector<Short_slab> slabs;
   ask_owners(
-    exchange, part.ranges(), vertices,
-    [&](Global_vertex v) { return slabs_of_range[static_cast<std::size_t>(v - part.begin())]; }, slabs);
+    exchange, part.ranges, vertices,
+    [&](Global_vertex v) { return slabs_of_range[static_cast<std::size_t>(v - part.begin)]; }, slabs);
   std::vector<Slab_range> result;
   exchange.in_agreement([&] {
-    result.reserve(part.number_of_local_triangles());
+    result.reserve(part.number_of_local_triangles);
     part.for_each_triangle([&](Global_vertex a, Global_vertex b, Global_vertex c) {
       const auto ends =
         std::minmax({slabs[vertices[a].number()], slabs[vertices[b].number()], slabs[vertices[c].number()]});
@@ -380,7 +370,7 @@ void fill_vertices(Exchange& exchange,
                    Slab_surface<Scalar>& surface)
 {
   ask_owners(
-    exchange, part.ranges(), numbering, [&](Global_vertex v) { return part.value(v); }, surface.values);
+    exchange, part.ranges, numbering, [&](Global_vertex v) { return part.value(v); }, surface.values);
   exchange.in_agreement([&] {
     surface.global_vertices.reserve(numbering.size());
     surface.slabs_of_vertices.reserve(numbering.size());
@@ -409,13 +399,13 @@ Slab_surface<Scalar> exchange_surface(Exchange& exchange,
 {
   std::vector<Short_slab> slabs_of_range;
   exchange.in_agreement([&] {
-    slabs_of_range.reserve(part.size());
-    for(Global_vertex v = part.begin(); v != part.begin() + part.size(); ++v)
+    slabs_of_range.reserve(part.size);
+    for(Global_vertex v = part.begin; v != part.begin + part.size; ++v)
       slabs_of_range.push_back(static_cast<Short_slab>(slab_of(splitters, Order_key<Scalar>{part.value(v), v})));
   });
   std::vector<Slab_range> slabs = find_slabs_of_triangles(exchange, part, vertices, slabs_of_range);
   exchange.in_agreement([&] { vertices = Vertex_numbering(part.number_of_vertices()); });
-  send_vertices(exchange, part.begin(), slabs_of_range, vertices);
+  send_vertices(exchange, part.begin, slabs_of_range, vertices);
   std::vector<Short_slab>().swap(slabs_of_range);
 
   Triangle_counts expected;
@@ -434,7 +424,7 @@ Slab_surface<Scalar> exchange_surface(Exchange& exchange,
     surface.lower_bound = splitters[surface.slab - 1].value;
   if(surface.has_slab() && !surface.is_highest())
     surface.upper_bound = splitters[surface.slab].value;
-  auto received = send_triangles<Vertex>(exchange, part.triangles(), slabs, expected.triangles, vertices);
+  auto received = send_triangles<Vertex>(exchange, part.triangles, slabs, expected.triangles, vertices);
   std::vector<Slab_range>().swap(slabs);
   exchange.in_agreement([&] {
     vertices.number();

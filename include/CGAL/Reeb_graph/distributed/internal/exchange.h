@@ -213,51 +213,13 @@ inline void throw_first_fault(const boost::mpi::communicator& communicator,
   Fault::rethrow(rank, all, text);
 }
 
-// Calls the function, which must not wait for another rank. If it throws on some ranks, all of them throw the same
-// exception, that with the least index. Collective.
-template <class Function>
-void run_in_agreement(const boost::mpi::communicator& communicator, const Function& function)
-{
-  std::exception_ptr exception;
-  Fault fault;
-  try
-  {
-    function();
-  }
-  catch(...)
-  {
-    exception = std::current_exception();
-    fault = Fault::of_current_exception();
-  }
-  throw_first_fault(communicator, fault, exception);
-}
-
-// MPI's type of items that are sent as their bytes.
-template <class Item>
-class Item_type
-{
-  static_assert(std::is_trivially_copyable_v<Item>);
-
-public:
-  Item_type()
-  {
-    BOOST_MPI_CHECK_RESULT(MPI_Type_contiguous, (static_cast<int>(sizeof(Item)), MPI_BYTE, &type_));
-    BOOST_MPI_CHECK_RESULT(MPI_Type_commit, (&type_));
-  }
-  ~Item_type() { MPI_Type_free(&type_); }
-  Item_type(const Item_type&) = delete;
-  Item_type& operator=(const Item_type&) = delete;
-
-  MPI_Datatype get() const { return type_; }
-
-private:
-  MPI_Datatype type_;
-};
-
-// Items for all ranks, or from all ranks, in the order of the ranks, and how many there are of each rank.
+// Items for all ranks, or from all ranks, in the order of the ranks, and how many there are of each rank. They are sent
+// as their bytes.
 template <class Item>
 struct Parcels
 {
+  static_assert(std::is_trivially_copyable_v<Item>);
+
   explicit Parcels(std::size_t number_of_ranks) : counts(number_of_ranks, 0) {}
 
   // for_each_item(visit) calls visit(rank, item), and is called twice.
@@ -294,17 +256,30 @@ public:
   std::uint64_t bytes_sent() const { return bytes_sent_; }
   void count_bytes(std::size_t number) { bytes_sent_ += number; }
 
+  // Calls the function, which must not wait for another rank. If it throws on some ranks, all of them throw the same
+  // exception, that with the least index.
   template <class Function>
   void in_agreement(const Function& function) const
   {
-    run_in_agreement(communicator_, function);
+    std::exception_ptr exception;
+    Fault fault;
+    try
+    {
+      function();
+    }
+    catch(...)
+    {
+      exception = std::current_exception();
+      fault = Fault::of_current_exception();
+    }
+    throw_first_fault(communicator_, fault, exception);
   }
 
-  // How many items a rank may send in a round, so that the buffers stay small, and what comes to a rank from all others
-  // can be counted by an int.
+  // How many items a rank may send in a round, so that the buffers stay small, and the bytes that come to a rank from all
+  // others can be counted by an int.
   std::size_t most_items_in_round() const
   {
-    constexpr std::size_t most_sent = std::size_t(1) << 20, most_received = std::size_t(1) << 30;
+    constexpr std::size_t most_sent = std::size_t(1) << 20, most_received = std::size_t(1) << 26;
     return (std::min)(most_sent, most_received / number_of_ranks());
   }
 
@@ -319,8 +294,8 @@ public:
   std::vector<Item> all_to_all(const std::vector<Item>& items)
   {
     std::vector<Item> received(items.size());
-    const Item_type<Item> type;
-    BOOST_MPI_CHECK_RESULT(MPI_Alltoall, (items.data(), 1, type.get(), received.data(), 1, type.get(), communicator_));
+    BOOST_MPI_CHECK_RESULT(
+      MPI_Alltoall, (items.data(), sizeof(Item), MPI_BYTE, received.data(), sizeof(Item), MPI_BYTE, communicator_));
     bytes_sent_ += (items.size() - 1) * sizeof(Item);
     return received;
   }
@@ -333,19 +308,23 @@ public:
   }
 
   // Sends the parcels, appends the items that come to an array, in the order of the ranks, and returns how many have
-  // come from each rank. Those who call bound the sizes; the sum over all ranks must not exceed the largest int.
+  // come from each rank. Those who call bound the sizes: the bytes of all ranks together must not exceed the largest int.
   template <class Item>
   std::vector<int> send(const Parcels<Item>& parcels, std::vector<Item>& received)
   {
     Parcels<Item> incoming(number_of_ranks());
     incoming.counts = all_to_all(parcels.counts);
-    const std::vector<int> incoming_begins = incoming.begins(), begins = parcels.begins();
+    const auto in_bytes = [](std::vector<int> numbers) {
+      for(int& number : numbers)
+        number *= static_cast<int>(sizeof(Item));
+      return numbers;
+    };
     const std::size_t old_size = received.size();
     in_agreement([&] { received.resize(old_size + number_of_items(incoming)); });
-    const Item_type<Item> type;
-    BOOST_MPI_CHECK_RESULT(MPI_Alltoallv, (parcels.items.data(), parcels.counts.data(), begins.data(), type.get(),
-                                           received.data() + old_size, incoming.counts.data(), incoming_begins.data(),
-                                           type.get(), communicator_));
+    BOOST_MPI_CHECK_RESULT(MPI_Alltoallv,
+                           (parcels.items.data(), in_bytes(parcels.counts).data(), in_bytes(parcels.begins()).data(),
+                            MPI_BYTE, received.data() + old_size, in_bytes(incoming.counts).data(),
+                            in_bytes(incoming.begins()).data(), MPI_BYTE, communicator_));
     const std::size_t sent = number_of_items(parcels) - static_cast<std::size_t>(parcels.counts[rank()]);
     bytes_sent_ += sent * sizeof(Item);
     return incoming.counts;
@@ -358,8 +337,8 @@ public:
     std::size_t size = items.size();
     boost::mpi::broadcast(communicator_, size, 0);
     in_agreement([&] { items.resize(size); });
-    const Item_type<Item> type;
-    BOOST_MPI_CHECK_RESULT(MPI_Bcast, (items.data(), static_cast<int>(size), type.get(), 0, communicator_));
+    const int bytes = static_cast<int>(size * sizeof(Item));
+    BOOST_MPI_CHECK_RESULT(MPI_Bcast, (items.data(), bytes, MPI_BYTE, 0, communicator_));
   }
 
 private:

@@ -34,6 +34,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <boost/mpi/collectives.hpp>
 #include <boost/mpi/communicator.hpp>
 
 #include <algorithm>
@@ -79,12 +80,6 @@ inline Critical_vertex_counts sum_counts(Exchange& exchange, const Critical_vert
   return sum;
 }
 
-struct Border_counts
-{
-  std::uint64_t edges = 0;
-  std::uint64_t loops = 0;
-};
-
 struct Border_path_tag;
 typedef Index_of<Border_path_tag> Border_path;
 
@@ -104,17 +99,16 @@ public:
         continue;
       edges.push_back(edge);
       if(a == surface.inside()) // One end of each edge comes first in the order of all vertices.
-        ++number_of_edges_;
+        ++number_of_edges;
     }
     join_edges(complex, surface, edges);
   }
 
-  std::uint64_t number_of_edges() const { return number_of_edges_; }
-  std::uint64_t number_of_loops() const { return number_of_loops_; }
-  Number number_of_paths() const { return number_of_paths_; }
-
-  // The paths that cross a level, in the order of the edges that cross it: the same on both sides.
-  const std::vector<Border_path>& paths_across(Side side) const { return paths_across_[side]; }
+  std::uint64_t number_of_edges = 0;
+  std::uint64_t number_of_loops = 0; // closed ones
+  Number number_of_paths = 0;
+  // Those that cross a level, in the order of the edges that cross it: the same on both sides.
+  By_side<std::vector<Border_path>> paths_across;
 
 private:
   template <class Scalar>
@@ -146,29 +140,26 @@ private:
         if((a == outside) == (b == outside))
           continue;
         Number& name = names[sets.find(i)];
-        name = name == no_index ? number_of_paths_++ : name;
-        paths_across_[side].push_back(Border_path(name));
+        name = name == no_index ? number_of_paths++ : name;
+        paths_across[side].push_back(Border_path(name));
       }
     }
     for(const Border_path i : edges.keys())
-      number_of_loops_ += sets.find(i) == i && names[i] == no_index ? 1 : 0;
+      number_of_loops += sets.find(i) == i && names[i] == no_index ? 1 : 0;
   }
-
-  std::uint64_t number_of_edges_ = 0;
-  std::uint64_t number_of_loops_ = 0; // closed ones
-  Number number_of_paths_ = 0;
-  By_side<std::vector<Border_path>> paths_across_;
 };
 
-// The border edges and loops of the whole surface, on all ranks. Collective.
+// The numbers of border edges and of border loops of the whole surface, on all ranks. Collective.
 template <class Scalar>
-Border_counts count_borders(Exchange& exchange, const Slab_complex& complex, const Slab_surface<Scalar>& surface)
+std::array<std::uint64_t, 2> count_borders(Exchange& exchange,
+                                           const Slab_complex& complex,
+                                           const Slab_surface<Scalar>& surface)
 {
   std::optional<Border_paths> paths;
   exchange.in_agreement([&] { paths.emplace(complex, surface); });
-  const auto lower = gather_arrays(exchange, paths->paths_across(Side::LOWER));
-  const auto upper = gather_arrays(exchange, paths->paths_across(Side::UPPER));
-  const auto first_paths = gather_begins(exchange, paths->number_of_paths());
+  const auto lower = gather_arrays(exchange, paths->paths_across[Side::LOWER]);
+  const auto upper = gather_arrays(exchange, paths->paths_across[Side::UPPER]);
+  const auto first_paths = gather_begins(exchange, paths->number_of_paths);
   std::uint64_t loops_across = 0;
   exchange.in_agreement([&] {
     if(exchange.rank() != 0)
@@ -188,14 +179,10 @@ Border_counts count_borders(Exchange& exchange, const Slab_complex& complex, con
         --loops_across;
       }
   });
-  Border_counts sum;
-  for(const Border_counts& counts :
-      exchange.all_gather(Border_counts{paths->number_of_edges(), paths->number_of_loops() + loops_across}))
-  {
-    sum.edges += counts.edges;
-    sum.loops += counts.loops;
-  }
-  return sum;
+  const std::array<std::uint64_t, 2> own = {paths->number_of_edges, paths->number_of_loops + loops_across};
+  std::array<std::uint64_t, 2> sums;
+  boost::mpi::all_reduce(exchange.communicator(), own.data(), 2, sums.data(), std::plus<std::uint64_t>());
+  return sums;
 }
 
 // The parts of chains for the user: those of each arc in their order.
@@ -242,9 +229,9 @@ void describe_slab(Exchange& exchange,
   {
     if(result.is_surface_kept)
       result.keep(linked_slab);
-    const Border_counts borders = count_borders(exchange, linked_slab->classified->complex, surface);
-    result.border_edges = borders.edges;
-    result.border_loops = borders.loops;
+    const auto [edges, loops] = count_borders(exchange, linked_slab->classified->complex, surface);
+    result.border_edges = edges;
+    result.border_loops = loops;
   }
   result.has_slab = surface.has_slab();
   result.lower_bound = surface.lower_bound;

@@ -48,6 +48,15 @@ FT dot(const std::array<FT, 3>& a, const std::array<FT, 3>& b)
 // A closed walk: consecutive halfedges.
 typedef std::vector<Index> Halfedge_walk;
 
+// The same walk in the other direction.
+inline Halfedge_walk reversed(const Halfedge_walk& walk)
+{
+  Halfedge_walk result;
+  for(auto h = walk.rbegin(); h != walk.rend(); ++h)
+    result.push_back(*h ^ 1);
+  return result;
+}
+
 // A triangle mesh as arrays, closed: each border cycle is filled by a fan around a new vertex, its apex. The halfedges
 // of an edge are 2e and 2e + 1. Loops never pass an apex, so its place does not matter.
 struct Closed_surface
@@ -194,10 +203,7 @@ private:
       surface_.next[cycle[i]] = next_to_apex;
       surface_.next[next_to_apex] = first_spoke + 2 * i + 1;
     }
-    Halfedge_walk border;
-    for(auto h = cycle.rbegin(); h != cycle.rend(); ++h)
-      border.push_back(Closed_surface::opposite(*h));
-    surface_.border_cycles.push_back(border);
+    surface_.border_cycles.push_back(reversed(cycle));
   }
 
   void number_faces()
@@ -451,16 +457,7 @@ private:
 };
 
 // A loop as that of the public interface, with numbers of halfedges.
-struct Surface_loop
-{
-  Loop_kind kind;
-  Halfedge_walk walk;
-  std::size_t partner = Handle_loop<Index>::no_partner;
-  double length = 0;
-  double persistence = 0;
-  std::size_t component = 0;
-  bool is_simple = true;
-};
+typedef Handle_loop<Index> Surface_loop;
 
 // What finds the loops of a surface, and answers questions about them. The library has it.
 class Loop_finder

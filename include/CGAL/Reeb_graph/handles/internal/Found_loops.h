@@ -68,10 +68,10 @@ public:
     const auto* component = homology_component_of(walk);
     if(!component || component->projection.empty())
       return false;
-    const auto loop = coordinates(*component, walk);
+    const Class loop = component->coordinates(walk);
     if(std::all_of(loop.begin(), loop.end(), [](const Integer& number) { return number == 0; }))
       return false;
-    const auto front = part_in_front(*component, loop);
+    const Class front = combination(loop, component->projection);
     const bool is_behind = is_inside == component->is_front_outside;
     return is_behind ? std::all_of(front.begin(), front.end(), [](const Integer& number) { return number == 0; })
                      : front == loop;
@@ -82,7 +82,7 @@ public:
     const auto* component = homology_component_of(a);
     if(!component || component != homology_component_of(b))
       return 0;
-    return crossing(*component, coordinates(*component, a), coordinates(*component, b));
+    return crossing(*component, component->coordinates(a), component->coordinates(b));
   }
 
   // In front, it is the intersection number of b with the part of a that bounds in front.
@@ -91,8 +91,8 @@ public:
     const auto* component = homology_component_of(a);
     if(!component || component != homology_component_of(b) || component->projection.empty())
       return 0;
-    const auto loop = coordinates(*component, a), other = coordinates(*component, b);
-    const long long in_front = crossing(*component, other, part_in_front(*component, loop));
+    const Class loop = component->coordinates(a), other = component->coordinates(b);
+    const long long in_front = crossing(*component, other, combination(loop, component->projection));
     return component->is_front_outside ? in_front : in_front + crossing(*component, loop, other);
   }
 
@@ -139,20 +139,9 @@ private:
     return walk.empty() ? nullptr : homology_.component_of(homology_.surface().target[walk.front()]);
   }
 
-  static Class coordinates(const Component& component, const Halfedge_walk& walk)
-  {
-    const auto numbers = component.loops.coordinates(walk);
-    return Class(numbers.begin(), numbers.end());
-  }
-
-  static Class part_in_front(const Component& component, const Class& loop)
-  {
-    return combination(loop, converted(component.projection));
-  }
-
   static long long crossing(const Component& component, const Class& a, const Class& b)
   {
-    return to_machine_integer(dot_product(combination(a, converted(component.loops.intersection_numbers()[0])), b));
+    return to_machine_integer(dot_product(combination(a, component.intersection_numbers()[0]), b));
   }
 
   Handle_homology homology_;

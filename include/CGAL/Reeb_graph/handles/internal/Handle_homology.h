@@ -16,13 +16,11 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/license/Reeb_graph.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <limits>
 #include <unordered_map>
@@ -31,19 +29,21 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// The loops of one component: coordinates of closed walks in the basis b of its tree, and intersection numbers.
+// The loops of one component: coordinates of closed walks in the basis b of its tree, intersection numbers, and linking
+// numbers.
 class Component_loops
 {
 public:
   // `pieces_of_vertices` and `pieces_of_faces` are places for numbers, no_index for this component.
   Component_loops(const Closed_surface& surface,
                   const Tree_and_cotree& trees,
-                  const Tree_and_cotree::Component& component,
+                  std::size_t number_of_component,
                   std::vector<Index>& pieces_of_vertices,
                   std::vector<Index>& pieces_of_faces)
-    : surface_(surface),
+    : number(number_of_component),
+      surface_(surface),
       trees_(trees),
-      component_(component),
+      component_(trees.components()[number_of_component]),
       pieces_(ends([&](Index h) { return surface.source(h); }),
               pieces_of_vertices,
               [&](Index v) { return trees.parent(v); }),
@@ -52,17 +52,22 @@ public:
       })
   {
     for(std::size_t k = 0; k != size(); ++k)
-      numbers_.emplace(component.left_over[k], k);
+      numbers_.emplace(component_.left_over[k], k);
   }
+
+  std::size_t number; // among all components of the surface
+  Rows projection;    // empty if there is no inside
+  bool is_front_outside = true;
+  std::size_t number_of_vertices = 0;
 
   std::size_t size() const { return component_.left_over.size(); } // twice the genus
   const Tree_and_cotree::Component& component() const { return component_; }
   Halfedge_walk walk(std::size_t k) const { return trees_.walk_through(component_.left_over[k]); }
 
-  Integer_rows linking_numbers() const { return Linking_numbers(surface_, trees_, component_, pieces_, copieces_)(); }
+  Rows linking_numbers() const { return Linking_numbers(surface_, trees_, component_, pieces_, copieces_)(); }
 
   // The coordinates of a closed walk in the basis b: how often each loop c crosses it from its right to its left.
-  std::vector<long long> coordinates(const Halfedge_walk& walk) const
+  std::vector<Integer> coordinates(const Halfedge_walk& walk) const
   {
     std::vector<long long> result(size(), 0), sums(copieces_.size(), 0);
     for(const Index h : walk)
@@ -84,12 +89,12 @@ public:
       const Index h = component_.left_over[k];
       result[k] += copieces_.at(sums, surface_.face[h]) - copieces_.at(sums, surface_.face[surface_.opposite(h)]);
     }
-    return result;
+    return {result.begin(), result.end()};
   }
 
   // The intersection numbers of the loops b with each other, and of the loops c with each other. The second matrix
   // has the coordinates of the loops c in the basis b, and its transpose is the inverse of the first one.
-  std::array<Integer_rows, 2> intersection_numbers() const
+  std::array<Rows, 2> intersection_numbers() const
   {
     const std::vector<Index> ends = ends_around_tree();
     std::unordered_map<Index, std::size_t> places;
@@ -143,7 +148,7 @@ private:
   // The intersection numbers of chords of a circle: chord k leads from the place of left_over[k] to that of its
   // opposite, and around the tree, the other way round on the outside. Counterclockwise, they begin, begin, end, end if
   // the second one crosses the first one from its right to its left.
-  Integer_rows crossings(const std::vector<Index>& places) const
+  Rows crossings(const std::vector<Index>& places) const
   {
     std::vector<std::array<std::size_t, 2>> chords(size());
     for(std::size_t i = 0; i != places.size(); ++i)
@@ -151,7 +156,7 @@ private:
       const std::size_t k = numbers_.at(places[i] & ~Index(1));
       chords[k][places[i] == component_.left_over[k] ? 0 : 1] = i;
     }
-    Integer_rows result(size(), std::vector<long long>(size(), 0));
+    Rows result(size(), std::vector<Integer>(size(), Integer(0)));
     for(std::size_t i = 0; i != size(); ++i)
       for(std::size_t j = 0; j != size(); ++j)
       {
@@ -178,14 +183,7 @@ private:
 class Handle_homology
 {
 public:
-  struct Component
-  {
-    Component_loops loops;
-    std::size_t number;      // among all components of the surface
-    Integer_rows projection; // empty if there is no inside
-    bool is_front_outside = true;
-    std::size_t number_of_vertices = 0;
-  };
+  typedef Component_loops Component;
 
   Handle_homology(Closed_surface surface, const Stage_progress& progress)
     : surface_(std::move(surface)),
@@ -198,8 +196,7 @@ public:
     {
       places_.push_back(components_.size());
       if(trees_.components()[i].genus() != 0)
-        components_.push_back(
-          {Component_loops(surface_, trees_, trees_.components()[i], pieces_of_vertices_, pieces_of_faces_), i, {}});
+        components_.emplace_back(surface_, trees_, i, pieces_of_vertices_, pieces_of_faces_);
     }
     for(Index v = 0; v != surface_.number_of_given_vertices; ++v)
     {
@@ -210,8 +207,8 @@ public:
     progress(0.5);
     for(std::size_t i = 0; i != components_.size(); ++i)
     {
-      if(!components_[i].loops.component().has_border)
-        components_[i].projection = components_[i].loops.linking_numbers();
+      if(!components_[i].component().has_border)
+        components_[i].projection = components_[i].linking_numbers();
       progress.part(0.5, 1).report_step(i, components_.size());
     }
   }
@@ -243,8 +240,7 @@ private:
   template <class FT>
   static FT volume(const Corners<FT>& p)
   {
-    return p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) + p[0][1] * (p[1][2] * p[2][0] - p[1][0] * p[2][2])
-         + p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
+    return dot(p[0], cross(p[1], p[2]));
   }
 
   // A volume with a bound of what rounding has changed: interval arithmetic takes ten times as long.
@@ -300,9 +296,9 @@ private:
     for(const Index h : surface_.halfedge)
     {
       const Component* component = component_of(surface_.target[h]);
-      if(!component || component->loops.component().has_border || !filter(*component))
+      if(!component || component->component().has_border || !filter(*component))
         continue;
-      const auto& o = surface_.points[component->loops.component().root];
+      const auto& o = surface_.points[component->component().root];
       Corners<FT> p;
       Index g = h;
       for(auto& point : p)

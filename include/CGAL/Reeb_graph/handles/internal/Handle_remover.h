@@ -115,7 +115,7 @@ private:
       if(!(loop->length < size))
         break;
       std::vector<halfedge_descriptor> halfedges;
-      for(const Index h : loop->walk)
+      for(const Index h : loop->halfedges)
         halfedges.push_back(closing.halfedges()[h]);
       add_plan(*loop, components[loop->component], std::move(halfedges));
     }
@@ -242,19 +242,19 @@ private:
       face_boxes.push_back(Numbered_box(face_triangle(f, mesh_, point_map_).bbox(), face_boxes.size()));
     box_intersection_d(boxes.begin(), boxes.end(), face_boxes.begin(), face_boxes.end(),
                        [&](const Numbered_box& a, const Numbered_box& b) {
-                         const Planned& t = planned[a.number];
-                         const auto vertices = face_corners(all_faces[b.number], mesh_);
+                         const Planned& t = planned[a.info()];
+                         const auto vertices = face_corners(all_faces[b.info()], mesh_);
                          Plan& plan = plans_[t.plan];
                          if(std::any_of(vertices.begin(), vertices.end(), [&](auto v) { return plan.cut.passes(v); }))
                            return;
                          Triangle face;
                          for(std::size_t k = 0; k != 3; ++k)
-                           face.corners[k] = {vertices[k], 0, disc_point(vertices[k], point_map_)};
+                           face.corners[k] = {vertices[k], 0, disc_point(get(point_map_, vertices[k]))};
                          if(do_intersect(*t.triangle, face))
-                           refuse(plan, components_[b.number] != plan.row.component, t.is_disc);
+                           refuse(plan, components_[b.info()] != plan.row.component, t.is_disc);
                        });
     box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Numbered_box& a, const Numbered_box& b) {
-      const Planned &s = planned[a.number], &t = planned[b.number];
+      const Planned &s = planned[a.info()], &t = planned[b.info()];
       if(s.plan != t.plan && !s.is_disc && !t.is_disc && do_intersect(*s.triangle, *t.triangle))
         plans_[(std::max)(s.plan, t.plan)].rivals.push_back((std::min)(s.plan, t.plan));
     });

@@ -16,15 +16,17 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -48,7 +50,7 @@ struct Mean_point
 class Projected_segments
 {
   template <class FT>
-  using Vector = std::array<FT, 3>;
+  using Vector = typename Simple_cartesian<FT>::Vector_3;
 
 public:
   typedef std::array<Mean_point, 2> Segment;
@@ -67,8 +69,7 @@ public:
     return decide([&](auto zero) {
       typedef decltype(zero) FT;
       const Vector<FT> origin = point<FT>(a[0]);
-      return sign_of(determinant(difference(point<FT>(a[1]), origin), difference(point<FT>(b), origin),
-                                 difference(point<FT>(c), origin)));
+      return sign_of(determinant(point<FT>(a[1]) - origin, point<FT>(b) - origin, point<FT>(c) - origin));
     });
   }
 
@@ -78,10 +79,18 @@ public:
     return decide([&](auto zero) {
       typedef decltype(zero) FT;
       const Vector<FT> origin = point<FT>(a[0]);
-      const int sign =
-        sign_of(determinant(difference(point<FT>(a[1]), origin), direction<FT>(), difference(point<FT>(b), origin)));
-      return sign == 0 ? throw Degenerate_direction() : sign;
+      return checked(sign_of(determinant(point<FT>(a[1]) - origin, vector<FT>(direction_), point<FT>(b) - origin)));
     });
+  }
+
+  // From the origin.
+  template <class FT>
+  static Vector<FT> point(const Mean_point& mean)
+  {
+    Vector<FT> sum = vector<FT>(*mean.points[0]);
+    for(int i = 1; i < mean.size; ++i)
+      sum = sum + vector<FT>(*mean.points[i]);
+    return mean.size == 1 ? sum : sum / FT(mean.size);
   }
 
 private:
@@ -104,65 +113,39 @@ private:
 
   static int sign_of(const Interval_nt<>& a) { return a.inf() > 0 ? 1 : a.sup() < 0 ? -1 : throw Undecided(); }
   static int sign_of(const Exact_rational& a) { return static_cast<int>(CGAL::sign(a)); }
-
-  template <class FT>
-  static Vector<FT> point(const Mean_point& mean)
-  {
-    Vector<FT> sum = {FT((*mean.points[0])[0]), FT((*mean.points[0])[1]), FT((*mean.points[0])[2])};
-    for(int i = 1; i < mean.size; ++i)
-      for(std::size_t k = 0; k != 3; ++k)
-        sum[k] += FT((*mean.points[i])[k]);
-    if(mean.size != 1)
-      for(FT& coordinate : sum)
-        coordinate /= FT(mean.size);
-    return sum;
-  }
-
-  template <class FT>
-  Vector<FT> direction() const
-  {
-    return {FT(direction_[0]), FT(direction_[1]), FT(direction_[2])};
-  }
-
-  template <class FT>
-  static Vector<FT> difference(const Vector<FT>& a, const Vector<FT>& b)
-  {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  }
-
-  template <class FT>
-  static FT determinant(const Vector<FT>& a, const Vector<FT>& b, const Vector<FT>& c)
-  {
-    return dot(cross(a, b), c);
-  }
-
   static int checked(int sign) { return sign == 0 ? throw Degenerate_direction() : sign; }
+
+  template <class FT>
+  static Vector<FT> vector(const std::array<double, 3>& a)
+  {
+    return {FT(a[0]), FT(a[1]), FT(a[2])};
+  }
 
   template <class FT>
   int crossing_over(const Segment& a, const Segment& b) const
   {
     const Vector<FT> a0 = point<FT>(a[0]), a1 = point<FT>(a[1]), b0 = point<FT>(b[0]), b1 = point<FT>(b[1]);
-    const Vector<FT> d = direction<FT>(), along_a = difference(a1, a0), along_b = difference(b1, b0);
-    const Vector<FT> across_a = cross(d, along_a), across_b = cross(d, along_b);
-    const Vector<FT> between = difference(b0, a0);
-    const int sides_of_b = sign_of(dot(across_a, between)) * sign_of(dot(across_a, difference(b1, a0)));
+    const Vector<FT> d = vector<FT>(direction_), along_a = a1 - a0, along_b = b1 - b0;
+    const Vector<FT> across_a = cross_product(d, along_a), across_b = cross_product(d, along_b), between = b0 - a0;
+    const int sides_of_b = sign_of(across_a * between) * sign_of(across_a * (b1 - a0));
     if(sides_of_b > 0)
       return 0;
-    const int sides_of_a = sign_of(dot(across_b, between)) * sign_of(dot(across_b, difference(b0, a1)));
+    const int sides_of_a = sign_of(across_b * between) * sign_of(across_b * (b0 - a1));
     if(sides_of_a > 0) // also if `b` begins on the line of `a`, beyond its end: this looks so from everywhere
       return 0;
     if(sides_of_b == 0 || sides_of_a == 0)
       throw Degenerate_direction();
     // If they cross, the direction that is common to the normals of both tells which one is above.
-    const Vector<FT> normal = cross(along_a, along_b);
-    const int sign = checked(sign_of(dot(normal, d)));
-    return sign_of(dot(between, normal)) * sign < 0 ? sign : 0;
+    const Vector<FT> normal = cross_product(along_a, along_b);
+    const int sign = checked(sign_of(normal * d));
+    return sign_of(between * normal) * sign < 0 ? sign : 0;
   }
 
   std::array<double, 3> direction_;
 };
 
-typedef std::vector<std::vector<long long>> Integer_rows;
+typedef boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off> Integer;
+typedef std::vector<std::vector<Integer>> Rows;
 
 // The linking numbers of the loops of edges of a component with its loops of faces, pushed off the surface.
 //
@@ -203,7 +186,7 @@ public:
 
   // Minus the linking number of each loop b_i of edges with each loop c_j of faces pushed to the front. Empty if no
   // direction is in general position, as there is none where triangles have no area, or points are the same.
-  Integer_rows operator()() const
+  Rows operator()() const
   {
     std::uint64_t random = 20130617;
     for(int trial = 0; trial != 16; ++trial)
@@ -227,6 +210,7 @@ public:
 
 private:
   typedef Box_intersection_d::Box_with_handle_d<double, 2, const Located_segment*> Box;
+  typedef std::vector<long long> Row;
 
   Mean_point vertex(Index v) const { return {{&surface_.points[v], nullptr, nullptr}, 1}; }
   Mean_point middle(Index h) const
@@ -261,12 +245,12 @@ private:
     crossings_.push_back({{middle(h), middle_of_face(surface_.face[surface_.opposite(h)])}, piece, left_over});
   }
 
-  Integer_rows numbers_in(const std::array<double, 3>& direction) const
+  Rows numbers_in(const std::array<double, 3>& direction) const
   {
     const Projected_segments view(direction);
     std::map<std::pair<Index, Index>, long long> crossings;
     cross_segments(view, direction, crossings);
-    Integer_rows result = sum_over_loops(crossings);
+    Rows result = sum_over_loops(crossings);
     for(std::size_t k = 0; k != left_over_.size(); ++k)
       result[k][k] += is_front_below(view, left_over_[k]) ? 1 : 0;
     return result;
@@ -289,36 +273,24 @@ private:
                        });
   }
 
-  // Boxes around the projected segments, large enough for all errors of rounding.
+  // Boxes around the projected segments, by intervals, so that no error of rounding matters.
   std::vector<Box> boxes(const std::vector<Located_segment>& segments, const std::array<double, 3>& direction) const
   {
-    const double slope_x = direction[0] / direction[2], slope_y = direction[1] / direction[2];
-    double largest = 0;
-    for(const Located_segment& located : segments)
-      for(const Mean_point& end : located.segment)
-        for(const double coordinate : *end.points[0])
-          largest = (std::max)(largest, std::abs(coordinate));
-    const double margin = 1e-14 * largest;
+    typedef Interval_nt<> Interval;
+    const Interval slope_x = Interval(direction[0]) / direction[2], slope_y = Interval(direction[1]) / direction[2];
     std::vector<Box> result;
     result.reserve(segments.size());
     for(const Located_segment& located : segments)
     {
-      std::array<double, 2> low = {(std::numeric_limits<double>::max)(), (std::numeric_limits<double>::max)()};
-      std::array<double, 2> high = {-low[0], -low[1]};
+      Box box(false, &located);
       for(const Mean_point& end : located.segment)
       {
-        Closed_surface::Point p = {0, 0, 0};
-        for(int i = 0; i < end.size; ++i)
-          for(std::size_t k = 0; k != 3; ++k)
-            p[k] += (*end.points[i])[k] / end.size;
-        const std::array<double, 2> seen = {p[0] - slope_x * p[2], p[1] - slope_y * p[2]};
-        for(std::size_t k = 0; k != 2; ++k)
-        {
-          low[k] = (std::min)(low[k], seen[k] - margin);
-          high[k] = (std::max)(high[k], seen[k] + margin);
-        }
+        const auto p = Projected_segments::point<Interval>(end);
+        std::array<std::pair<double, double>, 2> seen = {(p.x() - slope_x * p.z()).pair(),
+                                                         (p.y() - slope_y * p.z()).pair()};
+        box.extend(seen.data());
       }
-      result.push_back(Box(low.data(), high.data(), &located));
+      result.push_back(box);
     }
     return result;
   }
@@ -342,11 +314,11 @@ private:
   }
 
   // The numbers of pieces, added up along the loops.
-  Integer_rows sum_over_loops(const std::map<std::pair<Index, Index>, long long>& crossings) const
+  Rows sum_over_loops(const std::map<std::pair<Index, Index>, long long>& crossings) const
   {
     const std::size_t number_of_loops = left_over_.size();
-    Integer_rows rows(pieces_.size() + number_of_loops, std::vector<long long>(number_of_loops, 0));
-    std::vector<long long> sums;
+    std::vector<Row> rows(pieces_.size() + number_of_loops, Row(number_of_loops, 0));
+    Row sums;
     for(auto crossing = crossings.begin(); crossing != crossings.end();)
     {
       const Index piece = crossing->first.first;
@@ -365,23 +337,24 @@ private:
       if(pieces_.parent(piece) != no_index)
         add(rows[piece], rows[pieces_.parent(piece)], 1);
     }
-    Integer_rows result;
+    Rows result;
     for(std::size_t k = 0; k != number_of_loops; ++k)
     {
-      result.push_back(rows[pieces_.size() + k]);
-      add_row_at(result.back(), rows, surface_.source(left_over_[k]), 1);
-      add_row_at(result.back(), rows, surface_.target[left_over_[k]], -1);
+      Row& row = rows[pieces_.size() + k];
+      add_row_at(row, rows, surface_.source(left_over_[k]), 1);
+      add_row_at(row, rows, surface_.target[left_over_[k]], -1);
+      result.emplace_back(row.begin(), row.end());
     }
     return result;
   }
 
-  static void add(std::vector<long long>& row, const std::vector<long long>& other, long long factor)
+  static void add(Row& row, const Row& other, long long factor)
   {
     for(std::size_t k = 0; k != row.size(); ++k)
       row[k] += factor * other[k];
   }
 
-  void add_row_at(std::vector<long long>& row, const Integer_rows& rows, Index v, long long factor) const
+  void add_row_at(Row& row, const std::vector<Row>& rows, Index v, long long factor) const
   {
     if(pieces_.piece_of(v) != no_index)
       add(row, rows[pieces_.piece_of(v)], factor);

@@ -25,21 +25,13 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <random>
 #include <set>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
-
-inline Halfedge_walk reversed(const Halfedge_walk& walk)
-{
-  Halfedge_walk result;
-  for(auto h = walk.rbegin(); h != walk.rend(); ++h)
-    result.push_back(Closed_surface::opposite(*h));
-  return result;
-}
 
 // A loop of each half whose intersection number is 1.
 typedef std::array<Halfedge_walk, 2> Pair_of_loops;
@@ -56,14 +48,10 @@ class Loop_choice
   };
 
 public:
-  Loop_choice(const Closed_surface& surface,
-              const Component_loops& loops,
-              const Loop_halves& halves,
-              std::size_t number_of_vertices)
+  Loop_choice(const Closed_surface& surface, const Component_loops& loops, const Loop_halves& halves)
     : surface_(surface),
       loops_(loops),
       halves_(halves),
-      number_of_vertices_(number_of_vertices),
       bases_(halves.size())
   {}
 
@@ -194,7 +182,7 @@ private:
   }
 
   // So many places of the cover may be seen in one search, so that all searches together take a time that is linear.
-  std::size_t largest_search() const { return 4000 + 8 * number_of_vertices_ / halves_.size(); }
+  std::size_t largest_search() const { return 4000 + 8 * loops_.number_of_vertices / halves_.size(); }
 
   // The shortest loop found that crosses the partner of one once, or is in the class of that one. Empty if none is
   // shorter than that one, and than `bound`. Each such loop has a vertex in common with the partner: the search begins
@@ -271,7 +259,6 @@ private:
   const Closed_surface& surface_;
   const Component_loops& loops_;
   const Loop_halves& halves_;
-  std::size_t number_of_vertices_;
   Dual_bases bases_;
   std::vector<Candidate> candidates_;
   std::array<std::vector<Halfedge_walk>, 2> walks_; // by half and place; empty if none has been chosen
@@ -291,24 +278,22 @@ public:
     for(auto& component : homology_.components())
     {
       if(!component.projection.empty())
-        halves_.emplace_back(component.loops, component.projection);
+        halves_.emplace_back(component, component.projection);
       if(component.projection.empty() || !halves_.back().is_valid())
       {
         if(!component.projection.empty())
           halves_.pop_back();
         component.projection.clear();
-        halves_.emplace_back(component.loops, splitting(component.loops));
+        halves_.emplace_back(component, splitting(component));
       }
-      const auto random = random_numbers(component.loops.size());
-      for(std::size_t k = 0; k != component.loops.size(); ++k)
-        codes[component.loops.component().left_over[k] / 2] = halves_.back().code(k, random);
+      std::vector<std::uint64_t> random(component.size());
+      std::generate(random.begin(), random.end(), std::mt19937_64());
+      for(std::size_t k = 0; k != component.size(); ++k)
+        codes[component.component().left_over[k] / 2] = halves_.back().code(k, random);
     }
     complete_codes(surface_, homology_.trees(), codes);
     for(std::size_t i = 0; i != halves_.size(); ++i)
-    {
-      const auto& component = homology_.components()[i];
-      choices_.emplace_back(surface_, component.loops, halves_[i], component.number_of_vertices);
-    }
+      choices_.emplace_back(surface_, homology_.components()[i], halves_[i]);
     add_loops_of_tree(codes);
     std::vector<double> sizes;
     for(auto& choice : choices_)

@@ -18,7 +18,6 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -105,7 +104,7 @@ public:
 private:
   typedef typename boost::property_traits<PointMap>::value_type Point;
 
-  Disc_point point(vertex_descriptor v) const { return disc_point(v, point_map_); }
+  Disc_point point(vertex_descriptor v) const { return disc_point(get(point_map_, v)); }
 
   void span_disc(const std::vector<Disc_point>& polyline, const std::vector<Disc_point>& third_points)
   {
@@ -198,7 +197,7 @@ private:
         const halfedge_descriptor begin = side == 0 ? loop_[k] : back, end = side == 0 ? back : loop_[k];
         moved_[side].push_back(is_along_normals ? moved(begin, (side == 0 ? step : -step) * normals_[k])
                                                 : moved(begin, step * way_to_neighbors(begin, end)));
-        points[side].push_back(to_disc_point(moved_[side].back()));
+        points[side].push_back(disc_point(moved_[side].back()));
         for(halfedge_descriptor h = begin; h != end; h = turned(h))
           copies.emplace(prev(h, mesh_), std::make_pair(static_cast<int>(side) + 1, points[side].back()));
       }
@@ -246,11 +245,6 @@ private:
     return Point(p.x(), p.y(), p.z());
   }
 
-  static Disc_point to_disc_point(const Point& p)
-  {
-    return Disc_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  }
-
   bool fits_itself() const
   {
     std::vector<Numbered_box> boxes;
@@ -262,7 +256,7 @@ private:
     }
     bool result = true;
     box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Numbered_box& a, const Numbered_box& b) {
-      result = result && !internal::do_intersect(placed_[a.number], placed_[b.number]);
+      result = result && !internal::do_intersect(placed_[a.info()], placed_[b.info()]);
     });
     return result;
   }

@@ -15,21 +15,16 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
-
-typedef boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off> Integer;
-typedef std::vector<std::vector<Integer>> Rows;
 
 // The remainder modulo 2^64.
 inline std::uint64_t low_bits(const Integer& a)
@@ -53,23 +48,14 @@ inline void add_multiple(std::vector<Integer>& row, const std::vector<Integer>& 
   }
 }
 
-inline Rows converted(const Integer_rows& rows)
-{
-  Rows result;
-  for(const auto& row : rows)
-    result.emplace_back(row.begin(), row.end());
-  return result;
-}
-
 // The sum of the rows, each as often as the coefficients say.
-template <class Coefficient>
-std::vector<Integer> combination(const std::vector<Coefficient>& coefficients, const Rows& rows)
+inline std::vector<Integer> combination(const std::vector<Integer>& coefficients, const Rows& rows)
 {
   std::vector<Integer> sum(rows.empty() ? 0 : rows.front().size(), Integer(0));
   for(std::size_t k = 0; k != coefficients.size(); ++k)
   {
     if(coefficients[k] != 0)
-      add_multiple(sum, rows[k], Integer(coefficients[k]));
+      add_multiple(sum, rows[k], coefficients[k]);
   }
   return sum;
 }
@@ -83,6 +69,23 @@ inline Integer dot_product(const std::vector<Integer>& a, const std::vector<Inte
       sum += a[k] * b[k];
   }
   return sum;
+}
+
+// The place of the number nearest to 0 among those that are not 0, and how many these are.
+template <class NumberAt>
+std::pair<std::size_t, std::size_t> find_least(std::size_t begin, std::size_t end, const NumberAt& number_at)
+{
+  std::size_t least = end, count = 0;
+  for(std::size_t i = begin; i != end; ++i)
+  {
+    const Integer& number = number_at(i);
+    if(number == 0)
+      continue;
+    ++count;
+    if(least == end || abs(number) < abs(number_at(least)))
+      least = i;
+  }
+  return {least, count};
 }
 
 // A basis of the lattice that some rows span, and what the rows are in that basis: rows[i] is the sum of
@@ -104,16 +107,9 @@ inline Row_lattice find_row_lattice(Rows rows)
   {
     for(;;)
     {
-      std::size_t least = size, number_of_others = 0;
-      for(std::size_t i = rank; i != size; ++i)
-      {
-        if(rows[i][column] == 0)
-          continue;
-        ++number_of_others;
-        if(least == size || abs(rows[i][column]) < abs(rows[least][column]))
-          least = i;
-      }
-      if(number_of_others == 0)
+      const auto [least, number] =
+        find_least(rank, size, [&](std::size_t i) -> const Integer& { return rows[i][column]; });
+      if(number == 0)
         break;
       std::swap(rows[rank], rows[least]);
       std::swap(columns[rank], columns[least]);
@@ -125,7 +121,7 @@ inline Row_lattice find_row_lattice(Rows rows)
         add_multiple(rows[i], rows[rank], -factor);
         add_multiple(columns[rank], columns[i], factor);
       }
-      if(number_of_others == 1)
+      if(number == 1)
       {
         ++rank;
         break;
@@ -163,7 +159,6 @@ public:
 
   std::size_t size() const { return bases_[0].size(); }
   const Vector& vector(int side, std::size_t place) const { return bases_[side][place]; }
-  bool is_chosen(int side, std::size_t place) const { return is_chosen_[side][place]; }
 
   // Makes a vector, or its negative, one of the basis of a side, if the chosen vectors of both sides can stay.
   // Proof that this is so if and only if it is found: the dot products with the vectors chosen on the other side have
@@ -212,15 +207,7 @@ private:
       return std::nullopt;
     for(;;)
     {
-      std::size_t least = size(), number = 0;
-      for(std::size_t i = 0; i != size(); ++i)
-      {
-        if(!is_free(i) || y[i] == 0)
-          continue;
-        ++number;
-        if(least == size() || abs(y[i]) < abs(y[least]))
-          least = i;
-      }
+      const auto [least, number] = find_least(0, size(), [&](std::size_t i) { return is_free(i) ? y[i] : Integer(0); });
       if(number == 1)
         return least;
       for(std::size_t i = 0; i != size(); ++i)
@@ -258,17 +245,17 @@ class Loop_halves
 public:
   // Coordinates in two dual bases of the halves: row k of `coordinates(half)` has those of b_k. The intersection
   // number of a loop of half 0 with one of half 1 is the dot product of their coordinates.
-  Loop_halves(const Component_loops& loops, const Integer_rows& projection) : size_(loops.size() / 2)
+  Loop_halves(const Component_loops& loops, const Rows& projection) : size_(loops.size() / 2)
   {
     const auto intersections = loops.intersection_numbers();
-    const Row_lattice front = find_row_lattice(converted(projection));
+    const Row_lattice front = find_row_lattice(projection);
     is_valid_ = front.basis.size() == size_ && is_isotropic(front.basis, intersections[0]);
     if(!is_valid_)
       return;
     basis_[1] = front.basis;
     coordinates_[0].assign(loops.size(), std::vector<Integer>());
     coordinates_[1].assign(loops.size(), std::vector<Integer>());
-    const Rows forms = converted(intersections[0]), inverse = converted(intersections[1]);
+    const auto& [forms, inverse] = intersections;
     for(std::size_t k = 0; k != loops.size(); ++k)
       for(std::size_t j = 0; j != size_; ++j)
       {
@@ -288,7 +275,7 @@ public:
   bool is_valid() const { return is_valid_; }
   std::size_t size() const { return size_; }
 
-  std::vector<Integer> coordinates(int half, const std::vector<long long>& loop) const
+  std::vector<Integer> coordinates(int half, const std::vector<Integer>& loop) const
   {
     return combination(loop, coordinates_[half]);
   }
@@ -310,9 +297,8 @@ public:
   }
 
 private:
-  static bool is_isotropic(const Rows& basis, const Integer_rows& intersections)
+  static bool is_isotropic(const Rows& basis, const Rows& forms)
   {
-    const Rows forms = converted(intersections);
     for(const auto& loop : basis)
     {
       const std::vector<Integer> crossing = combination(loop, forms);
@@ -345,65 +331,40 @@ private:
 
 // Some projection to an isotropic half along another one, for a surface without inside: a symplectic basis e_j, f_j is
 // made of the loops b, and each f_j stays.
-inline Integer_rows splitting(const Component_loops& loops)
+inline Rows splitting(const Component_loops& loops)
 {
   const std::size_t size = loops.size();
-  const Rows forms = converted(loops.intersection_numbers()[0]);
-  const auto dual = [&](const std::vector<Integer>& x) {
-    return combination(x, forms);
-  }; // intersection numbers with all b
+  const Rows forms = loops.intersection_numbers()[0];
   Rows rest(size, std::vector<Integer>(size, Integer(0)));
   for(std::size_t k = 0; k != size; ++k)
     rest[k][k] = Integer(1);
-  Integer_rows projection(size, std::vector<long long>(size, 0));
+  Rows projection(size, std::vector<Integer>(size, Integer(0)));
   while(!rest.empty())
   {
-    const std::vector<Integer> e = rest.front(), crossed = dual(e);
+    const std::vector<Integer> e = rest.front(), crossed = combination(e, forms);
     rest.erase(rest.begin());
-    std::size_t least = 0;
-    for(std::size_t number = 0; number != 1;)
+    const auto crossing = [&](std::size_t i) { return dot_product(crossed, rest[i]); };
+    std::size_t least = 0, number = 0;
+    while(number != 1)
     {
-      number = 0;
-      for(std::size_t i = 0; i != rest.size(); ++i)
-      {
-        const Integer crossing = dot_product(crossed, rest[i]);
-        if(crossing == 0)
-          continue;
-        if(number++ == 0 || abs(crossing) < abs(dot_product(crossed, rest[least])))
-          least = i;
-      }
-      const Integer divisor = dot_product(crossed, rest[least]);
+      std::tie(least, number) = find_least(0, rest.size(), crossing);
+      const Integer divisor = crossing(least);
       for(std::size_t i = 0; i != rest.size(); ++i)
         if(i != least)
-          add_multiple(rest[i], rest[least], -(dot_product(crossed, rest[i]) / divisor));
+          add_multiple(rest[i], rest[least], -(crossing(i) / divisor));
     }
-    const Integer sign = dot_product(crossed, rest[least]);
+    const Integer sign = crossing(least);
     std::vector<Integer> f(size, Integer(0));
     add_multiple(f, rest[least], sign);
     rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(least));
-    const std::vector<Integer> crossed_by_f = dual(f);
+    const std::vector<Integer> crossed_by_f = combination(f, forms);
     for(auto& x : rest)
       add_multiple(x, e, dot_product(crossed_by_f, x)); // x crosses neither e nor f then
     for(std::size_t k = 0; k != size; ++k)
       for(std::size_t i = 0; i != size; ++i)
-        projection[k][i] += to_machine_integer(crossed[k] * f[i]);
+        projection[k][i] += crossed[k] * f[i];
   }
   return projection;
-}
-
-// Random numbers for the coordinates of both halves, for codes.
-inline std::vector<std::uint64_t> random_numbers(std::size_t size)
-{
-  std::uint64_t state = 88172645463325252u;
-  std::vector<std::uint64_t> random;
-  for(std::size_t i = 0; i != size; ++i)
-  {
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    random.push_back(state * 2685821657736338717u);
-  }
-  return random;
 }
 
 // Writes the codes of the edges in cotrees, from those that are in no tree: the codes of the edges of a face add up to 0.

@@ -124,14 +124,6 @@ inline std::uint64_t code_of(const Class_codes& codes, Index h, int half)
   return h % 2 == 0 ? code : std::uint64_t(0) - code;
 }
 
-inline std::uint64_t code_of(const Class_codes& codes, const Halfedge_walk& walk, int half)
-{
-  std::uint64_t sum = 0;
-  for(const Index h : walk)
-    sum += code_of(codes, h, half);
-  return sum;
-}
-
 // Removes what a closed walk passes to and fro.
 inline void reduce(Halfedge_walk& walk)
 {
@@ -281,9 +273,8 @@ private:
       least_length_ = (std::min)(least_length_, length);
       Halfedge_walk walk = walk_to(place);
       walk.push_back(h);
-      const Halfedge_walk back = walk_to(other);
-      for(auto g = back.rbegin(); g != back.rend(); ++g)
-        walk.push_back(surface_.opposite(*g));
+      const Halfedge_walk back = reversed(walk_to(other));
+      walk.insert(walk.end(), back.begin(), back.end());
       if(accept(code - places_[other].code, walk))
       {
         reduce(walk);

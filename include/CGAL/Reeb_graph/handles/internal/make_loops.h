@@ -26,7 +26,6 @@
 #endif
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -86,32 +85,33 @@ auto find_reeb_loops(const Mesh& mesh,
   return loops;
 }
 
-// Gives each pair of loops of a surface the persistence of one loop of the Reeb graph. The contour of that is a sum of
+// Finds the pairs of loops of a surface that loops of the Reeb graph belong to. The contour of one of these is a sum of
 // loops of the surface, as many of each as their partners cross it. The least persistent loops of the Reeb graph come
-// first: each belongs to the first pair that has a part in its contour once those before are subtracted. A pair that is
-// left is hidden in a vertex and has the persistence 0.
+// first: each belongs to the first pair that has a part in its contour once those before are subtracted.
 class Pairs_of_reeb_loops
 {
-  static constexpr std::int64_t prime = 2147483647; // ranks are those modulo this number
-
 public:
   explicit Pairs_of_reeb_loops(std::size_t number_of_pairs) : is_assigned_(number_of_pairs) {}
 
   // The row has twice as many entries as there are pairs. Returns the pair, or number_of_pairs if there is none.
   std::size_t pair_of(std::vector<std::int64_t> row)
   {
+    constexpr std::int64_t prime = 2147483647; // ranks are those modulo this number
     for(std::int64_t& entry : row)
       entry = (entry % prime + prime) % prime;
-    for(const auto& [pivot, reduced] : rows_)
-      subtract(row, reduced, row[pivot]);
+    for(const auto& [pivot, other] : rows_)
+    {
+      const std::int64_t factor = other[pivot], subtracted = prime - row[pivot];
+      if(subtracted == prime)
+        continue;
+      for(std::size_t k = 0; k != row.size(); ++k)
+        row[k] = (factor * row[k] + subtracted * other[k]) % prime;
+    }
     for(std::size_t k = 0; k != row.size(); ++k)
     {
       if(row[k] == 0 || is_assigned_[k / 2])
         continue;
       is_assigned_[k / 2] = true;
-      const std::int64_t factor = inverse(row[k]);
-      for(std::int64_t& entry : row)
-        entry = entry * factor % prime;
       rows_.emplace_back(k, std::move(row));
       return k / 2;
     }
@@ -119,68 +119,12 @@ public:
   }
 
 private:
-  static void subtract(std::vector<std::int64_t>& row, const std::vector<std::int64_t>& other, std::int64_t factor)
-  {
-    if(factor == 0)
-      return;
-    for(std::size_t k = 0; k != row.size(); ++k)
-      row[k] = (row[k] + (prime - factor) * other[k]) % prime;
-  }
-
-  static std::int64_t inverse(std::int64_t a)
-  {
-    std::int64_t result = 1;
-    for(std::int64_t exponent = prime - 2; exponent != 0; exponent /= 2)
-    {
-      if(exponent % 2 != 0)
-        result = result * a % prime;
-      a = a * a % prime;
-    }
-    return result;
-  }
-
   std::vector<bool> is_assigned_;
-  std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> rows_; // with the place of an entry 1
+  std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> rows_; // with the place of an entry that is not 0
 };
 
-// The persistences of pairs of loops, which are sorted by size. `Numbers` are those of halfedges.
-template <class ReebLoops, class Number>
-std::vector<double> persistences_of_pairs(const ReebLoops& reeb_loops,
-                                          const std::vector<std::array<const Halfedge_walk*, 2>>& pairs,
-                                          const Number& number)
-{
-  struct Crossing
-  {
-    std::size_t place;
-    std::int64_t sign;
-  };
-  std::unordered_map<Index, std::vector<Crossing>> crossings; // of walks, by edge
-  for(std::size_t i = 0; i != pairs.size(); ++i)
-    for(std::size_t k : {0, 1})
-      for(const Index h : *pairs[i][k])
-        crossings[h / 2].push_back({2 * i + k, h % 2 == 0 ? 1 : -1});
-  std::vector<double> result(pairs.size(), 0);
-  Pairs_of_reeb_loops assign(pairs.size());
-  for(const auto& loop : reeb_loops)
-  {
-    std::vector<std::int64_t> row(2 * pairs.size(), 0);
-    for(const auto h : loop.contour)
-    {
-      const Index n = number(h);
-      const auto found = crossings.find(n / 2);
-      if(found == crossings.end())
-        continue;
-      for(const Crossing& crossing : found->second)
-        row[crossing.place] += n % 2 == 0 ? crossing.sign : -crossing.sign;
-    }
-    const std::size_t pair = assign.pair_of(std::move(row));
-    if(pair != pairs.size())
-      result[pair] = loop.persistence;
-  }
-  return result;
-}
-
-// Sets the persistences of the loops that have partners.
+// Sets the persistences of the loops that have partners. A pair that no loop of the Reeb graph belongs to is hidden in a
+// vertex and has the persistence 0. number(h) is that of a halfedge.
 template <class ReebLoops, class Number>
 void set_persistences(const ReebLoops& reeb_loops, const Number& number, std::vector<Surface_loop>& loops)
 {
@@ -192,12 +136,27 @@ void set_persistences(const ReebLoops& reeb_loops, const Number& number, std::ve
   }
   const auto size = [&](std::size_t i) { return (std::min)(loops[i].length, loops[i + 1].length); };
   std::stable_sort(firsts.begin(), firsts.end(), [&](std::size_t a, std::size_t b) { return size(a) < size(b); });
-  std::vector<std::array<const Halfedge_walk*, 2>> pairs;
-  for(const std::size_t i : firsts)
-    pairs.push_back({&loops[i].walk, &loops[i + 1].walk});
-  const std::vector<double> persistences = persistences_of_pairs(reeb_loops, pairs, number);
-  for(std::size_t k = 0; k != firsts.size(); ++k)
-    loops[firsts[k]].persistence = loops[firsts[k] + 1].persistence = persistences[k];
+  std::unordered_map<Index, std::vector<std::pair<std::size_t, std::int64_t>>> crossings; // loops and signs, by edge
+  for(std::size_t place = 0; place != 2 * firsts.size(); ++place)
+    for(const Index h : loops[firsts[place / 2] + place % 2].halfedges)
+      crossings[h / 2].emplace_back(place, h % 2 == 0 ? 1 : -1);
+  Pairs_of_reeb_loops assign(firsts.size());
+  for(const auto& reeb_loop : reeb_loops)
+  {
+    std::vector<std::int64_t> row(2 * firsts.size(), 0);
+    for(const auto h : reeb_loop.contour)
+    {
+      const Index n = number(h);
+      const auto found = crossings.find(n / 2);
+      if(found == crossings.end())
+        continue;
+      for(const auto& [place, sign] : found->second)
+        row[place] += n % 2 == 0 ? sign : -sign;
+    }
+    const std::size_t pair = assign.pair_of(std::move(row));
+    if(pair != firsts.size())
+      loops[firsts[pair]].persistence = loops[firsts[pair] + 1].persistence = reeb_loop.persistence;
+  }
 }
 
 #define CGAL_REEB_GRAPH_MAKE_LOOP_FINDER(PREFIX)                                                                       \

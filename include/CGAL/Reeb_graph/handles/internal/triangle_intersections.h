@@ -13,6 +13,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/license/Reeb_graph.h>
@@ -30,11 +31,7 @@ namespace CGAL::Reeb_graph::internal {
 typedef Exact_predicates_inexact_constructions_kernel Disc_kernel;
 typedef Disc_kernel::Point_3 Disc_point;
 
-struct Numbered_box : Box_intersection_d::Box_d<double, 3>
-{
-  Numbered_box(const Bbox_3& box, std::size_t n) : Box_intersection_d::Box_d<double, 3>(box), number(n) {}
-  std::size_t number;
-};
+typedef Box_intersection_d::Box_with_info_d<double, 3, std::size_t> Numbered_box;
 
 // A triangle that is to be, or a face. A vertex of a loop that is cut has a copy on its left and one on its right.
 template <class VertexDescriptor>
@@ -241,13 +238,13 @@ public:
     }
     std::vector<std::pair<std::size_t, std::size_t>> pairs; // of a flat patch, and one that overlaps it
     box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Numbered_box& a, const Numbered_box& b) {
-      const Patch &patch = patches_[a.number], &other = patches_[b.number];
+      const Patch &patch = patches_[a.info()], &other = patches_[b.info()];
       if(component_of(patch) != component_of(other))
         return;
       if(patch.is_flat())
-        pairs.emplace_back(a.number, b.number);
+        pairs.emplace_back(a.info(), b.info());
       else if(other.is_flat())
-        pairs.emplace_back(b.number, a.number);
+        pairs.emplace_back(b.info(), a.info());
       else
         test_patches(patch, other);
     });
