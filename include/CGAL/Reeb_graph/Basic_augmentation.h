@@ -6,4 +6,9 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#ifndef CGAL_REEB_GRAPH_BASIC_AUGMENTATION_H
+#define CGAL_REEB_GRAPH_BASIC_AUGMENTATION_H
+
 #include <CGAL/Reeb_graph/Augmentation.h> // has what was here
+
+#endif // CGAL_REEB_GRAPH_BASIC_AUGMENTATION_H

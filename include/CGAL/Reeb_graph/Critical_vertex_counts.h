@@ -6,4 +6,9 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#ifndef CGAL_REEB_GRAPH_CRITICAL_VERTEX_COUNTS_H
+#define CGAL_REEB_GRAPH_CRITICAL_VERTEX_COUNTS_H
+
 #include <CGAL/Reeb_graph/visitor.h> // has what was here
+
+#endif // CGAL_REEB_GRAPH_CRITICAL_VERTEX_COUNTS_H

@@ -6,4 +6,9 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#ifndef CGAL_REEB_GRAPH_INDEX_MAPS_H
+#define CGAL_REEB_GRAPH_INDEX_MAPS_H
+
 #include <CGAL/Reeb_graph/scalar_maps.h> // has what was here
+
+#endif // CGAL_REEB_GRAPH_INDEX_MAPS_H

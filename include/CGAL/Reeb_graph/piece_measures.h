@@ -6,4 +6,9 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#ifndef CGAL_REEB_GRAPH_PIECE_MEASURES_H
+#define CGAL_REEB_GRAPH_PIECE_MEASURES_H
+
 #include <CGAL/Reeb_graph/arc_measures.h> // has what was here
+
+#endif // CGAL_REEB_GRAPH_PIECE_MEASURES_H

@@ -6,4 +6,9 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#ifndef CGAL_REEB_GRAPH_CURVES_INTERPOLATING_VISITOR_H
+#define CGAL_REEB_GRAPH_CURVES_INTERPOLATING_VISITOR_H
+
 #include <CGAL/Reeb_graph/curves/Refinement_visitor.h> // has what was here
+
+#endif // CGAL_REEB_GRAPH_CURVES_INTERPOLATING_VISITOR_H

@@ -6,4 +6,9 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#ifndef CGAL_REEB_GRAPH_CURVES_CURVE_PARAMETERS_H
+#define CGAL_REEB_GRAPH_CURVES_CURVE_PARAMETERS_H
+
 #include <CGAL/Reeb_graph/curves/Curve.h> // has what was here
+
+#endif // CGAL_REEB_GRAPH_CURVES_CURVE_PARAMETERS_H
