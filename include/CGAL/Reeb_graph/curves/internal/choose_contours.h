@@ -39,7 +39,6 @@
 #include <iterator>
 #include <limits>
 #include <set>
-#include <type_traits>
 #include <utility>
 #include <vector>
 

@@ -333,7 +333,7 @@ void for_each_of_sample(std::uint64_t size, std::uint64_t sample_size, const Vis
 // The share of a rank that has `local_size` of `size` things in a sample of all, rounded up.
 inline std::uint64_t share_of_sample(std::uint64_t sample_size, std::uint64_t local_size, std::uint64_t size)
 {
-  return size <= sample_size ? local_size : local_size * sample_size / size + (local_size != 0);
+  return size <= sample_size ? local_size : (local_size * sample_size + size - 1) / size;
 }
 
 // A sample of the vertices, ascending, at rank 0: that of this rank has the indices from `begin` on, and the given values.

@@ -217,7 +217,7 @@ Triangles_of<Vertex> send_triangles(Exchange& exchange,
     Parcels<std::array<Vertex, 3>> parcels(exchange.number_of_ranks());
     exchange.in_agreement([&] {
       add_vertices();
-      const std::size_t end = end_of_round(slabs, begin, exchange.most_items_in_round());
+      const std::size_t end = end_of_round(slabs, begin, exchange.most_items_in_round<std::array<Vertex, 3>>());
       parcels = Parcels<std::array<Vertex, 3>>(exchange.number_of_ranks(), [&](const auto& visit) {
         for(std::size_t i = begin; i != end; ++i)
         {
@@ -240,7 +240,7 @@ inline void send_vertices(Exchange& exchange,
                           const std::vector<Short_slab>& slabs,
                           Vertex_numbering& numbering)
 {
-  const std::size_t most_vertices = exchange.most_items_in_round();
+  const std::size_t most_vertices = exchange.most_items_in_round<Vertex_word>();
   typedef std::pair<std::size_t, Vertex_word> Word_of_slab;
   std::vector<Word_of_slab> words;
   std::size_t next = 0;

@@ -277,10 +277,11 @@ public:
 
   // How many items a rank may send in a round, so that the buffers stay small, and the bytes that come to a rank from all
   // others can be counted by an int.
+  template <class Item>
   std::size_t most_items_in_round() const
   {
-    constexpr std::size_t most_sent = std::size_t(1) << 20, most_received = std::size_t(1) << 26;
-    return (std::min)(most_sent, most_received / number_of_ranks());
+    constexpr std::size_t most_sent = std::size_t(1) << 20, most_received = std::size_t(1) << 30;
+    return (std::min)(most_sent, most_received / sizeof(Item) / number_of_ranks());
   }
 
   // Whether this is so on any rank.

@@ -23,7 +23,6 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
