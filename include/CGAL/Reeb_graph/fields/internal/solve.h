@@ -379,7 +379,7 @@ Dirichlet_solution solve_by_default([[maybe_unused]] const Equations& equations,
 #ifdef CGAL_EIGEN3_ENABLED
   if(equations.graph.number_of_vertices() >= smallest_size_for_multigrid)
   {
-    const Dirichlet_problem problem(equations, breadth_first_order(equations.graph));
+    const Dirichlet_problem problem(equations, Breadth_first_search(equations.graph).order);
     constexpr std::size_t largest_number_of_steps = 40;
     Multigrid_system system(problem);
     const Iterative_solution solution =
