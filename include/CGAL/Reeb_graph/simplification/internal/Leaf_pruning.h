@@ -124,7 +124,8 @@ public:
   // By place, how much each weighs.
   Weighted_leaf_pruning(Index number_of_nodes, const std::vector<Arc>& arcs, const std::vector<Weight>& weights)
     : nodes_(number_of_nodes),
-      number_of_nodes_left_(number_of_nodes)
+      number_of_nodes_left_(number_of_nodes),
+      number_of_arcs_left_(arcs.size())
   {
     places_.reserve(number_of_nodes + arcs.size());
     for(Index place = 0; place != number_of_nodes + arcs.size(); ++place)
@@ -192,6 +193,7 @@ public:
     nodes_[arcs_[arc].ends.lower].remove(upper_side, arc);
     nodes_[arcs_[arc].ends.upper].remove(lower_side, arc);
     take_up(place_of_arc(arc), owner);
+    --number_of_arcs_left_;
     for(const Index node : {arcs_[arc].ends.lower, arcs_[arc].ends.upper})
       number_of_leaves_ += is_leaf(node) ? 1 : 0;
   }
@@ -201,6 +203,7 @@ public:
 
   // Of the graph that is left.
   std::size_t number_of_nodes_left() const { return number_of_nodes_left_; }
+  std::size_t number_of_arcs_left() const { return number_of_arcs_left_; }
   std::size_t number_of_leaves() const { return number_of_leaves_; }
 
   // Whether a place is one of the graph that is left.
@@ -332,6 +335,7 @@ private:
     take_up(place_of_arc(arc), saddle);
     take_up(leaf, saddle);
     --number_of_nodes_left_;
+    --number_of_arcs_left_;
     --number_of_leaves_;
     number_of_leaves_ += is_leaf(saddle) ? 1 : 0;
     return saddle;
@@ -362,6 +366,7 @@ private:
     nodes_[node] = Node();
     nodes_[arcs_[below].ends.upper].arcs[lower_side] ^= above ^ below;
     --number_of_nodes_left_;
+    --number_of_arcs_left_;
     see_joined_arc(below);
     return arcs_[below].ends;
   }
@@ -389,7 +394,7 @@ private:
   std::vector<Node> nodes_;
   std::vector<Arc_record> arcs_; // those that have been joined are the lowest of them
   std::vector<Place> places_;
-  std::size_t number_of_nodes_left_, number_of_leaves_ = 0;
+  std::size_t number_of_nodes_left_, number_of_arcs_left_, number_of_leaves_ = 0;
 };
 
 typedef Weighted_leaf_pruning<double> Leaf_pruning;

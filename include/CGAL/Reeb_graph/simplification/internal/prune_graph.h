@@ -252,14 +252,19 @@ inline std::vector<Persistence_gap> find_wide_gaps(std::vector<double> persisten
   return gaps;
 }
 
-// A graph while simplify() removes branches with ever larger thresholds.
+// Of what is left of a graph.
 struct Pruning_state
 {
-  std::size_t nodes, leaves;
+  std::size_t nodes, arcs, leaves;
 };
 
-// By number of branches that have been removed, what is left then; and for each of them its persistence, which is at
-// least that of the one before.
+inline Pruning_state size_of_rest(const Leaf_pruning& pruned)
+{
+  return {pruned.number_of_nodes_left(), pruned.number_of_arcs_left(), pruned.number_of_leaves()};
+}
+
+// By number of branches that simplify() has removed with ever larger thresholds, what is left then; and for each of them
+// its persistence, which is at least that of the one before.
 struct Pruning_history
 {
   std::vector<Pruning_state> states;
@@ -272,17 +277,16 @@ Pruning_history prune_step_by_step(const ReebGraph& graph, const std::vector<dou
   Leaf_pruning pruned(static_cast<Index>(num_vertices(graph)), read_arcs(graph),
                       std::vector<double>(num_vertices(graph) + num_edges(graph)));
   Pruning_history history;
-  const auto add_state = [&] { history.states.push_back({pruned.number_of_nodes_left(), pruned.number_of_leaves()}); };
   const auto measure = [&](const Leaf_arc& arc) {
     return persistence_of_leaf_arc(arc,
                                    [&](Index lower, Index upper) { return persistence(values[lower], values[upper]); });
   };
   pruned(measure, [&](Index, double size) {
-    add_state();
+    history.states.push_back(size_of_rest(pruned));
     history.persistences.push_back(history.persistences.empty() ? size : (std::max)(size, history.persistences.back()));
     return true;
   });
-  add_state();
+  history.states.push_back(size_of_rest(pruned));
   return history;
 }
 
