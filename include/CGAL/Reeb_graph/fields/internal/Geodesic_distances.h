@@ -143,10 +143,7 @@ struct Surface_component
     std::sort(positions.begin(), positions.end());
     positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
     for(const Position v : positions)
-    {
-      const Vector& p = surface.point(v);
-      vertices[v] = mesh.add_vertex(Mesh::Point(p[0], p[1], p[2]));
-    }
+      vertices[v] = mesh.add_vertex(ORIGIN + surface.point(v));
     for(const Number t : triangles)
     {
       const auto& v = surface.triangles()[t].vertices;

@@ -20,7 +20,9 @@
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Origin.h>
 
 #ifdef CGAL_EIGEN3_ENABLED
 
@@ -31,6 +33,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -225,14 +228,10 @@ private:
 
   int longest_side(Iterator begin, Iterator end) const
   {
-    Vector lowest = surface_.point(*begin), highest = lowest;
+    Bbox_3 box;
     for(Iterator it = begin; it != end; ++it)
-      for(int i = 0; i != 3; ++i)
-      {
-        lowest[i] = (std::min)(lowest[i], surface_.point(*it)[i]);
-        highest[i] = (std::max)(highest[i], surface_.point(*it)[i]);
-      }
-    const Vector sides = highest - lowest;
+      box += (ORIGIN + surface_.point(*it)).bbox();
+    const std::array<double, 3> sides = {box.x_span(), box.y_span(), box.z_span()};
     return static_cast<int>(std::max_element(sides.begin(), sides.end()) - sides.begin());
   }
 
