@@ -273,7 +273,7 @@ protected:
         parameters::choose_parameter(parameters::get_parameter(np, internal::keep_degree_two_nodes), false)),
       on_mesh_(input..., internal::choose_traits<Traits>(np), np, progress),
       contours_(on_mesh_, ties_),
-      simplified_places_(parameters::get_parameter(np, internal::simplification))
+      simplified_places_(internal::read_simplified_places(np))
   {
     static_assert(std::is_same_v<internal::Chosen_traits<Traits, NamedParameters>, Traits>,
                   "The last template parameter must be the type of the named parameter geom_traits.");
@@ -292,7 +292,7 @@ private:
   const bool are_degree_two_nodes_kept_;
   const GraphOnMesh on_mesh_;
   const internal::Arc_contours<GraphOnMesh> contours_;
-  const internal::Simplified_places simplified_places_;
+  const std::vector<internal::Index> simplified_places_;
 };
 
 /// \ingroup PkgReebGraphAugmentation
