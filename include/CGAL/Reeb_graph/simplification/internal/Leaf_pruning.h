@@ -123,7 +123,8 @@ public:
 
   // By place, how much each weighs.
   Weighted_leaf_pruning(Index number_of_nodes, const std::vector<Arc>& arcs, const std::vector<Weight>& weights)
-    : nodes_(number_of_nodes),
+    : number_of_nodes_(number_of_nodes),
+      nodes_(number_of_nodes),
       number_of_nodes_left_(number_of_nodes),
       number_of_arcs_left_(arcs.size())
   {
@@ -198,7 +199,7 @@ public:
       number_of_leaves_ += is_leaf(node) ? 1 : 0;
   }
 
-  Index number_of_nodes() const { return static_cast<Index>(nodes_.size()); }
+  Index number_of_nodes() const { return number_of_nodes_; }
   Index number_of_arcs() const { return static_cast<Index>(arcs_.size()); }
 
   // Of the graph that is left.
@@ -391,6 +392,7 @@ private:
     return results;
   }
 
+  Index number_of_nodes_;
   std::vector<Node> nodes_;
   std::vector<Arc_record> arcs_; // those that have been joined are the lowest of them
   std::vector<Place> places_;
