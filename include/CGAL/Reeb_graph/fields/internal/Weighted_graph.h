@@ -70,14 +70,6 @@ public:
       ->weight;
   }
 
-  double sum_of_weights(Position v) const
-  {
-    double sum = 0;
-    for(const Neighbor& n : neighbors(v))
-      sum += n.weight;
-    return sum;
-  }
-
 private:
   void add_up()
   {

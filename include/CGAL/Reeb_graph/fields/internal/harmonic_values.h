@@ -52,8 +52,7 @@ public:
     : graph_(graph),
       is_fixed_(is_fixed),
       values_(values),
-      is_monotone_(graph.number_of_vertices(), true),
-      is_constant_(graph.number_of_vertices(), false)
+      is_monotone_(graph.number_of_vertices(), true)
   {
     find_monotone_vertices();
     if(is_changed())
@@ -69,11 +68,14 @@ public:
   // The vertices, from the lowest to the highest one.
   const std::vector<Position>& ascending() const { return ascending_; }
 
-  // Whether a vertex can have no value but that of the fixed vertices around its part.
-  bool is_constant(Position v) const { return is_constant_[v]; }
-
-  // The value of a vertex for which this is so.
-  Scalar constant_value(Position v) const { return constant_values_[part_of_vertex_[v]]; }
+  // Gives the vertices of parts that can have no value but that of the fixed vertices around them this value.
+  void set_constant_values(std::vector<Scalar>& values) const
+  {
+    for(const Part& part : parts_)
+      if(part.lower_neighbor == no_position)
+        for(const Position v : part.vertices)
+          values[v] = part.constant_value;
+  }
 
 private:
   // The order by value; of equal values, fixed vertices come first, so that a value is fixed once or not at all.
@@ -114,8 +116,9 @@ private:
 
   struct Part
   {
-    std::vector<Position> vertices; // ascending once the part is placed
-    Position lower_neighbor = no_position;
+    std::vector<Position> vertices;        // ascending once the part is placed
+    Position lower_neighbor = no_position; // none for a constant part
+    Scalar constant_value = 0;
   };
 
   void place_other_vertices()
@@ -128,7 +131,6 @@ private:
         continue;
       const auto number = static_cast<Position>(parts_.size());
       parts_.push_back(collect_part(v, number));
-      constant_values_.push_back(Scalar());
       place(parts_.back(), number, st_numbering);
     }
   }
@@ -175,9 +177,7 @@ private:
     }
     if(best == 0)
     {
-      for(const Position v : part.vertices)
-        is_constant_[v] = true;
-      constant_values_[number] = values_[neighbors.front()];
+      part.constant_value = values_[neighbors.front()];
       return;
     }
     const Position lowest_of_upper = neighbors[best];
@@ -222,10 +222,8 @@ private:
   const std::vector<bool>& is_fixed_;
   const std::vector<Scalar>& values_;
   std::vector<bool> is_monotone_;
-  std::vector<bool> is_constant_;
   std::vector<Part> parts_;
   std::vector<Position> part_of_vertex_;
-  std::vector<Scalar> constant_values_;
   std::vector<Position> ascending_;
 };
 
@@ -334,9 +332,7 @@ void remove_extrema(const Weighted_graph& graph, const std::vector<bool>& is_fix
     if(!is_fixed[v])
       values[v] = (std::min)((std::max)(values[v], lowest[v]), highest[v]);
   values = sweep(Side::LOWER, ascending, supports, std::move(values), next_above<Scalar>);
-  for(Position v = 0; v != graph.number_of_vertices(); ++v)
-    if(order.is_constant(v))
-      values[v] = order.constant_value(v);
+  order.set_constant_values(values);
 }
 
 template <class NamedParameters>

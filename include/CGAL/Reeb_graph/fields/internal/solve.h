@@ -86,11 +86,14 @@ public:
           right_side_.back() += n.weight * equations.values[n.vertex];
       if(equations.weights != Laplacian_weights::MEAN_VALUE)
         continue;
-      double& factor = factors_[rows_[v]] = 0;
+      double sum = 0, symmetric_sum = 0;
       for(const auto& n : graph_.neighbors(v))
-        factor += symmetric_weight(v, n);
-      factor /= graph_.sum_of_weights(v);
-      right_side_.back() *= factor;
+      {
+        sum += n.weight;
+        symmetric_sum += symmetric_weight(v, n);
+      }
+      factors_[rows_[v]] = symmetric_sum / sum;
+      right_side_.back() *= factors_[rows_[v]];
     }
   }
 
