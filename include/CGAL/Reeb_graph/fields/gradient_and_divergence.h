@@ -156,9 +156,7 @@ Field_report compute_divergence(const FaceListGraph& mesh,
       if(!fields::is_finite(vectors.back()))
         throw Non_finite_vector_error(vectors.size() - 1);
     }
-    auto divergences = fields::scaled_divergences(surface, vectors);
-    for(double& divergence : divergences)
-      divergence *= surface.scale();
+    const auto divergences = fields::integrated_divergences(surface, vectors);
     progress.report(0.9);
     fields::write_field(surface, divergences, divergence_map, progress);
   }

@@ -246,10 +246,7 @@ Field_report compute_unit_gradient_field(const FaceListGraph& mesh,
       auto vectors = fields::scaled_gradients(surface, values);
       for(fields::Vector& vector : vectors)
         vector = fields::normalized(vector);
-      auto divergences = fields::scaled_divergences(surface, vectors);
-      for(double& divergence : divergences)
-        divergence *= surface.scale();
-      return divergences;
+      return fields::integrated_divergences(surface, vectors);
     });
 }
 

@@ -45,8 +45,8 @@ inline std::vector<Vector> scaled_gradients(const Indexed_surface& surface, cons
   return gradients;
 }
 
-// The integrated divergences at the vertices, for the points divided by surface.scale().
-inline std::vector<double> scaled_divergences(const Indexed_surface& surface, const std::vector<Vector>& vectors)
+// The integrated divergences at the vertices.
+inline std::vector<double> integrated_divergences(const Indexed_surface& surface, const std::vector<Vector>& vectors)
 {
   std::vector<double> divergences(surface.number_of_vertices(), 0);
   for(std::size_t t = 0; t != surface.triangles().size(); ++t)
@@ -61,6 +61,8 @@ inline std::vector<double> scaled_divergences(const Indexed_surface& surface, co
         / 2;
     }
   }
+  for(double& divergence : divergences)
+    divergence *= surface.scale();
   return divergences;
 }
 

@@ -227,18 +227,6 @@ private:
   std::vector<Position> ascending_;
 };
 
-template <class Scalar>
-Scalar next_above(Scalar value)
-{
-  return std::nextafter(value, std::numeric_limits<Scalar>::infinity());
-}
-
-template <class Scalar>
-Scalar next_below(Scalar value)
-{
-  return std::nextafter(value, -std::numeric_limits<Scalar>::infinity());
-}
-
 // The supports of each free vertex: a neighbor that is to be strictly lower, and one that is to be strictly higher.
 struct Supports
 {
@@ -304,9 +292,10 @@ void remove_extrema(const Weighted_graph& graph, const std::vector<bool>& is_fix
     return;
   const Supports supports(graph, is_fixed, order);
   const auto& ascending = order.ascending();
+  constexpr Scalar infinity = std::numeric_limits<Scalar>::infinity();
   const auto same = [](Scalar value) { return value; };
-
-  const Scalar infinity = std::numeric_limits<Scalar>::infinity();
+  const auto next_above = [](Scalar value) { return std::nextafter(value, infinity); };
+  const auto next_below = [](Scalar value) { return std::nextafter(value, -infinity); };
   std::vector<Scalar> lowest = values, highest = values;
   for(const Position v : ascending)
     if(!is_fixed[v])
@@ -314,8 +303,8 @@ void remove_extrema(const Weighted_graph& graph, const std::vector<bool>& is_fix
       lowest[v] = -infinity;
       highest[v] = infinity;
     }
-  lowest = sweep(Side::LOWER, ascending, supports, std::move(lowest), next_above<Scalar>);
-  highest = sweep(Side::UPPER, ascending, supports, std::move(highest), next_below<Scalar>);
+  lowest = sweep(Side::LOWER, ascending, supports, std::move(lowest), next_above);
+  highest = sweep(Side::UPPER, ascending, supports, std::move(highest), next_below);
 
   const std::vector<Scalar> above = sweep(Side::LOWER, ascending, supports, values, same);
   const std::vector<Scalar> below = sweep(Side::UPPER, ascending, supports, values, same);
@@ -331,15 +320,8 @@ void remove_extrema(const Weighted_graph& graph, const std::vector<bool>& is_fix
   for(const Position v : ascending)
     if(!is_fixed[v])
       values[v] = (std::min)((std::max)(values[v], lowest[v]), highest[v]);
-  values = sweep(Side::LOWER, ascending, supports, std::move(values), next_above<Scalar>);
+  values = sweep(Side::LOWER, ascending, supports, std::move(values), next_above);
   order.set_constant_values(values);
-}
-
-template <class NamedParameters>
-Laplacian_weights choose_weights(const NamedParameters& np)
-{
-  return parameters::choose_parameter(parameters::get_parameter(np, internal::laplacian_weights),
-                                      Laplacian_weights::MEAN_VALUE);
 }
 
 // The fixed values, mapped linearly to those from 0 to 1.
@@ -375,7 +357,8 @@ Field_report write_harmonic_field(const FaceListGraph& mesh,
                                   const FixVertices& fix_vertices)
 {
   typedef Scalar_of_field<FieldMap> Scalar;
-  const Laplacian_weights weights = choose_weights(np);
+  const auto weights = parameters::choose_parameter(parameters::get_parameter(np, internal::laplacian_weights),
+                                                    Laplacian_weights::MEAN_VALUE);
   const auto solve = [&](const Indexed_surface& surface, const Weighted_graph& graph,
                          const Constraints<Scalar>& constraints, const Progress& progress, double fraction,
                          Field_report& report) {
