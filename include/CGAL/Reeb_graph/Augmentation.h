@@ -214,14 +214,20 @@ public:
   ///
   /// \exception Level_error if the arc has no contour at that level: its lower node must be lower than `v`, and its
   ///            upper node must not be; if ties are contracted, in value
-  Contour contour_below(arc_descriptor arc, vertex_descriptor v) const { return contours_.below_vertex(arc, v); }
+  Contour contour_below(arc_descriptor arc, vertex_descriptor v) const
+  {
+    return contours_.beside_vertex(internal::Side::LOWER, arc, v);
+  }
 
   /// \brief returns the contour of an arc at the level just above a vertex, which the contour need not be near. Just
   /// above the lower node of the arc, it is one of the critical set of that.
   ///
   /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher than `v`, and
   ///            its upper node must be; if ties are contracted, in value
-  Contour contour_above(arc_descriptor arc, vertex_descriptor v) const { return contours_.above_vertex(arc, v); }
+  Contour contour_above(arc_descriptor arc, vertex_descriptor v) const
+  {
+    return contours_.beside_vertex(internal::Side::UPPER, arc, v);
+  }
 
   /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
   /// connected components of a level set, in the order of the arcs. It takes time linear in the arcs of the graph, and
@@ -241,7 +247,8 @@ public:
   Critical_set critical_set(node_descriptor node) const
   {
     internal::check_is_node(graph(), node);
-    return on_mesh_.critical_set(node, contours_.all_below_node(node), contours_.all_above_node(node));
+    return on_mesh_.critical_set(node, contours_.all_beside_node(internal::Side::LOWER, node, in_edges(node, graph())),
+                                 contours_.all_beside_node(internal::Side::UPPER, node, out_edges(node, graph())));
   }
 
   /// \brief finds the place of each vertex in the graph: the segmentation by the arcs.
@@ -273,7 +280,7 @@ protected:
         parameters::choose_parameter(parameters::get_parameter(np, internal::keep_degree_two_nodes), false)),
       on_mesh_(input..., internal::choose_traits<Traits>(np), np, progress),
       contours_(on_mesh_, ties_),
-      simplified_places_(parameters::get_parameter(np, internal::simplification))
+      simplified_places_(internal::read_simplified_places(np))
   {
     static_assert(std::is_same_v<internal::Chosen_traits<Traits, NamedParameters>, Traits>,
                   "The last template parameter must be the type of the named parameter geom_traits.");
@@ -292,7 +299,7 @@ private:
   const bool are_degree_two_nodes_kept_;
   const GraphOnMesh on_mesh_;
   const internal::Arc_contours<GraphOnMesh> contours_;
-  const internal::Simplified_places simplified_places_;
+  const std::vector<internal::Index> simplified_places_;
 };
 
 /// \ingroup PkgReebGraphAugmentation

@@ -55,28 +55,30 @@ inline std::string csv_of(const std::string& text)
 /// \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an
 ///         integer type as value type
 ///
-/// \param out the stream; whether writing succeeded is seen by its state
+/// \param output a stream, whose state tells whether writing succeeded, or the name of a file
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
 /// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that
 ///        it is `boost::typed_identity_property_map<std::size_t>`
-template <class Graph, class Embedding, class VertexIndexMap>
-void write_nodes_csv(std::ostream& out, const Graph& graph, const Embedding& embedding, VertexIndexMap vertex_index_map)
+///
+/// \exception File_error if the file cannot be written
+template <class Output, class Graph, class Embedding, class VertexIndexMap>
+void write_nodes_csv(Output&& output, const Graph& graph, const Embedding& embedding, VertexIndexMap vertex_index_map)
 {
   if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
-  {
-    internal::Text_output text(out);
-    text << "node,vertex,value,kind,x,y,z,arcs_below,arcs_above\n";
-    for(const auto node : CGAL::make_range(vertices(graph)))
-    {
-      text << node << ',' << get(vertex_index_map, graph[node].vertex) << ',' << embedding.node_values[node] << ','
-           << to_string(graph[node].kind);
-      for(const double coordinate : internal::coordinates_of(embedding.node_points[node]))
-        text << ',' << coordinate;
-      text << ',' << in_degree(node, graph) << ',' << out_degree(node, graph) << '\n';
-    }
-    text.flush();
-  }
+    internal::write_to(output, [&](std::ostream& out) {
+      internal::Text_output text(out);
+      text << "node,vertex,value,kind,x,y,z,arcs_below,arcs_above\n";
+      for(const auto node : CGAL::make_range(vertices(graph)))
+      {
+        text << node << ',' << get(vertex_index_map, graph[node].vertex) << ',' << embedding.node_values[node] << ','
+             << to_string(graph[node].kind);
+        for(const double coordinate : internal::coordinates_of(embedding.node_points[node]))
+          text << ',' << coordinate;
+        text << ',' << in_degree(node, graph) << ',' << out_degree(node, graph) << '\n';
+      }
+      text.flush();
+    });
 }
 
 /// \ingroup PkgReebGraphIO
@@ -91,38 +93,41 @@ void write_nodes_csv(std::ostream& out, const Graph& graph, const Embedding& emb
 /// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
 /// \tparam Embedding an instance of `Reeb_graph::Embedding`
 ///
-/// \param out the stream; whether writing succeeded is seen by its state
+/// \param output a stream, whose state tells whether writing succeeded, or the name of a file
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `arc_attributes`, as for
 ///        `write_vtp()`
 ///
+/// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc
-template <class Graph, class Embedding, class NamedParameters = parameters::Default_named_parameters>
-void write_arcs_csv(std::ostream& out,
+template <class Output, class Graph, class Embedding, class NamedParameters = parameters::Default_named_parameters>
+void write_arcs_csv(Output&& output,
                     const Graph& graph,
                     const Embedding& embedding,
                     const NamedParameters& np = parameters::default_values())
 {
   const std::vector<Attribute> attributes =
     internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
-  internal::Text_output text(out);
-  text << "arc,source,target,lower_value,upper_value";
-  for(const Attribute& attribute : attributes)
-    text << ',' << internal::csv_of(attribute.name);
-  text << '\n';
-  std::size_t i = 0;
-  for(const auto arc : CGAL::make_range(edges(graph)))
-  {
-    const auto lower = source(arc, graph), upper = target(arc, graph);
-    text << i << ',' << lower << ',' << upper << ',' << embedding.node_values[lower] << ','
-         << embedding.node_values[upper];
+  internal::write_to(output, [&](std::ostream& out) {
+    internal::Text_output text(out);
+    text << "arc,source,target,lower_value,upper_value";
     for(const Attribute& attribute : attributes)
-      std::visit([&](const auto& numbers) { text << ',' << numbers[i]; }, attribute.numbers);
+      text << ',' << internal::csv_of(attribute.name);
     text << '\n';
-    ++i;
-  }
-  text.flush();
+    std::size_t i = 0;
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      const auto lower = source(arc, graph), upper = target(arc, graph);
+      text << i << ',' << lower << ',' << upper << ',' << embedding.node_values[lower] << ','
+           << embedding.node_values[upper];
+      for(const Attribute& attribute : attributes)
+        std::visit([&](const auto& numbers) { text << ',' << numbers[i]; }, attribute.numbers);
+      text << '\n';
+      ++i;
+    }
+    text.flush();
+  });
 }
 
 /// \ingroup PkgReebGraphIO
@@ -151,12 +156,8 @@ void write_csv(const std::string& nodes_filename,
                VertexIndexMap vertex_index_map,
                const NamedParameters& np = parameters::default_values())
 {
-  // before the files are opened, which empties them
-  internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
-  internal::write_file(
-    nodes_filename, [&](std::ostream& out) { Reeb_graph::write_nodes_csv(out, graph, embedding, vertex_index_map); });
-  internal::write_file(arcs_filename,
-                       [&](std::ostream& out) { Reeb_graph::write_arcs_csv(out, graph, embedding, np); });
+  Reeb_graph::write_arcs_csv(arcs_filename, graph, embedding, np); // first, as it checks the attributes
+  Reeb_graph::write_nodes_csv(nodes_filename, graph, embedding, vertex_index_map);
 }
 
 } // namespace CGAL::Reeb_graph

@@ -91,8 +91,8 @@ void write_graphml_keys(Text_output& text, const std::vector<Attribute>& attribu
 // Writes a graph as Boost's function of this name does, in a fifth of its time: that one asks each property of each
 // node for a text by its type at run time. The chains are what `text_of_chain` makes of arcs, if it is no null pointer.
 // Nodes and arcs are named by their numbers, which the format allows.
-template <class Graph, class VertexIndexMap, class NamedParameters, class TextOfChain>
-void write_graphml_with(std::ostream& out,
+template <class Output, class Graph, class VertexIndexMap, class NamedParameters, class TextOfChain>
+void write_graphml_with(Output& output,
                         const Graph& graph,
                         VertexIndexMap vertex_index_map,
                         const NamedParameters& np,
@@ -105,52 +105,46 @@ void write_graphml_with(std::ostream& out,
       checked_attributes(parameters::get_parameter(np, arc_attributes), num_edges(graph));
     const auto conversion = choose_conversion_of_nodes<Graph>(np);
     const auto value_of = [&](const auto node) { return written_scalar(conversion, graph[node].value); };
-    Text_output text(out);
-    const auto write_data = [&](std::size_t key, const auto& value) {
-      text << "      <data key=\"key" << key << "\">" << value << "</data>\n";
-    };
-    text << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-            "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\" "
-            "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
-            "xsi:schemaLocation=\"http://graphml.graphdrawing.org/xmlns "
-            "http://graphml.graphdrawing.org/xmlns/1.0/graphml.xsd\">\n";
-    write_graphml_keys<Keys, decltype(value_of(*vertices(graph).first))>(text, attributes);
-    text << "  <graph id=\"G\" edgedefault=\"directed\" parse.nodeids=\"free\" parse.edgeids=\"free\" "
-            "parse.order=\"nodesfirst\">\n";
-    for(const auto node : CGAL::make_range(vertices(graph)))
-    {
-      text << "    <node id=\"" << std::size_t(node) << "\">\n";
-      write_data(Keys::kind, to_string(graph[node].kind));
-      write_data(Keys::value, graphml_text(value_of(node)));
-      write_data(Keys::vertex, static_cast<std::size_t>(get(vertex_index_map, graph[node].vertex)));
-      text << "    </node>\n";
-    }
-    std::size_t number = 0;
-    for(const auto arc : CGAL::make_range(edges(graph)))
-    {
-      text << "    <edge id=\"" << number << "\" source=\"" << std::size_t(source(arc, graph)) << "\" target=\""
-           << std::size_t(target(arc, graph)) << "\">\n";
-      if constexpr(Keys::has_chains)
-        write_data(Keys::chain, text_of_chain(arc));
-      if constexpr(Keys::has_index)
-        write_data(Keys::index, static_cast<std::size_t>(get(boost::edge_index, graph, arc)));
-      for(std::size_t i = 0; i != attributes.size(); ++i)
-        std::visit([&](const auto& numbers) { write_data(Keys::first_attribute + i, graphml_text(numbers[number])); },
-                   attributes[i].numbers);
-      text << "    </edge>\n";
-      ++number;
-    }
-    text << "  </graph>\n</graphml>\n";
-    text.flush();
+    write_to(output, [&](std::ostream& out) {
+      Text_output text(out);
+      const auto write_data = [&](std::size_t key, const auto& value) {
+        text << "      <data key=\"key" << key << "\">" << value << "</data>\n";
+      };
+      text << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+              "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\" "
+              "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
+              "xsi:schemaLocation=\"http://graphml.graphdrawing.org/xmlns "
+              "http://graphml.graphdrawing.org/xmlns/1.0/graphml.xsd\">\n";
+      write_graphml_keys<Keys, decltype(value_of(*vertices(graph).first))>(text, attributes);
+      text << "  <graph id=\"G\" edgedefault=\"directed\" parse.nodeids=\"free\" parse.edgeids=\"free\" "
+              "parse.order=\"nodesfirst\">\n";
+      for(const auto node : CGAL::make_range(vertices(graph)))
+      {
+        text << "    <node id=\"" << std::size_t(node) << "\">\n";
+        write_data(Keys::kind, to_string(graph[node].kind));
+        write_data(Keys::value, graphml_text(value_of(node)));
+        write_data(Keys::vertex, static_cast<std::size_t>(get(vertex_index_map, graph[node].vertex)));
+        text << "    </node>\n";
+      }
+      std::size_t number = 0;
+      for(const auto arc : CGAL::make_range(edges(graph)))
+      {
+        text << "    <edge id=\"" << number << "\" source=\"" << std::size_t(source(arc, graph)) << "\" target=\""
+             << std::size_t(target(arc, graph)) << "\">\n";
+        if constexpr(Keys::has_chains)
+          write_data(Keys::chain, text_of_chain(arc));
+        if constexpr(Keys::has_index)
+          write_data(Keys::index, static_cast<std::size_t>(get(boost::edge_index, graph, arc)));
+        for(std::size_t i = 0; i != attributes.size(); ++i)
+          std::visit([&](const auto& numbers) { write_data(Keys::first_attribute + i, graphml_text(numbers[number])); },
+                     attributes[i].numbers);
+        text << "    </edge>\n";
+        ++number;
+      }
+      text << "  </graph>\n</graphml>\n";
+      text.flush();
+    });
   }
-}
-
-// The attributes of named parameters, which stand behind index maps.
-template <class IndexMap>
-void check_arc_attributes(const IndexMap& map, std::size_t number_of_arcs)
-{
-  if constexpr(are_named_parameters<IndexMap>)
-    checked_attributes(parameters::get_parameter(map, arc_attributes), number_of_arcs);
 }
 
 } // namespace internal
@@ -167,14 +161,21 @@ void check_arc_attributes(const IndexMap& map, std::size_t number_of_arcs)
 /// it takes to read back the same value, and an integer as a number, even if it is a character. Any other value is
 /// written by its `operator<<`, or if it has none, as the number that the traits class makes of it.
 ///
+/// With an index map of the halfedges, each edge also has the data `chain`, the indices of the halfedges of its chain, so
+/// that `read_graphml()` can read the graph back.
+///
 /// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
 /// \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an
 ///         integer type as value type
+/// \tparam HalfedgeIndexMap likewise for the halfedge descriptors
 ///
-/// \param out the stream; whether writing succeeded is seen by its state
+/// \param output a stream, whose state tells whether writing succeeded, or the name of a file
 /// \param graph the Reeb graph
 /// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that
-///        it is `boost::typed_identity_property_map<std::size_t>`
+///        it is `boost::typed_identity_property_map<std::size_t>`. For `read_graphml()` it is the position, as
+///        `make_vertex_index_map()` gives it.
+/// \param halfedge_index_map the index of each halfedge of the mesh, likewise; may be left out, so that `np` stands in
+///        its place
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -191,75 +192,30 @@ void check_arc_attributes(const IndexMap& map, std::size_t number_of_arcs)
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc
 ///
 /// \note Boost has a function of this name; qualify the call.
-#ifdef DOXYGEN_RUNNING
-template <class Graph, class VertexIndexMap, class NamedParameters = parameters::Default_named_parameters>
-void write_graphml(std::ostream& out,
-                   const Graph& graph,
-                   VertexIndexMap vertex_index_map,
-                   const NamedParameters& np = parameters::default_values());
-#else
-template <class Graph, class VertexIndexMap>
-void write_graphml(std::ostream& out, const Graph& graph, VertexIndexMap vertex_index_map)
-{
-  internal::write_graphml_with(out, graph, vertex_index_map, parameters::default_values(), nullptr);
-}
-#endif
-
-/// \ingroup PkgReebGraphIO
-///
-/// \brief writes a Reeb graph with the chains of its arcs in the GraphML format, so that `read_graphml()` can read it
-///            back.
-///
-/// It is as without chains, but each edge has the data `chain`, the indices of the halfedges.
-///
-/// \tparam HalfedgeIndexMap a model of `ReadablePropertyMap` with the halfedge descriptors of the mesh as key type and
-///         an integer type as value type
-///
-/// \param out the stream; whether writing succeeded is seen by its state
-/// \param graph the Reeb graph
-/// \param vertex_index_map the index of each vertex of the mesh; for `read_graphml()` its position, as
-///        `make_vertex_index_map()` gives it
-/// \param halfedge_index_map the index of each halfedge of the mesh, likewise
-/// \param np named parameters, as without chains
-template <class Graph,
+template <class Output,
+          class Graph,
           class VertexIndexMap,
-          class HalfedgeIndexMap,
+          class HalfedgeIndexMap = parameters::Default_named_parameters,
           class NamedParameters = parameters::Default_named_parameters>
-void write_graphml(std::ostream& out,
+void write_graphml(Output&& output,
                    const Graph& graph,
                    VertexIndexMap vertex_index_map,
-                   HalfedgeIndexMap halfedge_index_map,
+                   const HalfedgeIndexMap& halfedge_index_map = parameters::default_values(),
                    const NamedParameters& np = parameters::default_values())
 {
   if constexpr(internal::are_named_parameters<HalfedgeIndexMap>) // no map
-    internal::write_graphml_with(out, graph, vertex_index_map, halfedge_index_map, nullptr);
+    internal::write_graphml_with(output, graph, vertex_index_map, halfedge_index_map, nullptr);
   else
-    internal::write_graphml_with(out, graph, vertex_index_map, np, [&](const auto& arc) {
+    internal::write_graphml_with(output, graph, vertex_index_map, np, [&](const auto& arc) {
       std::string text;
       for(const auto h : graph[arc].chain)
         text += (text.empty() ? "" : " ") + std::to_string(get(halfedge_index_map, h));
       return text;
     });
-}
-
-/// \ingroup PkgReebGraphIO
-///
-/// \brief writes a Reeb graph to a file, as to a stream: with the chains of its arcs if there is a map for halfedges.
-///
-/// \param filename the name of the file
-/// \param graph the Reeb graph
-/// \param index_maps the index maps that are passed on, and named parameters behind them
-///
-/// \exception Reeb_graph::File_error if the file cannot be written
-/// \exception Attribute_count_error if an attribute has not one number for each arc
-template <class Graph, class... IndexMaps>
-void write_graphml(const std::string& filename, const Graph& graph, IndexMaps... index_maps)
-{
-  (internal::check_arc_attributes(index_maps, num_edges(graph)), ...); // before the file is opened, which empties it
-  internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_graphml(out, graph, index_maps...); });
 }
 
 } // namespace CGAL::Reeb_graph

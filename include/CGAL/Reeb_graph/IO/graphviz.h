@@ -82,16 +82,18 @@ inline std::string dot_text(const std::string& text)
 /// \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an
 ///         integer type as value type
 ///
-/// \param out the stream; whether writing succeeded is seen by its state
+/// \param output a stream, whose state tells whether writing succeeded, or the name of a file
 /// \param graph the Reeb graph
 /// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that
 ///        it is `boost::typed_identity_property_map<std::size_t>`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, as for
 ///        `write_graphml()`
 ///
+/// \exception File_error if the file cannot be written
+///
 /// \note Boost has a function of this name; qualify the call.
-template <class Graph, class VertexIndexMap, class NamedParameters = parameters::Default_named_parameters>
-void write_graphviz(std::ostream& out,
+template <class Output, class Graph, class VertexIndexMap, class NamedParameters = parameters::Default_named_parameters>
+void write_graphviz(Output&& output,
                     const Graph& graph,
                     VertexIndexMap vertex_index_map,
                     const NamedParameters& np = parameters::default_values())
@@ -99,49 +101,36 @@ void write_graphviz(std::ostream& out,
   if constexpr(internal::Graph_to_write<Graph, VertexIndexMap, NamedParameters>::value)
   {
     const auto conversion = internal::choose_conversion_of_nodes<Graph>(np);
-    internal::Text_output text(out);
-    text << "digraph G {\nrankdir=BT;\nnodesep=0.8;\n"
-            "node [shape=box, style=\"rounded,filled\", fontname=\"Helvetica\", fontsize=11, margin=\"0.08,0.04\"];\n"
-            "edge [arrowhead=none, fontname=\"Helvetica\", fontsize=11];\n";
-    for(const auto node : CGAL::make_range(vertices(graph)))
-    {
-      const auto& properties = graph[node];
-      const auto value = internal::written_scalar(conversion, properties.value);
-      const std::string index = std::to_string(get(vertex_index_map, properties.vertex));
-      const std::string label = "n" + std::to_string(node) + ", v" + index + "\n" + internal::to_short_string(value);
-      text << std::size_t(node) << " [label=" << internal::dot_text(label) << ", fillcolor=\""
-           << internal::fill_color(properties.kind) << "\", vertex=" << index
-           << ", value=" << internal::dot_text(internal::to_round_trip_string(value)) << ", kind=\""
-           << to_string(properties.kind) << "\"];\n";
-    }
-    for(const auto arc : CGAL::make_range(edges(graph)))
-    {
-      text << std::size_t(source(arc, graph)) << "->" << std::size_t(target(arc, graph)) << ' ';
-      if constexpr(internal::Has_arc_index<Graph>::value)
+    internal::write_to(output, [&](std::ostream& out) {
+      internal::Text_output text(out);
+      text << "digraph G {\nrankdir=BT;\nnodesep=0.8;\n"
+              "node [shape=box, style=\"rounded,filled\", fontname=\"Helvetica\", fontsize=11, margin=\"0.08,0.04\"];\n"
+              "edge [arrowhead=none, fontname=\"Helvetica\", fontsize=11];\n";
+      for(const auto node : CGAL::make_range(vertices(graph)))
       {
-        const std::string index = std::to_string(get(boost::edge_index, graph, arc));
-        text << " [label=" << index << ", index=" << index << "]";
+        const auto& properties = graph[node];
+        const auto value = internal::written_scalar(conversion, properties.value);
+        const std::string index = std::to_string(get(vertex_index_map, properties.vertex));
+        const std::string label = "n" + std::to_string(node) + ", v" + index + "\n" + internal::to_short_string(value);
+        text << std::size_t(node) << " [label=" << internal::dot_text(label) << ", fillcolor=\""
+             << internal::fill_color(properties.kind) << "\", vertex=" << index
+             << ", value=" << internal::dot_text(internal::to_round_trip_string(value)) << ", kind=\""
+             << to_string(properties.kind) << "\"];\n";
       }
-      text << ";\n";
-    }
-    text << "}\n";
-    text.flush();
+      for(const auto arc : CGAL::make_range(edges(graph)))
+      {
+        text << std::size_t(source(arc, graph)) << "->" << std::size_t(target(arc, graph)) << ' ';
+        if constexpr(internal::Has_arc_index<Graph>::value)
+        {
+          const std::string index = std::to_string(get(boost::edge_index, graph, arc));
+          text << " [label=" << index << ", index=" << index << "]";
+        }
+        text << ";\n";
+      }
+      text << "}\n";
+      text.flush();
+    });
   }
-}
-
-/// \ingroup PkgReebGraphIO
-///
-/// \brief writes a Reeb graph to a file in the Graphviz format, as to a stream.
-///
-/// \exception Reeb_graph::File_error if the file cannot be written
-template <class Graph, class VertexIndexMap, class NamedParameters = parameters::Default_named_parameters>
-void write_graphviz(const std::string& filename,
-                    const Graph& graph,
-                    VertexIndexMap vertex_index_map,
-                    const NamedParameters& np = parameters::default_values())
-{
-  internal::write_file(filename,
-                       [&](std::ostream& out) { Reeb_graph::write_graphviz(out, graph, vertex_index_map, np); });
 }
 
 } // namespace CGAL::Reeb_graph

@@ -31,39 +31,41 @@ namespace CGAL::Reeb_graph {
 namespace internal {
 
 // `vertex_index_map` and `ends_of` give the indices of the vertices of nodes, and of both ends of a halfedge.
-template <class Graph, class Embedding, class VertexIndexMap, class EndsOf, class NamedParameters>
-void write_json_of_graph(std::ostream& out,
+template <class Output, class Graph, class Embedding, class VertexIndexMap, class EndsOf, class NamedParameters>
+void write_json_of_graph(Output& output,
                          const Graph& graph,
                          const Embedding& embedding,
                          VertexIndexMap vertex_index_map,
                          const EndsOf& ends_of,
                          const NamedParameters& np)
 {
-  const Classic_locale classic_locale(out);
   const std::vector<Attribute> attributes =
     checked_attributes(parameters::get_parameter(np, arc_attributes), num_edges(graph));
-  out << "{\n\"directed\": true,\n\"multigraph\": true,\n\"nodes\": [";
-  for(const auto node : CGAL::make_range(vertices(graph)))
-    out << (node == 0 ? "\n" : ",\n") << "{\"id\": " << node
-        << ", \"vertex\": " << std::to_string(get(vertex_index_map, graph[node].vertex))
-        << ", \"value\": " << json_of(embedding.node_values[node])
-        << ", \"kind\": " << json_of(to_string(graph[node].kind))
-        << ", \"point\": " << json_of_point(embedding.node_points[node]) << '}';
-  out << "\n],\n\"edges\": [";
-  std::size_t i = 0;
-  for(const auto arc : CGAL::make_range(edges(graph)))
-  {
-    out << (i == 0 ? "\n" : ",\n") << "{\"index\": " << i << ", \"source\": " << source(arc, graph)
-        << ", \"target\": " << target(arc, graph);
-    for(const Attribute& attribute : attributes)
-      std::visit([&](const auto& numbers) { out << ", " << json_of(attribute.name) << ": " << json_of(numbers[i]); },
-                 attribute.numbers);
-    out << ", \"chain\": " << json_of_chain(graph[arc].chain, ends_of)
-        << ", \"polyline\": " << json_list(embedding.arc_polylines[i], [](const auto& p) { return json_of_point(p); })
-        << ", \"values\": " << json_list(embedding.arc_values[i], [](double value) { return json_of(value); }) << '}';
-    ++i;
-  }
-  out << "\n]\n}\n";
+  write_to(output, [&](std::ostream& out) {
+    const Classic_locale classic_locale(out);
+    out << "{\n\"directed\": true,\n\"multigraph\": true,\n\"nodes\": [";
+    for(const auto node : CGAL::make_range(vertices(graph)))
+      out << (node == 0 ? "\n" : ",\n") << "{\"id\": " << node
+          << ", \"vertex\": " << std::to_string(get(vertex_index_map, graph[node].vertex))
+          << ", \"value\": " << json_of(embedding.node_values[node])
+          << ", \"kind\": " << json_of(to_string(graph[node].kind))
+          << ", \"point\": " << json_of_point(embedding.node_points[node]) << '}';
+    out << "\n],\n\"edges\": [";
+    std::size_t i = 0;
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      out << (i == 0 ? "\n" : ",\n") << "{\"index\": " << i << ", \"source\": " << source(arc, graph)
+          << ", \"target\": " << target(arc, graph);
+      for(const Attribute& attribute : attributes)
+        std::visit([&](const auto& numbers) { out << ", " << json_of(attribute.name) << ": " << json_of(numbers[i]); },
+                   attribute.numbers);
+      out << ", \"chain\": " << json_of_chain(graph[arc].chain, ends_of)
+          << ", \"polyline\": " << json_list(embedding.arc_polylines[i], [](const auto& p) { return json_of_point(p); })
+          << ", \"values\": " << json_list(embedding.arc_values[i], [](double value) { return json_of(value); }) << '}';
+      ++i;
+    }
+    out << "\n]\n}\n";
+  });
 }
 
 } // namespace internal
@@ -90,7 +92,7 @@ void write_json_of_graph(std::ostream& out,
 /// \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an
 ///         integer type as value type
 ///
-/// \param out the stream; whether writing succeeded is seen by its state
+/// \param output a stream, whose state tells whether writing succeeded, or the name of a file
 /// \param mesh the mesh that the graph is of
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
@@ -98,13 +100,15 @@ void write_json_of_graph(std::ostream& out,
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `arc_attributes`, as for
 ///        `write_vtp()`
 ///
+/// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc
-template <class FaceListGraph,
+template <class Output,
+          class FaceListGraph,
           class Graph,
           class Embedding,
           class VertexIndexMap,
           class NamedParameters = parameters::Default_named_parameters>
-void write_json(std::ostream& out,
+void write_json(Output&& output,
                 const FaceListGraph& mesh,
                 const Graph& graph,
                 const Embedding& embedding,
@@ -116,18 +120,16 @@ void write_json(std::ostream& out,
     const auto ends_of = [&](const auto h) {
       return std::make_pair(get(vertex_index_map, source(h, mesh)), get(vertex_index_map, target(h, mesh)));
     };
-    internal::write_json_of_graph(out, graph, embedding, vertex_index_map, ends_of, np);
+    internal::write_json_of_graph(output, graph, embedding, vertex_index_map, ends_of, np);
   }
 }
 
 /// \ingroup PkgReebGraphIO
 ///
 /// \brief writes the Reeb graph of a triangle soup or of tetrahedra, as `compute_reeb_graph_of_soup()` makes it, in
-/// space with its chains as one JSON object. The object is as above.
-///
-/// \exception Attribute_count_error if an attribute has not one number for each arc
-template <class Graph, class Embedding, class NamedParameters = parameters::Default_named_parameters>
-void write_json(std::ostream& out,
+/// space with its chains as one JSON object. The object, the other parameters, and the exceptions are as above.
+template <class Output, class Graph, class Embedding, class NamedParameters = parameters::Default_named_parameters>
+void write_json(Output&& output,
                 const Graph& graph,
                 const Embedding& embedding,
                 const NamedParameters& np = parameters::default_values())
@@ -135,48 +137,7 @@ void write_json(std::ostream& out,
   typedef boost::typed_identity_property_map<std::size_t> Index_map;
   if constexpr(internal::Graph_and_vertex_map<Graph, Index_map>::value)
     internal::write_json_of_graph(
-      out, graph, embedding, Index_map(), [](const auto& edge) { return edge; }, np);
-}
-
-/// \ingroup PkgReebGraphIO
-///
-/// \brief writes a Reeb graph in space with its chains to a file `.json`. The stream is as above.
-///
-/// \exception File_error if the file cannot be written
-/// \exception Attribute_count_error if an attribute has not one number for each arc
-template <class FaceListGraph,
-          class Graph,
-          class Embedding,
-          class VertexIndexMap,
-          class NamedParameters = parameters::Default_named_parameters>
-void write_json(const std::string& filename,
-                const FaceListGraph& mesh,
-                const Graph& graph,
-                const Embedding& embedding,
-                VertexIndexMap vertex_index_map,
-                const NamedParameters& np = parameters::default_values())
-{
-  // before the file is opened, which empties it
-  internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
-  internal::write_file(
-    filename, [&](std::ostream& out) { Reeb_graph::write_json(out, mesh, graph, embedding, vertex_index_map, np); });
-}
-
-/// \ingroup PkgReebGraphIO
-///
-/// \brief writes the Reeb graph of a triangle soup or of tetrahedra to a file `.json`, as to a stream.
-///
-/// \exception File_error if the file cannot be written
-/// \exception Attribute_count_error if an attribute has not one number for each arc
-template <class Graph, class Embedding, class NamedParameters = parameters::Default_named_parameters>
-void write_json(const std::string& filename,
-                const Graph& graph,
-                const Embedding& embedding,
-                const NamedParameters& np = parameters::default_values())
-{
-  // before the file is opened, which empties it
-  internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
-  internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_json(out, graph, embedding, np); });
+      output, graph, embedding, Index_map(), [](const auto& edge) { return edge; }, np);
 }
 
 } // namespace CGAL::Reeb_graph

@@ -18,7 +18,6 @@
 
 #include <cstddef>
 #include <ostream>
-#include <string>
 
 namespace CGAL::Reeb_graph {
 
@@ -32,47 +31,40 @@ namespace CGAL::Reeb_graph {
 /// \tparam Graph the type `Graph` of a model of `ReebGraphTraits`
 /// \tparam Embedding an instance of `Reeb_graph::Embedding`
 ///
-/// \param out the stream; whether writing succeeded is seen by its state
+/// \param output a stream, whose state tells whether writing succeeded, or the name of a file
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
-template <class Graph, class Embedding>
-void write_obj(std::ostream& out, const Graph& graph, const Embedding& embedding)
-{
-  internal::Text_output text(out);
-  const auto write_point = [&](const auto& point) {
-    text << 'v';
-    for(const double coordinate : internal::coordinates_of(point))
-      text << ' ' << coordinate;
-    text << '\n';
-  };
-  for(const auto& point : embedding.node_points)
-    write_point(point);
-  for(const auto& polyline : embedding.arc_polylines)
-    for(std::size_t j = 1; j + 1 < polyline.size(); ++j)
-      write_point(polyline[j]);
-  for(const auto node : CGAL::make_range(vertices(graph)))
-    text << "g node_" << node << "\np " << node + 1 << '\n';
-  std::size_t arc_number = 0, last_point = num_vertices(graph);
-  for(const auto arc : CGAL::make_range(edges(graph)))
-  {
-    text << "g arc_" << arc_number << "\nl " << source(arc, graph) + 1;
-    for(std::size_t j = 1; j + 1 < embedding.arc_polylines[arc_number].size(); ++j)
-      text << ' ' << ++last_point;
-    text << ' ' << target(arc, graph) + 1 << '\n';
-    ++arc_number;
-  }
-  text.flush();
-}
-
-/// \ingroup PkgReebGraphIO
-///
-/// \brief writes a Reeb graph in space to a file `.obj`. The stream is as above.
 ///
 /// \exception File_error if the file cannot be written
-template <class Graph, class Embedding>
-void write_obj(const std::string& filename, const Graph& graph, const Embedding& embedding)
+template <class Output, class Graph, class Embedding>
+void write_obj(Output&& output, const Graph& graph, const Embedding& embedding)
 {
-  internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_obj(out, graph, embedding); });
+  internal::write_to(output, [&](std::ostream& out) {
+    internal::Text_output text(out);
+    const auto write_point = [&](const auto& point) {
+      text << 'v';
+      for(const double coordinate : internal::coordinates_of(point))
+        text << ' ' << coordinate;
+      text << '\n';
+    };
+    for(const auto& point : embedding.node_points)
+      write_point(point);
+    for(const auto& polyline : embedding.arc_polylines)
+      for(std::size_t j = 1; j + 1 < polyline.size(); ++j)
+        write_point(polyline[j]);
+    for(const auto node : CGAL::make_range(vertices(graph)))
+      text << "g node_" << node << "\np " << node + 1 << '\n';
+    std::size_t arc_number = 0, last_point = num_vertices(graph);
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      text << "g arc_" << arc_number << "\nl " << source(arc, graph) + 1;
+      for(std::size_t j = 1; j + 1 < embedding.arc_polylines[arc_number].size(); ++j)
+        text << ' ' << ++last_point;
+      text << ' ' << target(arc, graph) + 1 << '\n';
+      ++arc_number;
+    }
+    text.flush();
+  });
 }
 
 } // namespace CGAL::Reeb_graph

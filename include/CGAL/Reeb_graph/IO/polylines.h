@@ -21,7 +21,6 @@
 #include <iterator>
 #include <limits>
 #include <ostream>
-#include <string>
 #include <vector>
 
 namespace CGAL::Reeb_graph {
@@ -33,32 +32,25 @@ namespace CGAL::Reeb_graph {
 ///
 /// \tparam PolylineRange a range of ranges of points
 ///
-/// \param out the stream; whether writing succeeded is seen by its state
+/// \param output a stream, whose state tells whether writing succeeded, or the name of a file
 /// \param polylines the polylines; the last point of a closed one is the first one again
-template <class PolylineRange>
-void write_polylines(std::ostream& out, const PolylineRange& polylines)
-{
-  const internal::Classic_locale classic_locale(out);
-  const auto precision = out.precision(std::numeric_limits<double>::max_digits10);
-  for(const auto& polyline : polylines)
-  {
-    out << std::distance(std::begin(polyline), std::end(polyline));
-    for(const auto& point : polyline)
-      out << ' ' << point;
-    out << '\n';
-  }
-  out.precision(precision);
-}
-
-/// \ingroup PkgReebGraphIO
 ///
-/// \brief writes polylines to a file. The stream is as above.
-///
-/// \exception Reeb_graph::File_error if the file cannot be written
-template <class PolylineRange>
-void write_polylines(const std::string& filename, const PolylineRange& polylines)
+/// \exception File_error if the file cannot be written
+template <class Output, class PolylineRange>
+void write_polylines(Output&& output, const PolylineRange& polylines)
 {
-  internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_polylines(out, polylines); });
+  internal::write_to(output, [&](std::ostream& out) {
+    const internal::Classic_locale classic_locale(out);
+    const auto precision = out.precision(std::numeric_limits<double>::max_digits10);
+    for(const auto& polyline : polylines)
+    {
+      out << std::distance(std::begin(polyline), std::end(polyline));
+      for(const auto& point : polyline)
+        out << ' ' << point;
+      out << '\n';
+    }
+    out.precision(precision);
+  });
 }
 
 /// \ingroup PkgReebGraphIO

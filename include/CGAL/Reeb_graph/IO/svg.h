@@ -54,7 +54,7 @@ inline std::string counted(std::size_t number, const std::string& name)
 ///
 /// \tparam ReebGraph the type `Graph` of a model of `ReebGraphTraits`
 ///
-/// \param out the stream; whether writing succeeded is seen by its state
+/// \param output a stream, whose state tells whether writing succeeded, or the name of a file
 /// \param graph a Reeb graph, computed with any named parameters
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
@@ -86,8 +86,9 @@ inline std::string counted(std::size_t number, const std::string& name)
 ///
 /// \exception Reeb_graph::Measure_error if the number of a value is NaN
 /// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
-template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
-void write_svg(std::ostream& out, const ReebGraph& graph, const NamedParameters& np = parameters::default_values())
+/// \exception Reeb_graph::File_error if the file cannot be written
+template <class Output, class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
+void write_svg(Output&& output, const ReebGraph& graph, const NamedParameters& np = parameters::default_values())
 {
   if constexpr(internal::Graph_of_numbers<ReebGraph, NamedParameters>::value)
   {
@@ -133,24 +134,9 @@ void write_svg(std::ostream& out, const ReebGraph& graph, const NamedParameters&
     const std::string axis_title = heights != values ? "order of " + name
                                  : unit.empty()      ? name
                                                      : name + " [" + unit + "]";
-    internal::Svg_drawing(std::move(nodes), std::move(arcs), axis_title).write(out, "Reeb graph", description);
+    const internal::Svg_drawing drawing(std::move(nodes), std::move(arcs), axis_title);
+    internal::write_to(output, [&](std::ostream& out) { drawing.write(out, "Reeb graph", description); });
   }
-}
-
-/// \ingroup PkgReebGraphDrawing
-///
-/// \brief draws a Reeb graph to a file in the format SVG, as to a stream.
-///
-/// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
-/// \exception Reeb_graph::File_error if the file cannot be written
-template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
-void write_svg(const std::string& filename,
-               const ReebGraph& graph,
-               const NamedParameters& np = parameters::default_values())
-{
-  std::ostringstream drawing; // before the file is opened, which empties it
-  Reeb_graph::write_svg(drawing, graph, np);
-  internal::write_file(filename, [&](std::ostream& out) { out << drawing.str(); });
 }
 
 } // namespace CGAL::Reeb_graph

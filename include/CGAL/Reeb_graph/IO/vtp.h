@@ -81,7 +81,7 @@ inline std::string name_of_first(const std::vector<Attribute>& attributes)
 /// \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and an
 ///         integer type as value type
 ///
-/// \param out the stream; whether writing succeeded is seen by its state
+/// \param output a stream, whose state tells whether writing succeeded, or the name of a file
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
 /// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that
@@ -97,18 +97,19 @@ inline std::string name_of_first(const std::vector<Attribute>& attributes)
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc
-template <class Graph,
+template <class Output,
+          class Graph,
           class Embedding,
           class VertexIndexMap,
           class NamedParameters = parameters::Default_named_parameters>
-void write_vtp(std::ostream& out,
+void write_vtp(Output&& output,
                const Graph& graph,
                const Embedding& embedding,
                VertexIndexMap vertex_index_map,
                const NamedParameters& np = parameters::default_values())
 {
-  const internal::Classic_locale classic_locale(out);
   if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
   {
     using internal::padded;
@@ -132,51 +133,32 @@ void write_vtp(std::ostream& out,
       upper_values.push_back(embedding.node_values[target(arc, graph)]);
     }
 
-    internal::Vtp_document document(out, points.values.size(), points.nodes, points.arcs, {});
-    document.write_section("Points", "", [&] { document.write_array("Points", points.coordinates, 3); });
-    document.write_section("PointData", "value", [&] {
-      document.write_array("value", points.values);
-      document.write_array("node", padded(0, node_numbers, number_of_inner_points));
-      document.write_array("kind", padded(0, kinds, number_of_inner_points));
-      document.write_array("vertex", padded(0, vertex_numbers, number_of_inner_points));
-      document.write_array("arc", padded(number_of_nodes, points.arc_of_point, 0));
+    internal::write_to(output, [&](std::ostream& out) {
+      const internal::Classic_locale classic_locale(out);
+      internal::Vtp_document document(out, points.values.size(), points.nodes, points.arcs, {});
+      document.write_section("Points", "", [&] { document.write_array("Points", points.coordinates, 3); });
+      document.write_section("PointData", "value", [&] {
+        document.write_array("value", points.values);
+        document.write_array("node", padded(0, node_numbers, number_of_inner_points));
+        document.write_array("kind", padded(0, kinds, number_of_inner_points));
+        document.write_array("vertex", padded(0, vertex_numbers, number_of_inner_points));
+        document.write_array("arc", padded(number_of_nodes, points.arc_of_point, 0));
+      });
+      document.write_section("CellData", "arc", [&] {
+        document.write_array("node", padded(0, node_numbers, number_of_arcs));
+        document.write_array("kind", padded(0, kinds, number_of_arcs));
+        document.write_array("vertex", padded(0, vertex_numbers, number_of_arcs));
+        document.write_array("arc", padded(number_of_nodes, arc_numbers, 0));
+        document.write_array("lower_value", lower_values);
+        document.write_array("upper_value", upper_values);
+        for(const Attribute& attribute : attributes)
+          std::visit(
+            [&](const auto& numbers) { document.write_array(attribute.name, padded(number_of_nodes, numbers, 0)); },
+            attribute.numbers);
+      });
+      document.finish();
     });
-    document.write_section("CellData", "arc", [&] {
-      document.write_array("node", padded(0, node_numbers, number_of_arcs));
-      document.write_array("kind", padded(0, kinds, number_of_arcs));
-      document.write_array("vertex", padded(0, vertex_numbers, number_of_arcs));
-      document.write_array("arc", padded(number_of_nodes, arc_numbers, 0));
-      document.write_array("lower_value", lower_values);
-      document.write_array("upper_value", upper_values);
-      for(const Attribute& attribute : attributes)
-        std::visit(
-          [&](const auto& numbers) { document.write_array(attribute.name, padded(number_of_nodes, numbers, 0)); },
-          attribute.numbers);
-    });
-    document.finish();
   }
-}
-
-/// \ingroup PkgReebGraphIO
-///
-/// \brief writes a Reeb graph in space to a file `.vtp`. The stream is as above.
-///
-/// \exception File_error if the file cannot be written
-/// \exception Attribute_count_error if an attribute has not one number for each arc
-template <class Graph,
-          class Embedding,
-          class VertexIndexMap,
-          class NamedParameters = parameters::Default_named_parameters>
-void write_vtp(const std::string& filename,
-               const Graph& graph,
-               const Embedding& embedding,
-               VertexIndexMap vertex_index_map,
-               const NamedParameters& np = parameters::default_values())
-{
-  // before the file is opened, which empties it
-  internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
-  internal::write_file(filename,
-                       [&](std::ostream& out) { Reeb_graph::write_vtp(out, graph, embedding, vertex_index_map, np); });
 }
 
 /// \ingroup PkgReebGraphIO
@@ -188,7 +170,7 @@ void write_vtp(const std::string& filename,
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 ///
-/// \param out the stream; whether writing succeeded is seen by its state
+/// \param output a stream, whose state tells whether writing succeeded, or the name of a file
 /// \param mesh the mesh
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
@@ -222,13 +204,13 @@ void write_vtp(const std::string& filename,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each vertex, or face
-template <class FaceListGraph, class NamedParameters = parameters::Default_named_parameters>
-void write_mesh_vtp(std::ostream& out,
+template <class Output, class FaceListGraph, class NamedParameters = parameters::Default_named_parameters>
+void write_mesh_vtp(Output&& output,
                     const FaceListGraph& mesh,
                     const NamedParameters& np = parameters::default_values())
 {
-  const internal::Classic_locale classic_locale(out);
   using parameters::get_parameter;
   const auto point_map = internal::choose_point_map(mesh, np);
   const auto index_map = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
@@ -251,37 +233,21 @@ void write_mesh_vtp(std::ostream& out,
   const std::vector<Attribute> face_attributes =
     internal::checked_attributes(get_parameter(np, internal::face_attributes), polygons.ends.size());
 
-  internal::Vtp_document document(out, number_of_vertices, {}, {}, polygons);
-  document.write_section("Points", "", [&] { document.write_array("Points", coordinates, 3); });
-  document.write_section("PointData", internal::name_of_first(vertex_attributes), [&] {
-    internal::write_attributes(document, vertex_attributes);
-    internal::write_colors(document, CGAL::make_range(vertices(mesh)),
-                           get_parameter(np, internal_np::vertex_color_map));
+  internal::write_to(output, [&](std::ostream& out) {
+    const internal::Classic_locale classic_locale(out);
+    internal::Vtp_document document(out, number_of_vertices, {}, {}, polygons);
+    document.write_section("Points", "", [&] { document.write_array("Points", coordinates, 3); });
+    document.write_section("PointData", internal::name_of_first(vertex_attributes), [&] {
+      internal::write_attributes(document, vertex_attributes);
+      internal::write_colors(document, CGAL::make_range(vertices(mesh)),
+                             get_parameter(np, internal_np::vertex_color_map));
+    });
+    document.write_section("CellData", internal::name_of_first(face_attributes), [&] {
+      internal::write_attributes(document, face_attributes);
+      internal::write_colors(document, CGAL::make_range(faces(mesh)), get_parameter(np, internal_np::face_color_map));
+    });
+    document.finish();
   });
-  document.write_section("CellData", internal::name_of_first(face_attributes), [&] {
-    internal::write_attributes(document, face_attributes);
-    internal::write_colors(document, CGAL::make_range(faces(mesh)), get_parameter(np, internal_np::face_color_map));
-  });
-  document.finish();
-}
-
-/// \ingroup PkgReebGraphIO
-///
-/// \brief writes a mesh with numbers to a file `.vtp`. The stream is as above.
-///
-/// \exception File_error if the file cannot be written
-/// \exception Attribute_count_error if an attribute has not one number for each vertex, or face
-template <class FaceListGraph, class NamedParameters = parameters::Default_named_parameters>
-void write_mesh_vtp(const std::string& filename,
-                    const FaceListGraph& mesh,
-                    const NamedParameters& np = parameters::default_values())
-{
-  // before the file is opened, which empties it
-  internal::checked_attributes(parameters::get_parameter(np, internal::vertex_attributes),
-                               CGAL::make_range(vertices(mesh)).size());
-  internal::checked_attributes(parameters::get_parameter(np, internal::face_attributes),
-                               CGAL::make_range(faces(mesh)).size());
-  internal::write_file(filename, [&](std::ostream& out) { Reeb_graph::write_mesh_vtp(out, mesh, np); });
 }
 
 } // namespace CGAL::Reeb_graph

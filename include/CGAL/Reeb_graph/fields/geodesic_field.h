@@ -16,7 +16,6 @@
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
 #include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/fields/internal/constraints.h>
-#include <CGAL/Reeb_graph/fields/internal/triangle_geometry.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/options.h>
@@ -89,13 +88,10 @@ Field_report compute_geodesic_field(const FaceListGraph& mesh,
     const fields::Weighted_graph graph = fields::laplacian_graph(surface, Laplacian_weights::UNIFORM);
     fields::check_components(graph, fixed.is_fixed);
     Field_report report = fields::make_triangles_proper(surface);
-    fields::Geodesic_distances geodesic_distances(fixed.is_fixed,
-                                                  fields::Marching(surface, fixed.is_fixed).distances());
+    std::vector<double> distances = fields::Marching(surface, fixed.is_fixed).distances();
     progress.report(0.1);
-
-    geodesic_distances.run(mesh, surface, fields::label_components(graph), progress);
-    report.number_of_marched_components = geodesic_distances.number_of_marched_components();
-    std::vector<double> distances = geodesic_distances.distances();
+    report.number_of_marched_components = fields::run_heat_method_on_components(
+      surface, fields::label_components(graph), fixed.is_fixed, progress, distances);
     for(double& distance : distances)
       distance *= surface.scale();
     fields::write_field(surface, distances, field_map, progress);

@@ -16,7 +16,6 @@
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
 #include <CGAL/Reeb_graph/fields/internal/constraints.h>
 #include <CGAL/Reeb_graph/fields/internal/differential_operators.h>
-#include <CGAL/Reeb_graph/fields/internal/triangle_geometry.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 
@@ -85,14 +84,13 @@ Field_report compute_gradient(const FaceListGraph& mesh,
     auto gradients = fields::scaled_gradients(surface, fields::read_field(surface, scalar_map));
     for(std::size_t t = 0; t != gradients.size(); ++t)
     {
-      for(double& coordinate : gradients[t])
-        coordinate /= surface.scale();
+      gradients[t] = gradients[t] / surface.scale();
       if(!fields::is_finite(gradients[t]))
         throw Non_finite_vector_error(t);
     }
     progress.report(0.9);
     for(std::size_t t = 0; t != gradients.size(); ++t)
-      put(gradient_map, surface.face_handle(t), Vector_3(gradients[t][0], gradients[t][1], gradients[t][2]));
+      put(gradient_map, surface.face_handle(t), Vector_3(gradients[t].x(), gradients[t].y(), gradients[t].z()));
     progress.report_end();
   }
   return report;
@@ -154,13 +152,11 @@ Field_report compute_divergence(const FaceListGraph& mesh,
     for(const auto f : surface.face_handles())
     {
       const auto& x = get(vector_map, f);
-      vectors.push_back({CGAL::to_double(x.x()), CGAL::to_double(x.y()), CGAL::to_double(x.z())});
+      vectors.emplace_back(CGAL::to_double(x.x()), CGAL::to_double(x.y()), CGAL::to_double(x.z()));
       if(!fields::is_finite(vectors.back()))
         throw Non_finite_vector_error(vectors.size() - 1);
     }
-    auto divergences = fields::scaled_divergences(surface, vectors);
-    for(double& divergence : divergences)
-      divergence *= surface.scale();
+    const auto divergences = fields::integrated_divergences(surface, vectors);
     progress.report(0.9);
     fields::write_field(surface, divergences, divergence_map, progress);
   }

@@ -18,7 +18,6 @@
 #include <CGAL/Reeb_graph/fields/internal/constraints.h>
 #include <CGAL/Reeb_graph/fields/internal/differential_operators.h>
 #include <CGAL/Reeb_graph/fields/internal/solve.h>
-#include <CGAL/Reeb_graph/fields/internal/triangle_geometry.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/options.h>
@@ -247,10 +246,7 @@ Field_report compute_unit_gradient_field(const FaceListGraph& mesh,
       auto vectors = fields::scaled_gradients(surface, values);
       for(fields::Vector& vector : vectors)
         vector = fields::normalized(vector);
-      auto divergences = fields::scaled_divergences(surface, vectors);
-      for(double& divergence : divergences)
-        divergence *= surface.scale();
-      return divergences;
+      return fields::integrated_divergences(surface, vectors);
     });
 }
 

@@ -36,64 +36,31 @@ namespace internal {
 // A loop can go when a single arc is one of its sides: one between two nodes that are a pair. A forest that is maximal
 // by lower ends never keeps this arc, so the other loops are pairs of the same nodes without it; nor do branches matter
 // to these pairs. So they are found once, and each arc is looked up when it comes to be.
-class Arc_removal
+class Arc_removal : private Leaf_pruning
 {
 public:
   // By node, the values.
-  Arc_removal(const std::vector<Pruned_arc>& arcs, std::vector<double> values)
-    : values_(std::move(values)),
-      pruning_(static_cast<Index>(values_.size()), arcs, std::vector<double>(values_.size() + arcs.size(), 0)),
-      persistences_(arcs.size(), not_removed),
-      measures_(values_.size())
+  Arc_removal(const std::vector<Pruned_arc>& arcs, const std::vector<double>& values)
+    : Leaf_pruning(static_cast<Index>(values.size()), arcs, std::vector<double>(values.size() + arcs.size(), 0)),
+      values_(values),
+      persistences_(arcs.size(), not_removed)
   {
-    pair_loops(arcs, static_cast<Index>(values_.size()), [&](Index split, Index join) {
-      ++numbers_of_loops_[{split, join}];
-    });
-    for(Index arc = 0; arc != pruning_.number_of_arcs(); ++arc)
-      see_joined_arc(arc);
+    pair_loops(arcs, number_of_nodes(), [&](Index split, Index join) { ++numbers_of_loops_[{split, join}]; });
+    for(Index arc = 0; arc != number_of_arcs(); ++arc)
+      Arc_removal::see_joined_arc(arc);
   }
 
   // By arc, the persistence that was reached when it was removed; negative if it never was.
   std::vector<double> operator()()
   {
     const auto measure = [&](const Leaf_arc& arc) {
-      return measures_[arc.leaf] =
-               persistence_of_leaf_arc(arc, [&](Index lower, Index upper) { return difference(lower, upper); });
+      return persistence_of_leaf_arc(arc, [&](Index lower, Index upper) { return difference(lower, upper); });
     };
-    pruning_(
-      measure, [](double) { return true; }, [](Index) { return true; },
-      [&](Index leaf) { mark_pieces(pruning_.arc_of_leaf(leaf), measures_[leaf]); }, *this);
+    Leaf_pruning::operator()(measure, [&](Index leaf, double size) {
+      mark_pieces(arc_of_leaf(leaf), size);
+      return true;
+    });
     return std::move(persistences_);
-  }
-
-  // Removes a side of the least persistent loop, if it is less persistent than the next branch. It is taken up by the
-  // other side, or where more than two arcs leave the split saddle, by that node.
-  Index remove_arc(double persistence_of_branch)
-  {
-    for(; !sides_.empty(); sides_.pop())
-    {
-      const auto [size, arc, join] = sides_.top();
-      const auto loops = numbers_of_loops_.find({pruning_.arc(arc).lower, join});
-      if(!pruning_.is_left(pruning_.place_of_arc(arc)) || pruning_.arc(arc).upper != join || loops->second == 0)
-        continue;
-      if(persistence_of_branch <= size)
-        return no_index;
-      --loops->second;
-      mark_pieces(arc, size);
-      const Index split = pruning_.arc(arc).lower;
-      const bool has_other_side = pruning_.out_degree(split) == 2;
-      pruning_.remove_arc(arc, has_other_side ? pruning_.place_of_arc(pruning_.other_arc_above(split, arc)) : split);
-      return arc;
-    }
-    return no_index;
-  }
-
-  // An arc may be a side of a loop as soon as it comes to be.
-  void see_joined_arc(Index arc)
-  {
-    const auto [lower, upper] = pruning_.arc(arc);
-    if(numbers_of_loops_.count({lower, upper}) != 0)
-      sides_.emplace(difference(lower, upper), arc, upper);
   }
 
 private:
@@ -101,17 +68,46 @@ private:
 
   static constexpr double not_removed = -1;
 
+  // Removes a side of the least persistent loop, if it is less persistent than the next branch. It is taken up by the
+  // other side, or where more than two arcs leave the split saddle, by that node.
+  Index remove_other_arc(double persistence_of_branch) override
+  {
+    for(; !sides_.empty(); sides_.pop())
+    {
+      const auto [size, side, join] = sides_.top();
+      const Index split = arc(side).lower;
+      const auto loops = numbers_of_loops_.find({split, join});
+      if(!is_left(place_of_arc(side)) || arc(side).upper != join || loops->second == 0)
+        continue;
+      if(persistence_of_branch <= size)
+        return no_index;
+      --loops->second;
+      mark_pieces(side, size);
+      const bool has_other_side = out_degree(split) == 2;
+      remove_arc(side, has_other_side ? place_of_arc(other_arc_above(split, side)) : split);
+      return side;
+    }
+    return no_index;
+  }
+
+  // An arc may be a side of a loop as soon as it comes to be.
+  void see_joined_arc(Index number) override
+  {
+    const auto [lower, upper] = arc(number);
+    if(numbers_of_loops_.count({lower, upper}) != 0)
+      sides_.emplace(difference(lower, upper), number, upper);
+  }
+
   double difference(Index lower, Index upper) const { return persistence(values_[lower], values_[upper]); }
 
   void mark_pieces(Index arc, double size)
   {
     reached_ = (std::max)(reached_, size);
-    pruning_.for_each_piece(arc, [&](Index piece) { persistences_[piece] = reached_; });
+    for_each_piece(arc, [&](Index piece) { persistences_[piece] = reached_; });
   }
 
-  std::vector<double> values_;
-  Leaf_pruning pruning_;
-  std::vector<double> persistences_, measures_;               // by arc; by leaf, the last ones
+  const std::vector<double>& values_;
+  std::vector<double> persistences_;                          // by arc
   std::map<std::pair<Index, Index>, Index> numbers_of_loops_; // those that are left, by split and join saddle
   // The least persistent one first. An arc that has grown or gone since is no side any more.
   std::priority_queue<Side_of_loop, std::vector<Side_of_loop>, std::greater<Side_of_loop>> sides_;

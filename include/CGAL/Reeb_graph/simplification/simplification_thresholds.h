@@ -29,45 +29,28 @@ namespace CGAL::Reeb_graph {
 
 namespace internal {
 
-// The thresholds in the wide gaps of the persistences of branches.
-template <class ReebGraph>
-std::vector<Simplification_threshold> thresholds_for_branches(const ReebGraph& graph,
-                                                              const std::vector<double>& values,
-                                                              double range)
-{
-  const Pruning_history history = prune_step_by_step(graph, values);
-  std::vector<Simplification_threshold> thresholds;
-  if(history.persistences.empty())
-    return thresholds;
-  const std::size_t loops = num_edges(graph) + number_of_components(graph) - num_vertices(graph);
-  for(const Persistence_gap& gap : find_wide_gaps(history.persistences, range))
-  {
-    const auto [nodes, leaves] = history.states[gap.number_below];
-    thresholds.push_back({gap.middle(), gap.width(), nodes, leaves, loops, false});
-  }
-  return thresholds;
-}
-
-// The thresholds in the wide gaps of the persistences of branches and loops.
+// The thresholds in the wide gaps of the persistences of branches and, if these are cancelled, loops.
 template <class ReebGraph, class NamedParameters>
-std::vector<Simplification_threshold> thresholds_for_branches_and_loops(const ReebGraph& graph,
-                                                                        double range,
-                                                                        const NamedParameters& np)
+std::vector<Simplification_threshold> find_thresholds(const ReebGraph& graph,
+                                                      const std::vector<double>& values,
+                                                      double range,
+                                                      const NamedParameters& np)
 {
+  typedef Branch<typename boost::graph_traits<ReebGraph>::vertex_descriptor> Branch;
+  const bool are_loops_cancelled =
+    parameters::choose_parameter(parameters::get_parameter(np, internal::cancel_loops), false);
+  const Pruning_history history =
+    are_loops_cancelled ? Pruning_history{{}, arc_persistences(graph, np)} : prune_step_by_step(graph, values);
+  const auto& persistences = history.persistences;
   std::vector<Simplification_threshold> thresholds;
-  const std::vector<double> persistences = arc_persistences(graph, np);
   if(std::none_of(persistences.begin(), persistences.end(), [&](double size) { return size < range; }))
     return thresholds;
+  const std::size_t components = number_of_components(graph);
   for(const Persistence_gap& gap : find_wide_gaps(persistences, range))
   {
-    ReebGraph simplified;
-    simplify(graph, gap.middle(), simplified, np);
-    const std::size_t nodes = num_vertices(simplified);
-    Simplification_threshold threshold = {gap.middle(), gap.width(), nodes, 0, 0, false};
-    for(std::size_t node = 0; node != nodes; ++node)
-      threshold.leaves += in_degree(node, simplified) + out_degree(node, simplified) == 1 ? 1 : 0;
-    threshold.loops = num_edges(simplified) + number_of_components(simplified) - nodes;
-    thresholds.push_back(threshold);
+    const auto [nodes, arcs, leaves] = are_loops_cancelled ? size_of_rest(prune_graph<Branch>(graph, gap.middle(), np))
+                                                           : history.states[gap.number_below];
+    thresholds.push_back({gap.middle(), gap.width(), nodes, leaves, arcs + components - nodes, false});
   }
   return thresholds;
 }
@@ -138,12 +121,7 @@ OutputIterator simplification_thresholds(const ReebGraph& graph,
     if(num_edges(graph) == 0)
       return thresholds;
     const double range = *std::max_element(ranges.begin(), ranges.end());
-    const bool are_loops_cancelled =
-      parameters::choose_parameter(parameters::get_parameter(np, internal::cancel_loops), false);
-    const std::vector<Simplification_threshold> found = are_loops_cancelled
-                                                        ? internal::thresholds_for_branches_and_loops(graph, range, np)
-                                                        : internal::thresholds_for_branches(graph, values, range);
-    for(const Simplification_threshold& threshold : internal::choose_thresholds(found))
+    for(const auto& threshold : internal::choose_thresholds(internal::find_thresholds(graph, values, range, np)))
       *thresholds++ = threshold;
   }
   return thresholds;

@@ -209,8 +209,11 @@ std::vector<Arc_path> find_branches(const RankedMesh& ranked,
   };
   Weighted_leaf_pruning<Branch_weight> pruned(static_cast<Index>(num_vertices(graph)), read_arcs(graph),
                                               branch_weights(ranked, simple, thresholds, progress));
-  pruned(
-    size, [](double relative_size) { return relative_size < 1; }, [](Index) { return true; }, [](Index) {});
+  const auto small_size = [&](const Leaf_arc& arc) {
+    const double relative_size = size(arc);
+    return relative_size < 1 ? relative_size : std::numeric_limits<double>::quiet_NaN();
+  };
+  pruned(small_size, [](Index, double) { return true; });
   std::vector<Arc_path> branches;
   for(Index arc = 0; arc != pruned.number_of_arcs(); ++arc)
   {

@@ -95,24 +95,63 @@ double distance_of_values(const Scalar_conversion<Traits>& conversion, const Sca
   return first == second ? 0 : std::abs(first - second);
 }
 
-// What is done with values to choose the levels of borders. With floating point numbers, levels are in the middle
-// between values, or beyond them; of any other type, and with any other order, they are values that there are.
+// Whether levels of borders can be in the middle between values, or beyond them: with floating point numbers. Of any
+// other type, and with any other order, they are values that there are.
 template <class Scalar, class Traits>
-class Level_arithmetic
+inline constexpr bool has_level_numbers =
+  std::conjunction_v<std::is_floating_point<Scalar>, std::is_same<typename Traits::Less_scalar, std::less<Scalar>>>;
+
+// Chooses a level for each border component, so that it is an extremum of the field.
+//
+// Borders that share an edge become extrema of opposite kinds where that can be. Where it cannot, as for three borders
+// each of which touches the other two, those of one kind that touch each other, a group, share one level.
+template <class Scalar, class Traits>
+class Border_levels
 {
   typedef Field_border<Scalar> Border;
-  typedef typename Traits::Less_scalar Less;
+  typedef std::optional<Border_extremum> Kind; // MINIMUM or MAXIMUM, nothing before it is chosen
 
 public:
-  static constexpr bool has_numbers = std::is_floating_point_v<Scalar> && std::is_same_v<Less, std::less<Scalar>>;
+  Border_levels(const Weighted_graph& graph,
+                const std::vector<Scalar>& values,
+                const std::vector<std::vector<Position>>& borders,
+                const Traits& traits)
+    : less_(traits.less_scalar_object()),
+      conversion_(traits),
+      borders_(find_field_borders(graph, values, borders, less_)),
+      kinds_(borders.size()),
+      groups_of_borders_(borders.size(), no_position)
+  {}
 
-  explicit Level_arithmetic(const Traits& traits) : less_(traits.less_scalar_object()), conversion_(traits) {}
-
-  bool less(const Scalar& a, const Scalar& b) const { return less_(a, b); }
-
-  Scalar middle(const Scalar& lower, const Scalar& upper) const
+  // The levels of the borders. Those that are extremal levels already keep theirs, unless they touch others that leave
+  // them no choice.
+  std::vector<Scalar> operator()(Border_extremum wish)
   {
-    if constexpr(has_numbers)
+    choose_kinds(wish);
+    for(Position b = 0; b != borders_.size(); ++b)
+    {
+      if(groups_of_borders_[b] == no_position)
+        add_group(b);
+    }
+    part_groups();
+    std::vector<Scalar> levels;
+    for(Position b = 0; b != borders_.size(); ++b)
+      levels.push_back(groups_[groups_of_borders_[b]].level);
+    return levels;
+  }
+
+private:
+  // Borders of one level, and all that bounds it.
+  struct Group
+  {
+    Border_extremum kind;
+    Border bounds;
+    Scalar level;
+  };
+
+  Scalar middle_between(const Scalar& lower, const Scalar& upper) const
+  {
+    if constexpr(has_level_numbers<Scalar, Traits>)
     {
       const Scalar result = lower / 2 + upper / 2;
       return std::isnan(result) ? 0 : result; // between infinities
@@ -124,7 +163,7 @@ public:
   // Farther than `level`, by a small part of the range of the values in the border and around it.
   Scalar beyond(const Scalar& level, Border_extremum kind, const Border& border) const
   {
-    if constexpr(has_numbers)
+    if constexpr(has_level_numbers<Scalar, Traits>)
     {
       const Scalar infinity = std::numeric_limits<Scalar>::infinity();
       const Scalar sign = kind == Border_extremum::MAXIMUM ? 1 : -1;
@@ -167,7 +206,6 @@ public:
                       distance_of_values(conversion_, border.highest, level));
   }
 
-private:
   bool is_farther(const Scalar& a, const Scalar& b, Border_extremum kind) const
   {
     return kind == Border_extremum::MAXIMUM ? less_(b, a) : less_(a, b);
@@ -175,8 +213,8 @@ private:
 
   Scalar middle_of(const Border& border) const
   {
-    if constexpr(has_numbers)
-      return middle(border.lowest, border.highest);
+    if constexpr(has_level_numbers<Scalar, Traits>)
+      return middle_between(border.lowest, border.highest);
     else
       return border.middle;
   }
@@ -186,60 +224,6 @@ private:
     if(bound && (!sum || is_farther(*bound, *sum, kind)))
       sum = bound;
   }
-
-  static constexpr int margin_divisor = 1024;
-
-  Less less_;
-  Scalar_conversion<Traits> conversion_;
-};
-
-// Chooses a level for each border component, so that it is an extremum of the field.
-//
-// Borders that share an edge become extrema of opposite kinds where that can be. Where it cannot, as for three borders
-// each of which touches the other two, those of one kind that touch each other, a group, share one level.
-template <class Scalar, class Traits>
-class Border_levels
-{
-  typedef Field_border<Scalar> Border;
-  typedef std::optional<Border_extremum> Kind; // MINIMUM or MAXIMUM, nothing before it is chosen
-  typedef Level_arithmetic<Scalar, Traits> Arithmetic;
-
-public:
-  Border_levels(const Weighted_graph& graph,
-                const std::vector<Scalar>& values,
-                const std::vector<std::vector<Position>>& borders,
-                const Traits& traits)
-    : arithmetic_(traits),
-      borders_(find_field_borders(graph, values, borders, traits.less_scalar_object())),
-      kinds_(borders.size()),
-      groups_of_borders_(borders.size(), no_position)
-  {}
-
-  // The levels of the borders. Those that are extremal levels already keep theirs, unless they touch others that leave
-  // them no choice.
-  std::vector<Scalar> operator()(Border_extremum wish)
-  {
-    choose_kinds(wish);
-    for(Position b = 0; b != borders_.size(); ++b)
-    {
-      if(groups_of_borders_[b] == no_position)
-        add_group(b);
-    }
-    part_groups();
-    std::vector<Scalar> levels;
-    for(Position b = 0; b != borders_.size(); ++b)
-      levels.push_back(groups_[groups_of_borders_[b]].level);
-    return levels;
-  }
-
-private:
-  // Borders of one level, and all that bounds it.
-  struct Group
-  {
-    Border_extremum kind;
-    Border bounds;
-    Scalar level;
-  };
 
   static Border_extremum opposite_kind(Border_extremum kind)
   {
@@ -287,7 +271,7 @@ private:
 
   double change(const Border& border, Border_extremum kind) const
   {
-    return arithmetic_.largest_distance(border, arithmetic_.choose_level(border, kind));
+    return largest_distance(border, choose_level(border, kind));
   }
 
   Border_extremum kind_of_less_change(const Border& border) const
@@ -334,9 +318,9 @@ private:
           continue;
         groups_of_borders_[b] = number;
         members.push_back(b);
-        arithmetic_.add(group.bounds, borders_[b], group.kind);
+        add(group.bounds, borders_[b], group.kind);
       }
-    group.level = arithmetic_.choose_level(group.bounds, group.kind);
+    group.level = choose_level(group.bounds, group.kind);
     groups_.push_back(std::move(group));
   }
 
@@ -360,29 +344,32 @@ private:
       levels.push_back(group.level);
     for_each_touching_pair([&](Position above, Position below) {
       const Scalar &low = groups_[above].level, &high = groups_[below].level;
-      if(!arithmetic_.less(low, high))
+      if(!less_(low, high))
         return;
       const bool is_above_kept = is_kept(groups_[above]), is_below_kept = is_kept(groups_[below]);
-      const Scalar middle = is_above_kept == is_below_kept ? arithmetic_.middle(low, high) : is_above_kept ? low : high;
-      if(arithmetic_.less(levels[above], middle))
+      const Scalar middle = is_above_kept == is_below_kept ? middle_between(low, high) : is_above_kept ? low : high;
+      if(less_(levels[above], middle))
         levels[above] = middle;
-      if(arithmetic_.less(middle, levels[below]))
+      if(less_(middle, levels[below]))
         levels[below] = middle;
     });
     for(std::size_t i = 0; i != groups_.size(); ++i)
       groups_[i].level = levels[i];
     for_each_touching_pair([&](Position above, Position below) {
       Group &upper = groups_[above], &lower = groups_[below];
-      if(arithmetic_.less(lower.level, upper.level) || (is_kept(upper) && is_kept(lower)))
+      if(less_(lower.level, upper.level) || (is_kept(upper) && is_kept(lower)))
         return;
       Group& moved = is_kept(upper) ? lower : upper;
-      moved.level = arithmetic_.beyond(moved.level, moved.kind, moved.bounds);
+      moved.level = beyond(moved.level, moved.kind, moved.bounds);
     });
   }
 
   static bool is_kept(const Group& group) { return group.bounds.kept_level.has_value(); }
 
-  Arithmetic arithmetic_;
+  static constexpr int margin_divisor = 1024;
+
+  const typename Traits::Less_scalar less_;
+  const Scalar_conversion<Traits> conversion_;
   std::vector<Border> borders_;
   std::vector<Kind> kinds_;
   std::vector<Position> groups_of_borders_;

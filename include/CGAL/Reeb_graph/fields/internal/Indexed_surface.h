@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
@@ -22,6 +23,8 @@
 #include <CGAL/Reeb_graph_traits.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Origin.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
@@ -35,6 +38,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -45,25 +49,17 @@ namespace CGAL::Reeb_graph::internal::scalar_fields {
 typedef Number Position;
 inline constexpr Position no_position = no_index;
 
-typedef std::array<double, 3> Vector;
+typedef Simple_cartesian<double>::Vector_3 Vector;
 
-inline Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-inline Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
-inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline double length(const Vector& a) { return std::sqrt(dot(a, a)); }
-inline Vector cross(const Vector& a, const Vector& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+inline double length(const Vector& a) { return std::sqrt(a.squared_length()); }
 
 // The vector of unit length, or zero. Not even gradients whose squares are beyond the range of numbers are lost.
 inline Vector normalized(const Vector& vector)
 {
-  const double largest = (std::max)({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
+  const double largest = (std::max)({std::abs(vector.x()), std::abs(vector.y()), std::abs(vector.z())});
   if(!(largest > 0))
-    return {0, 0, 0};
-  const Vector scaled = {vector[0] / largest, vector[1] / largest, vector[2] / largest};
+    return NULL_VECTOR;
+  const Vector scaled = vector / largest;
   return (1 / length(scaled)) * scaled;
 }
 
@@ -99,16 +95,16 @@ protected:
     points_ = std::move(points);
     double largest = 0;
     for(std::size_t v = 0; v != points_.size(); ++v)
-      for(const double coordinate : points_[v])
+      for(int i = 0; i != 3; ++i)
       {
-        if(!std::isfinite(coordinate))
+        if(!std::isfinite(points_[v][i]))
           throw Non_finite_point_error(v);
-        largest = (std::max)(largest, std::abs(coordinate));
+        largest = (std::max)(largest, std::abs(points_[v][i]));
       }
     if(largest > 0)
       scale_ = std::ldexp(1., (std::max)(std::ilogb(largest), -1000));
     for(Vector& p : points_)
-      p = {p[0] / scale_, p[1] / scale_, p[2] / scale_};
+      p = p / scale_;
   }
 
   void add_triangle(const std::array<Position, 3>& vertices, const std::array<bool, 3>& is_on_border)
@@ -121,6 +117,150 @@ private:
   std::vector<Indexed_triangle> triangles_;
   double scale_ = 1, added_length_ = 0;
 };
+
+// The geometry of a triangle with the corners 0, 1, 2: `edges[i]` leads from corner i to corner i + 1.
+struct Triangle_geometry
+{
+  std::array<Vector, 3> edges;
+  Vector normal; // its length is twice the area
+  double double_area;
+
+  // The cotangent of the angle at corner i.
+  double cotangent(int i) const { return -(edges[i] * edges[(i + 2) % 3]) / double_area; }
+
+  // The tangent of half the angle at corner i, without cancellation.
+  double half_tangent(int i) const
+  {
+    const double product = length(edges[i]) * length(edges[(i + 2) % 3]);
+    const double cosine = -(edges[i] * edges[(i + 2) % 3]);
+    return cosine > 0 ? double_area / (product + cosine) : (product - cosine) / double_area;
+  }
+
+  // The gradient of the function that is 1 at corner i and 0 at the other ones.
+  Vector hat_gradient(int i) const
+  {
+    return (1 / double_area) * cross_product((1 / double_area) * normal, edges[(i + 1) % 3]);
+  }
+
+  int longest_edge() const
+  {
+    int longest = 0;
+    for(int i = 1; i != 3; ++i)
+      if(edges[i].squared_length() > edges[longest].squared_length())
+        longest = i;
+    return longest;
+  }
+
+  // Whether the triangle has an area, and one that is not so small that cotangents are beyond the range of numbers.
+  bool is_proper() const
+  {
+    for(int i = 0; i != 3; ++i)
+      if(!(double_area > 0) || !std::isfinite(cotangent(i)) || !std::isfinite(half_tangent(i))
+         || !(half_tangent(i) > 0))
+        return false;
+    return true;
+  }
+};
+
+// The geometry of the points of a triangle.
+inline Triangle_geometry geometry_of_points(const Indexed_surface& surface, std::size_t triangle)
+{
+  const auto& v = surface.triangles()[triangle].vertices;
+  Triangle_geometry geometry;
+  for(int i = 0; i != 3; ++i)
+    geometry.edges[i] = surface.point(v[(i + 1) % 3]) - surface.point(v[i]);
+  // The product of the two short edges is the one with the least cancellation.
+  const int longest = geometry.longest_edge();
+  geometry.normal = cross_product(geometry.edges[(longest + 1) % 3], geometry.edges[(longest + 2) % 3]);
+  geometry.double_area = length(geometry.normal);
+  return geometry;
+}
+
+// A vector of unit length that is perpendicular to one of unit length.
+inline Vector perpendicular(const Vector& x)
+{
+  int smallest = 0;
+  for(int i = 1; i != 3; ++i)
+    if(std::abs(x[i]) < std::abs(x[smallest]))
+      smallest = i;
+  const Vector axis(smallest == 0 ? 1. : 0., smallest == 1 ? 1. : 0., smallest == 2 ? 1. : 0.);
+  return normalized(cross_product(x, axis));
+}
+
+// The triangle each of whose sides is longer by `added_length`, in the plane of the given one as far as that has a
+// plane. Its sides have to fulfil the triangle inequality.
+inline Triangle_geometry lengthened(const Triangle_geometry& given, double added_length)
+{
+  const int longest = given.longest_edge(), next = (longest + 1) % 3, previous = (longest + 2) % 3;
+  const auto side = [&](int i) { return length(given.edges[i]) + added_length; };
+  const double a = side(longest), b = (std::max)(side(next), side(previous)),
+               c = (std::min)(side(next), side(previous));
+  // Heron's formula as W. Kahan has it, without cancellation
+  const double area = std::sqrt((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))) / 4;
+  // the longest side is on the x-axis
+  const double height = 2 * area / a;
+  const double foot = (a + (side(previous) - side(next)) * ((side(previous) + side(next)) / a)) / 2;
+
+  const bool has_direction = length(given.edges[longest]) > 0;
+  const Vector x = has_direction ? normalized(given.edges[longest]) : Vector(1, 0, 0);
+  const Vector y = given.double_area > 0 ? normalized(cross_product(given.normal, x)) : perpendicular(x);
+  Triangle_geometry geometry;
+  geometry.edges[longest] = a * x;
+  geometry.edges[next] = (foot - a) * x + height * y;
+  geometry.edges[previous] = -foot * x + -height * y;
+  geometry.double_area = 2 * area;
+  geometry.normal = geometry.double_area * cross_product(x, y);
+  return geometry;
+}
+
+inline Triangle_geometry triangle_geometry(const Indexed_surface& surface, std::size_t triangle)
+{
+  const Triangle_geometry geometry = geometry_of_points(surface, triangle);
+  return surface.added_length() > 0 ? lengthened(geometry, surface.added_length()) : geometry;
+}
+
+// Makes all edges longer by the least length after which any two sides of a triangle are longer than the third one by a
+// margin: intrinsic mollification. See Field_report.
+inline void lengthen_edges(Indexed_surface& surface, Field_report& report)
+{
+  constexpr double margin_of_mean = 1e-6, margin_of_longest = 1e-12;
+  double sum = 0, number_of_edges = 0, longest = 0;
+  // The least of the sums of two sides of a triangle less the third one; it can be negative by rounding.
+  double least_slack = std::numeric_limits<double>::infinity();
+  for(const Indexed_triangle& t : surface.triangles())
+  {
+    std::array<double, 3> sides;
+    for(int i = 0; i != 3; ++i)
+    {
+      sides[i] = length(surface.point(t.vertices[(i + 1) % 3]) - surface.point(t.vertices[i]));
+      sum += t.is_on_border[i] ? sides[i] : sides[i] / 2;
+      number_of_edges += t.is_on_border[i] ? 1 : 0.5;
+    }
+    std::sort(sides.begin(), sides.end());
+    longest = (std::max)(longest, sides[2]);
+    least_slack = (std::min)(least_slack, sides[0] - (sides[2] - sides[1]));
+  }
+  // If all points are the same, the unit is that of the coordinates.
+  const double mean = sum > 0 ? sum / number_of_edges : 1;
+  const double added_length = (std::max)(margin_of_mean * mean, margin_of_longest * longest) - least_slack;
+  if(!(added_length > 0))
+    return;
+  surface.set_added_length(added_length);
+  report.mean_length = sum > 0 ? mean * surface.scale() : 0;
+  report.added_length = surface.added_length() * surface.scale();
+}
+
+// Makes the edges longer if there is a triangle that is not proper.
+inline Field_report make_triangles_proper(Indexed_surface& surface)
+{
+  Field_report report;
+  for(std::size_t t = 0; t != surface.triangles().size(); ++t)
+    if(!geometry_of_points(surface, t).is_proper())
+      ++report.number_of_bad_faces;
+  if(report.number_of_bad_faces > 0)
+    lengthen_edges(surface, report);
+  return report;
+}
 
 // The surface of a mesh, checked as that of a Reeb graph is, and the way from positions to descriptors and back.
 template <class FaceListGraph>
@@ -147,7 +287,7 @@ public:
     for(const vertex_descriptor v : vertices_)
     {
       const auto& p = get(point_map, v);
-      points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+      points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
     }
     set_points(std::move(points));
     check(mesh);
@@ -174,7 +314,7 @@ private:
   void check(const FaceListGraph& mesh) const
   {
     const auto heights = boost::make_function_property_map<vertex_descriptor>(
-      [&](vertex_descriptor v) { return point(positions_(v).number())[2]; });
+      [&](vertex_descriptor v) { return point(positions_(v).number()).z(); });
     const Reeb_graph_traits<FaceListGraph, std::decay_t<decltype(heights)>> traits;
     flatten<Sequential_tag>(mesh, heights, traits, parameters::default_values());
   }

@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
-#include <CGAL/Reeb_graph/fields/internal/triangle_geometry.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
@@ -69,14 +68,6 @@ public:
     const auto range = neighbors(from);
     return std::lower_bound(range.begin(), range.end(), to, [](const Neighbor& n, Position v) { return n.vertex < v; })
       ->weight;
-  }
-
-  double sum_of_weights(Position v) const
-  {
-    double sum = 0;
-    for(const Neighbor& n : neighbors(v))
-      sum += n.weight;
-    return sum;
   }
 
 private:
@@ -174,49 +165,35 @@ auto solve_or_lengthen_edges(Indexed_surface& surface,
   return solve(laplacian_graph(surface, weights), 0.6);
 }
 
-// The vertices in the order of a breadth-first search, which keeps neighbors close to each other in memory.
-inline std::vector<Position> breadth_first_order(const Weighted_graph& graph)
+// The vertices in the order of a breadth-first search, which keeps neighbors close to each other in memory, and by
+// vertex the number of its connected component, in the order of their first vertices.
+struct Breadth_first_search
 {
-  std::vector<Position> order;
-  order.reserve(graph.number_of_vertices());
-  std::vector<bool> is_reached(graph.number_of_vertices(), false);
-  const auto reach = [&](Position v) {
-    if(!is_reached[v])
-      order.push_back(v);
-    is_reached[v] = true;
-  };
-  Position next = 0;
-  for(Position first = 0; first != graph.number_of_vertices(); ++first)
-    for(reach(first); next != order.size(); ++next)
-      for(const auto& n : graph.neighbors(order[next]))
-        reach(n.vertex);
-  return order;
-}
+  std::vector<Position> order, components;
 
-// Numbers the connected components, in the order of their first vertices.
+  explicit Breadth_first_search(const Weighted_graph& graph) : components(graph.number_of_vertices(), no_position)
+  {
+    order.reserve(graph.number_of_vertices());
+    Position component = 0, next = 0;
+    const auto reach = [&](Position v) {
+      if(components[v] != no_position)
+        return;
+      order.push_back(v);
+      components[v] = component;
+    };
+    for(Position first = 0; first != graph.number_of_vertices(); ++first)
+    {
+      for(reach(first); next != order.size(); ++next)
+        for(const auto& n : graph.neighbors(order[next]))
+          reach(n.vertex);
+      component = components[order.back()] + 1;
+    }
+  }
+};
+
 inline std::vector<Position> label_components(const Weighted_graph& graph)
 {
-  std::vector<Position> labels(graph.number_of_vertices(), no_position), stack;
-  Position number_of_components = 0;
-  for(Position first = 0; first != graph.number_of_vertices(); ++first)
-  {
-    if(labels[first] != no_position)
-      continue;
-    labels[first] = number_of_components;
-    for(stack.push_back(first); !stack.empty();)
-    {
-      const Position v = stack.back();
-      stack.pop_back();
-      for(const auto& n : graph.neighbors(v))
-        if(labels[n.vertex] == no_position)
-        {
-          labels[n.vertex] = number_of_components;
-          stack.push_back(n.vertex);
-        }
-    }
-    ++number_of_components;
-  }
-  return labels;
+  return Breadth_first_search(graph).components;
 }
 
 // The vertex of least value of each component, the first one if there are several.

@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
 #include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
-#include <CGAL/Reeb_graph/fields/internal/triangle_geometry.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Weights/mixed_voronoi_region_weights.h>
@@ -27,7 +26,7 @@ namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 inline bool is_finite(const Vector& vector)
 {
-  return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
+  return std::isfinite(vector.x()) && std::isfinite(vector.y()) && std::isfinite(vector.z());
 }
 
 // The gradients on the faces, for the points divided by surface.scale().
@@ -46,8 +45,8 @@ inline std::vector<Vector> scaled_gradients(const Indexed_surface& surface, cons
   return gradients;
 }
 
-// The integrated divergences at the vertices, for the points divided by surface.scale().
-inline std::vector<double> scaled_divergences(const Indexed_surface& surface, const std::vector<Vector>& vectors)
+// The integrated divergences at the vertices.
+inline std::vector<double> integrated_divergences(const Indexed_surface& surface, const std::vector<Vector>& vectors)
 {
   std::vector<double> divergences(surface.number_of_vertices(), 0);
   for(std::size_t t = 0; t != surface.triangles().size(); ++t)
@@ -57,11 +56,13 @@ inline std::vector<double> scaled_divergences(const Indexed_surface& surface, co
     {
       const int next = (i + 1) % 3, previous = (i + 2) % 3;
       divergences[surface.triangles()[t].vertices[i]] +=
-        (geometry.cotangent(previous) * dot(geometry.edges[i], vectors[t])
-         - geometry.cotangent(next) * dot(geometry.edges[previous], vectors[t]))
+        (geometry.cotangent(previous) * (geometry.edges[i] * vectors[t])
+         - geometry.cotangent(next) * (geometry.edges[previous] * vectors[t]))
         / 2;
     }
   }
+  for(double& divergence : divergences)
+    divergence *= surface.scale();
   return divergences;
 }
 
@@ -69,12 +70,11 @@ inline std::vector<double> scaled_divergences(const Indexed_surface& surface, co
 inline std::array<Simple_cartesian<double>::Point_3, 3> corner_points(const Indexed_surface& surface,
                                                                       std::size_t triangle)
 {
-  const auto point = [](const Vector& p) { return Simple_cartesian<double>::Point_3(p[0], p[1], p[2]); };
   const auto& v = surface.triangles()[triangle].vertices;
   if(surface.added_length() == 0)
-    return {point(surface.point(v[0])), point(surface.point(v[1])), point(surface.point(v[2]))};
+    return {ORIGIN + surface.point(v[0]), ORIGIN + surface.point(v[1]), ORIGIN + surface.point(v[2])};
   const Triangle_geometry geometry = triangle_geometry(surface, triangle);
-  return {point({0, 0, 0}), point(geometry.edges[0]), point(geometry.edges[0] + geometry.edges[1])};
+  return {ORIGIN, ORIGIN + geometry.edges[0], ORIGIN + (geometry.edges[0] + geometry.edges[1])};
 }
 
 // The mixed Voronoi areas of the vertices, zero for isolated ones, for the points divided by surface.scale().
@@ -100,7 +100,7 @@ inline std::vector<double> scaled_integrated_mean_curvatures(const Indexed_surfa
   curvatures.reserve(surface.number_of_vertices());
   for(Position v = 0; v != surface.number_of_vertices(); ++v)
   {
-    Vector sum = {0, 0, 0};
+    Vector sum = NULL_VECTOR;
     for(const auto& n : cotangents.neighbors(v))
       sum = sum + n.weight * (surface.point(v) - surface.point(n.vertex));
     curvatures.push_back(length(sum) / 2);

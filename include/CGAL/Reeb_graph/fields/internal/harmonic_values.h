@@ -18,7 +18,6 @@
 #include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/fields/internal/constraints.h>
 #include <CGAL/Reeb_graph/fields/internal/solve.h>
-#include <CGAL/Reeb_graph/fields/internal/triangle_geometry.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
@@ -53,8 +52,7 @@ public:
     : graph_(graph),
       is_fixed_(is_fixed),
       values_(values),
-      is_monotone_(graph.number_of_vertices(), true),
-      is_constant_(graph.number_of_vertices(), false)
+      is_monotone_(graph.number_of_vertices(), true)
   {
     find_monotone_vertices();
     if(is_changed())
@@ -70,11 +68,14 @@ public:
   // The vertices, from the lowest to the highest one.
   const std::vector<Position>& ascending() const { return ascending_; }
 
-  // Whether a vertex can have no value but that of the fixed vertices around its part.
-  bool is_constant(Position v) const { return is_constant_[v]; }
-
-  // The value of a vertex for which this is so.
-  Scalar constant_value(Position v) const { return constant_values_[part_of_vertex_[v]]; }
+  // Gives the vertices of parts that can have no value but that of the fixed vertices around them this value.
+  void set_constant_values(std::vector<Scalar>& values) const
+  {
+    for(const Part& part : parts_)
+      if(part.lower_neighbor == no_position)
+        for(const Position v : part.vertices)
+          values[v] = part.constant_value;
+  }
 
 private:
   // The order by value; of equal values, fixed vertices come first, so that a value is fixed once or not at all.
@@ -115,8 +116,9 @@ private:
 
   struct Part
   {
-    std::vector<Position> vertices; // ascending once the part is placed
-    Position lower_neighbor = no_position;
+    std::vector<Position> vertices;        // ascending once the part is placed
+    Position lower_neighbor = no_position; // none for a constant part
+    Scalar constant_value = 0;
   };
 
   void place_other_vertices()
@@ -129,7 +131,6 @@ private:
         continue;
       const auto number = static_cast<Position>(parts_.size());
       parts_.push_back(collect_part(v, number));
-      constant_values_.push_back(Scalar());
       place(parts_.back(), number, st_numbering);
     }
   }
@@ -176,9 +177,7 @@ private:
     }
     if(best == 0)
     {
-      for(const Position v : part.vertices)
-        is_constant_[v] = true;
-      constant_values_[number] = values_[neighbors.front()];
+      part.constant_value = values_[neighbors.front()];
       return;
     }
     const Position lowest_of_upper = neighbors[best];
@@ -223,24 +222,10 @@ private:
   const std::vector<bool>& is_fixed_;
   const std::vector<Scalar>& values_;
   std::vector<bool> is_monotone_;
-  std::vector<bool> is_constant_;
   std::vector<Part> parts_;
   std::vector<Position> part_of_vertex_;
-  std::vector<Scalar> constant_values_;
   std::vector<Position> ascending_;
 };
-
-template <class Scalar>
-Scalar next_above(Scalar value)
-{
-  return std::nextafter(value, std::numeric_limits<Scalar>::infinity());
-}
-
-template <class Scalar>
-Scalar next_below(Scalar value)
-{
-  return std::nextafter(value, -std::numeric_limits<Scalar>::infinity());
-}
 
 // The supports of each free vertex: a neighbor that is to be strictly lower, and one that is to be strictly higher.
 struct Supports
@@ -307,9 +292,10 @@ void remove_extrema(const Weighted_graph& graph, const std::vector<bool>& is_fix
     return;
   const Supports supports(graph, is_fixed, order);
   const auto& ascending = order.ascending();
+  constexpr Scalar infinity = std::numeric_limits<Scalar>::infinity();
   const auto same = [](Scalar value) { return value; };
-
-  const Scalar infinity = std::numeric_limits<Scalar>::infinity();
+  const auto next_above = [](Scalar value) { return std::nextafter(value, infinity); };
+  const auto next_below = [](Scalar value) { return std::nextafter(value, -infinity); };
   std::vector<Scalar> lowest = values, highest = values;
   for(const Position v : ascending)
     if(!is_fixed[v])
@@ -317,8 +303,8 @@ void remove_extrema(const Weighted_graph& graph, const std::vector<bool>& is_fix
       lowest[v] = -infinity;
       highest[v] = infinity;
     }
-  lowest = sweep(Side::LOWER, ascending, supports, std::move(lowest), next_above<Scalar>);
-  highest = sweep(Side::UPPER, ascending, supports, std::move(highest), next_below<Scalar>);
+  lowest = sweep(Side::LOWER, ascending, supports, std::move(lowest), next_above);
+  highest = sweep(Side::UPPER, ascending, supports, std::move(highest), next_below);
 
   const std::vector<Scalar> above = sweep(Side::LOWER, ascending, supports, values, same);
   const std::vector<Scalar> below = sweep(Side::UPPER, ascending, supports, values, same);
@@ -334,17 +320,8 @@ void remove_extrema(const Weighted_graph& graph, const std::vector<bool>& is_fix
   for(const Position v : ascending)
     if(!is_fixed[v])
       values[v] = (std::min)((std::max)(values[v], lowest[v]), highest[v]);
-  values = sweep(Side::LOWER, ascending, supports, std::move(values), next_above<Scalar>);
-  for(Position v = 0; v != graph.number_of_vertices(); ++v)
-    if(order.is_constant(v))
-      values[v] = order.constant_value(v);
-}
-
-template <class NamedParameters>
-Laplacian_weights choose_weights(const NamedParameters& np)
-{
-  return parameters::choose_parameter(parameters::get_parameter(np, internal::laplacian_weights),
-                                      Laplacian_weights::MEAN_VALUE);
+  values = sweep(Side::LOWER, ascending, supports, std::move(values), next_above);
+  order.set_constant_values(values);
 }
 
 // The fixed values, mapped linearly to those from 0 to 1.
@@ -380,7 +357,8 @@ Field_report write_harmonic_field(const FaceListGraph& mesh,
                                   const FixVertices& fix_vertices)
 {
   typedef Scalar_of_field<FieldMap> Scalar;
-  const Laplacian_weights weights = choose_weights(np);
+  const auto weights = parameters::choose_parameter(parameters::get_parameter(np, internal::laplacian_weights),
+                                                    Laplacian_weights::MEAN_VALUE);
   const auto solve = [&](const Indexed_surface& surface, const Weighted_graph& graph,
                          const Constraints<Scalar>& constraints, const Progress& progress, double fraction,
                          Field_report& report) {

@@ -226,7 +226,7 @@ std::vector<Scalar> level_border_values(const Weighted_graph& graph,
         changed.push_back(v);
       result[v] = levels[b];
     }
-  if constexpr(Level_arithmetic<Scalar, Traits>::has_numbers)
+  if constexpr(has_level_numbers<Scalar, Traits>)
   {
     const std::vector<Position> collar = vertices_around(graph, changed, is_on_border, collar_width);
     if(collar.empty())

@@ -11,8 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#ifdef CGAL_EIGEN3_ENABLED
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -143,6 +145,8 @@ Iterative_solution solve_iteratively(System& system,
     solution.number_of_steps += take_biconjugate_steps(system, residual, limits, solution.values);
   }
 }
+
+#ifdef CGAL_EIGEN3_ENABLED
 
 typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Row_matrix;
 
@@ -277,42 +281,24 @@ inline Row_matrix smoothed_interpolation(const Row_matrix& matrix, const Aggrega
   return interpolation;
 }
 
-// The matrix of equations that fill it row by row.
+// The matrix of equations that have an entry for each edge.
 template <class Problem>
 Row_matrix make_row_matrix(const Problem& problem)
 {
-  struct Filler
-  {
-    Row_matrix& matrix;
-    std::size_t row = 0;
-    std::vector<std::pair<int, double>> entries;
-
-    void set_coef(std::size_t i, std::size_t j, double value, bool)
-    {
-      if(i != row)
-        finish_row();
-      row = i;
-      entries.emplace_back(static_cast<int>(j), value);
-    }
-
-    void finish_row()
-    {
-      std::sort(entries.begin(), entries.end());
-      const auto i = static_cast<Eigen::Index>(row);
-      matrix.startVec(i);
-      for(const auto& [j, value] : entries)
-        matrix.insertBack(i, j) = value;
-      entries.clear();
-    }
-  };
-
   const auto size = static_cast<Eigen::Index>(problem.number_of_rows());
   Row_matrix matrix(size, size);
   matrix.reserve(7 * size);
-  Filler filler = {matrix, 0, {}};
-  problem.fill(filler);
-  if(size > 0)
-    filler.finish_row();
+  std::vector<std::pair<int, double>> entries; // of a row
+  problem.for_each_entry(false, [&](std::size_t row, std::size_t column, double entry) {
+    entries.emplace_back(static_cast<int>(column), entry);
+    if(column != row)
+      return;
+    std::sort(entries.begin(), entries.end());
+    matrix.startVec(static_cast<Eigen::Index>(row));
+    for(const auto& [j, value] : entries)
+      matrix.insertBack(static_cast<Eigen::Index>(row), j) = value;
+    entries.clear();
+  });
   matrix.finalize();
   return matrix;
 }
@@ -410,6 +396,8 @@ private:
   Eigen::PartialPivLU<Eigen::MatrixXd> coarsest_;
   bool is_usable_ = false;
 };
+
+#endif // CGAL_EIGEN3_ENABLED
 
 } // namespace CGAL::Reeb_graph::internal::scalar_fields
 

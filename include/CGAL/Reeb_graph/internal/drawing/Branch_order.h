@@ -12,11 +12,14 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/union_find.h>
 #include <CGAL/Reeb_graph/internal/drawing/Branch_tree.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -36,42 +39,34 @@ struct Height_range
   }
 };
 
-// How far what has been placed reaches at each height: a segment tree, in which what is said of a part holds for all of
-// it. Asking for its maximum in an interval takes logarithmic time, raising it at most the square of that.
+// How far what has been placed reaches at each height, as steps. What raises a range raises all of it to one value, so
+// that steps go that have been looked at: to ask for a maximum and then to raise the range takes logarithmic time on
+// average.
 class Skyline
 {
 public:
   // `heights` are all those that intervals are told apart by, in ascending order.
-  Skyline(const std::vector<double>& heights, double start) : heights_(heights), start_(start)
-  {
-    while(size_ < heights.size())
-      size_ *= 2;
-    highest_.assign(2 * size_, start);
-    raised_.assign(2 * size_, start);
-  }
+  Skyline(const std::vector<double>& heights, double start) : heights_(heights), start_(start), steps_({{0, start}}) {}
 
   double highest(const Height_range& range) const
   {
     const auto [begin, end] = positions(range);
     double result = start_;
-    visit(begin, end, [&](std::size_t part) { result = (std::max)(result, highest_[part]); });
-    for(std::size_t bound : {begin, end - 1})
-    {
-      for(std::size_t part = (bound + size_) / 2; begin < end && part != 0; part /= 2)
-        result = (std::max)(result, raised_[part]);
-    }
+    for(auto step = std::prev(steps_.upper_bound(begin)); begin != end && step != steps_.lower_bound(end); ++step)
+      result = (std::max)(result, step->second);
     return result;
   }
 
+  // Raises a range to a value that is higher than all that are there.
   void raise(const Height_range& range, double value)
   {
     const auto [begin, end] = positions(range);
-    visit(begin, end, [&](std::size_t part) {
-      highest_[part] = (std::max)(highest_[part], value);
-      raised_[part] = (std::max)(raised_[part], value);
-      for(part /= 2; part != 0; part /= 2)
-        highest_[part] = (std::max)(highest_[part], value);
-    });
+    if(begin == end)
+      return;
+    const double behind = std::prev(steps_.upper_bound(end))->second;
+    steps_.erase(steps_.lower_bound(begin), steps_.upper_bound(end));
+    steps_[begin] = value;
+    steps_[end] = behind;
   }
 
 private:
@@ -82,23 +77,9 @@ private:
     return {begin - heights_.begin(), end - heights_.begin()};
   }
 
-  // Calls visit(part) for the parts that an interval of positions consists of.
-  template <class Visit>
-  void visit(std::size_t begin, std::size_t end, const Visit& visit) const
-  {
-    for(begin += size_, end += size_; begin < end; begin /= 2, end /= 2)
-    {
-      if(begin % 2 != 0)
-        visit(begin++);
-      if(end % 2 != 0)
-        visit(--end);
-    }
-  }
-
   const std::vector<double>& heights_;
   double start_;
-  std::size_t size_ = 1;
-  std::vector<double> highest_, raised_; // by part: in it, and for all of it
+  std::map<std::size_t, double> steps_; // by position in the heights, how far from there on
 };
 
 // About how many branches one side of a trunk has, in equal parts of the height, which is from 0 to 1.
@@ -129,44 +110,31 @@ private:
   Loads loads_ = {};
 };
 
-// Elements that go to two sides, and what is known of pairs of them: that they are on one side, or on opposite ones. A
-// union-find in which each element knows its side, seen from the root.
+// Elements that go to two sides, and what is known of pairs of them: that they are on one side, or on opposite ones.
+// Each has an opponent, which goes to the other side.
 class Opposite_sides
 {
 public:
-  explicit Opposite_sides(std::size_t size) : parents_(size), sizes_(size, 1), is_opposite_(size, false)
-  {
-    std::iota(parents_.begin(), parents_.end(), std::size_t(0));
-  }
+  explicit Opposite_sides(std::size_t size) : size_(static_cast<Index>(size)), sets_(2 * size_) {}
 
-  std::size_t size() const { return parents_.size(); }
-
-  // The root of an element, and whether the two are on opposite sides.
-  std::pair<std::size_t, bool> find(std::size_t element) const
+  // The name of what goes to one side together with an element, or with its opponent.
+  Index find(std::size_t element, bool is_opponent = false)
   {
-    bool is_opposite = false;
-    for(; parents_[element] != element; element = parents_[element])
-      is_opposite ^= is_opposite_[element];
-    return {element, is_opposite};
+    return sets_.find(static_cast<Index>(element) + (is_opponent ? size_ : 0));
   }
 
   // Two elements that are already related stay as they are, also if that contradicts.
   void relate(std::size_t a, std::size_t b, bool are_opposite)
   {
-    auto [root, is_opposite] = find(a);
-    auto [other_root, is_other_opposite] = find(b);
-    if(root == other_root)
+    if(find(a) == find(b) || find(a) == find(b, true))
       return;
-    if(sizes_[root] < sizes_[other_root])
-      std::swap(root, other_root);
-    parents_[other_root] = root;
-    sizes_[root] += sizes_[other_root];
-    is_opposite_[other_root] = is_opposite ^ is_other_opposite ^ are_opposite;
+    sets_.link(find(a), find(b, are_opposite));
+    sets_.link(find(a, true), find(b, !are_opposite));
   }
 
 private:
-  std::vector<std::size_t> parents_, sizes_;
-  std::vector<bool> is_opposite_; // to the parent
+  Index size_;
+  Disjoint_sets<Index> sets_; // elements, and behind them their opponents
 };
 
 // On which side of its parent each branch lies, and the order of all branches of a component from the left to the
@@ -264,10 +232,13 @@ private:
     const auto length = [&](Index branch) { return extents_[branch].high - extents_[branch].low; };
     std::sort(children.begin(), children.end(),
               [&](Index a, Index b) { return length(a) != length(b) ? length(a) > length(b) : a < b; });
-    const Opposite_sides related = relate_children(parent);
-    std::vector<int> root_sides(related.size(), 0); // 1 outward, -1 inward, 0 not yet known
-    const auto [root_of_outside, is_outside_opposite] = related.find(children.size());
-    root_sides[root_of_outside] = is_outside_opposite ? -1 : 1;
+    Opposite_sides related = relate_children(parent);
+    std::vector<int> known_sides(2 * (children.size() + 1), 0); // 1 outward, -1 inward, 0 not yet known
+    const auto set_side = [&](std::size_t element, int side) {
+      known_sides[related.find(element)] = side;
+      known_sides[related.find(element, true)] = -side;
+    };
+    set_side(children.size(), 1);
 
     const int outward = sides_[parent] == 0 ? 1 : sides_[parent];
     std::array<std::vector<Index>, 2> placed; // outward, inward
@@ -275,14 +246,13 @@ private:
     for(std::size_t i = 0; i != children.size(); ++i)
     {
       const Index child = children[i];
-      const auto [root, is_opposite] = related.find(i);
-      if(root_sides[root] == 0)
+      if(known_sides[related.find(i)] == 0)
       {
         const bool is_inward_free =
           sides_[parent] == 0 && loads[1].load(extents_[child]) < loads[0].load(extents_[child]);
-        root_sides[root] = is_inward_free == is_opposite ? 1 : -1;
+        set_side(i, is_inward_free ? -1 : 1);
       }
-      const bool is_inward = (root_sides[root] < 0) != is_opposite;
+      const bool is_inward = known_sides[related.find(i)] < 0;
       placed[is_inward].push_back(child);
       loads[is_inward].add(extents_[child], sizes_[child]);
       sides_[child] = is_inward ? -outward : outward;

@@ -137,11 +137,11 @@ private:
     const auto difference = [&](Index lower, Index upper) {
       return persistence(heights[old_numbers[lower]], heights[old_numbers[upper]]);
     };
-    pruning([&](const Leaf_arc& arc) { return persistence_of_leaf_arc(arc, difference); }, [](double) { return true; },
-            [](Index) { return true; },
-            [&](Index leaf) {
-              const bool is_minimum = pruning.leaf_arc_of(leaf).is_minimum;
+    pruning([&](const Leaf_arc& arc) { return persistence_of_leaf_arc(arc, difference); },
+            [&](Index leaf, double) {
+              const bool is_minimum = pruning.in_degree(leaf) == 0;
               add_branch(pruning.arc_of_leaf(leaf), !is_minimum, is_minimum);
+              return true;
             });
     for(Index arc = 0; arc != pruning.number_of_arcs(); ++arc)
     {

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/drawing/Node_spreading.h>
+#include <CGAL/Reeb_graph/internal/drawing/Plane_drawing.h>
 #include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/Reeb_graph/options.h>

@@ -300,9 +300,16 @@ std::vector<Attribute> checked_attributes(const Parameter& parameter, std::size_
   return attributes;
 }
 
-// Says why, where the system does.
+// Calls write(stream) for a stream, or for that of the file of this name.
 template <class Write>
-void write_file(const std::string& filename, const Write& write)
+void write_to(std::ostream& out, const Write& write)
+{
+  write(out);
+}
+
+// The error says why, where the system does.
+template <class Write>
+void write_to(const std::string& filename, const Write& write)
 {
   errno = 0;
   std::ofstream out(filename);

@@ -82,14 +82,14 @@ public:
     return trace(arc, level_at_value(value));
   }
 
-  Contour below_vertex(arc_descriptor arc, vertex_descriptor v) const
+  // Just below the vertex, or just above it.
+  Contour beside_vertex(Side side, arc_descriptor arc, vertex_descriptor v) const
   {
-    return at_level(arc, level_beside(Side::LOWER, checked_number(on_complex_, v)));
-  }
-
-  Contour above_vertex(arc_descriptor arc, vertex_descriptor v) const
-  {
-    return at_level(arc, level_beside(Side::UPPER, checked_number(on_complex_, v)));
+    const Level level = level_beside(side, checked_number(on_complex_, v));
+    check_is_arc(on_complex_.graph(), arc);
+    if(!level.is_below(on_complex_.lower_vertex(arc)) || level.is_below(on_complex_.upper_vertex(arc)))
+      throw Level_error();
+    return trace(arc, level);
   }
 
   // The contours of all arcs at the level of the value.
@@ -113,15 +113,15 @@ public:
     return contours;
   }
 
-  // The contours of all arcs below a node, or above it, next to the node, which has been checked.
-  std::vector<Contour> all_below_node(node_descriptor node) const
+  // The contours of some arcs next to their node, just below or just above it.
+  template <class ArcIteratorPair>
+  std::vector<Contour> all_beside_node(Side side, node_descriptor node, const ArcIteratorPair& arcs) const
   {
-    return all_at_level(in_edges(node, on_complex_.graph()), level_beside(Side::LOWER, on_complex_.node_vertex(node)));
-  }
-
-  std::vector<Contour> all_above_node(node_descriptor node) const
-  {
-    return all_at_level(out_edges(node, on_complex_.graph()), level_beside(Side::UPPER, on_complex_.node_vertex(node)));
+    const Level level = level_beside(side, on_complex_.node_vertex(node));
+    std::vector<Contour> contours;
+    for(const arc_descriptor arc : CGAL::make_range(arcs))
+      contours.push_back(trace(arc, level));
+    return contours;
   }
 
 private:
@@ -140,24 +140,6 @@ private:
   Contour trace(arc_descriptor arc, const Level& level) const
   {
     return on_complex_.trace(arc, find_start(arc, level), level);
-  }
-
-  // The contour at a level that may not cross the arc.
-  Contour at_level(arc_descriptor arc, const Level& level) const
-  {
-    check_is_arc(on_complex_.graph(), arc);
-    if(!level.is_below(on_complex_.lower_vertex(arc)) || level.is_below(on_complex_.upper_vertex(arc)))
-      throw Level_error();
-    return trace(arc, level);
-  }
-
-  template <class ArcIteratorPair>
-  std::vector<Contour> all_at_level(const ArcIteratorPair& arcs, const Level& level) const
-  {
-    std::vector<Contour> contours;
-    for(const arc_descriptor arc : CGAL::make_range(arcs))
-      contours.push_back(trace(arc, level));
-    return contours;
   }
 
   // Whether the level of the value crosses the arc.

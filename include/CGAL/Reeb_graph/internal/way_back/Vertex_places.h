@@ -31,13 +31,14 @@
 
 #include <cstddef>
 #include <functional>
-#include <numeric>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Reeb_graph::internal {
 
 typedef Indexed_vector<Vertex_index, Index> Vertex_places; // no_index where there is no vertex
+
+struct Place_tag;
+typedef Index_of<Place_tag> Place_index;
 
 // The vertices of each place in ascending order. They are sorted when they are asked for, which takes longer than to
 // find the places.
@@ -45,24 +46,19 @@ template <class VertexDescriptor>
 class Vertex_lists
 {
 public:
-  typedef Iterator_range<const VertexDescriptor*> Range;
-
-  struct Lists
-  {
-    std::vector<VertexDescriptor> vertices; // by place
-    std::vector<std::size_t> begins;        // of the vertices of each place; and the end
-  };
+  typedef Buckets<Place_index, VertexDescriptor> Lists;
 
   explicit Vertex_lists(std::function<Lists()> make) : make_(std::move(make)) {}
 
-  Range operator()(std::size_t place) const
+  Iterator_range<const VertexDescriptor*> operator()(std::size_t place) const
   {
     const Lists& lists = lists_([this] {
       Lists result = make_();
       make_ = nullptr; // It holds what the lists are made of.
       return result;
     });
-    return Range(lists.vertices.data() + lists.begins[place], lists.vertices.data() + lists.begins[place + 1]);
+    const auto vertices = lists[Place_index(place)];
+    return {vertices.begin(), vertices.end()};
   }
 
 private:
@@ -70,35 +66,28 @@ private:
   Made_on_demand<Lists> lists_;
 };
 
-// Makes what Vertex_lists needs: counts the vertices of each place, and sorts those of one place by the order.
+// Makes what Vertex_lists needs.
 template <class VertexList, class Order>
 auto sort_vertices_by_place(const VertexList& vertex_list,
                             const Order& order,
                             const Vertex_places& places,
                             std::size_t number_of_places)
 {
-  typename Vertex_lists<typename VertexList::vertex_descriptor>::Lists result;
-  result.begins.assign(number_of_places + 1, 0);
-  for(const Index place : places)
-  {
-    if(place != no_index)
-      ++result.begins[place + 1];
-  }
-  std::partial_sum(result.begins.begin(), result.begins.end(), result.begins.begin());
-  std::vector<typename Order::template Key<Vertex_index>> keys;
-  keys.resize(result.begins.back());
-  std::vector<std::size_t> next(result.begins);
-  for(const Vertex_index v : places.keys())
-  {
-    if(places[v] != no_index)
-      keys[next[places[v]]++] = order.key(v, v);
-  }
-  for(std::size_t place = 0; place != number_of_places; ++place)
-    internal::sort<Sequential_tag>(keys.begin() + result.begins[place], keys.begin() + result.begins[place + 1], order);
-  result.vertices.reserve(keys.size());
-  for(const auto& key : keys)
-    result.vertices.push_back(vertex_list[key.name]);
-  return result;
+  typedef typename Order::template Key<Vertex_index> Key;
+  Buckets<Place_index, Key> keys(number_of_places, [&](const auto& visit) {
+    for(const Vertex_index v : places.keys())
+      if(places[v] != no_index)
+        visit(Place_index(places[v]), order.key(v, v));
+  });
+  const Index_range<Place_index> all_places(number_of_places);
+  for(const Place_index place : all_places)
+    internal::sort<Sequential_tag>(keys[place].begin(), keys[place].end(), order);
+  typedef typename VertexList::vertex_descriptor vertex_descriptor;
+  return Buckets<Place_index, vertex_descriptor>(number_of_places, [&](const auto& visit) {
+    for(const Place_index place : all_places)
+      for(const Key& key : keys[place])
+        visit(place, vertex_list[key.name]);
+  });
 }
 
 // The place of each vertex in the exact graph, from the arcs between critical vertices and what they have been reduced

@@ -331,10 +331,10 @@ std::vector<typename boost::graph_traits<FaceListGraph>::halfedge_descriptor> le
 template <class Point>
 struct Line_with_values
 {
-  std::vector<Point> points;
-  std::vector<double> values;
+  std::vector<Point>& points;
+  std::vector<double>& values;
 
-  void add(const Point& point, double value)
+  void add(const Point& point, double value) const
   {
     points.push_back(point);
     values.push_back(value);
@@ -363,19 +363,19 @@ public:
       point_map_(point_map)
   {}
 
-  Line operator()(arc_descriptor arc) const
+  void operator()(arc_descriptor arc, std::vector<Point>& points, std::vector<double>& values) const
   {
     const auto& graph = augmentation_.graph();
     const auto& chain = graph[arc].chain;
     const vertex_descriptor lower = graph[source(arc, graph)].vertex, upper = graph[target(arc, graph)].vertex;
-    Line line;
+    const Line line = {points, values};
     if(source(chain.front(), mesh_) != lower)
     {
       add_vertex(source(chain.front(), mesh_), line);
       add_way_inside_level(chain.front(), lower, line);
       add_vertex(lower, line);
-      std::reverse(line.points.begin(), line.points.end());
-      std::reverse(line.values.begin(), line.values.end());
+      std::reverse(points.begin(), points.end());
+      std::reverse(values.begin(), values.end());
     }
     else
       add_vertex(lower, line);
@@ -386,15 +386,14 @@ public:
         add_way_to_end(arc, chain[i], end, line);
       add_vertex(end, line);
     }
-    return line;
   }
 
 private:
-  void add_vertex(vertex_descriptor v, Line& line) const { line.add(get(point_map_, v), augmentation_.value(v)); }
+  void add_vertex(vertex_descriptor v, const Line& line) const { line.add(get(point_map_, v), augmentation_.value(v)); }
 
   // From where halfedge h crosses the level just below the vertex `end`, to before that vertex. If ties are contracted,
   // its source can be on that level already.
-  void add_way_to_end(arc_descriptor arc, halfedge_descriptor h, vertex_descriptor end, Line& line) const
+  void add_way_to_end(arc_descriptor arc, halfedge_descriptor h, vertex_descriptor end, const Line& line) const
   {
     const Contour contour = augmentation_.contour_below(arc, end);
     const auto& edges = crossed_edges(contour);
@@ -412,7 +411,7 @@ private:
   }
 
   // From where halfedge h touches the level of the vertex `end`, to before that vertex.
-  void add_way_inside_level(halfedge_descriptor h, vertex_descriptor end, Line& line) const
+  void add_way_inside_level(halfedge_descriptor h, vertex_descriptor end, const Line& line) const
   {
     if constexpr(Is_contour_on_mesh<Contour>::value)
     {

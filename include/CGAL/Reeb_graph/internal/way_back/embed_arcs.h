@@ -20,6 +20,7 @@
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -35,68 +36,6 @@
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
-
-// The middles of the border loops that leaves of a graph on a mesh stand for. Each loop is walked once, however many
-// leaves it has. A soup has no border loops.
-template <class Augmentation, class PointMap>
-class Leaf_borders
-{
-  typedef typename Augmentation::Mesh Mesh;
-  typedef typename Augmentation::vertex_descriptor vertex_descriptor;
-  typedef typename Augmentation::halfedge_descriptor halfedge_descriptor;
-  typedef typename boost::property_traits<PointMap>::value_type Point;
-
-public:
-  Leaf_borders(const Augmentation& augmentation, const PointMap& point_map)
-    : augmentation_(augmentation),
-      point_map_(point_map)
-  {
-    if constexpr(Is_contour_on_mesh<typename Augmentation::Contour>::value)
-    {
-      const auto& graph = augmentation.graph();
-      for(const auto node : CGAL::make_range(vertices(graph)))
-      {
-        const bool is_leaf = (in_degree(node, graph) == 0) != (out_degree(node, graph) == 0);
-        if(is_leaf && loop_of_vertex_.count(graph[node].vertex) == 0)
-          add_loop(graph[node].vertex);
-      }
-    }
-  }
-
-  // Of length 0 if the vertex, which is that of a leaf, is not on a border of one value.
-  Centroid centroid(vertex_descriptor v) const
-  {
-    const auto found = loop_of_vertex_.find(v);
-    return found == loop_of_vertex_.end() ? Centroid() : centroids_[found->second];
-  }
-
-private:
-  void add_loop(vertex_descriptor v)
-  {
-    const Mesh& mesh = augmentation_.mesh();
-    const auto border = CGAL::is_border(v, mesh);
-    if(!border)
-      return;
-    std::vector<Point> points;
-    bool is_level = true;
-    halfedge_descriptor h = *border;
-    do
-    {
-      points.push_back(get(point_map_, target(h, mesh)));
-      is_level = is_level && augmentation_.value(target(h, mesh)) == augmentation_.value(v);
-      loop_of_vertex_[target(h, mesh)] = centroids_.size();
-      h = next(h, mesh);
-    } while(h != *border);
-    centroids_.emplace_back();
-    if(is_level)
-      centroids_.back().add_curve(points, true);
-  }
-
-  const Augmentation& augmentation_;
-  const PointMap& point_map_;
-  boost::unordered_map<vertex_descriptor, std::size_t> loop_of_vertex_;
-  std::vector<Centroid> centroids_;
-};
 
 // Contours along an arc, and for each one its centroid, a point of it, and its value.
 struct Contours_of_arc
@@ -114,6 +53,7 @@ class Centroid_polylines
   typedef typename Augmentation::arc_descriptor arc_descriptor;
   typedef typename Augmentation::node_descriptor node_descriptor;
   typedef typename Augmentation::vertex_descriptor vertex_descriptor;
+  typedef typename Augmentation::halfedge_descriptor halfedge_descriptor;
   typedef typename boost::property_traits<PointMap>::value_type Point;
   static constexpr bool is_mesh = Is_contour_on_mesh<Contour>::value;
 
@@ -121,9 +61,16 @@ public:
   Centroid_polylines(const Augmentation& augmentation, const PointMap& point_map)
     : augmentation_(augmentation),
       graph_(augmentation.graph()),
-      point_map_(point_map),
-      leaf_borders_(augmentation, point_map)
-  {}
+      point_map_(point_map)
+  {
+    if constexpr(is_mesh)
+      for(const node_descriptor node : CGAL::make_range(vertices(graph_)))
+      {
+        const bool is_leaf = (in_degree(node, graph_) == 0) != (out_degree(node, graph_) == 0);
+        if(is_leaf && loop_of_vertex_.count(graph_[node].vertex) == 0)
+          add_border_loop(graph_[node].vertex);
+      }
+  }
 
   // A node with arcs above and below is at the centroid of the contours that meet there, a leaf at its vertex or, on a
   // mesh, in the middle of the border loop or of the tied vertices that it stands for.
@@ -131,7 +78,8 @@ public:
   {
     const vertex_descriptor vertex = graph_[node].vertex;
     const bool is_minimum = in_degree(node, graph_) == 0, is_leaf = is_minimum || out_degree(node, graph_) == 0;
-    Centroid centroid = is_leaf ? leaf_borders_.centroid(vertex) : Centroid();
+    const auto loop = is_leaf ? loop_of_vertex_.find(vertex) : loop_of_vertex_.end();
+    Centroid centroid = loop == loop_of_vertex_.end() ? Centroid() : centroids_of_loops_[loop->second];
     if(centroid.is_of_length_zero() && (is_mesh || !is_leaf))
     {
       for(const arc_descriptor arc : CGAL::make_range(in_edges(node, graph_)))
@@ -163,6 +111,29 @@ public:
   }
 
 private:
+  // Adds the border loop that the vertex of a leaf is on, if it is. Each loop is walked once, however many leaves it
+  // has. The centroid is of length 0 unless the loop has one value.
+  void add_border_loop(vertex_descriptor v)
+  {
+    const auto& mesh = augmentation_.mesh();
+    const auto border = CGAL::is_border(v, mesh);
+    if(!border)
+      return;
+    std::vector<Point> points;
+    bool is_level = true;
+    halfedge_descriptor h = *border;
+    do
+    {
+      points.push_back(get(point_map_, target(h, mesh)));
+      is_level = is_level && augmentation_.value(target(h, mesh)) == augmentation_.value(v);
+      loop_of_vertex_[target(h, mesh)] = centroids_of_loops_.size();
+      h = next(h, mesh);
+    } while(h != *border);
+    centroids_of_loops_.emplace_back();
+    if(is_level)
+      centroids_of_loops_.back().add_curve(points, true);
+  }
+
   // Adds a contour next to a node, but not one that is no more than the vertex of a leaf.
   void add_contour(const Contour& contour, vertex_descriptor vertex, bool is_leaf, Centroid& centroid) const
   {
@@ -180,24 +151,19 @@ private:
   const Augmentation& augmentation_;
   const typename Augmentation::Graph& graph_;
   const PointMap& point_map_;
-  const Leaf_borders<Augmentation, PointMap> leaf_borders_;
+  boost::unordered_map<vertex_descriptor, std::size_t> loop_of_vertex_; // by vertex of borders that leaves are on
+  std::vector<Centroid> centroids_of_loops_;
 };
 
 // How far apart two lines are that look like one: about the width of a line in a picture of all.
 inline double width_of_lines(const std::vector<Contours_of_arc>& contours)
 {
-  constexpr double part_of_picture = 0.015, infinity = std::numeric_limits<double>::infinity();
-  Coordinates low, high;
-  low.fill(infinity);
-  high.fill(-infinity);
+  constexpr double part_of_picture = 0.015;
+  Bbox_3 box;
   for(const Contours_of_arc& arc : contours)
-    for(const Coordinates& point : arc.contour_points)
-      for(std::size_t i = 0; i != point.size(); ++i)
-      {
-        low[i] = (std::min)(low[i], point[i]);
-        high[i] = (std::max)(high[i], point[i]);
-      }
-  return low[0] <= high[0] ? part_of_picture * distance(low, high) : 0;
+    for(const auto& [x, y, z] : arc.contour_points)
+      box += Bbox_3(x, y, z, x, y, z);
+  return box.xmin() <= box.xmax() ? part_of_picture * std::hypot(box.x_span(), box.y_span(), box.z_span()) : 0;
 }
 
 // Whether the two sides of a loop look like one line, as those of a round tube inside of another one.
@@ -296,9 +262,7 @@ void embed_on_surface(const Augmentation& augmentation,
   result.arc_polylines.resize(arcs.size());
   result.arc_values.resize(arcs.size());
   for_each_reported<ConcurrencyTag>(arcs.size(), Stage_progress(progress, 0, 1), [&](std::size_t i) {
-    auto line = polylines(arcs[i]);
-    result.arc_polylines[i] = std::move(line.points);
-    result.arc_values[i] = std::move(line.values);
+    polylines(arcs[i], result.arc_polylines[i], result.arc_values[i]);
   });
 }
 

@@ -36,35 +36,22 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// The places in a simplified graph of the nodes, and behind them the arcs, of the exact graph. In a graph that has not
-// been simplified, each has the same place.
-class Simplified_places
+// The places in a simplified graph of the nodes, and behind them the arcs, of the exact graph, by the named parameter
+// `simplification`. There are none if that is not given, as each has the same place then.
+template <class NamedParameters>
+std::vector<Index> read_simplified_places(const NamedParameters& np)
 {
-public:
-  // From a Simplification, or from no named parameter.
-  template <class Parameter>
-  explicit Simplified_places(const Parameter& simplification)
+  std::vector<Index> places;
+  const auto simplification = parameters::get_parameter(np, internal::simplification);
+  if constexpr(is_given<decltype(simplification)>)
   {
-    if constexpr(is_given<Parameter>)
-    {
-      is_simplified_ = true;
-      for(std::size_t node = 0; node != simplification.number_of_old_nodes(); ++node)
-        places_.push_back(static_cast<Index>(simplification.index_of_node(node)));
-      for(std::size_t arc = 0; arc != simplification.number_of_old_arcs(); ++arc)
-        places_.push_back(static_cast<Index>(simplification.index_of_arc(arc)));
-    }
-    else
-      static_cast<void>(simplification);
+    for(std::size_t node = 0; node != simplification.number_of_old_nodes(); ++node)
+      places.push_back(static_cast<Index>(simplification.index_of_node(node)));
+    for(std::size_t arc = 0; arc != simplification.number_of_old_arcs(); ++arc)
+      places.push_back(static_cast<Index>(simplification.index_of_arc(arc)));
   }
-
-  bool is_simplified() const { return is_simplified_; }
-  std::size_t size() const { return places_.size(); }
-  Index operator()(Index place) const { return is_simplified_ ? places_[place] : place; }
-
-private:
-  bool is_simplified_ = false;
-  std::vector<Index> places_;
-};
+  return places;
+}
 
 // The checks below throw Graph_mismatch_error for a graph that is not of this mesh and field.
 
@@ -125,7 +112,7 @@ bool is_same_graph(const GraphOnMesh& on_mesh, const Flat_graph& flat_graph)
 template <class GraphOnMesh>
 bool is_simplified_graph(const GraphOnMesh& on_mesh,
                          const Flat_graph& flat_graph,
-                         const Simplified_places& simplified_places)
+                         const std::vector<Index>& simplified_places)
 {
   if(simplified_places.size() != flat_graph.nodes.size() + flat_graph.arcs.size())
     return false;
@@ -133,7 +120,7 @@ bool is_simplified_graph(const GraphOnMesh& on_mesh,
   std::size_t number_of_found = 0;
   for(Index old_place = 0; old_place != simplified_places.size(); ++old_place)
   {
-    const Index place = simplified_places(old_place);
+    const Index place = simplified_places[old_place];
     if(place >= number_of_nodes + num_edges(on_mesh.graph()))
       return false;
     const bool is_node = old_place < flat_graph.nodes.size() && place < number_of_nodes;
@@ -147,10 +134,10 @@ bool is_simplified_graph(const GraphOnMesh& on_mesh,
 template <class GraphOnMesh>
 void check_same_graph(const GraphOnMesh& on_mesh,
                       const Flat_graph& flat_graph,
-                      const Simplified_places& simplified_places)
+                      const std::vector<Index>& simplified_places)
 {
-  const bool is_right = simplified_places.is_simplified() ? is_simplified_graph(on_mesh, flat_graph, simplified_places)
-                                                          : is_same_graph(on_mesh, flat_graph);
+  const bool is_right = simplified_places.empty() ? is_same_graph(on_mesh, flat_graph)
+                                                  : is_simplified_graph(on_mesh, flat_graph, simplified_places);
   if(!is_right)
     throw Graph_mismatch_error();
 }
@@ -232,7 +219,7 @@ template <class ConcurrencyTag, class VertexLocations, class GraphOnMesh, class 
 VertexLocations locate_vertices(const GraphOnMesh& on_mesh,
                                 Ties ties,
                                 bool are_degree_two_nodes_kept,
-                                const Simplified_places& simplified_places,
+                                const std::vector<Index>& simplified_places,
                                 const NamedParameters& np)
 {
   typedef typename GraphOnMesh::vertex_descriptor vertex_descriptor;
@@ -243,7 +230,7 @@ VertexLocations locate_vertices(const GraphOnMesh& on_mesh,
   auto place_of_vertex = std::make_shared<Vertex_places>();
   if constexpr(is_given<decltype(given_map)>)
     *place_of_vertex =
-      read_places(on_mesh, given_map, simplified_places.is_simplified() ? simplified_places.size() : number_of_places);
+      read_places(on_mesh, given_map, simplified_places.empty() ? number_of_places : simplified_places.size());
   else
   {
     const auto check_graph = [&](const Flat_graph& flat_graph) {
@@ -252,10 +239,10 @@ VertexLocations locate_vertices(const GraphOnMesh& on_mesh,
     *place_of_vertex = find_places<ConcurrencyTag>(on_mesh.complex(), on_mesh.order(), ties, are_degree_two_nodes_kept,
                                                    check_graph, progress);
   }
-  if(simplified_places.is_simplified())
+  if(!simplified_places.empty())
   {
     for(Index& place : *place_of_vertex)
-      place = place == no_index ? place : simplified_places(place);
+      place = place == no_index ? place : simplified_places[place];
   }
   const auto arcs = edges(graph);
   progress.report_end();

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -54,17 +55,17 @@ public:
 
   explicit Leaf_queue(Index number_of_nodes) : measures_(number_of_nodes) {}
 
+  // A leaf whose measure is NaN is not there.
   void push(double measure, Index leaf)
   {
     measures_[leaf] = measure;
+    if(std::isnan(measure))
+      return;
     if(is_sorted_)
       later_.emplace(measure, leaf);
     else
       first_.emplace_back(measure, leaf);
   }
-
-  // A leaf whose new measure does not matter any more.
-  void drop(Index leaf) { measures_[leaf] = std::numeric_limits<double>::quiet_NaN(); }
 
   // To be called once, before the first pop().
   void sort()
@@ -105,102 +106,6 @@ private:
   std::priority_queue<Sized_leaf, std::vector<Sized_leaf>, std::greater<Sized_leaf>> later_;
 };
 
-// The places of a graph, first the nodes, numbered in ascending order, and behind them the arcs, some of which have
-// been taken up by others. A weight is a number, or several, which `+=` adds up.
-template <class Weight>
-class Places_taken_up
-{
-public:
-  // What a place is made of: itself and all that it has taken up.
-  struct Content
-  {
-    Weight weight;
-    Index lowest, highest; // of the nodes
-
-    void add(const Content& other)
-    {
-      weight += other.weight;
-      lowest = (std::min)(lowest, other.lowest);
-      highest = (std::max)(highest, other.highest);
-    }
-  };
-
-  // By place, how much each weighs.
-  Places_taken_up(Index number_of_nodes, std::size_t number_of_places, const std::vector<Weight>& weights)
-    : number_of_nodes_(number_of_nodes),
-      places_(number_of_places)
-  {
-    for(Index place = 0; place != places_.size(); ++place)
-    {
-      const bool is_node = place < number_of_nodes;
-      places_[place] = {place, {weights[place], is_node ? place : Index(no_index), is_node ? place : 0}};
-    }
-  }
-
-  bool is_left(Index place) const { return places_[place].owner == place; }
-  const Content& content(Index place) const { return places_[place].content; }
-
-  // Lets the place `owner` take up another one.
-  void take_up(Index place, Index owner)
-  {
-    places_[place].owner = owner;
-    places_[owner].content.add(places_[place].content);
-  }
-
-  // By place, the place that has taken it up in the end.
-  std::vector<Index> find_owners() const
-  {
-    return follow_owners(
-      [](Index owner, Index result_of_owner) { return result_of_owner == no_index ? owner : result_of_owner; });
-  }
-
-  // By place, the node at which the last branch was that has been removed with it, no_index if none has: so each place
-  // that has been removed together with a branch is told from those that arcs consist of.
-  std::vector<Index> find_saddles() const
-  {
-    return follow_owners([&](Index owner, Index result_of_owner) {
-      return result_of_owner == no_index && owner < number_of_nodes_ ? owner : result_of_owner;
-    });
-  }
-
-private:
-  // By place, what choose(owner, result of the owner) gives; no_index for a place that is left.
-  template <class Choose>
-  std::vector<Index> follow_owners(const Choose& choose) const
-  {
-    std::vector<Index> results(places_.size(), no_index), path;
-    std::vector<bool> is_known(places_.size(), false);
-    for(Index first = 0; first != places_.size(); ++first)
-    {
-      for(Index place = first; !is_known[place] && !is_left(place); place = places_[place].owner)
-        path.push_back(place);
-      for(; !path.empty(); path.pop_back())
-      {
-        const Index place = path.back();
-        results[place] = choose(places_[place].owner, results[places_[place].owner]);
-        is_known[place] = true;
-      }
-    }
-    return results;
-  }
-
-  struct Place
-  {
-    Index owner; // itself, if it is left
-    Content content;
-  };
-
-  Index number_of_nodes_;
-  std::vector<Place> places_;
-};
-
-// Lets leaf arcs be all that is removed.
-struct No_rival
-{
-  static Index remove_arc(double) { return no_index; }
-  static void see_joined_arc(Index) {}
-};
-
 // Removes leaf arcs from a graph, the one of least measure first; of equal ones the one whose leaf has the lower
 // number. What is removed is taken up by the saddle at which it was. A node that is left with one arc below and one
 // above is taken up by these two, which become one arc. An arc is not removed if it is the only one on its side of the
@@ -220,8 +125,15 @@ public:
   Weighted_leaf_pruning(Index number_of_nodes, const std::vector<Arc>& arcs, const std::vector<Weight>& weights)
     : number_of_nodes_(number_of_nodes),
       nodes_(number_of_nodes),
-      places_(number_of_nodes, number_of_nodes + arcs.size(), weights)
+      number_of_nodes_left_(number_of_nodes),
+      number_of_arcs_left_(arcs.size())
   {
+    places_.reserve(number_of_nodes + arcs.size());
+    for(Index place = 0; place != number_of_nodes + arcs.size(); ++place)
+    {
+      const bool is_node = place < number_of_nodes;
+      places_.push_back({place, {weights[place], is_node ? place : Index(no_index), is_node ? place : 0}});
+    }
     arcs_.reserve(arcs.size());
     for(const Arc& arc : arcs)
     {
@@ -233,54 +145,45 @@ public:
     for(Index node = 0; node != number_of_nodes; ++node)
       number_of_leaves_ += is_leaf(node) ? 1 : 0;
   }
+  virtual ~Weighted_leaf_pruning() = default;
 
-  // `measure(leaf arc)` is a number, `is_small(measure)` whether an arc of that measure is to be removed, and
-  // `goes_on(number of leaves)` whether there are still so many leaves. Before an arc is removed, `visit(leaf)` is called; but before, `rival.remove_arc(measure)`, with NaN if no leaf arc is left, may
-  // call remove_arc() for another arc, and returns it, or no_index. The rival sees each arc that two have become.
-  template <class Measure, class IsSmall, class GoesOn, class Visit, class Rival = No_rival>
-  void operator()(const Measure& measure,
-                  const IsSmall& is_small,
-                  const GoesOn& goes_on,
-                  const Visit& visit,
-                  Rival&& rival = Rival())
+  // `measure(leaf arc)` is a number, or NaN for an arc that is to stay. Before one is removed, `visit(leaf, measure)` is
+  // called, and returns whether it is to be removed and the work goes on.
+  template <class Measure, class Visit>
+  void operator()(const Measure& measure, const Visit& visit)
   {
-    Leaf_queue queue(number_of_nodes_);
+    Leaf_queue queue(number_of_nodes());
     const auto consider = [&](Index node) {
-      if(!is_left(node) || !is_leaf(node) || !is_branch(node))
-        return;
-      const double size = measure(leaf_arc_of(node));
-      if(is_small(size))
-        queue.push(size, node);
-      else
-        queue.drop(node);
+      if(is_left(node) && is_leaf(node) && is_branch(node))
+        queue.push(measure(leaf_arc_of(node)), node);
     };
-    for(Index node = 0; node != number_of_nodes_; ++node)
+    for(Index node = 0; node != number_of_nodes(); ++node)
     {
       if(is_left(node) && is_passed(node))
-        join_at(node, rival);
+        join_at(node);
     }
-    for(Index node = 0; node != number_of_nodes_; ++node)
+    for(Index node = 0; node != number_of_nodes(); ++node)
       consider(node);
     queue.sort();
     for(;;)
     {
       const auto [size, leaf] = queue.top();
-      const Index arc = rival.remove_arc(size);
+      const Index arc = remove_other_arc(size);
       if(arc != no_index)
       {
         const Arc ends = arcs_[arc].ends;
         for(const Index node : {ends.lower, ends.upper})
-          tidy(node, consider, rival);
+          tidy(node, consider);
         continue;
       }
-      if(leaf == no_index || !goes_on(number_of_leaves_))
+      if(leaf == no_index)
         return;
       queue.pop();
-      if(is_left(leaf) && is_leaf(leaf) && is_branch(leaf))
-      {
-        visit(leaf);
-        remove(leaf, consider, rival);
-      }
+      if(!is_left(leaf) || !is_leaf(leaf) || !is_branch(leaf))
+        continue;
+      if(!visit(leaf, size))
+        return;
+      tidy(remove(leaf), consider);
     }
   }
 
@@ -290,7 +193,8 @@ public:
   {
     nodes_[arcs_[arc].ends.lower].remove(upper_side, arc);
     nodes_[arcs_[arc].ends.upper].remove(lower_side, arc);
-    places_.take_up(place_of_arc(arc), owner);
+    take_up(place_of_arc(arc), owner);
+    --number_of_arcs_left_;
     for(const Index node : {arcs_[arc].ends.lower, arcs_[arc].ends.upper})
       number_of_leaves_ += is_leaf(node) ? 1 : 0;
   }
@@ -298,10 +202,15 @@ public:
   Index number_of_nodes() const { return number_of_nodes_; }
   Index number_of_arcs() const { return static_cast<Index>(arcs_.size()); }
 
+  // Of the graph that is left.
+  std::size_t number_of_nodes_left() const { return number_of_nodes_left_; }
+  std::size_t number_of_arcs_left() const { return number_of_arcs_left_; }
+  std::size_t number_of_leaves() const { return number_of_leaves_; }
+
   // Whether a place is one of the graph that is left.
-  bool is_left(Index place) const { return places_.is_left(place); }
+  bool is_left(Index place) const { return places_[place].owner == place; }
   const Arc& arc(Index arc) const { return arcs_[arc].ends; }
-  Index place_of_arc(Index arc) const { return number_of_nodes_ + arc; }
+  Index place_of_arc(Index arc) const { return number_of_nodes() + arc; }
   Index in_degree(Index node) const { return nodes_[node].degrees[lower_side]; }
   Index out_degree(Index node) const { return nodes_[node].degrees[upper_side]; }
 
@@ -310,8 +219,8 @@ public:
   Index arc_of_leaf(Index leaf) const { return nodes_[leaf].arcs[is_minimum(leaf) ? upper_side : lower_side]; }
   Leaf_arc leaf_arc_of(Index leaf) const
   {
-    typename Places::Content content = places_.content(leaf);
-    content.add(places_.content(place_of_arc(arc_of_leaf(leaf))));
+    Content content = places_[leaf].content;
+    content.add(places_[place_of_arc(arc_of_leaf(leaf))].content);
     return {leaf, saddle_of_leaf(leaf), is_minimum(leaf), content.weight, content.lowest, content.highest};
   }
 
@@ -326,13 +235,29 @@ public:
       visit(piece);
   }
 
-  // By place, the one that has taken it up in the end, and the node at which the last branch was that has been removed
-  // with it, see Places_taken_up.
-  std::vector<Index> find_owners() const { return places_.find_owners(); }
-  std::vector<Index> find_saddles() const { return places_.find_saddles(); }
+  // By place, the place that has taken it up in the end; no_index for one that is left.
+  std::vector<Index> find_owners() const
+  {
+    return follow_owners(
+      [](Index owner, Index result_of_owner) { return result_of_owner == no_index ? owner : result_of_owner; });
+  }
+
+  // By place, the node at which the last branch was that has been removed with it, no_index if none has: so each place
+  // that has been removed together with a branch is told from those that arcs consist of.
+  std::vector<Index> find_saddles() const
+  {
+    return follow_owners([&](Index owner, Index result_of_owner) {
+      return result_of_owner == no_index && owner < number_of_nodes() ? owner : result_of_owner;
+    });
+  }
 
 private:
-  typedef Places_taken_up<Weight> Places;
+  // A derived class can remove another arc before the leaf arc of least measure, which is NaN if there is none: it calls
+  // remove_arc() and returns the arc, or no_index.
+  virtual Index remove_other_arc(double) { return no_index; }
+
+  // A derived class sees each arc that two have become.
+  virtual void see_joined_arc(Index) {}
 
   static constexpr int lower_side = 0, upper_side = 1;
 
@@ -355,6 +280,33 @@ private:
     }
   };
 
+  struct Arc_record
+  {
+    Arc ends;
+    Index next_piece; // of the arc that this one has become part of
+    Index last_piece; // of this arc
+  };
+
+  // What a place is made of: itself and all that it has taken up.
+  struct Content
+  {
+    Weight weight;
+    Index lowest, highest; // of the nodes
+
+    void add(const Content& other)
+    {
+      weight += other.weight;
+      lowest = (std::min)(lowest, other.lowest);
+      highest = (std::max)(highest, other.highest);
+    }
+  };
+
+  struct Place
+  {
+    Index owner; // itself, if it is left
+    Content content;
+  };
+
   bool is_passed(Index node) const { return nodes_[node].degrees[0] == 1 && nodes_[node].degrees[1] == 1; }
   bool is_minimum(Index leaf) const { return nodes_[leaf].degrees[lower_side] == 0; }
 
@@ -369,26 +321,34 @@ private:
     return nodes_[saddle_of_leaf(leaf)].degrees[is_minimum(leaf) ? lower_side : upper_side] > 1;
   }
 
-  template <class Consider, class Rival>
-  void remove(Index leaf, const Consider& consider, Rival& rival)
+  void take_up(Index place, Index owner)
+  {
+    places_[place].owner = owner;
+    places_[owner].content.add(places_[place].content);
+  }
+
+  // Removes the arc of a leaf, and returns the saddle.
+  Index remove(Index leaf)
   {
     const Index arc = arc_of_leaf(leaf), saddle = saddle_of_leaf(leaf);
     nodes_[saddle].remove(is_minimum(leaf) ? lower_side : upper_side, arc);
     nodes_[leaf] = Node();
-    places_.take_up(place_of_arc(arc), saddle);
-    places_.take_up(leaf, saddle);
+    take_up(place_of_arc(arc), saddle);
+    take_up(leaf, saddle);
+    --number_of_nodes_left_;
+    --number_of_arcs_left_;
     --number_of_leaves_;
     number_of_leaves_ += is_leaf(saddle) ? 1 : 0;
-    tidy(saddle, consider, rival);
+    return saddle;
   }
 
   // Joins the arcs at a node that has lost one, and considers the leaf arcs that are new.
-  template <class Consider, class Rival>
-  void tidy(Index node, const Consider& consider, Rival& rival)
+  template <class Consider>
+  void tidy(Index node, const Consider& consider)
   {
     if(is_passed(node))
     {
-      const Arc joined = join_at(node, rival);
+      const Arc joined = join_at(node);
       consider(joined.lower);
       consider(joined.upper);
     }
@@ -396,33 +356,47 @@ private:
       consider(node);
   }
 
-  template <class Rival>
-  Arc join_at(Index node, Rival& rival)
+  Arc join_at(Index node)
   {
     const Index below = nodes_[node].arcs[lower_side], above = nodes_[node].arcs[upper_side];
-    places_.take_up(node, place_of_arc(below));
-    places_.take_up(place_of_arc(above), place_of_arc(below));
+    take_up(node, place_of_arc(below));
+    take_up(place_of_arc(above), place_of_arc(below));
     arcs_[arcs_[below].last_piece].next_piece = above;
     arcs_[below].last_piece = arcs_[above].last_piece;
     arcs_[below].ends.upper = arcs_[above].ends.upper;
     nodes_[node] = Node();
     nodes_[arcs_[below].ends.upper].arcs[lower_side] ^= above ^ below;
-    rival.see_joined_arc(below);
+    --number_of_nodes_left_;
+    --number_of_arcs_left_;
+    see_joined_arc(below);
     return arcs_[below].ends;
   }
 
-  struct Arc_record
+  // By place, what choose(owner, result of the owner) gives; no_index for a place that is left.
+  template <class Choose>
+  std::vector<Index> follow_owners(const Choose& choose) const
   {
-    Arc ends;
-    Index next_piece; // of the arc that this one has become part of
-    Index last_piece; // of this arc
-  };
+    std::vector<Index> results(places_.size(), no_index), path;
+    std::vector<bool> is_known(places_.size(), false);
+    for(Index first = 0; first != places_.size(); ++first)
+    {
+      for(Index place = first; !is_known[place] && !is_left(place); place = places_[place].owner)
+        path.push_back(place);
+      for(; !path.empty(); path.pop_back())
+      {
+        const Index place = path.back();
+        results[place] = choose(places_[place].owner, results[places_[place].owner]);
+        is_known[place] = true;
+      }
+    }
+    return results;
+  }
 
   Index number_of_nodes_;
-  Index number_of_leaves_ = 0;
-  std::vector<Arc_record> arcs_; // those that have been joined are the lowest of them
   std::vector<Node> nodes_;
-  Places places_;
+  std::vector<Arc_record> arcs_; // those that have been joined are the lowest of them
+  std::vector<Place> places_;
+  std::size_t number_of_nodes_left_, number_of_arcs_left_, number_of_leaves_ = 0;
 };
 
 typedef Weighted_leaf_pruning<double> Leaf_pruning;

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <tuple>
 #include <type_traits>
@@ -130,14 +131,11 @@ Leaf_pruning prune_graph(const ReebGraph& graph, double threshold, const NamedPa
   const std::vector<double> values = numbers_of_nodes(graph, np);
   const auto difference = [&](Index lower, Index upper) { return persistence(values[lower], values[upper]); };
   const auto measure = [&](const Leaf_arc& arc) {
-    const double size = persistence_of_leaf_arc(arc, difference);
-    return measure_of_branch(Branch{arc.leaf, arc.saddle, arc.is_minimum, size, arc.weight}, np);
+    const double persistence = persistence_of_leaf_arc(arc, difference);
+    const double size = measure_of_branch(Branch{arc.leaf, arc.saddle, arc.is_minimum, persistence, arc.weight}, np);
+    return size < threshold || std::isinf(threshold) ? size : std::numeric_limits<double>::quiet_NaN();
   };
-  const auto prune = [&] {
-    pruned(
-      measure, [&](double size) { return size < threshold || std::isinf(threshold); },
-      [&](Index number) { return number > leaves; }, [](Index) {});
-  };
+  const auto prune = [&] { pruned(measure, [&](Index, double) { return pruned.number_of_leaves() > leaves; }); };
   prune();
   const auto is_small = [&](Index split, Index join) { return difference(split, join) < threshold; };
   while(are_loops_cancelled && remove_small_loops(pruned, is_small))
@@ -254,59 +252,41 @@ inline std::vector<Persistence_gap> find_wide_gaps(std::vector<double> persisten
   return gaps;
 }
 
-// A graph while simplify() removes branches with ever larger thresholds.
+// Of what is left of a graph.
 struct Pruning_state
 {
-  std::size_t nodes, leaves;
+  std::size_t nodes, arcs, leaves;
 };
 
-// By number of branches that have been removed, what is left then; and for each of them its persistence, which is at
-// least that of the one before.
+inline Pruning_state size_of_rest(const Leaf_pruning& pruned)
+{
+  return {pruned.number_of_nodes_left(), pruned.number_of_arcs_left(), pruned.number_of_leaves()};
+}
+
+// By number of branches that simplify() has removed with ever larger thresholds, what is left then; and for each of them
+// its persistence, which is at least that of the one before.
 struct Pruning_history
 {
   std::vector<Pruning_state> states;
   std::vector<double> persistences;
 };
 
-// Counts nodes that two arcs have become one at.
-struct Join_counter : No_rival
-{
-  std::size_t number_of_joins = 0;
-
-  void see_joined_arc(Index) { ++number_of_joins; }
-};
-
 template <class ReebGraph>
 Pruning_history prune_step_by_step(const ReebGraph& graph, const std::vector<double>& values)
 {
-  const std::size_t number_of_nodes = num_vertices(graph);
-  Leaf_pruning pruned(static_cast<Index>(number_of_nodes), read_arcs(graph),
-                      std::vector<double>(number_of_nodes + num_edges(graph)));
+  Leaf_pruning pruned(static_cast<Index>(num_vertices(graph)), read_arcs(graph),
+                      std::vector<double>(num_vertices(graph) + num_edges(graph)));
   Pruning_history history;
-  Join_counter joins;
-  const auto add_state = [&](std::size_t leaves) {
-    history.states.push_back({number_of_nodes - joins.number_of_joins - history.persistences.size(), leaves});
-  };
   const auto measure = [&](const Leaf_arc& arc) {
     return persistence_of_leaf_arc(arc,
                                    [&](Index lower, Index upper) { return persistence(values[lower], values[upper]); });
   };
-  std::size_t last_number_of_leaves = 0;
-  const auto see_leaves = [&](Index number) {
-    last_number_of_leaves = number;
-    return true;
-  };
-  const auto visit = [&](Index leaf) {
-    const double size = measure(pruned.leaf_arc_of(leaf));
-    add_state(last_number_of_leaves);
+  pruned(measure, [&](Index, double size) {
+    history.states.push_back(size_of_rest(pruned));
     history.persistences.push_back(history.persistences.empty() ? size : (std::max)(size, history.persistences.back()));
-  };
-  pruned(
-    measure, [](double) { return true; }, see_leaves, visit, joins);
-  std::size_t leaves = 0;
-  for(Index node = 0; node != static_cast<Index>(number_of_nodes); ++node)
-    leaves += pruned.is_left(node) && pruned.is_leaf(node) ? 1 : 0;
-  add_state(leaves);
+    return true;
+  });
+  history.states.push_back(size_of_rest(pruned));
   return history;
 }
 

@@ -31,14 +31,12 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/property_map/function_property_map.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <type_traits>
 #include <utility>
@@ -137,24 +135,6 @@ std::vector<Scalar> spread_ties(const Complex& complex,
   return spread;
 }
 
-// Puts the places of vertices where the numbers of these say. A property map.
-template <class Field>
-struct Places_by_number
-{
-  typedef typename decltype(Field::vertices)::vertex_descriptor key_type;
-  typedef Index value_type;
-  typedef void reference;
-  typedef boost::writable_property_map_tag category;
-
-  friend void put(const Places_by_number& map, const key_type& v, Index place)
-  {
-    (*map.places)[map.field->numbers(v).number()] = place;
-  }
-
-  const Field* field;
-  std::vector<Index>* places;
-};
-
 // By node, the number of its vertex.
 template <class Field, class ReebGraph>
 std::vector<Index> vertices_of_nodes(const Field& field, const ReebGraph& graph)
@@ -201,11 +181,7 @@ bool is_simplified_graph(const ReebGraph& graph, const SimplifiedGraph& simplifi
     is_found[place] = true;
   }
   std::size_t number_of_trees = num_vertices(graph);
-  std::vector<Index> trees(num_vertices(graph)); // by node, another one of its tree or, at the root, itself
-  std::iota(trees.begin(), trees.end(), Index(0));
-  const auto tree_of = [&](std::size_t node) {
-    return find_root(static_cast<Index>(node), [&](Index i) -> Index& { return trees[i]; });
-  };
+  Disjoint_sets<Index> trees(static_cast<Index>(num_vertices(graph)));
   for(const auto arc : CGAL::make_range(edges(graph)))
   {
     const std::size_t lower = place_of_node(source(arc, graph)), upper = place_of_node(target(arc, graph));
@@ -214,10 +190,11 @@ bool is_simplified_graph(const ReebGraph& graph, const SimplifiedGraph& simplifi
       arcs.emplace_back(lower, upper);
       continue;
     }
-    const Index a = tree_of(source(arc, graph)), b = tree_of(target(arc, graph));
+    const Index a = trees.find(static_cast<Index>(source(arc, graph))),
+                b = trees.find(static_cast<Index>(target(arc, graph)));
     if(a == b)
       return false; // a loop
-    trees[a] = b;
+    trees.link(a, b);
     --number_of_trees;
   }
   for(const auto arc : CGAL::make_range(edges(simplified)))
@@ -278,12 +255,12 @@ auto simplified_values(FlatField& flat_field,
   const auto& flat = *flat_field.flat_surface(mesh); // It stays, as long as nobody else has it.
   const auto& complex = flat.complex;
   const auto& field = flat.field;
-  typedef Places_by_number<std::decay_t<decltype(field)>> Place_map;
   Graph graph;
   std::vector<Index> places(field.values.size(), no_index);
-  compute_reeb_graph(
-    mesh, flat_field, graph,
-    parameters::vertex_place_map(Place_map{&field, &places}, np.callback(progress.part(0.1, 0.6).callback())));
+  const auto place_map = boost::make_function_property_map<typename FlatField::key_type, Index&>(
+    [&](const auto& v) -> Index& { return places[field.numbers(v).number()]; });
+  compute_reeb_graph(mesh, flat_field, graph,
+                     parameters::vertex_place_map(place_map, np.callback(progress.part(0.1, 0.6).callback())));
   const Leaf_pruning pruned = prune_graph<Branch>(graph, threshold, np);
   const std::vector<Index> saddles_of_places = pruned.find_saddles();
   std::vector<Index> saddles;
