@@ -131,14 +131,17 @@ struct Surface_component
 {
   typedef CGAL::Surface_mesh<Simple_cartesian<double>::Point_3> Mesh;
 
-  // The vertices and triangles are those of the component, in ascending order; `vertices` is scratch space by position.
-  template <class Numbers>
+  // `triangles` are the numbers of those of the component; `vertices` is scratch space by position.
+  template <class Triangles>
   Surface_component(const Indexed_surface& surface,
-                    const Numbers& vertex_positions,
-                    const Numbers& triangles,
+                    const Triangles& triangles,
                     std::vector<Mesh::Vertex_index>& vertices)
-    : positions(vertex_positions.begin(), vertex_positions.end())
   {
+    for(const Number t : triangles)
+      for(const Position v : surface.triangles()[t].vertices)
+        positions.push_back(v);
+    std::sort(positions.begin(), positions.end());
+    positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
     for(const Position v : positions)
       vertices[v] = mesh.add_vertex(ORIGIN + surface.point(v));
     for(const Number t : triangles)
@@ -217,10 +220,6 @@ inline std::size_t run_heat_method_on_components(const Indexed_surface& surface,
                                                  const Progress& progress,
                                                  std::vector<double>& distances)
 {
-  const Buckets<Component_index, Number> vertices_of_components(components.size(), [&](const auto& visit) {
-    for(std::size_t v = 0; v != components.size(); ++v)
-      visit(Component_index(components[v]), static_cast<Number>(v));
-  });
   const Buckets<Component_index, Number> triangles_of_components(components.size(), [&](const auto& visit) {
     for(std::size_t t = 0; t != surface.triangles().size(); ++t)
       visit(Component_index(components[surface.triangles()[t].vertices[0]]), static_cast<Number>(t));
@@ -232,7 +231,7 @@ inline std::size_t run_heat_method_on_components(const Indexed_surface& surface,
     const auto triangles = triangles_of_components[c];
     if(triangles.size() == 0)
       continue;
-    Surface_component component(surface, vertices_of_components[c], triangles, vertices);
+    Surface_component component(surface, triangles, vertices);
     number_of_failures += run_heat_method(component, is_source, distances) ? 0 : 1;
     number_of_done_triangles += triangles.size();
     progress.report(
