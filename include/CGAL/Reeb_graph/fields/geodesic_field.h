@@ -88,10 +88,13 @@ Field_report compute_geodesic_field(const FaceListGraph& mesh,
     const fields::Weighted_graph graph = fields::laplacian_graph(surface, Laplacian_weights::UNIFORM);
     fields::check_components(graph, fixed.is_fixed);
     Field_report report = fields::make_triangles_proper(surface);
-    std::vector<double> distances = fields::Marching(surface, fixed.is_fixed).distances();
+    fields::Geodesic_distances geodesic_distances(fixed.is_fixed,
+                                                  fields::Marching(surface, fixed.is_fixed).distances());
     progress.report(0.1);
-    report.number_of_marched_components = fields::run_heat_method_on_components(
-      surface, fields::label_components(graph), fixed.is_fixed, progress, distances);
+
+    geodesic_distances.run(mesh, surface, fields::label_components(graph), progress);
+    report.number_of_marched_components = geodesic_distances.number_of_marched_components();
+    std::vector<double> distances = geodesic_distances.distances();
     for(double& distance : distances)
       distance *= surface.scale();
     fields::write_field(surface, distances, field_map, progress);

@@ -12,15 +12,18 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
-#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/union_find.h>
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Face_filtered_graph.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/exceptions.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -125,120 +128,163 @@ private:
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
 };
 
-// A component of a surface as a mesh, with vertices and faces in the same order. The heat method knows distances up to
-// a constant for each component, and depends on there being no isolated vertex.
-struct Surface_component
+// The distances of the heat method, and those of marching on the components where it fails. It knows distances up to a
+// constant for each component, and depends on there being no isolated vertex. So each component is copied to a mesh of
+// its own, which knows the positions of its vertices.
+class Geodesic_distances
 {
-  typedef CGAL::Surface_mesh<Simple_cartesian<double>::Point_3> Mesh;
+public:
+  Geodesic_distances(const std::vector<bool>& is_source, std::vector<double> marched_distances)
+    : is_source_(is_source),
+      distances_(std::move(marched_distances))
+  {}
 
-  // `triangles` are the numbers of those of the component; `vertices` is scratch space by position.
-  template <class Triangles>
-  Surface_component(const Indexed_surface& surface,
-                    const Triangles& triangles,
-                    std::vector<Mesh::Vertex_index>& vertices)
+  template <class FaceListGraph, class Surface>
+  void run(const FaceListGraph& mesh,
+           const Surface& surface,
+           const std::vector<Position>& component_of_vertex,
+           const Progress& progress)
   {
-    for(const Number t : triangles)
-      for(const Position v : surface.triangles()[t].vertices)
-        positions.push_back(v);
-    std::sort(positions.begin(), positions.end());
-    positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
-    for(const Position v : positions)
-      vertices[v] = mesh.add_vertex(ORIGIN + surface.point(v));
-    for(const Number t : triangles)
+    Copy copy(
+      mesh, [&](const auto v) { return surface.position(v); },
+      [&](const auto f) { return component_of_vertex[surface.position(target(halfedge(f, mesh), mesh))]; });
+    for(const auto v : copy.mesh.vertices())
+      copy.mesh.point(v) = ORIGIN + surface.point(copy.positions[v]);
+    std::vector<std::size_t> components;
+    for(const auto f : copy.mesh.faces())
+      components.push_back(copy.components[f]);
+    std::sort(components.begin(), components.end());
+    components.erase(std::unique(components.begin(), components.end()), components.end());
+    number_of_components_ = components.size();
+    if(!components.empty())
+      run_on_components(copy, components, progress);
+  }
+
+  // The distances for the points divided by Indexed_surface::scale().
+  const std::vector<double>& distances() const { return distances_; }
+
+  std::size_t number_of_marched_components() const { return number_of_marched_components_; }
+
+private:
+  typedef CGAL::Surface_mesh<Simple_cartesian<double>::Point_3> Mesh;
+  typedef Mesh::Property_map<Mesh::Vertex_index, double> Distance_map;
+
+  // A copy of the faces of a mesh.
+  struct Copy
+  {
+    template <class Graph, class PositionOf, class ComponentOf>
+    Copy(const Graph& graph, const PositionOf& position_of, const ComponentOf& component_of)
+      : mesh(), // NOLINT(readability-redundant-member-init): clang asks for it before the maps
+        positions(mesh.add_property_map<Mesh::Vertex_index, Position>("v:position", no_position).first),
+        components(mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first)
     {
-      const auto& v = surface.triangles()[t].vertices;
-      // Edges are numbered, and faces begin, as in a copy of a mesh: sums are in this order.
-      const auto face = mesh.add_face(vertices[v[1]], vertices[v[2]], vertices[v[0]]);
-      mesh.set_halfedge(face, mesh.prev(mesh.halfedge(face)));
+      copy_face_graph(
+        graph, mesh,
+        parameters::vertex_to_vertex_output_iterator(boost::make_function_output_iterator([&](const auto& pair) {
+          positions[pair.second] = position_of(pair.first);
+        }))
+          .face_to_face_output_iterator(boost::make_function_output_iterator(
+            [&](const auto& pair) { components[pair.second] = component_of(pair.first); })));
+      for(const auto v : mesh.vertices())
+        if(mesh.is_isolated(v))
+          mesh.remove_vertex(v);
+      mesh.collect_garbage();
+    }
+
+    Mesh mesh;
+    Mesh::Property_map<Mesh::Vertex_index, Position> positions;
+    Mesh::Property_map<Mesh::Face_index, std::size_t> components;
+  };
+
+  // Splits the components into halves, as to take one after the other from all of them would be quadratic.
+  void run_on_components(Copy& copy, const std::vector<std::size_t>& components, const Progress& progress)
+  {
+    if(components.size() == 1)
+    {
+      run_on_component(copy);
+      ++number_of_finished_components_;
+      progress.report(
+        0.1 + 0.8 * static_cast<double>(number_of_finished_components_) / static_cast<double>(number_of_components_));
+      return;
+    }
+    const auto middle = components.begin() + static_cast<std::ptrdiff_t>(components.size() / 2);
+    for(const auto& half :
+        {std::vector<std::size_t>(components.begin(), middle), std::vector<std::size_t>(middle, components.end())})
+    {
+      const Face_filtered_graph<Mesh> faces_of_half(copy.mesh, half, copy.components);
+      Copy copy_of_half(
+        faces_of_half, [&](const auto v) { return copy.positions[v]; },
+        [&](const auto f) { return copy.components[f]; });
+      run_on_components(copy_of_half, half, progress);
     }
   }
 
-  Mesh mesh;
-  std::vector<Position> positions; // by vertex
+  void run_on_component(Copy& component)
+  {
+    auto distance_map = component.mesh.add_property_map<Mesh::Vertex_index, double>("v:distance", 0).first;
+    if(is_fit_for_heat_method(component.mesh) && run_heat_method(component, distance_map)
+       && is_plausible(component, distance_map))
+      for(const auto v : component.mesh.vertices())
+        distances_[component.positions[v]] = distance_map[v];
+    else
+      ++number_of_marched_components_;
+  }
+
+  // Whether all triangles are wide enough for the edge flips of CGAL's intrinsic Delaunay triangulation, which computes
+  // lengths from lengths. It does not end, or crashes, for some that are narrower, or of very different sizes.
+  static bool is_fit_for_heat_method(const Mesh& mesh)
+  {
+    constexpr double least_slack = 1e-14, largest_ratio = 1e7;
+    double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+    for(const auto f : mesh.faces())
+    {
+      std::vector<double> sides;
+      for(const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+        sides.push_back(std::sqrt(squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)))));
+      std::sort(sides.begin(), sides.end());
+      if(!(sides[0] - (sides[2] - sides[1]) > least_slack * sides[2]))
+        return false;
+      shortest = (std::min)(shortest, sides[0]);
+      longest = (std::max)(longest, sides[2]);
+    }
+    return longest < largest_ratio * shortest;
+  }
+
+  // Returns whether the heat method finds a solution of its equations.
+  bool run_heat_method(const Copy& component, const Distance_map& distance_map) const
+  {
+    typedef Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Heat_method_3::Intrinsic_Delaunay> Heat_method;
+    try
+    {
+      Heat_method heat_method(component.mesh);
+      for(const auto v : component.mesh.vertices())
+        if(is_source_[component.positions[v]])
+          heat_method.add_source(v);
+      heat_method.estimate_geodesic_distances(distance_map);
+      return true;
+    }
+    catch(const Failure_exception&)
+    {
+      return false;
+    }
+  }
+
+  // Whether no distance of the heat method is off by more than half of the largest marched one. Where it divides zero
+  // by zero, as on some tetrahedra and some thousand edges away from the sources, it gives NaN or the largest number.
+  bool is_plausible(const Copy& component, const Distance_map& distance_map) const
+  {
+    double largest = 0;
+    for(const auto v : component.mesh.vertices())
+      largest = (std::max)(largest, distances_[component.positions[v]]);
+    return std::all_of(component.mesh.vertices().begin(), component.mesh.vertices().end(), [&](const auto v) {
+      return std::abs(distance_map[v] - distances_[component.positions[v]]) <= largest / 2;
+    });
+  }
+
+  const std::vector<bool>& is_source_;
+  std::vector<double> distances_;
+  std::size_t number_of_components_ = 0, number_of_finished_components_ = 0, number_of_marched_components_ = 0;
 };
-
-// Whether all triangles are wide enough for the edge flips of CGAL's intrinsic Delaunay triangulation, which computes
-// lengths from lengths. It does not end, or crashes, for some that are narrower, or of very different sizes.
-inline bool is_fit_for_heat_method(const Surface_component::Mesh& mesh)
-{
-  constexpr double least_slack = 1e-14, largest_ratio = 1e7;
-  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
-  for(const auto f : mesh.faces())
-  {
-    std::vector<double> sides;
-    for(const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
-      sides.push_back(std::sqrt(squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)))));
-    std::sort(sides.begin(), sides.end());
-    if(!(sides[0] - (sides[2] - sides[1]) > least_slack * sides[2]))
-      return false;
-    shortest = (std::min)(shortest, sides[0]);
-    longest = (std::max)(longest, sides[2]);
-  }
-  return longest < largest_ratio * shortest;
-}
-
-// Replaces marched distances on a component by those of the heat method, and returns whether this finds a solution of
-// its equations in which none is off by more than half of the largest marched one. Where it divides zero by zero, as on
-// some tetrahedra and some thousand edges away from the sources, it gives NaN or the largest number.
-inline bool run_heat_method(Surface_component& component,
-                            const std::vector<bool>& is_source,
-                            std::vector<double>& distances)
-{
-  typedef Surface_component::Mesh Mesh;
-  typedef Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Heat_method_3::Intrinsic_Delaunay> Heat_method;
-  Mesh& mesh = component.mesh;
-  if(!is_fit_for_heat_method(mesh))
-    return false;
-  const auto distance_map = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance", 0).first;
-  try
-  {
-    Heat_method heat_method(mesh);
-    for(const auto v : mesh.vertices())
-      if(is_source[component.positions[v]])
-        heat_method.add_source(v);
-    heat_method.estimate_geodesic_distances(distance_map);
-  }
-  catch(const Failure_exception&)
-  {
-    return false;
-  }
-  double largest = 0;
-  for(const Position v : component.positions)
-    largest = (std::max)(largest, distances[v]);
-  for(const auto v : mesh.vertices())
-    if(!(std::abs(distance_map[v] - distances[component.positions[v]]) <= largest / 2))
-      return false;
-  for(const auto v : mesh.vertices())
-    distances[component.positions[v]] = distance_map[v];
-  return true;
-}
-
-// The same on all components, by the numbers of those of vertices. Returns on how many the heat method fails.
-inline std::size_t run_heat_method_on_components(const Indexed_surface& surface,
-                                                 const std::vector<Position>& components,
-                                                 const std::vector<bool>& is_source,
-                                                 const Progress& progress,
-                                                 std::vector<double>& distances)
-{
-  const Buckets<Component_index, Number> triangles_of_components(components.size(), [&](const auto& visit) {
-    for(std::size_t t = 0; t != surface.triangles().size(); ++t)
-      visit(Component_index(components[surface.triangles()[t].vertices[0]]), static_cast<Number>(t));
-  });
-  std::vector<Surface_component::Mesh::Vertex_index> vertices(surface.number_of_vertices());
-  std::size_t number_of_failures = 0, number_of_done_triangles = 0;
-  for(const Component_index c : Index_range<Component_index>(components.size()))
-  {
-    const auto triangles = triangles_of_components[c];
-    if(triangles.size() == 0)
-      continue;
-    Surface_component component(surface, triangles, vertices);
-    number_of_failures += run_heat_method(component, is_source, distances) ? 0 : 1;
-    number_of_done_triangles += triangles.size();
-    progress.report(
-      0.1 + 0.8 * static_cast<double>(number_of_done_triangles) / static_cast<double>(triangles_of_components.size()));
-  }
-  return number_of_failures;
-}
 
 } // namespace CGAL::Reeb_graph::internal::scalar_fields
 
