@@ -299,7 +299,7 @@ private:
   const bool are_degree_two_nodes_kept_;
   const GraphOnMesh on_mesh_;
   const internal::Arc_contours<GraphOnMesh> contours_;
-  const std::vector<internal::Index> simplified_places_;
+  const internal::Simplified_places simplified_places_;
 };
 
 /// \ingroup PkgReebGraphAugmentation

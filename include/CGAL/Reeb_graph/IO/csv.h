@@ -62,11 +62,14 @@ inline std::string csv_of(const std::string& text)
 ///        it is `boost::typed_identity_property_map<std::size_t>`
 ///
 /// \exception File_error if the file cannot be written
-template <class Output, class Graph, class Embedding, class VertexIndexMap>
-void write_nodes_csv(Output&& output, const Graph& graph, const Embedding& embedding, VertexIndexMap vertex_index_map)
+template <class Graph, class Embedding, class VertexIndexMap>
+void write_nodes_csv(const internal::Output& output,
+                     const Graph& graph,
+                     const Embedding& embedding,
+                     VertexIndexMap vertex_index_map)
 {
   if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
-    internal::write_to(output, [&](std::ostream& out) {
+    output([&](std::ostream& out) {
       internal::Text_output text(out);
       text << "node,vertex,value,kind,x,y,z,arcs_below,arcs_above\n";
       for(const auto node : CGAL::make_range(vertices(graph)))
@@ -101,15 +104,15 @@ void write_nodes_csv(Output&& output, const Graph& graph, const Embedding& embed
 ///
 /// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc
-template <class Output, class Graph, class Embedding, class NamedParameters = parameters::Default_named_parameters>
-void write_arcs_csv(Output&& output,
+template <class Graph, class Embedding, class NamedParameters = parameters::Default_named_parameters>
+void write_arcs_csv(const internal::Output& output,
                     const Graph& graph,
                     const Embedding& embedding,
                     const NamedParameters& np = parameters::default_values())
 {
   const std::vector<Attribute> attributes =
     internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
-  internal::write_to(output, [&](std::ostream& out) {
+  output([&](std::ostream& out) {
     internal::Text_output text(out);
     text << "arc,source,target,lower_value,upper_value";
     for(const Attribute& attribute : attributes)
@@ -156,8 +159,10 @@ void write_csv(const std::string& nodes_filename,
                VertexIndexMap vertex_index_map,
                const NamedParameters& np = parameters::default_values())
 {
-  Reeb_graph::write_arcs_csv(arcs_filename, graph, embedding, np); // first, as it checks the attributes
+  // before the files are opened, which empties them
+  internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), num_edges(graph));
   Reeb_graph::write_nodes_csv(nodes_filename, graph, embedding, vertex_index_map);
+  Reeb_graph::write_arcs_csv(arcs_filename, graph, embedding, np);
 }
 
 } // namespace CGAL::Reeb_graph

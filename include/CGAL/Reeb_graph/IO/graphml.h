@@ -91,8 +91,8 @@ void write_graphml_keys(Text_output& text, const std::vector<Attribute>& attribu
 // Writes a graph as Boost's function of this name does, in a fifth of its time: that one asks each property of each
 // node for a text by its type at run time. The chains are what `text_of_chain` makes of arcs, if it is no null pointer.
 // Nodes and arcs are named by their numbers, which the format allows.
-template <class Output, class Graph, class VertexIndexMap, class NamedParameters, class TextOfChain>
-void write_graphml_with(Output& output,
+template <class Graph, class VertexIndexMap, class NamedParameters, class TextOfChain>
+void write_graphml_with(const Output& output,
                         const Graph& graph,
                         VertexIndexMap vertex_index_map,
                         const NamedParameters& np,
@@ -105,7 +105,7 @@ void write_graphml_with(Output& output,
       checked_attributes(parameters::get_parameter(np, arc_attributes), num_edges(graph));
     const auto conversion = choose_conversion_of_nodes<Graph>(np);
     const auto value_of = [&](const auto node) { return written_scalar(conversion, graph[node].value); };
-    write_to(output, [&](std::ostream& out) {
+    output([&](std::ostream& out) {
       Text_output text(out);
       const auto write_data = [&](std::size_t key, const auto& value) {
         text << "      <data key=\"key" << key << "\">" << value << "</data>\n";
@@ -196,12 +196,11 @@ void write_graphml_with(Output& output,
 /// \exception Attribute_count_error if an attribute has not one number for each arc
 ///
 /// \note Boost has a function of this name; qualify the call.
-template <class Output,
-          class Graph,
+template <class Graph,
           class VertexIndexMap,
           class HalfedgeIndexMap = parameters::Default_named_parameters,
           class NamedParameters = parameters::Default_named_parameters>
-void write_graphml(Output&& output,
+void write_graphml(const internal::Output& output,
                    const Graph& graph,
                    VertexIndexMap vertex_index_map,
                    const HalfedgeIndexMap& halfedge_index_map = parameters::default_values(),

@@ -92,8 +92,8 @@ inline std::string dot_text(const std::string& text)
 /// \exception File_error if the file cannot be written
 ///
 /// \note Boost has a function of this name; qualify the call.
-template <class Output, class Graph, class VertexIndexMap, class NamedParameters = parameters::Default_named_parameters>
-void write_graphviz(Output&& output,
+template <class Graph, class VertexIndexMap, class NamedParameters = parameters::Default_named_parameters>
+void write_graphviz(const internal::Output& output,
                     const Graph& graph,
                     VertexIndexMap vertex_index_map,
                     const NamedParameters& np = parameters::default_values())
@@ -101,7 +101,7 @@ void write_graphviz(Output&& output,
   if constexpr(internal::Graph_to_write<Graph, VertexIndexMap, NamedParameters>::value)
   {
     const auto conversion = internal::choose_conversion_of_nodes<Graph>(np);
-    internal::write_to(output, [&](std::ostream& out) {
+    output([&](std::ostream& out) {
       internal::Text_output text(out);
       text << "digraph G {\nrankdir=BT;\nnodesep=0.8;\n"
               "node [shape=box, style=\"rounded,filled\", fontname=\"Helvetica\", fontsize=11, margin=\"0.08,0.04\"];\n"

@@ -31,8 +31,8 @@ namespace CGAL::Reeb_graph {
 namespace internal {
 
 // `vertex_index_map` and `ends_of` give the indices of the vertices of nodes, and of both ends of a halfedge.
-template <class Output, class Graph, class Embedding, class VertexIndexMap, class EndsOf, class NamedParameters>
-void write_json_of_graph(Output& output,
+template <class Graph, class Embedding, class VertexIndexMap, class EndsOf, class NamedParameters>
+void write_json_of_graph(const Output& output,
                          const Graph& graph,
                          const Embedding& embedding,
                          VertexIndexMap vertex_index_map,
@@ -41,7 +41,7 @@ void write_json_of_graph(Output& output,
 {
   const std::vector<Attribute> attributes =
     checked_attributes(parameters::get_parameter(np, arc_attributes), num_edges(graph));
-  write_to(output, [&](std::ostream& out) {
+  output([&](std::ostream& out) {
     const Classic_locale classic_locale(out);
     out << "{\n\"directed\": true,\n\"multigraph\": true,\n\"nodes\": [";
     for(const auto node : CGAL::make_range(vertices(graph)))
@@ -102,13 +102,12 @@ void write_json_of_graph(Output& output,
 ///
 /// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc
-template <class Output,
-          class FaceListGraph,
+template <class FaceListGraph,
           class Graph,
           class Embedding,
           class VertexIndexMap,
           class NamedParameters = parameters::Default_named_parameters>
-void write_json(Output&& output,
+void write_json(const internal::Output& output,
                 const FaceListGraph& mesh,
                 const Graph& graph,
                 const Embedding& embedding,
@@ -128,8 +127,8 @@ void write_json(Output&& output,
 ///
 /// \brief writes the Reeb graph of a triangle soup or of tetrahedra, as `compute_reeb_graph_of_soup()` makes it, in
 /// space with its chains as one JSON object. The object, the other parameters, and the exceptions are as above.
-template <class Output, class Graph, class Embedding, class NamedParameters = parameters::Default_named_parameters>
-void write_json(Output&& output,
+template <class Graph, class Embedding, class NamedParameters = parameters::Default_named_parameters>
+void write_json(const internal::Output& output,
                 const Graph& graph,
                 const Embedding& embedding,
                 const NamedParameters& np = parameters::default_values())

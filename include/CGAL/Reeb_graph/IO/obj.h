@@ -36,10 +36,10 @@ namespace CGAL::Reeb_graph {
 /// \param embedding what `embed()` has returned for it
 ///
 /// \exception File_error if the file cannot be written
-template <class Output, class Graph, class Embedding>
-void write_obj(Output&& output, const Graph& graph, const Embedding& embedding)
+template <class Graph, class Embedding>
+void write_obj(const internal::Output& output, const Graph& graph, const Embedding& embedding)
 {
-  internal::write_to(output, [&](std::ostream& out) {
+  output([&](std::ostream& out) {
     internal::Text_output text(out);
     const auto write_point = [&](const auto& point) {
       text << 'v';

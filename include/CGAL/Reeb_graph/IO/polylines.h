@@ -36,10 +36,10 @@ namespace CGAL::Reeb_graph {
 /// \param polylines the polylines; the last point of a closed one is the first one again
 ///
 /// \exception File_error if the file cannot be written
-template <class Output, class PolylineRange>
-void write_polylines(Output&& output, const PolylineRange& polylines)
+template <class PolylineRange>
+void write_polylines(const internal::Output& output, const PolylineRange& polylines)
 {
-  internal::write_to(output, [&](std::ostream& out) {
+  output([&](std::ostream& out) {
     const internal::Classic_locale classic_locale(out);
     const auto precision = out.precision(std::numeric_limits<double>::max_digits10);
     for(const auto& polyline : polylines)

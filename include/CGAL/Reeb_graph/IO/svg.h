@@ -87,8 +87,10 @@ inline std::string counted(std::size_t number, const std::string& name)
 /// \exception Reeb_graph::Measure_error if the number of a value is NaN
 /// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
 /// \exception Reeb_graph::File_error if the file cannot be written
-template <class Output, class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
-void write_svg(Output&& output, const ReebGraph& graph, const NamedParameters& np = parameters::default_values())
+template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
+void write_svg(const internal::Output& output,
+               const ReebGraph& graph,
+               const NamedParameters& np = parameters::default_values())
 {
   if constexpr(internal::Graph_of_numbers<ReebGraph, NamedParameters>::value)
   {
@@ -135,7 +137,7 @@ void write_svg(Output&& output, const ReebGraph& graph, const NamedParameters& n
                                  : unit.empty()      ? name
                                                      : name + " [" + unit + "]";
     const internal::Svg_drawing drawing(std::move(nodes), std::move(arcs), axis_title);
-    internal::write_to(output, [&](std::ostream& out) { drawing.write(out, "Reeb graph", description); });
+    output([&](std::ostream& out) { drawing.write(out, "Reeb graph", description); });
   }
 }
 

@@ -99,12 +99,11 @@ inline std::string name_of_first(const std::vector<Attribute>& attributes)
 ///
 /// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc
-template <class Output,
-          class Graph,
+template <class Graph,
           class Embedding,
           class VertexIndexMap,
           class NamedParameters = parameters::Default_named_parameters>
-void write_vtp(Output&& output,
+void write_vtp(const internal::Output& output,
                const Graph& graph,
                const Embedding& embedding,
                VertexIndexMap vertex_index_map,
@@ -133,7 +132,7 @@ void write_vtp(Output&& output,
       upper_values.push_back(embedding.node_values[target(arc, graph)]);
     }
 
-    internal::write_to(output, [&](std::ostream& out) {
+    output([&](std::ostream& out) {
       const internal::Classic_locale classic_locale(out);
       internal::Vtp_document document(out, points.values.size(), points.nodes, points.arcs, {});
       document.write_section("Points", "", [&] { document.write_array("Points", points.coordinates, 3); });
@@ -206,8 +205,8 @@ void write_vtp(Output&& output,
 ///
 /// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each vertex, or face
-template <class Output, class FaceListGraph, class NamedParameters = parameters::Default_named_parameters>
-void write_mesh_vtp(Output&& output,
+template <class FaceListGraph, class NamedParameters = parameters::Default_named_parameters>
+void write_mesh_vtp(const internal::Output& output,
                     const FaceListGraph& mesh,
                     const NamedParameters& np = parameters::default_values())
 {
@@ -233,7 +232,7 @@ void write_mesh_vtp(Output&& output,
   const std::vector<Attribute> face_attributes =
     internal::checked_attributes(get_parameter(np, internal::face_attributes), polygons.ends.size());
 
-  internal::write_to(output, [&](std::ostream& out) {
+  output([&](std::ostream& out) {
     const internal::Classic_locale classic_locale(out);
     internal::Vtp_document document(out, number_of_vertices, {}, {}, polygons);
     document.write_section("Points", "", [&] { document.write_array("Points", coordinates, 3); });

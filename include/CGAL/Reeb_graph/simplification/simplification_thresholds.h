@@ -43,7 +43,9 @@ std::vector<Simplification_threshold> find_thresholds(const ReebGraph& graph,
     are_loops_cancelled ? Pruning_history{{}, arc_persistences(graph, np)} : prune_step_by_step(graph, values);
   const auto& persistences = history.persistences;
   std::vector<Simplification_threshold> thresholds;
-  if(std::none_of(persistences.begin(), persistences.end(), [&](double size) { return size < range; }))
+  // With loops, the largest branches of components are among them, and nothing removes these.
+  const auto is_removable = [&](double size) { return !are_loops_cancelled || size < range; };
+  if(std::none_of(persistences.begin(), persistences.end(), is_removable))
     return thresholds;
   const std::size_t components = number_of_components(graph);
   for(const Persistence_gap& gap : find_wide_gaps(persistences, range))

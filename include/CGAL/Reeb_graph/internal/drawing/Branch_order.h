@@ -52,12 +52,15 @@ public:
   {
     const auto [begin, end] = positions(range);
     double result = start_;
-    for(auto step = std::prev(steps_.upper_bound(begin)); begin != end && step != steps_.lower_bound(end); ++step)
+    if(begin == end)
+      return result;
+    const auto last = steps_.lower_bound(end);
+    for(auto step = std::prev(steps_.upper_bound(begin)); step != last; ++step)
       result = (std::max)(result, step->second);
     return result;
   }
 
-  // Raises a range to a value that is higher than all that are there.
+  // Sets a range to a value, which is higher than all that are there, or below the start, which highest() puts right.
   void raise(const Height_range& range, double value)
   {
     const auto [begin, end] = positions(range);

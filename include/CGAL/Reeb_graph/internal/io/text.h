@@ -300,26 +300,36 @@ std::vector<Attribute> checked_attributes(const Parameter& parameter, std::size_
   return attributes;
 }
 
-// Calls write(stream) for a stream, or for that of the file of this name.
-template <class Write>
-void write_to(std::ostream& out, const Write& write)
+// Where functions write to: a stream, or the file of a name. It is no template parameter of theirs, so that functions of
+// the same names that take a stream, as Boost has one, are preferred for what is derived from it.
+class Output
 {
-  write(out);
-}
+public:
+  Output(std::ostream& stream) : stream_(&stream) {}
+  template <class Name, class = std::enable_if_t<std::is_convertible_v<const Name&, std::string>>>
+  Output(const Name& filename) : filename_(filename)
+  {}
 
-// The error says why, where the system does.
-template <class Write>
-void write_to(const std::string& filename, const Write& write)
-{
-  errno = 0;
-  std::ofstream out(filename);
-  if(out)
-    write(out);
-  out.close();
-  if(!out)
-    throw File_error(filename + " cannot be written"
-                     + (errno == 0 ? "" : ": " + std::generic_category().message(errno)));
-}
+  // Calls write(stream). The error says why a file cannot be written, where the system does.
+  template <class Write>
+  void operator()(const Write& write) const
+  {
+    if(stream_ != nullptr)
+      return write(*stream_);
+    errno = 0;
+    std::ofstream out(filename_);
+    if(out)
+      write(out);
+    out.close();
+    if(!out)
+      throw File_error(filename_ + " cannot be written"
+                       + (errno == 0 ? "" : ": " + std::generic_category().message(errno)));
+  }
+
+private:
+  std::ostream* stream_ = nullptr;
+  std::string filename_;
+};
 
 } // namespace CGAL::Reeb_graph::internal
 

@@ -32,23 +32,27 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
 
 // The places in a simplified graph of the nodes, and behind them the arcs, of the exact graph, by the named parameter
 // `simplification`. There are none if that is not given, as each has the same place then.
+typedef std::optional<std::vector<Index>> Simplified_places;
+
 template <class NamedParameters>
-std::vector<Index> read_simplified_places(const NamedParameters& np)
+Simplified_places read_simplified_places(const NamedParameters& np)
 {
-  std::vector<Index> places;
+  Simplified_places places;
   const auto simplification = parameters::get_parameter(np, internal::simplification);
   if constexpr(is_given<decltype(simplification)>)
   {
+    places.emplace();
     for(std::size_t node = 0; node != simplification.number_of_old_nodes(); ++node)
-      places.push_back(static_cast<Index>(simplification.index_of_node(node)));
+      places->push_back(static_cast<Index>(simplification.index_of_node(node)));
     for(std::size_t arc = 0; arc != simplification.number_of_old_arcs(); ++arc)
-      places.push_back(static_cast<Index>(simplification.index_of_arc(arc)));
+      places->push_back(static_cast<Index>(simplification.index_of_arc(arc)));
   }
   return places;
 }
@@ -134,10 +138,10 @@ bool is_simplified_graph(const GraphOnMesh& on_mesh,
 template <class GraphOnMesh>
 void check_same_graph(const GraphOnMesh& on_mesh,
                       const Flat_graph& flat_graph,
-                      const std::vector<Index>& simplified_places)
+                      const Simplified_places& simplified_places)
 {
-  const bool is_right = simplified_places.empty() ? is_same_graph(on_mesh, flat_graph)
-                                                  : is_simplified_graph(on_mesh, flat_graph, simplified_places);
+  const bool is_right = simplified_places ? is_simplified_graph(on_mesh, flat_graph, *simplified_places)
+                                          : is_same_graph(on_mesh, flat_graph);
   if(!is_right)
     throw Graph_mismatch_error();
 }
@@ -219,7 +223,7 @@ template <class ConcurrencyTag, class VertexLocations, class GraphOnMesh, class 
 VertexLocations locate_vertices(const GraphOnMesh& on_mesh,
                                 Ties ties,
                                 bool are_degree_two_nodes_kept,
-                                const std::vector<Index>& simplified_places,
+                                const Simplified_places& simplified_places,
                                 const NamedParameters& np)
 {
   typedef typename GraphOnMesh::vertex_descriptor vertex_descriptor;
@@ -230,7 +234,7 @@ VertexLocations locate_vertices(const GraphOnMesh& on_mesh,
   auto place_of_vertex = std::make_shared<Vertex_places>();
   if constexpr(is_given<decltype(given_map)>)
     *place_of_vertex =
-      read_places(on_mesh, given_map, simplified_places.empty() ? number_of_places : simplified_places.size());
+      read_places(on_mesh, given_map, simplified_places ? simplified_places->size() : number_of_places);
   else
   {
     const auto check_graph = [&](const Flat_graph& flat_graph) {
@@ -239,10 +243,10 @@ VertexLocations locate_vertices(const GraphOnMesh& on_mesh,
     *place_of_vertex = find_places<ConcurrencyTag>(on_mesh.complex(), on_mesh.order(), ties, are_degree_two_nodes_kept,
                                                    check_graph, progress);
   }
-  if(!simplified_places.empty())
+  if(simplified_places)
   {
     for(Index& place : *place_of_vertex)
-      place = place == no_index ? place : simplified_places[place];
+      place = place == no_index ? place : (*simplified_places)[place];
   }
   const auto arcs = edges(graph);
   progress.report_end();

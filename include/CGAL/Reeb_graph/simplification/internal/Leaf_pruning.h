@@ -145,7 +145,6 @@ public:
     for(Index node = 0; node != number_of_nodes; ++node)
       number_of_leaves_ += is_leaf(node) ? 1 : 0;
   }
-  virtual ~Weighted_leaf_pruning() = default;
 
   // `measure(leaf arc)` is a number, or NaN for an arc that is to stay. Before one is removed, `visit(leaf, measure)` is
   // called, and returns whether it is to be removed and the work goes on.
