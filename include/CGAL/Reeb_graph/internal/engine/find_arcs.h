@@ -149,7 +149,9 @@ void check_arcs(const Slab<Complex>& slab, const Slab_arcs& arcs)
 template <class ConcurrencyTag, class Complex, class Order, class Report>
 Slab_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Order& order, Default_method, const Report& report)
 {
-  Slab_arcs arcs = Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report);
+  No_vertex_queries no_queries;
+  Slab_arcs arcs =
+    Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report, no_queries);
   check_arcs(slab, arcs);
   return arcs;
 }
