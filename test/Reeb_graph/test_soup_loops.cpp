@@ -69,9 +69,8 @@ struct Found_contours
       if(critical_vertices.number_of_lower_sectors(i) > 1)
         vertices.push_back(i);
     names.assign(critical_vertices.total_number_of_sectors(stages::Side::LOWER), stages::no_index);
-    stages::Contours_of_sectors contours(complex, order, critical_vertices, vertices);
-    contours([](stages::Vertex_index) { return false; }, names);
-    number_of_steps = contours.number_of_steps();
+    number_of_steps = stages::find_contours_of_sectors(
+      complex, order, critical_vertices, vertices, [](stages::Vertex_index) { return false; }, names);
   }
 
   stages::Simplicial_complex complex;

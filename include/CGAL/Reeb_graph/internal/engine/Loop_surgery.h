@@ -241,7 +241,7 @@ private:
       if(join_tree_.is_class_shared[i] && !is_left_out(critical_vertices_.vertex(i)))
         vertices.push_back(i);
     }
-    Contours_of_sectors<Order>(complex_, order_, critical_vertices_, vertices)(is_left_out, contours_);
+    find_contours_of_sectors(complex_, order_, critical_vertices_, vertices, is_left_out, contours_);
   }
 
   // A lower contour of a vertex, and one sector that it passes.
