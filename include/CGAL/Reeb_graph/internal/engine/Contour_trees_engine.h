@@ -81,13 +81,19 @@ public:
     if constexpr(Queries::are_any)
     {
       Arcs_of_classes arcs_of_classes = combination.find_arcs_of_classes(arcs);
-      rename_glued_arcs(cuts, arcs, arcs_of_classes);
       if(cuts.size() != 0)
+      {
+        const auto new_names = glue_cuts(cuts, arcs);
+        for(const Side side : both_sides)
+          for(Slab_arc_index& arc : arcs_of_classes[side])
+            arc = arc == no_index ? arc : new_names[arc];
         cuts.register_edges();
+      }
       queries.template find_arcs<ConcurrencyTag>(arcs_of_classes,
                                                  Trees_with_cuts{{&upwards->tree(), &downwards->tree()}, cuts});
     }
-    glue_cuts(cuts, arcs);
+    else if(cuts.size() != 0)
+      glue_cuts(cuts, arcs);
     return arcs;
   }
 
@@ -136,21 +142,19 @@ private:
   {
     constexpr std::size_t far_ahead = 24, ahead = 16, near_ahead = 8;
     const std::size_t size = critical_vertices_.size();
-    const auto critical_at = [&](std::size_t place) {
-      return critical_vertices_.ascending()[side == Side::LOWER ? place : size - 1 - place];
-    };
-    auto answers = queries.template answers<side>(sweep);
+    const auto place = [&](std::size_t i) { return side == Side::LOWER ? i : size - 1 - i; };
+    const auto critical = [&](std::size_t i) { return critical_vertices_.ascending()[place(i)]; };
     for(std::size_t i = 0; i != size; ++i)
     {
       if(i + far_ahead < size)
-        critical_vertices_.prefetch(critical_at(i + far_ahead));
+        critical_vertices_.prefetch(critical(i + far_ahead));
       if(i + ahead < size)
-        sweep.prefetch_classes(critical_at(i + ahead));
+        sweep.prefetch_classes(critical(i + ahead));
       if(i + near_ahead < size)
-        sweep.prefetch_components(critical_at(i + near_ahead));
-      sweep.merge_at(critical_at(i));
-      visit(critical_at(i));
-      answers.find_next();
+        sweep.prefetch_components(critical(i + near_ahead));
+      sweep.merge_at(critical(i));
+      visit(critical(i));
+      queries.template ask_beyond<side>(place(i), sweep);
     }
     sweep.merge_last_contours();
   }

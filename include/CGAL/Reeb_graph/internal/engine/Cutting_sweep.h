@@ -125,39 +125,25 @@ private:
   Indexed_vector<Edge_index, bool> is_edge_cut_;      // asked first; empty as long as nothing is registered
 };
 
-// Arcs that end at a cut go on to the vertex just above, and the short arcs from the cut to there are dropped.
-inline void glue_cuts(const Loop_cuts& cuts, Slab_arcs& arcs)
+// Arcs that end at a cut go on to the vertex just above, and the short arcs from the cut to there are dropped. Returns
+// the new names of the arcs, no_index of those that are dropped: no vertex is on one of these.
+inline Indexed_vector<Slab_arc_index, Slab_arc_index> glue_cuts(const Loop_cuts& cuts, Slab_arcs& arcs)
 {
-  if(cuts.size() == 0)
-    return;
-  const auto begins_at_cut = [&](const Slab_arc& arc) { return cuts.is_cut_node(arc.lower); };
-  arcs.erase(std::remove_if(arcs.begin(), arcs.end(), begins_at_cut), arcs.end());
-  for(Slab_arc& arc : arcs)
-  {
-    if(cuts.is_cut_node(arc.upper))
-      arc.upper = node_of(cuts.critical_vertex(cuts.cut_of_node(arc.upper)));
-  }
-}
-
-// Names the arcs, which have not been glued yet, as glue_cuts() leaves them. No vertex is on one that it drops.
-inline void rename_glued_arcs(const Loop_cuts& cuts, const Slab_arcs& arcs, Arcs_of_classes& arcs_of_classes)
-{
-  if(cuts.size() == 0)
-    return;
   Indexed_vector<Slab_arc_index, Slab_arc_index> new_names(arcs.size(), no_index);
   Slab_arc_index next(0);
   for(const Slab_arc_index i : arcs.keys())
   {
-    if(cuts.is_cut_node(arcs[i].lower))
+    Slab_arc arc = arcs[i];
+    if(cuts.is_cut_node(arc.lower))
       continue;
+    if(cuts.is_cut_node(arc.upper))
+      arc.upper = node_of(cuts.critical_vertex(cuts.cut_of_node(arc.upper)));
+    arcs[next] = arc;
     new_names[i] = next;
     ++next;
   }
-  for(const Side side : both_sides)
-  {
-    for(Slab_arc_index& arc : arcs_of_classes[side])
-      arc = arc == no_index ? arc : new_names[arc];
-  }
+  arcs.resize(next.number());
+  return new_names;
 }
 
 // The sweep for the split tree of a surface that is cut on the way. A cut ends the paths of vertices further down, so
