@@ -93,16 +93,14 @@ public:
     constexpr std::size_t far_ahead = 16, ahead = 8;
     const std::size_t begin = bounds_[side == Side::LOWER ? place + 1 : place],
                       end = bounds_[side == Side::LOWER ? place + 2 : place + 1];
-    for(std::size_t n = 0; n != end - begin; ++n)
+    // Below zero, the result is larger than all places.
+    const auto moved = [](std::size_t i, std::size_t steps) { return side == Side::LOWER ? i + steps : i - steps; };
+    for(std::size_t i = side == Side::LOWER ? begin : end - 1; i - begin < end - begin; i = moved(i, 1))
     {
-      // Below zero, places ahead are larger than all.
-      const std::size_t i = side == Side::LOWER ? begin + n : end - 1 - n;
-      const std::size_t far = side == Side::LOWER ? i + far_ahead : i - far_ahead;
-      const std::size_t near = side == Side::LOWER ? i + ahead : i - ahead;
-      if(far < vertices_.size())
-        sweep.prefetch_path_end(vertices_[Query(far)]);
-      if(near < vertices_.size())
-        sweep.prefetch_component(vertices_[Query(near)]);
+      if(moved(i, far_ahead) < vertices_.size())
+        sweep.prefetch_path_end(vertices_[Query(moved(i, far_ahead))]);
+      if(moved(i, ahead) < vertices_.size())
+        sweep.prefetch_component(vertices_[Query(moved(i, ahead))]);
       classes_[side][Query(i)] = sweep.class_of(vertices_[Query(i)]);
     }
   }
