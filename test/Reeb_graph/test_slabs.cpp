@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 // The graph is the same for any number of slabs, those without vertices and cylinders through a slab included.
@@ -156,10 +155,9 @@ BOOST_AUTO_TEST_CASE(as_many_slabs_as_vertices_of_noise)
                                                              Traits(), CGAL::parameters::default_values());
   const stages::Vertex_order order(surface.field.values, Traits().less_scalar_object());
   const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.complex, order);
-  typedef stages::Slicing<std::decay_t<decltype(surface.complex)>> Slicing;
   const auto number_of_slabs = [&](std::size_t wanted) {
-    return Slicing::make<CGAL::Sequential_tag>(surface.complex, order, critical_vertices,
-                                               static_cast<stages::Number>(wanted))
+    return stages::Slicing(CGAL::Sequential_tag(), surface.complex, order, critical_vertices,
+                           static_cast<stages::Number>(wanted))
       .number_of_slabs();
   };
   for(const std::size_t few : {2, 3, 8, 64})

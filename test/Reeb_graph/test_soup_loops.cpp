@@ -69,9 +69,8 @@ struct Found_contours
       if(critical_vertices.number_of_lower_sectors(i) > 1)
         vertices.push_back(i);
     names.assign(critical_vertices.total_number_of_sectors(stages::Side::LOWER), stages::no_index);
-    stages::Contours_of_sectors contours(complex, order, critical_vertices, vertices);
-    contours([](stages::Vertex_index) { return false; }, names);
-    number_of_steps = contours.number_of_steps();
+    number_of_steps = stages::find_contours_of_sectors(
+      complex, order, critical_vertices, vertices, [](stages::Vertex_index) { return false; }, names);
   }
 
   stages::Simplicial_complex complex;
@@ -220,7 +219,7 @@ BOOST_AUTO_TEST_CASE(the_steps_of_short_contours_do_not_depend_on_the_long_ones)
   const auto spine = complex.find_halfedge(Vertex_index(0), Vertex_index(1));
   stages::Plain_vector<stages::Halfedge_index> all = {spine};
   std::size_t number_of_visited = 0;
-  const auto visit = [&](const stages::Plain_vector<stages::Halfedge_index>& crossed_edges) {
+  const auto visit = [&](const stages::Plain_vector<stages::Halfedge_index>& crossed_edges, bool) {
     number_of_visited += crossed_edges.size() == 1 ? 1 : 0;
   };
   stages::Contour_search one_at_a_time(complex), all_at_once(complex);

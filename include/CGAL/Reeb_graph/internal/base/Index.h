@@ -75,32 +75,27 @@ template <class Key>
 class Index_range
 {
 public:
-  class iterator
+  struct iterator
   {
-  public:
-    explicit iterator(Key key) : key_(key) {}
+    Key key;
 
-    Key operator*() const { return key_; }
+    Key operator*() const { return key; }
     iterator& operator++()
     {
-      ++key_;
+      ++key;
       return *this;
     }
-    friend bool operator!=(iterator a, iterator b) { return a.key_ != b.key_; }
-
-  private:
-    Key key_;
+    friend bool operator!=(iterator a, iterator b) { return a.key != b.key; }
   };
 
-  Index_range(Key begin, Key end) : begin_(begin), end_(end) {}
-  explicit Index_range(std::size_t size) : begin_(0), end_(static_cast<Number>(size)) {}
+  Index_range(Key begin, Key end) : begin_{begin}, end_{end} {}
+  explicit Index_range(std::size_t size) : Index_range(Key(0), Key(static_cast<Number>(size))) {}
 
-  iterator begin() const { return iterator(begin_); }
-  iterator end() const { return iterator(end_); }
+  iterator begin() const { return begin_; }
+  iterator end() const { return end_; }
 
 private:
-  Key begin_;
-  Key end_;
+  iterator begin_, end_;
 };
 
 // Throws if there are more things than indices.

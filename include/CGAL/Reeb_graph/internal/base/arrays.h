@@ -321,16 +321,13 @@ class Buckets
 {
 public:
   template <class Iterator>
-  class Range
+  struct Range
   {
-  public:
-    Range(Iterator begin, Iterator end) : begin_(begin), end_(end) {}
-    Iterator begin() const { return begin_; }
-    Iterator end() const { return end_; }
-    std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
+    Iterator first, last;
 
-  private:
-    Iterator begin_, end_;
+    Iterator begin() const { return first; }
+    Iterator end() const { return last; }
+    std::size_t size() const { return static_cast<std::size_t>(last - first); }
   };
   typedef Range<const Item*> Bucket;
 

@@ -65,24 +65,28 @@ private:
 };
 
 // The position of each vertex (or face) in the list given at construction, found through an index map, which can have
-// holes, such as those that removed elements leave. Without holes there is nothing to store.
+// holes, such as those that removed elements leave.
 template <class Position, class IndexMap>
 class Descriptor_positions
 {
 public:
   template <class DescriptorList>
   Descriptor_positions(const IndexMap& index_map, const DescriptorList& descriptors, const char* name)
-    : index_map_(index_map)
+    : index_map_(index_map),
+      positions_(descriptors.size(), no_index)
   {
-    while(number_of_equal_indices_ != descriptors.size()
-          && checked_index(descriptors[Position(number_of_equal_indices_)], name) == number_of_equal_indices_)
-      ++number_of_equal_indices_;
-    if(number_of_equal_indices_ == descriptors.size())
-      return;
-    number_of_equal_indices_ = 0;
-    positions_.assign(descriptors.size(), no_index);
     for(const Position position : Index_range<Position>(descriptors.size()))
-      store(checked_index(descriptors[position], name), position, name);
+    {
+      const auto i = get(index_map_, descriptors[position]);
+      if(i < 0 || static_cast<std::size_t>(i) >= no_index)
+        throw Invalid_index_map_error(name);
+      const std::size_t index = static_cast<std::size_t>(i);
+      if(index >= positions_.size())
+        positions_.resize(index + 1, no_index);
+      if(positions_[index] != no_index)
+        throw Invalid_index_map_error(name);
+      positions_[index] = position;
+    }
   }
 
   // The position of a descriptor that may be unknown; then it is no_index.
@@ -90,52 +94,23 @@ public:
   Position operator()(const Descriptor& d) const
   {
     const std::size_t index = static_cast<std::size_t>(get(index_map_, d));
-    if(positions_.empty())
-      return index < number_of_equal_indices_ ? Position(index) : no_index;
     return index < positions_.size() ? positions_[index] : no_index;
   }
 
 private:
-  template <class Descriptor>
-  std::size_t checked_index(const Descriptor& d, const char* name) const
-  {
-    const auto i = get(index_map_, d);
-    if(i < 0 || static_cast<std::size_t>(i) >= no_index)
-      throw Invalid_index_map_error(name);
-    return static_cast<std::size_t>(i);
-  }
-
-  void store(std::size_t index, Position position, const char* name)
-  {
-    if(index >= positions_.size())
-      positions_.resize(index + 1, no_index);
-    if(positions_[index] != no_index)
-      throw Invalid_index_map_error(name);
-    positions_[index] = position;
-  }
-
   IndexMap index_map_;
-  std::size_t number_of_equal_indices_ = 0; // all or none
-  std::vector<Position> positions_;         // empty if the indices are the positions
+  std::vector<Position> positions_; // by index
 };
 
-// The positions of descriptors in a list of them, for a mesh that has no index map.
-template <class Position, class Descriptor>
-class Stored_positions
+// The same for a mesh that has no index map.
+template <class Position, class Descriptor, class DescriptorList>
+auto store_positions(const DescriptorList& descriptors)
 {
-public:
-  template <class DescriptorList>
-  explicit Stored_positions(const DescriptorList& descriptors) : numbers_(descriptors.size())
-  {
-    for(const Position position : Index_range<Position>(descriptors.size()))
-      numbers_.add(descriptors[position]);
-  }
-
-  Position operator()(const Descriptor& d) const { return Position(get(numbers_, d)); } // no_index if it is unknown
-
-private:
-  Descriptor_numbers<Descriptor, Number> numbers_;
-};
+  Descriptor_numbers<Descriptor, Number> numbers(descriptors.size());
+  for(const Position position : Index_range<Position>(descriptors.size()))
+    numbers.add(descriptors[position]);
+  return [numbers](const Descriptor& d) { return Position(get(numbers, d)); };
+}
 
 // Whether the mesh has indices that cannot be written. Writable ones, such as the ids of a Polyhedron_3, may never
 // have been set, and setting them here would change the mesh.
@@ -172,7 +147,7 @@ auto make_descriptor_positions(const Graph& mesh,
     Descriptor_positions<Position, IndexParameter> positions(index_parameter, descriptors,
                                                              name); // which checks the map
     if constexpr(Is_changed_by_reading<IndexParameter>::value)
-      return Stored_positions<Position, Descriptor>(descriptors);
+      return store_positions<Position, Descriptor>(descriptors);
     else
       return positions;
   }
@@ -182,7 +157,7 @@ auto make_descriptor_positions(const Graph& mesh,
     return Descriptor_positions<Position, Index_map>(get(IndexTag(), mesh), descriptors, name);
   }
   else
-    return Stored_positions<Position, Descriptor>(descriptors);
+    return store_positions<Position, Descriptor>(descriptors);
 }
 
 template <class Graph, class DescriptorList, class NamedParameters>

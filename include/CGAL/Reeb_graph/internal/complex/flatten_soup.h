@@ -113,11 +113,37 @@ void for_each_simplex(const Simplices& simplices,
   }
 }
 
-// Calls visit(a, b) for each edge of a range of pairs of indices.
-template <class Edges>
-auto make_edge_reader(const Edges& edges, std::size_t number_of_vertices)
+// Throws the error of a range of indices that is no triangle, or no tetrahedron.
+template <std::size_t vertices_per_cell>
+[[noreturn]] void throw_cell_error(std::size_t cell, Simplex_fault fault)
 {
-  return [&edges, number_of_vertices](const auto& visit) {
+  if(fault == Simplex_fault::INDEX)
+    throw Vertex_out_of_range_error(vertices_per_cell == 3 ? "face" : "tetrahedron", cell);
+  if(vertices_per_cell == 4)
+    throw Non_tetrahedral_cell_error(cell);
+  if(fault == Simplex_fault::SIZE)
+    throw Non_triangular_face_error(cell);
+  throw Degenerate_face_error(cell);
+}
+
+// The complex of triangles, or of the faces of tetrahedra, and of edges, which are pairs of indices.
+template <std::size_t vertices_per_cell, class Cells, class Edges>
+Simplicial_complex read_cells(std::size_t number_of_vertices, const Cells& cells, const Edges& edges)
+{
+  checked_index(number_of_vertices);
+  const auto for_each_triangle = [&](const auto& visit) {
+    for_each_simplex<vertices_per_cell>(cells, number_of_vertices, throw_cell_error<vertices_per_cell>,
+                                        [&](const auto& v) {
+                                          visit(v[0], v[1], v[2]);
+                                          if constexpr(vertices_per_cell == 4)
+                                          {
+                                            visit(v[0], v[1], v[3]);
+                                            visit(v[0], v[2], v[3]);
+                                            visit(v[1], v[2], v[3]);
+                                          }
+                                        });
+  };
+  const auto for_each_edge = [&](const auto& visit) {
     const auto throw_error = [](std::size_t edge, Simplex_fault fault) {
       if(fault == Simplex_fault::INDEX)
         throw Vertex_out_of_range_error("edge", edge);
@@ -125,44 +151,7 @@ auto make_edge_reader(const Edges& edges, std::size_t number_of_vertices)
     };
     for_each_simplex<2>(edges, number_of_vertices, throw_error, [&](const auto& v) { visit(v[0], v[1]); });
   };
-}
-
-template <class Triangles, class Edges>
-Simplicial_complex read_triangles(std::size_t number_of_vertices, const Triangles& triangles, const Edges& edges)
-{
-  checked_index(number_of_vertices);
-  const auto for_each_triangle = [&](const auto& visit) {
-    const auto throw_error = [](std::size_t face, Simplex_fault fault) {
-      if(fault == Simplex_fault::SIZE)
-        throw Non_triangular_face_error(face);
-      if(fault == Simplex_fault::INDEX)
-        throw Vertex_out_of_range_error("face", face);
-      throw Degenerate_face_error(face);
-    };
-    for_each_simplex<3>(triangles, number_of_vertices, throw_error, [&](const auto& v) { visit(v[0], v[1], v[2]); });
-  };
-  return Simplicial_complex(number_of_vertices, for_each_triangle, make_edge_reader(edges, number_of_vertices));
-}
-
-// The faces of the tetrahedra.
-template <class Tetrahedra, class Edges>
-Simplicial_complex read_tetrahedra(std::size_t number_of_vertices, const Tetrahedra& tetrahedra, const Edges& edges)
-{
-  checked_index(number_of_vertices);
-  const auto for_each_triangle = [&](const auto& visit) {
-    const auto throw_error = [](std::size_t tetrahedron, Simplex_fault fault) {
-      if(fault == Simplex_fault::INDEX)
-        throw Vertex_out_of_range_error("tetrahedron", tetrahedron);
-      throw Non_tetrahedral_cell_error(tetrahedron);
-    };
-    for_each_simplex<4>(tetrahedra, number_of_vertices, throw_error, [&](const auto& v) {
-      visit(v[0], v[1], v[2]);
-      visit(v[0], v[1], v[3]);
-      visit(v[0], v[2], v[3]);
-      visit(v[1], v[2], v[3]);
-    });
-  };
-  return Simplicial_complex(number_of_vertices, for_each_triangle, make_edge_reader(edges, number_of_vertices));
+  return Simplicial_complex(number_of_vertices, for_each_triangle, for_each_edge);
 }
 
 } // namespace CGAL::Reeb_graph::internal
@@ -271,10 +260,7 @@ Flat_soup<typename Traits::Scalar> flatten_cells(const PointsOrNumber& points,
   auto edges = parameters::choose_parameter<std::array<std::array<std::size_t, 2>, 0>>(edges_parameter);
   const std::size_t size = count_vertices(points);
   auto field = flatten_scalars<ConcurrencyTag>(size, scalars, traits);
-  if constexpr(vertices_per_cell == 3)
-    return {read_triangles(size, cells, unwrap_reference(edges)), std::move(field)};
-  else
-    return {read_tetrahedra(size, cells, unwrap_reference(edges)), std::move(field)};
+  return {read_cells<vertices_per_cell>(size, cells, unwrap_reference(edges)), std::move(field)};
 }
 
 } // namespace CGAL::Reeb_graph::internal

@@ -16,9 +16,7 @@
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
@@ -124,10 +122,9 @@ private:
   Indexed_vector<Complex_component, bool> is_simply_connected_;
 };
 
-// Searches the contours at several edges that cross one level, all at once, triangle by triangle, so that the largest
-// contour costs no more than the next one, and the other ones cost nothing when they are complete. Edges keep the name
-// of the search that has found them, so no search has to forget anything.
-class Contour_search
+// Searches contours of one level of a complex, a triangle by turns. Edges keep the name of the search that has found
+// them, so no search has to forget anything.
+class Contour_search : public Contours_by_turns<Contour_search>
 {
 public:
   explicit Contour_search(const Simplicial_complex& complex)
@@ -135,47 +132,31 @@ public:
       searches_(complex.number_of_edges(), 0)
   {}
 
-  // Calls visit(ascending halfedges of the crossed edges) for all but one of the contours that cross the edges of
-  // `starts`.
-  template <class IsBelow, class Visit>
-  void visit_all_but_one(const Plain_vector<Halfedge_index>& starts, const IsBelow& is_below, const Visit& visit)
+  template <class IsBelow>
+  void begin(const Plain_vector<Halfedge_index>& starts, const IsBelow& is_below)
   {
-    first_search_ = last_search_ + 1;
-    contours_.assign(starts.size(), Contour());
-    leaders_.resize(starts.size());
-    std::iota(leaders_.begin(), leaders_.end(), std::size_t(0));
-    incomplete_ = leaders_;
+    first_search_ += static_cast<Number>(pending_.size());
+    pending_.assign(starts.size(), {});
     for(std::size_t i = 0; i != starts.size(); ++i)
-    {
-      ++last_search_;
       reach(i, edge_of(starts[i]), is_below);
-    }
-    remove_joined();
-    while(incomplete_.size() > 1)
-    {
-      std::size_t number_of_kept = 0;
-      for(const std::size_t i : incomplete_)
-      {
-        if(leaders_[i] != i)
-          continue;
-        if(go_on(i, is_below))
-          incomplete_[number_of_kept++] = i;
-        else
-          completed_.push_back(i);
-      }
-      incomplete_.resize(number_of_kept);
-      remove_joined();
-      // One contour stays, even if all have come to their end in this round.
-      if(incomplete_.empty() && !completed_.empty())
-        completed_.pop_back();
-      for(const std::size_t i : completed_)
-        visit(contours_[i].crossed_edges);
-      completed_.clear();
-    }
   }
 
-  // How many triangles have been looked at, in all searches.
-  std::size_t number_of_steps() const { return number_of_steps_; }
+  // Looks at one triangle, if there is one left.
+  template <class IsBelow>
+  bool go_on(std::size_t i, const IsBelow& is_below)
+  {
+    Plain_vector<Pending_edge>& pending = pending_[i];
+    while(!pending.empty() && pending.back().number_of_triangles == complex_.triangles_of(pending.back().edge).size())
+      pending.pop_back();
+    if(pending.empty())
+      return false;
+    const Edge_index edge = pending.back().edge;
+    const Triangle_index triangle = complex_.triangles_of(edge).begin()[pending.back().number_of_triangles++];
+    reach(i, crossed_edge_beside(complex_, edge, triangle, is_below), is_below);
+    return true;
+  }
+
+  bool is_border_reached(std::size_t) const { return false; } // Where a complex has its border is not asked.
 
 private:
   // An edge that has been found, and how many of its triangles have been looked at.
@@ -185,34 +166,6 @@ private:
     Number number_of_triangles;
   };
 
-  struct Contour
-  {
-    Plain_vector<Halfedge_index> crossed_edges;
-    Plain_vector<Pending_edge> pending;
-  };
-
-  // Looks at one triangle. Returns whether there was one.
-  template <class IsBelow>
-  bool go_on(std::size_t i, const IsBelow& is_below)
-  {
-    Plain_vector<Pending_edge>& pending = contours_[i].pending;
-    while(!pending.empty() && pending.back().number_of_triangles == complex_.triangles_of(pending.back().edge).size())
-      pending.pop_back();
-    if(pending.empty())
-      return false;
-    const Edge_index edge = pending.back().edge;
-    const Triangle_index triangle = complex_.triangles_of(edge).begin()[pending.back().number_of_triangles++];
-    ++number_of_steps_;
-    reach(i, crossed_edge_beside(complex_, edge, triangle, is_below), is_below);
-    return true;
-  }
-
-  void remove_joined()
-  {
-    const auto is_joined = [this](std::size_t i) { return leaders_[i] != i; };
-    incomplete_.erase(std::remove_if(incomplete_.begin(), incomplete_.end(), is_joined), incomplete_.end());
-  }
-
   // An edge belongs to a contour now. If it does already, and to another one, these two are one.
   template <class IsBelow>
   void reach(std::size_t i, Edge_index edge, const IsBelow& is_below)
@@ -221,8 +174,8 @@ private:
     {
       searches_[edge] = first_search_ + static_cast<Number>(i);
       const Halfedge_index even = even_halfedge(edge);
-      contours_[i].crossed_edges.push_back(is_below(complex_.source(even)) ? even : opposite_of(even));
-      contours_[i].pending.push_back({edge, 0});
+      crossed_edges_[i].push_back(is_below(complex_.source(even)) ? even : opposite_of(even));
+      pending_[i].push_back({edge, 0});
       return;
     }
     const std::size_t other = leader(searches_[edge] - first_search_);
@@ -232,31 +185,18 @@ private:
 
   void join(std::size_t i, std::size_t other)
   {
-    const bool is_smaller = contours_[i].crossed_edges.size() < contours_[other].crossed_edges.size();
-    Contour& large = contours_[is_smaller ? other : i];
-    Contour& small = contours_[is_smaller ? i : other];
-    large.crossed_edges.append(small.crossed_edges.begin(), small.crossed_edges.end());
-    large.pending.append(small.pending.begin(), small.pending.end());
-    small = Contour();
-    leaders_[is_smaller ? i : other] = is_smaller ? other : i;
-  }
-
-  std::size_t leader(std::size_t i) const
-  {
-    while(leaders_[i] != i)
-      i = leaders_[i];
-    return i;
+    const bool is_smaller = crossed_edges_[i].size() < crossed_edges_[other].size();
+    const std::size_t large = is_smaller ? other : i, small = is_smaller ? i : other;
+    crossed_edges_[large].append(crossed_edges_[small].begin(), crossed_edges_[small].end());
+    pending_[large].append(pending_[small].begin(), pending_[small].end());
+    pending_[small] = {};
+    close(small, large);
   }
 
   const Simplicial_complex& complex_;
   Indexed_vector<Edge_index, Number> searches_; // the number of the start from which the edge has been found
   Number first_search_ = 1;
-  Number last_search_ = 0;
-  std::vector<Contour> contours_;
-  Plain_vector<std::size_t> leaders_;
-  Plain_vector<std::size_t> incomplete_; // and those that have been joined in the present round
-  Plain_vector<std::size_t> completed_;  // in the present round
-  std::size_t number_of_steps_ = 0;
+  std::vector<Plain_vector<Pending_edge>> pending_;
 };
 
 } // namespace CGAL::Reeb_graph::internal

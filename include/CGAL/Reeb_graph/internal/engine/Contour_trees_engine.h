@@ -45,15 +45,7 @@ public:
       critical_vertices_(slab.critical_vertices())
   {}
 
-  // Calls report(fraction) now and then.
-  template <class ConcurrencyTag, class Report>
-  Slab_arcs find_arcs(const Report& report) const
-  {
-    No_vertex_queries no_queries;
-    return find_arcs<ConcurrencyTag>(report, no_queries);
-  }
-
-  // Answers the queries on the way.
+  // Answers the queries on the way, and calls report(fraction) now and then.
   template <class ConcurrencyTag, class Report, class Queries>
   Slab_arcs find_arcs(const Report& report, Queries& queries) const
   {
@@ -89,13 +81,19 @@ public:
     if constexpr(Queries::are_any)
     {
       Arcs_of_classes arcs_of_classes = combination.find_arcs_of_classes(arcs);
-      rename_glued_arcs(cuts, arcs, arcs_of_classes);
       if(cuts.size() != 0)
+      {
+        const auto new_names = glue_cuts(cuts, arcs);
+        for(const Side side : both_sides)
+          for(Slab_arc_index& arc : arcs_of_classes[side])
+            arc = arc == no_index ? arc : new_names[arc];
         cuts.register_edges();
+      }
       queries.template find_arcs<ConcurrencyTag>(arcs_of_classes,
                                                  Trees_with_cuts{{&upwards->tree(), &downwards->tree()}, cuts});
     }
-    glue_cuts(cuts, arcs);
+    else if(cuts.size() != 0)
+      glue_cuts(cuts, arcs);
     return arcs;
   }
 
@@ -117,16 +115,17 @@ private:
     const std::ptrdiff_t characteristic =
       Complex::is_surface && slab_.is_whole_surface() ? euler_characteristic(critical_vertices_) : 0;
     const bool is_guess_made = is_parallel<ConcurrencyTag>() && characteristic > 0;
-    invoke_both<ConcurrencyTag>([&] { sweep_upwards(upwards, queries); },
+    const auto no_cuts = [](Swept_index) {};
+    invoke_both<ConcurrencyTag>([&] { sweep_from<Side::LOWER>(upwards, queries, no_cuts); },
                                 [&] {
                                   if(is_guess_made || has_many_critical_vertices())
                                     find_path_ends<ConcurrencyTag, Queries>(*downwards);
                                   if(is_guess_made)
-                                    sweep_downwards(*downwards, queries);
+                                    sweep_from<Side::UPPER>(*downwards, queries, no_cuts);
                                 });
     const bool is_forest = characteristic > 0 && characteristic == largest_euler_characteristic(upwards.tree());
     if(is_forest && !is_guess_made)
-      sweep_downwards(*downwards, queries);
+      sweep_from<Side::UPPER>(*downwards, queries, no_cuts);
     if(!is_forest && is_guess_made)
     {
       downwards.emplace(slab_, order_);
@@ -136,21 +135,28 @@ private:
     return is_forest;
   }
 
-  // Calls visit(critical vertex) for positions in the order of the field, and lets the sweep know ahead.
-  template <class Sweep, class Iterator, class Visit>
-  void visit_in_order(const Sweep& sweep, Iterator begin, Iterator end, const Visit& visit) const
+  // Sweeps over the critical vertices from one side, lets the sweep know ahead, and calls visit(critical vertex) when one
+  // has been merged.
+  template <Side side, class Sweep, class Queries, class Visit>
+  void sweep_from(Sweep& sweep, Queries& queries, const Visit& visit) const
   {
-    constexpr std::ptrdiff_t far_ahead = 24, ahead = 16, near_ahead = 8;
-    for(Iterator critical = begin; critical != end; ++critical)
+    constexpr std::size_t far_ahead = 24, ahead = 16, near_ahead = 8;
+    const std::size_t size = critical_vertices_.size();
+    const auto place = [&](std::size_t i) { return side == Side::LOWER ? i : size - 1 - i; };
+    const auto critical = [&](std::size_t i) { return critical_vertices_.ascending()[place(i)]; };
+    for(std::size_t i = 0; i != size; ++i)
     {
-      if(end - critical > far_ahead)
-        critical_vertices_.prefetch(critical[far_ahead]);
-      if(end - critical > ahead)
-        sweep.prefetch_classes(critical[ahead]);
-      if(end - critical > near_ahead)
-        sweep.prefetch_components(critical[near_ahead]);
-      visit(*critical);
+      if(i + far_ahead < size)
+        critical_vertices_.prefetch(critical(i + far_ahead));
+      if(i + ahead < size)
+        sweep.prefetch_classes(critical(i + ahead));
+      if(i + near_ahead < size)
+        sweep.prefetch_components(critical(i + near_ahead));
+      sweep.merge_at(critical(i));
+      visit(critical(i));
+      queries.template ask_beyond<side>(place(i), sweep);
     }
+    sweep.merge_last_contours();
   }
 
   // Whether paths are best walked in the order of the mesh. Where critical vertices are few, paths are long, and cuts
@@ -158,30 +164,6 @@ private:
   bool has_many_critical_vertices() const
   {
     return critical_vertices_.size() > slab_.complex().number_of_vertices() / 64;
-  }
-
-  template <class Queries>
-  void sweep_upwards(Upward_sweep& sweep, Queries& queries) const
-  {
-    const Plain_vector<Swept_index>& ascending = critical_vertices_.ascending();
-    auto answers = queries.template answers<Side::LOWER>(sweep);
-    visit_in_order(sweep, ascending.begin(), ascending.end(), [&](Swept_index critical) {
-      sweep.merge_at(critical);
-      answers.find_next();
-    });
-    sweep.merge_last_contours();
-  }
-
-  // For the whole surface, which has no level below.
-  template <class Queries>
-  void sweep_downwards(Downward_sweep& sweep, Queries& queries) const
-  {
-    const Plain_vector<Swept_index>& ascending = critical_vertices_.ascending();
-    auto answers = queries.template answers<Side::UPPER>(sweep);
-    visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Swept_index critical) {
-      sweep.merge_at(critical);
-      answers.find_next();
-    });
   }
 
   // The Euler characteristic that the surface has if its components, with and without border, are spheres, disks, and
@@ -204,10 +186,7 @@ private:
   void sweep_downwards_and_cut(Downward_sweep& sweep, const Merge_tree& join_tree, Queries& queries) const
   {
     Loop_surgery<Complex, Order> surgery(slab_, order_, join_tree, sweep.tree());
-    const Plain_vector<Swept_index>& ascending = critical_vertices_.ascending();
-    auto answers = queries.template answers<Side::UPPER>(sweep);
-    visit_in_order(sweep, ascending.rbegin(), ascending.rend(), [&](Swept_index critical) {
-      sweep.merge_at(critical);
+    sweep_from<Side::UPPER>(sweep, queries, [&](Swept_index critical) {
       if(surgery.can_close_loop(critical))
       {
         surgery.visit_loop_contours(
@@ -215,9 +194,7 @@ private:
             sweep.cut(critical, sublevel_class, crossed_edges, has_border);
           });
       }
-      answers.find_next();
     });
-    sweep.merge_last_contours();
   }
 
   // Cuts do not change the join tree but for their own nodes.

@@ -47,24 +47,15 @@ class Offline_connectivity
 {
 public:
   // At time t, the nodes in question are those from first_questions[t] to first_questions[t + 1].
-  Offline_connectivity(const Plain_vector<Graph_node>& questions, const Plain_vector<Number>& first_questions)
+  Offline_connectivity(Plain_vector<Graph_node> questions, const Plain_vector<Number>& first_questions)
     : first_questions_(first_questions),
-      nodes_(questions)
+      nodes_(std::move(questions))
   {}
 
   // Names the components of the nodes in question: two of one time have the same name if they are connected then.
-  Plain_vector<Graph_node> operator()(Number number_of_nodes, Plain_vector<Timed_link> links)
+  Plain_vector<Graph_node> operator()(Number number_of_nodes, const Plain_vector<Timed_link>& links)
   {
-    if(number_of_times() == 0)
-      return {};
-    Part all(0, number_of_times(), number_of_nodes, links.size());
-    for(const Timed_link& link : links)
-      all.contract_if_lasting(link);
-    for(const Timed_link& link : links)
-      all.keep_if_changing(link);
-    links = Plain_vector<Timed_link>();
-    rename_questions(all);
-    divide(all.begin, all.end, std::move(all.links), all.number_of_nodes);
+    divide(0, static_cast<Number>(first_questions_.size()) - 1, links, number_of_nodes);
     return std::move(nodes_);
   }
 
@@ -72,94 +63,55 @@ public:
   std::size_t number_of_steps() const { return number_of_steps_; }
 
 private:
-  Number number_of_times() const { return static_cast<Number>(first_questions_.size()) - 1; }
-
-  // An interval of the times, in which links that last all through are contracted, and the other ones are kept with new
-  // names of their nodes.
-  struct Part
+  // Answers the questions of the times from `begin` to `end`. Each link that is kept begins or ends in between; where
+  // none is left, nothing changes, and connected nodes have become one.
+  void divide(Number begin, Number end, const Plain_vector<Timed_link>& links, Number number_of_nodes)
   {
-    Part(Number begin, Number end, Number number_of_old_nodes, std::size_t most_links)
-      : begin(begin),
-        end(end),
-        sets(number_of_old_nodes),
-        names(number_of_old_nodes, no_index)
-    {
-      links.reserve(most_links);
-    }
+    Plain_vector<Timed_link> kept;
+    const Number number_of_kept_nodes = contract(begin, end, links, number_of_nodes, kept);
+    if(kept.empty())
+      return;
+    number_of_steps_ += kept.size();
+    const Number middle = find_middle(begin, end, kept);
+    divide(begin, middle, kept, number_of_kept_nodes);
+    divide(middle, end, kept, number_of_kept_nodes);
+  }
 
-    void contract_if_lasting(const Timed_link& link)
+  // Contracts the links that last all through an interval of the times, and keeps the other ones that are there, with
+  // new names of their nodes, which the nodes in question get, too. Returns the number of names.
+  Number contract(Number begin,
+                  Number end,
+                  const Plain_vector<Timed_link>& links,
+                  Number number_of_nodes,
+                  Plain_vector<Timed_link>& kept)
+  {
+    Disjoint_sets<Graph_node> sets(number_of_nodes);
+    kept.reserve(links.size());
+    for(const Timed_link& link : links)
     {
       if(link.begin <= begin && link.end >= end)
         sets.unite(link.a, link.b);
+      else if(link.begin < end && link.end > begin)
+        kept.push_back(link);
     }
-
-    void keep_if_changing(const Timed_link& link)
+    Indexed_vector<Graph_node, Graph_node> names(number_of_nodes, no_index); // by root
+    Number number_of_names = 0;
+    const auto name = [&](Graph_node root) {
+      if(names[root] == no_index)
+        names[root] = Graph_node(number_of_names++);
+      return names[root];
+    };
+    std::size_t number_of_kept = 0;
+    for(const Timed_link& link : kept)
     {
-      const bool is_there = link.begin < end && link.end > begin, is_lasting = link.begin <= begin && link.end >= end;
-      if(!is_there || is_lasting)
-        return;
       const Graph_node a = sets.find(link.a), b = sets.find(link.b);
       if(a != b)
-        links.push_back({name_of_root(a), name_of_root(b), link.begin, link.end});
+        kept[number_of_kept++] = {name(a), name(b), link.begin, link.end};
     }
-
-    Graph_node name(Graph_node node) { return name_of_root(sets.find(node)); }
-
-    Number begin, end;
-    Disjoint_sets<Graph_node> sets;
-    Indexed_vector<Graph_node, Graph_node> names; // by root
-    Number number_of_nodes = 0;
-    Plain_vector<Timed_link> links;
-
-  private:
-    Graph_node name_of_root(Graph_node root)
-    {
-      Graph_node& result = names[root];
-      if(result == no_index)
-        result = Graph_node(number_of_nodes++);
-      return result;
-    }
-  };
-
-  void rename_questions(Part& part)
-  {
-    for(Number i = first_questions_[part.begin]; i != first_questions_[part.end]; ++i)
-      nodes_[i] = part.name(nodes_[i]);
-  }
-
-  // Answers the questions of the times from `begin` to `end`. Each link begins or ends in between; where none is left,
-  // nothing changes, and connected nodes have become one.
-  void divide(Number begin, Number end, Plain_vector<Timed_link> links, Number number_of_nodes)
-  {
-    if(links.empty())
-      return;
-    number_of_steps_ += links.size();
-    const Number middle = find_middle(begin, end, links);
-    Plain_vector<Timed_link> lower_links, upper_links;
-    Number size_of_lower = 0, size_of_upper = 0;
-    {
-      Part lower(begin, middle, number_of_nodes, links.size() / 2),
-        upper(middle, end, number_of_nodes, links.size() / 2);
-      for(const Timed_link& link : links)
-      {
-        lower.contract_if_lasting(link);
-        upper.contract_if_lasting(link);
-      }
-      for(const Timed_link& link : links)
-      {
-        lower.keep_if_changing(link);
-        upper.keep_if_changing(link);
-      }
-      links = Plain_vector<Timed_link>();
-      rename_questions(lower);
-      rename_questions(upper);
-      lower_links = std::move(lower.links);
-      upper_links = std::move(upper.links);
-      size_of_lower = lower.number_of_nodes;
-      size_of_upper = upper.number_of_nodes;
-    }
-    divide(begin, middle, std::move(lower_links), size_of_lower);
-    divide(middle, end, std::move(upper_links), size_of_upper);
+    kept.resize(number_of_kept);
+    for(Number i = first_questions_[begin]; i != first_questions_[end]; ++i)
+      nodes_[i] = name(sets.find(nodes_[i]));
+    return number_of_names;
   }
 
   // The time up to which about half of the beginnings and ends are, neither the first nor the last one.
@@ -190,111 +142,77 @@ private:
   std::size_t number_of_steps_ = 0;
 };
 
-// Finds which lower sectors of vertices are in one contour just below their vertex. The level sets are a graph that
-// changes while the level rises: its nodes are the edges that cross the level, and a triangle joins two of them, first
-// those at its lowest vertex, and above its middle vertex those at its highest one. (S. Parsa, A deterministic
-// O(m log m) time algorithm for the Reeb graph, 2013, where links are replaced one by one.)
-template <class Order>
-class Contours_of_sectors
+// The links of the level sets, by the times of the vertices: an edge crosses the levels from the time of its lower end
+// to that of its higher end. A triangle whose edges cross none of the levels has no link.
+inline Plain_vector<Timed_link> find_links(const Simplicial_complex& complex,
+                                           const Indexed_vector<Vertex_index, Number>& times)
 {
-public:
-  // The vertices have to ascend.
-  Contours_of_sectors(const Simplicial_complex& complex,
-                      const Order& order,
-                      const Swept_vertices& critical_vertices,
-                      const Plain_vector<Swept_index>& vertices)
-    : complex_(complex),
-      order_(order),
-      critical_vertices_(critical_vertices),
-      vertices_(vertices)
-  {}
-
-  // Sets by lower sector of the vertices: the name of its contour, among those of its vertex. Components of the complex
-  // in which none of the vertices in question is can be left out: is_left_out(vertex).
-  template <class IsLeftOut>
-  void operator()(const IsLeftOut& is_left_out, Indexed_vector<Sector_index, Number>& contours)
+  Plain_vector<Timed_link> links;
+  for(const Triangle_index triangle : complex.triangles())
   {
-    if(vertices_.empty())
-      return;
-    find_times(is_left_out);
-    Plain_vector<Graph_node> questions;
-    Plain_vector<Number> first_questions;
-    for(const Swept_index i : vertices_)
-    {
-      first_questions.push_back(static_cast<Number>(questions.size()));
-      for(const Sector_index sector : critical_vertices_.sectors(i, Side::LOWER))
-        questions.push_back(Graph_node(edge_of(critical_vertices_.sector(Side::LOWER, sector).edge).number()));
-    }
-    first_questions.push_back(static_cast<Number>(questions.size()));
-
-    Offline_connectivity connectivity(questions, first_questions);
-    const Plain_vector<Graph_node> components = connectivity(complex_.number_of_edges(), find_links());
-    number_of_steps_ = connectivity.number_of_steps();
-    auto component = components.begin();
-    for(const Swept_index i : vertices_)
-      for(const Sector_index sector : critical_vertices_.sectors(i, Side::LOWER))
-        contours[sector] = (component++)->number();
-  }
-
-  std::size_t number_of_steps() const { return number_of_steps_; }
-
-private:
-  // The time of a vertex is how many of the vertices in question are not higher: an edge crosses the level just below
-  // one of these from the time of its lower end to that of its higher end. What is left out stays at time 0.
-  template <class IsLeftOut>
-  void find_times(const IsLeftOut& is_left_out)
-  {
-    times_.renew(complex_.number_of_vertices(), 0);
-    for(const Vertex_index v : complex_.vertices())
-    {
-      if(is_left_out(v))
-        continue;
-      const auto is_not_higher = [&](Swept_index i) { return !order_(v, critical_vertices_.vertex(i)); };
-      times_[v] = static_cast<Number>(std::partition_point(vertices_.begin(), vertices_.end(), is_not_higher)
-                                      - vertices_.begin());
-    }
-  }
-
-  // A triangle whose edges cross none of the levels in question has no link.
-  Plain_vector<Timed_link> find_links() const
-  {
-    Plain_vector<Timed_link> links;
-    for(const Triangle_index triangle : complex_.triangles())
-    {
-      const std::array<Vertex_index, 3>& v = complex_.vertices_of(triangle);
-      const std::array<Number, 3> times = {times_[v[0]], times_[v[1]], times_[v[2]]};
-      if(times[0] == times[1] && times[1] == times[2])
-        continue;
-      std::array<std::size_t, 3> places = {0, 1, 2};
-      std::sort(places.begin(), places.end(), [&](std::size_t i, std::size_t j) { return times[i] < times[j]; });
-      add_links(triangle, times, places, links);
-    }
-    return links;
-  }
-
-  void add_links(Triangle_index triangle,
-                 const std::array<Number, 3>& times,
-                 const std::array<std::size_t, 3>& places,
-                 Plain_vector<Timed_link>& links) const
-  {
-    const std::array<Edge_index, 3>& edges = complex_.edges_of(triangle);
+    const std::array<Vertex_index, 3>& v = complex.vertices_of(triangle);
+    const std::array<Number, 3> time = {times[v[0]], times[v[1]], times[v[2]]};
+    if(time[0] == time[1] && time[1] == time[2])
+      continue;
+    std::array<std::size_t, 3> places = {0, 1, 2};
+    std::sort(places.begin(), places.end(), [&](std::size_t i, std::size_t j) { return time[i] < time[j]; });
     // Edges are in the order of the vertices that they do not have, from the last one.
-    const auto edge_opposite = [&](std::size_t place) { return Graph_node(edges[2 - place].number()); };
-    const Number low = times[places[0]], middle = times[places[1]], high = times[places[2]];
-    const Graph_node outer = edge_opposite(places[1]);
+    const auto edge_opposite = [&](std::size_t i) {
+      return Graph_node(complex.edges_of(triangle)[2 - places[i]].number());
+    };
+    const Number low = time[places[0]], middle = time[places[1]], high = time[places[2]];
     if(low != middle)
-      links.push_back({outer, edge_opposite(places[2]), low, middle});
+      links.push_back({edge_opposite(1), edge_opposite(2), low, middle});
     if(middle != high)
-      links.push_back({outer, edge_opposite(places[0]), middle, high});
+      links.push_back({edge_opposite(1), edge_opposite(0), middle, high});
   }
+  return links;
+}
 
-  const Simplicial_complex& complex_;
-  const Order& order_;
-  const Swept_vertices& critical_vertices_;
-  const Plain_vector<Swept_index>& vertices_;
-  Indexed_vector<Vertex_index, Number> times_;
-  std::size_t number_of_steps_ = 0;
-};
+// Finds which lower sectors of vertices, which have to ascend, are in one contour just below their vertex. The level
+// sets are a graph that changes while the level rises: its nodes are the edges that cross the level, and a triangle
+// joins two of them, first those at its lowest vertex, and above its middle vertex those at its highest one. (S. Parsa,
+// A deterministic O(m log m) time algorithm for the Reeb graph, 2013, where links are replaced one by one.)
+//
+// Sets by lower sector of the vertices: the name of its contour, among those of its vertex. Components of the complex in
+// which none of the vertices in question is can be left out: is_left_out(vertex). Returns how many links have been
+// looked at.
+template <class Order, class IsLeftOut>
+std::size_t find_contours_of_sectors(const Simplicial_complex& complex,
+                                     const Order& order,
+                                     const Swept_vertices& critical_vertices,
+                                     const Plain_vector<Swept_index>& vertices,
+                                     const IsLeftOut& is_left_out,
+                                     Indexed_vector<Sector_index, Number>& contours)
+{
+  if(vertices.empty())
+    return 0;
+  // The time of a vertex is how many of the vertices in question are not higher. What is left out stays at time 0.
+  Indexed_vector<Vertex_index, Number> times(complex.number_of_vertices(), 0);
+  for(const Vertex_index v : complex.vertices())
+  {
+    if(is_left_out(v))
+      continue;
+    const auto is_not_higher = [&](Swept_index i) { return !order(v, critical_vertices.vertex(i)); };
+    times[v] =
+      static_cast<Number>(std::partition_point(vertices.begin(), vertices.end(), is_not_higher) - vertices.begin());
+  }
+  Plain_vector<Graph_node> questions;
+  Plain_vector<Number> first_questions = {0};
+  for(const Swept_index i : vertices)
+  {
+    for(const Sector_index sector : critical_vertices.sectors(i, Side::LOWER))
+      questions.push_back(Graph_node(edge_of(critical_vertices.sector(Side::LOWER, sector).edge).number()));
+    first_questions.push_back(static_cast<Number>(questions.size()));
+  }
+  Offline_connectivity connectivity(std::move(questions), first_questions);
+  const Plain_vector<Graph_node> components = connectivity(complex.number_of_edges(), find_links(complex, times));
+  auto component = components.begin();
+  for(const Swept_index i : vertices)
+    for(const Sector_index sector : critical_vertices.sectors(i, Side::LOWER))
+      contours[sector] = (component++)->number();
+  return connectivity.number_of_steps();
+}
 
 } // namespace CGAL::Reeb_graph::internal
 

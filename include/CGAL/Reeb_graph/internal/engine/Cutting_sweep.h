@@ -125,73 +125,52 @@ private:
   Indexed_vector<Edge_index, bool> is_edge_cut_;      // asked first; empty as long as nothing is registered
 };
 
-// Arcs that end at a cut go on to the vertex just above, and the short arcs from the cut to there are dropped.
-inline void glue_cuts(const Loop_cuts& cuts, Slab_arcs& arcs)
+// Arcs that end at a cut go on to the vertex just above, and the short arcs from the cut to there are dropped. Returns
+// the new names of the arcs, no_index of those that are dropped: no vertex is on one of these.
+inline Indexed_vector<Slab_arc_index, Slab_arc_index> glue_cuts(const Loop_cuts& cuts, Slab_arcs& arcs)
 {
-  if(cuts.size() == 0)
-    return;
-  const auto begins_at_cut = [&](const Slab_arc& arc) { return cuts.is_cut_node(arc.lower); };
-  arcs.erase(std::remove_if(arcs.begin(), arcs.end(), begins_at_cut), arcs.end());
-  for(Slab_arc& arc : arcs)
-  {
-    if(cuts.is_cut_node(arc.upper))
-      arc.upper = node_of(cuts.critical_vertex(cuts.cut_of_node(arc.upper)));
-  }
-}
-
-// Names the arcs, which have not been glued yet, as glue_cuts() leaves them. No vertex is on one that it drops.
-inline void rename_glued_arcs(const Loop_cuts& cuts, const Slab_arcs& arcs, Arcs_of_classes& arcs_of_classes)
-{
-  if(cuts.size() == 0)
-    return;
   Indexed_vector<Slab_arc_index, Slab_arc_index> new_names(arcs.size(), no_index);
   Slab_arc_index next(0);
   for(const Slab_arc_index i : arcs.keys())
   {
-    if(cuts.is_cut_node(arcs[i].lower))
+    Slab_arc arc = arcs[i];
+    if(cuts.is_cut_node(arc.lower))
       continue;
+    if(cuts.is_cut_node(arc.upper))
+      arc.upper = node_of(cuts.critical_vertex(cuts.cut_of_node(arc.upper)));
+    arcs[next] = arc;
     new_names[i] = next;
     ++next;
   }
-  for(const Side side : both_sides)
-  {
-    for(Slab_arc_index& arc : arcs_of_classes[side])
-      arc = arc == no_index ? arc : new_names[arc];
-  }
+  arcs.resize(next.number());
+  return new_names;
 }
 
 // The sweep for the split tree of a surface that is cut on the way. A cut ends the paths of vertices further down, so
 // their ends, if found before, have to be corrected.
 template <class Complex, class Order>
-class Cutting_sweep
+class Cutting_sweep : public Merge_tree_sweep<Complex, Order, Side::UPPER>
 {
+  typedef Merge_tree_sweep<Complex, Order, Side::UPPER> Base;
+
 public:
   Cutting_sweep(const Slab<Complex>& slab, const Order& order)
-    : complex_(slab.complex()),
-      order_(order),
-      critical_vertices_(slab.critical_vertices()),
-      sweep_(slab, order),
+    : Base(slab, order),
+      complex_(slab.complex()),
       cuts_(slab.number_of_nodes(), slab.complex().number_of_edges())
   {}
 
   template <class ConcurrencyTag>
   void find_path_ends()
   {
-    sweep_.template find_path_ends<ConcurrencyTag>();
+    Base::template find_path_ends<ConcurrencyTag>();
     are_paths_walked_late_ = false;
   }
 
-  template <class ConcurrencyTag>
-  void find_path_ends_of_vertices()
-  {
-    sweep_.template find_path_ends_of_vertices<ConcurrencyTag>();
-  }
-
-  void prefetch_classes(Swept_index critical) const { sweep_.prefetch_classes(critical); }
   void prefetch_components(Swept_index critical) const
   {
     if(!are_paths_walked_late_)
-      sweep_.prefetch_components(critical);
+      Base::prefetch_components(critical);
   }
 
   void merge_at(Swept_index critical)
@@ -199,18 +178,16 @@ public:
     if(are_paths_walked_late_)
     {
       for(const Sector_index i : critical_vertices_.sectors(critical, Side::UPPER))
-        sweep_.find_path_end(i, end_at_cut_or_level(), passed_);
+        this->find_path_end(i, end_at_cut_or_level(), passed_);
     }
-    sweep_.merge_at(critical);
+    Base::merge_at(critical);
   }
 
   // The class of a regular vertex; see Merge_tree_sweep.
   Slab_node class_of(Vertex_index vertex)
   {
-    return are_paths_walked_late_ ? sweep_.class_of(vertex, end_at_cut_or_level(), passed_) : sweep_.class_of(vertex);
+    return are_paths_walked_late_ ? Base::class_of(vertex, end_at_cut_or_level(), passed_) : Base::class_of(vertex);
   }
-  void prefetch_path_end(Vertex_index vertex) const { sweep_.prefetch_path_end(vertex); }
-  void prefetch_component(Vertex_index vertex) const { sweep_.prefetch_component(vertex); }
 
   // Cuts along a contour just below the critical vertex that has been merged at last; see Loop_cuts. Its halfedges are
   // ascending.
@@ -221,19 +198,15 @@ public:
   {
     const Cut_index cut = cuts_.next_cut();
     cuts_.add(critical, sublevel_class, crossed_edges);
-    sweep_.put_on_last(critical, cuts_.node_above(cut));
-    components_of_cuts_.push_back(sweep_.add_component_of_cut(cuts_.node_below(cut), has_border));
+    this->put_on_last(critical, cuts_.node_above(cut));
+    components_of_cuts_.push_back(this->add_component_of_cut(cuts_.node_below(cut), has_border));
     if(!are_paths_walked_late_)
       correct_path_ends(crossed_edges);
     if(are_paths_walked_late_)
       cuts_.register_edges();
   }
 
-  // What a cut has parted is one component again at the end of the sweep, so paths may pass cuts.
-  void merge_last_contours() { sweep_.merge_last_contours(); }
-
   Loop_cuts take_cuts() { return std::move(cuts_); }
-  const Merge_tree& tree() const { return sweep_.tree(); }
 
   // How many edges and sectors corrections have looked at.
   std::size_t number_of_steps() const { return number_of_steps_; }
@@ -242,7 +215,7 @@ private:
   // A path meets a cut before the upper level of the slab.
   auto end_at_cut_or_level() const
   {
-    return [this, end_at_level = sweep_.end_at_level()](Vertex_index target, const auto& find_edge) {
+    return [this, end_at_level = this->end_at_level()](Vertex_index target, const auto& find_edge) {
       const Cut_index cut = cuts_.has_registered_edges() ? cuts_.lowest_at_edge(find_edge()) : no_index;
       return cut == no_index ? end_at_level(target, find_edge) : components_of_cuts_[cut];
     };
@@ -274,9 +247,9 @@ private:
       if(lower != last)
       {
         last = lower;
-        next_of_last = sweep_.path_ends().is_known(lower) ? sweep_.path_ends().next_vertex(lower) : no_index;
+        next_of_last = path_ends_.is_known(lower) ? path_ends_.next_vertex(lower) : no_index;
       }
-      if(complex_.target(crossed_edges[i]) == next_of_last && edge_of(sweep_.path_ends().next_edge(lower)) == edge)
+      if(complex_.target(crossed_edges[i]) == next_of_last && edge_of(path_ends_.next_edge(lower)) == edge)
         correct_path_end(lower, corrected);
     }
     for(; !corrected.empty() && !are_paths_walked_late_; ++number_of_corrections_)
@@ -294,7 +267,7 @@ private:
       are_paths_walked_late_ = number_of_corrections_ >= critical_vertices_.size() || are_corrections_expensive();
     }
     if(are_paths_walked_late_)
-      sweep_.forget_path_ends();
+      this->forget_path_ends();
   }
 
   // Whether corrections have looked at far more edges and sectors than there are, as many cuts near one vertex that has
@@ -324,7 +297,7 @@ private:
     for(const Sector_index i : critical_vertices_.sectors(Swept_index(number - 1), Side::UPPER))
     {
       if(is_changed(critical_vertices_.sector(Side::UPPER, i)))
-        sweep_.set_path_end(i, components_of_cuts_.back());
+        this->sector_components_[i] = components_of_cuts_.back();
     }
   }
 
@@ -337,7 +310,7 @@ private:
     const Vertex_index vertex = vertices[i + far_ahead];
     prefetch(&critical_numbers_[vertex]);
     critical_vertices_.kept_neighbors().prefetch(vertex);
-    sweep_.path_ends().prefetch(vertex);
+    path_ends_.prefetch(vertex);
     if(const Number number = critical_numbers_[vertices[i + ahead]]; number != 0)
       critical_vertices_.prefetch(Swept_index(number - 1));
     if(const Number number = critical_numbers_[vertices[i + near_ahead]]; number != 0)
@@ -347,25 +320,26 @@ private:
   // Whether the end of a path that goes from `lower` to `higher` is known.
   bool is_on_known_path(Vertex_index lower, Vertex_index higher) const
   {
-    return sweep_.path_ends().is_known(lower) && sweep_.path_ends().next_vertex(lower) == higher;
+    return path_ends_.is_known(lower) && path_ends_.next_vertex(lower) == higher;
   }
 
   // Corrects the end of the path from a vertex, once, as several edges may lead there.
   void correct_path_end(Vertex_index vertex, Plain_vector<Vertex_index>& corrected)
   {
-    if(sweep_.path_ends().end(vertex) == components_of_cuts_.back())
+    if(path_ends_.end(vertex) == components_of_cuts_.back())
       return;
-    sweep_.path_ends().set_end(vertex, components_of_cuts_.back());
+    path_ends_.set_end(vertex, components_of_cuts_.back());
     corrected.push_back(vertex);
   }
 
+  using Base::critical_vertices_;
+  using Base::order_;
+  using Base::passed_;
+  using Base::path_ends_;
+
   const Complex& complex_;
-  const Order& order_;
-  const Swept_vertices& critical_vertices_;
-  Merge_tree_sweep<Complex, Order, Side::UPPER> sweep_;
   Loop_cuts cuts_;
   Indexed_vector<Cut_index, Component_index> components_of_cuts_;
-  Plain_vector<Vertex_index> passed_;
   Indexed_vector<Vertex_index, Number> critical_numbers_; // from 1 on; 0 if it is not critical
   bool are_paths_walked_late_ = true;                     // each when its vertex is merged
   std::size_t number_of_corrections_ = 0;

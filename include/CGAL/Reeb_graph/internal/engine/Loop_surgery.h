@@ -24,26 +24,45 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
 
-// Finds contours along which the surface has to be cut so that its Reeb graph becomes a tree: at each vertex where
-// several lower contours meet, one of each sublevel component stays, the others close loops. Contours are traced only
-// where counting the components cannot exclude a loop. (Loop surgery is that of J. Tierny, A. Gyulassy, E. Simon,
-// V. Pascucci, 2009; where the loops are is counted here.)
+// Finds contours along which the domain has to be cut so that its Reeb graph becomes a tree: at each vertex where
+// several lower contours meet, one of each sublevel component stays, the others close loops. On a surface, contours are
+// traced only where counting the components cannot exclude a loop. (Loop surgery is that of J. Tierny, A. Gyulassy, E.
+// Simon, V. Pascucci, 2009; where the loops are is counted here.)
+//
+// In a complex that may be no surface, it is found for all vertices at once which of the lower sectors in one sublevel
+// component are in one contour, but where counting excludes loops. Each contour that is cut closes a loop of the graph,
+// so there are at most as many cuts as the first Betti number of the complex.
 template <class Complex, class Order>
 class Loop_surgery
 {
 public:
   Loop_surgery(const Slab<Complex>& slab, const Order& order, const Merge_tree& join_tree, const Merge_tree& split_tree)
-    : order_(order),
+    : complex_(slab.complex()),
+      order_(order),
       critical_vertices_(slab.critical_vertices()),
       join_tree_(join_tree),
       split_tree_(split_tree),
-      contours_(slab.complex())
-  {}
+      search_(complex_)
+  {
+    if constexpr(!Complex::is_surface)
+    {
+      last_vertices_at_edges_.assign(complex_.number_of_edges(), 0);
+      contours_.assign(critical_vertices_.total_number_of_sectors(Side::LOWER), no_index);
+      const auto& shared = join_tree.is_class_shared;
+      const auto number_of_shared = std::count(shared.begin(), shared.end(), true);
+      // To look at each triangle once pays if otherwise most would be looked at several times.
+      if(static_cast<std::size_t>(number_of_shared) > complex_.number_of_vertices() / 1024)
+        components_.emplace(complex_);
+      find_contours([&](Vertex_index v) { return is_simply_connected(v) || is_closed(v); });
+    }
+  }
 
   // Whether two lower contours at the vertex might be in one sublevel component. May err to the safe side. The classes
   // of the superlevel components can be those of the surface with the cuts further up: that can only exclude more.
@@ -51,6 +70,52 @@ public:
   {
     if(!join_tree_.is_class_shared[critical])
       return false;
+    if constexpr(Complex::is_surface)
+      return can_close_loop_of_surface(critical);
+    else
+    {
+      const Vertex_index vertex = critical_vertices_.vertex(critical);
+      if(is_simply_connected(vertex) || (is_closed(vertex) && !can_close_loop_of_curves(critical)))
+        return false;
+      sort_contours(critical);
+      return contours_of_vertex_.size() > count_classes(critical, Side::LOWER);
+    }
+  }
+
+  // Traces lower contours of the vertex, and calls visit(its sublevel class, halfedges of the crossed edges, each from
+  // its lower end to its higher one, whether they reach the border) for all but one of each sublevel component.
+  template <class Visit>
+  void visit_loop_contours(Swept_index critical, const Visit& visit)
+  {
+    sort_contours(critical);
+    const auto is_below = [&, vertex = critical_vertices_.vertex(critical)](Vertex_index u) {
+      return order_(u, vertex);
+    };
+    Plain_vector<Halfedge_index> starts;
+    const auto end_of_all = contours_of_vertex_.end();
+    for(auto begin = contours_of_vertex_.begin(), end = begin; begin != end_of_all; begin = end)
+    {
+      starts.clear();
+      for(; end != end_of_all && end->sublevel_class == begin->sublevel_class; ++end)
+        starts.push_back(critical_vertices_.sector(Side::LOWER, end->sector).edge);
+      const std::size_t number_of_earlier_steps = search_.number_of_steps();
+      bool is_loop_closed = false;
+      search_.visit_all_but_one(starts, is_below, [&](const auto& crossed_edges, bool is_border_reached) {
+        is_loop_closed = true;
+        visit(begin->sublevel_class, crossed_edges, is_border_reached);
+      });
+      number_of_lost_steps_ += is_loop_closed ? 0 : search_.number_of_steps() - number_of_earlier_steps;
+    }
+    if constexpr(!Complex::is_surface)
+      find_contours_if_steps_are_lost();
+  }
+
+  // How many steps searches have taken.
+  std::size_t number_of_steps() const { return search_.number_of_steps(); }
+
+private:
+  bool can_close_loop_of_surface(Swept_index critical)
+  {
     // With closed contours on one side, as many loops are closed at the vertex, here or above and below, as its
     // multiplicity exceeds the merges of both trees: none if all upper classes are different.
     const bool is_on_border = critical_vertices_.is_on_border(critical);
@@ -61,32 +126,8 @@ public:
              > count_classes(critical, Side::LOWER) + count_classes(critical, Side::UPPER);
   }
 
-  // Traces lower contours of the vertex, and calls visit(its sublevel class, halfedges of the crossed edges, each from
-  // its lower end to its higher one, whether they reach the border) for all but one of each sublevel component.
-  template <class Visit>
-  void visit_loop_contours(Swept_index critical, const Visit& visit)
-  {
-    const auto is_below = [&, vertex = critical_vertices_.vertex(critical)](Vertex_index u) {
-      return order_(u, vertex);
-    };
-    std::vector<std::pair<Slab_node, Sector_index>> sectors; // with their classes
-    for(const Sector_index i : critical_vertices_.sectors(critical, Side::LOWER))
-      sectors.emplace_back(join_tree_.classes[i], i);
-    std::sort(sectors.begin(), sectors.end());
-    Plain_vector<Halfedge_index> starts;
-    for(auto begin = sectors.begin(), end = begin; begin != sectors.end(); begin = end)
-    {
-      starts.clear();
-      for(; end != sectors.end() && end->first == begin->first; ++end)
-        starts.push_back(critical_vertices_.sector(Side::LOWER, end->second).edge);
-      contours_.visit_all_but_one(starts, is_below,
-                                  [&](const Plain_vector<Halfedge_index>& crossed_edges, bool is_border_reached) {
-                                    visit(begin->first, crossed_edges, is_border_reached);
-                                  });
-    }
-  }
+  const Merge_tree& tree(Side side) const { return side == Side::UPPER ? split_tree_ : join_tree_; }
 
-private:
   void sort_classes(Swept_index critical, Side side)
   {
     classes_.clear();
@@ -102,6 +143,24 @@ private:
       return tree(side).is_class_shared[critical] ? 1 : 2;
     sort_classes(critical, side);
     return static_cast<Number>(std::unique(classes_.begin(), classes_.end()) - classes_.begin());
+  }
+
+  // Sorts the lower contours of a vertex by their classes. Where contours have not been found before, each sector may
+  // have one of its own.
+  void sort_contours(Swept_index critical)
+  {
+    contours_of_vertex_.clear();
+    for(const Sector_index i : critical_vertices_.sectors(critical, Side::LOWER))
+    {
+      const bool is_found = contours_.contains(i) && contours_[i] != no_index;
+      contours_of_vertex_.push_back({join_tree_.classes[i], is_found ? contours_[i] : i.number(), i});
+    }
+    const auto begin = contours_of_vertex_.begin(), end = contours_of_vertex_.end();
+    std::sort(begin, end, [](const Lower_contour& a, const Lower_contour& b) {
+      return std::tie(a.sublevel_class, a.name) < std::tie(b.sublevel_class, b.name);
+    });
+    const auto are_same = [](const Lower_contour& a, const Lower_contour& b) { return a.name == b.name; };
+    contours_of_vertex_.erase(std::unique(begin, end, are_same), end);
   }
 
   bool is_border_reached(Swept_index critical, Side side) const
@@ -135,96 +194,6 @@ private:
     return result;
   }
 
-  const Merge_tree& tree(Side side) const { return side == Side::UPPER ? split_tree_ : join_tree_; }
-
-  const Order& order_;
-  const Swept_vertices& critical_vertices_;
-  const Merge_tree& join_tree_;
-  const Merge_tree& split_tree_;
-  Contours_side_by_side<Complex> contours_;
-  Plain_vector<Slab_node> classes_;
-};
-
-// The cuts that make the domain of a complex one whose Reeb graph is a tree. Where several lower sectors are in one sublevel component, it is found for all vertices at
-// once which of them are in one contour. Each contour that is cut closes a loop of the graph, so there are at most as
-// many cuts as the first Betti number of the complex.
-template <class Order>
-class Loop_surgery<Simplicial_complex, Order>
-{
-public:
-  Loop_surgery(const Slab<Simplicial_complex>& slab,
-               const Order& order,
-               const Merge_tree& join_tree,
-               const Merge_tree& split_tree)
-    : complex_(slab.complex()),
-      order_(order),
-      critical_vertices_(slab.critical_vertices()),
-      join_tree_(join_tree),
-      split_tree_(split_tree),
-      search_(slab.complex()),
-      last_vertices_at_edges_(slab.complex().number_of_edges(), 0),
-      contours_(critical_vertices_.total_number_of_sectors(Side::LOWER), no_index)
-  {
-    const auto& shared = join_tree.is_class_shared;
-    const auto number_of_shared = std::count(shared.begin(), shared.end(), true);
-    // To look at each triangle once pays if otherwise most would be looked at several times.
-    if(static_cast<std::size_t>(number_of_shared) > complex_.number_of_vertices() / 1024)
-      components_.emplace(complex_);
-    find_contours([&](Vertex_index v) { return is_simply_connected(v) || is_closed(v); });
-  }
-
-  bool can_close_loop(Swept_index critical)
-  {
-    if(!join_tree_.is_class_shared[critical])
-      return false;
-    const Vertex_index vertex = critical_vertices_.vertex(critical);
-    if(is_simply_connected(vertex))
-      return false;
-    sort_contours(critical);
-    if(is_closed(vertex) && !can_close_loop_of_curves(critical))
-      return false;
-    for(std::size_t i = 1; i < contours_of_vertex_.size(); ++i)
-    {
-      if(contours_of_vertex_[i].sublevel_class == contours_of_vertex_[i - 1].sublevel_class)
-        return true;
-    }
-    return false;
-  }
-
-  template <class Visit>
-  void visit_loop_contours(Swept_index critical, const Visit& visit)
-  {
-    const Vertex_index vertex = critical_vertices_.vertex(critical);
-    const auto is_below = [&](Vertex_index u) { return order_(u, vertex); };
-    Plain_vector<Halfedge_index> starts;
-    auto end = contours_of_vertex_.begin();
-    for(auto begin = end; begin != contours_of_vertex_.end(); begin = end)
-    {
-      const Slab_node sublevel_class = begin->sublevel_class;
-      starts.clear();
-      for(; end != contours_of_vertex_.end() && end->sublevel_class == sublevel_class; ++end)
-        starts.push_back(critical_vertices_.sector(Side::LOWER, end->sector).edge);
-      const std::size_t number_of_earlier_steps = search_.number_of_steps();
-      bool is_loop_closed = false;
-      search_.visit_all_but_one(starts, is_below, [&](const Plain_vector<Halfedge_index>& crossed_edges) {
-        is_loop_closed = true;
-        visit(sublevel_class, crossed_edges, false);
-      });
-      number_of_lost_steps_ += is_loop_closed ? 0 : search_.number_of_steps() - number_of_earlier_steps;
-    }
-    // On closed components, searches that close no loop are rare but where contours pass one-sided saddles twice:
-    // there, they could take quadratic time.
-    if(!are_all_found_ && number_of_lost_steps_ > complex_.number_of_triangles())
-    {
-      find_contours([&](Vertex_index v) { return is_simply_connected(v) || !is_closed(v); });
-      are_all_found_ = true;
-    }
-  }
-
-  // How many crossed edges searches have looked at.
-  std::size_t number_of_steps() const { return search_.number_of_steps(); }
-
-private:
   bool is_simply_connected(Vertex_index vertex) const
   {
     return components_ && components_->is_simply_connected(vertex);
@@ -241,33 +210,17 @@ private:
       if(join_tree_.is_class_shared[i] && !is_left_out(critical_vertices_.vertex(i)))
         vertices.push_back(i);
     }
-    Contours_of_sectors<Order>(complex_, order_, critical_vertices_, vertices)(is_left_out, contours_);
+    find_contours_of_sectors(complex_, order_, critical_vertices_, vertices, is_left_out, contours_);
   }
 
-  // A lower contour of a vertex, and one sector that it passes.
-  struct Lower_contour
+  // On closed components, searches that close no loop are rare but where contours pass one-sided saddles twice: there,
+  // they could take quadratic time.
+  void find_contours_if_steps_are_lost()
   {
-    Slab_node sublevel_class;
-    Number name;
-    Sector_index sector;
-
-    friend bool operator<(const Lower_contour& a, const Lower_contour& b)
-    {
-      return a.sublevel_class != b.sublevel_class ? a.sublevel_class < b.sublevel_class : a.name < b.name;
-    }
-    friend bool operator==(const Lower_contour& a, const Lower_contour& b) { return a.name == b.name; }
-  };
-
-  // Sorts the lower contours of a vertex by their classes. Where contours have not been found before, each sector may
-  // have one of its own.
-  void sort_contours(Swept_index critical)
-  {
-    contours_of_vertex_.clear();
-    for(const Sector_index i : critical_vertices_.sectors(critical, Side::LOWER))
-      contours_of_vertex_.push_back({join_tree_.classes[i], contours_[i] == no_index ? i.number() : contours_[i], i});
-    std::sort(contours_of_vertex_.begin(), contours_of_vertex_.end());
-    contours_of_vertex_.erase(std::unique(contours_of_vertex_.begin(), contours_of_vertex_.end()),
-                              contours_of_vertex_.end());
+    if(are_all_found_ || number_of_lost_steps_ <= complex_.number_of_triangles())
+      return;
+    find_contours([&](Vertex_index v) { return is_simply_connected(v) || !is_closed(v); });
+    are_all_found_ = true;
   }
 
   // Whether two lower contours at the vertex might be in one sublevel component, where contours are closed curves. The
@@ -276,20 +229,8 @@ private:
   // a single sector passes one.
   bool can_close_loop_of_curves(Swept_index critical)
   {
-    Number number_of_classes = 0;
-    Slab_node last = no_index;
-    for(const Lower_contour& contour : contours_of_vertex_)
-    {
-      number_of_classes += contour.sublevel_class != last ? 1 : 0;
-      last = contour.sublevel_class;
-    }
-    upper_classes_.clear();
-    for(const Sector_index i : critical_vertices_.sectors(critical, Side::UPPER))
-      upper_classes_.push_back(split_tree_.classes[i]);
-    std::sort(upper_classes_.begin(), upper_classes_.end());
-    number_of_classes +=
-      static_cast<Number>(std::unique(upper_classes_.begin(), upper_classes_.end()) - upper_classes_.begin());
-    return largest_number_of_contours(critical_vertices_.vertex(critical)) > number_of_classes;
+    return largest_number_of_contours(critical_vertices_.vertex(critical))
+         > count_classes(critical, Side::LOWER) + count_classes(critical, Side::UPPER);
   }
 
   // How many contours can be just below and just above the vertex, by its fans.
@@ -329,19 +270,29 @@ private:
     return changes;
   }
 
-  const Simplicial_complex& complex_;
+  // A lower contour of a vertex, and one sector that it passes.
+  struct Lower_contour
+  {
+    Slab_node sublevel_class;
+    Number name;
+    Sector_index sector;
+  };
+
+  const Complex& complex_;
   const Order& order_;
   const Swept_vertices& critical_vertices_;
   const Merge_tree& join_tree_;
   const Merge_tree& split_tree_;
-  std::optional<Components_of_complex> components_; // if there are many vertices to ask about
-  Contour_search search_;
+  std::conditional_t<Complex::is_surface, Contours_side_by_side<Complex>, Contour_search> search_;
+  Plain_vector<Slab_node> classes_;
+  std::vector<Lower_contour> contours_of_vertex_; // of the last one
+
+  // Of a complex that may be no surface:
+  std::optional<Components_of_complex> components_;           // if there are many vertices to ask about
   Indexed_vector<Edge_index, Number> last_vertices_at_edges_; // whose fans have been turned around; from 1 on
   Indexed_vector<Sector_index, Number> contours_; // by lower sector; no_index where none has been looked for
   std::size_t number_of_lost_steps_ = 0;          // of searches that have closed no loop
   bool are_all_found_ = false;
-  std::vector<Lower_contour> contours_of_vertex_; // of the last one
-  Plain_vector<Slab_node> upper_classes_;
 };
 
 } // namespace CGAL::Reeb_graph::internal

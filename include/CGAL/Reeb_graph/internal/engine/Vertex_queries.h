@@ -41,16 +41,9 @@ class No_vertex_queries
 public:
   static constexpr bool are_any = false, are_in_order = false;
 
-  struct Answers
-  {
-    void find_next() {}
-  };
-
   template <Side, class Sweep>
-  Answers answers(Sweep&)
-  {
-    return Answers();
-  }
+  void ask_beyond(std::size_t, Sweep&)
+  {}
 };
 
 // Asks the sweeps for the regular vertices, each at its place in the order of the field: its class in a merge tree is
@@ -92,51 +85,24 @@ public:
       classes_[side].renew(vertices_.size(), no_index);
   }
 
-  // What a sweep answers, that for the join tree, which comes from below, or that for the split tree.
+  // Asks a sweep, that for the join tree, which comes from below, or that for the split tree, for the vertices beyond the
+  // critical vertex at that place in ascending order, which it has visited, up to the next one.
   template <Side side, class Sweep>
-  class Answers
+  void ask_beyond(std::size_t place, Sweep& sweep)
   {
-  public:
-    Answers(Vertex_queries& queries, Sweep& sweep)
-      : queries_(queries),
-        sweep_(sweep),
-        place_(side == Side::LOWER ? 1 : queries.bounds_.size() - 2),
-        next_(queries.bounds_[place_])
-    {}
-
-    // Goes on to the next critical vertex, when the sweep has visited one.
-    void find_next()
-    {
-      place_ = moved(place_, 1);
-      for(; next_ != queries_.bounds_[place_]; next_ = moved(next_, 1))
-        find(side == Side::LOWER ? next_ : next_ - 1);
-    }
-
-  private:
+    constexpr std::size_t far_ahead = 16, ahead = 8;
+    const std::size_t begin = bounds_[side == Side::LOWER ? place + 1 : place],
+                      end = bounds_[side == Side::LOWER ? place + 2 : place + 1];
     // Below zero, the result is larger than all places.
-    static std::size_t moved(std::size_t i, std::size_t steps) { return side == Side::LOWER ? i + steps : i - steps; }
-
-    void find(std::size_t i)
+    const auto moved = [](std::size_t i, std::size_t steps) { return side == Side::LOWER ? i + steps : i - steps; };
+    for(std::size_t i = side == Side::LOWER ? begin : end - 1; i - begin < end - begin; i = moved(i, 1))
     {
-      constexpr std::size_t far_ahead = 16, ahead = 8;
-      const auto& vertices = queries_.vertices_;
-      if(moved(i, far_ahead) < vertices.size())
-        sweep_.prefetch_path_end(vertices[Query(moved(i, far_ahead))]);
-      if(moved(i, ahead) < vertices.size())
-        sweep_.prefetch_component(vertices[Query(moved(i, ahead))]);
-      queries_.classes_[side][Query(i)] = sweep_.class_of(vertices[Query(i)]);
+      if(moved(i, far_ahead) < vertices_.size())
+        sweep.prefetch_path_end(vertices_[Query(moved(i, far_ahead))]);
+      if(moved(i, ahead) < vertices_.size())
+        sweep.prefetch_component(vertices_[Query(moved(i, ahead))]);
+      classes_[side][Query(i)] = sweep.class_of(vertices_[Query(i)]);
     }
-
-    Vertex_queries& queries_;
-    Sweep& sweep_;
-    std::size_t place_;
-    std::size_t next_;
-  };
-
-  template <Side side, class Sweep>
-  Answers<side, Sweep> answers(Sweep& sweep)
-  {
-    return Answers<side, Sweep>(*this, sweep);
   }
 
   // Finds the arcs of the vertices when all of them have been asked for.
@@ -177,18 +143,15 @@ public:
 private:
   void find_vertices()
   {
-    vertices_.resize(complex_.number_of_vertices());
-    std::size_t size = 0;
+    vertices_.reserve(complex_.number_of_vertices() - critical_vertices_.size());
     Swept_index critical(0);
     for(const Vertex_index vertex : complex_.vertices())
     {
-      const bool is_critical =
-        critical.number() != critical_vertices_.size() && critical_vertices_.vertex(critical) == vertex;
-      critical = Swept_index(critical.number() + (is_critical ? 1 : 0));
-      vertices_[Query(size)] = vertex;
-      size += !is_critical && complex_.has_vertex(vertex) ? 1 : 0;
+      if(critical.number() != critical_vertices_.size() && critical_vertices_.vertex(critical) == vertex)
+        ++critical;
+      else if(complex_.has_vertex(vertex))
+        vertices_.push_back(vertex);
     }
-    vertices_.resize(size);
   }
 
   template <class Keys>
@@ -244,10 +207,8 @@ public:
   }
 
   template <Side, class Sweep>
-  No_vertex_queries::Answers answers(Sweep&)
-  {
-    return {};
-  }
+  void ask_beyond(std::size_t, Sweep&)
+  {}
 
   template <class ConcurrencyTag>
   void find_arcs(const Arcs_of_classes& arcs_of_classes, const Trees_with_cuts& found)

@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <numeric>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -173,69 +175,113 @@ void trace_contour(const Simplicial_complex& complex, Halfedge_index start, cons
   }
 }
 
-// Traces contours of one level of a surface, in steps by turns, so that the longest one costs no more than the next
-// one.
-template <class Complex>
-class Contours_side_by_side
+// Finds contours of one level in steps by turns, so that the longest one costs no more than the next one. There is a
+// search for each start. A class `Search` derived from this one has
+// - begin(starts, is_below), which gives each search the first edge that it crosses,
+// - go_on(i, is_below), which takes a step, unless search i has come to its end, and joins searches that meet, and
+// - is_border_reached(i).
+template <class Search>
+class Contours_by_turns
 {
 public:
-  explicit Contours_side_by_side(const Complex& complex) : complex_(complex) {}
-
   // Calls visit(halfedges of the crossed edges, each from its lower end to its higher one, whether they reach the
   // border) for all but one of the contours that cross the edges of `starts`.
   template <class IsBelow, class Visit>
   void visit_all_but_one(const Plain_vector<Halfedge_index>& starts, const IsBelow& is_below, const Visit& visit)
   {
-    begin(starts, is_below);
+    Search& search = static_cast<Search&>(*this);
+    leaders_.resize(starts.size());
+    std::iota(leaders_.begin(), leaders_.end(), std::size_t(0));
+    turns_ = leaders_;
+    number_of_open_ = starts.size();
+    crossed_edges_.assign(starts.size(), {});
+    search.begin(starts, is_below);
     while(number_of_open_ > 1)
     {
       for(const std::size_t i : turns_)
       {
-        Walk& walk = walks_[i];
-        if(!walk.is_open)
+        if(!is_open(i))
           continue;
-        if(walk.contour.go_on(is_below))
-        {
-          walk.crossed_edges.push_back(walk.contour.ascending_edge());
-          meet_start(i, edge_of(walk.contour.ascending_edge()));
+        ++number_of_steps_;
+        if(search.go_on(i, is_below))
           continue;
-        }
-        visit(walk.crossed_edges, walk.contour.is_border_reached());
-        close(walk);
+        visit(crossed_edges_[i], search.is_border_reached(i));
+        close(i, no_leader);
         if(number_of_open_ == 1)
           return;
       }
-      remove_closed_walks();
+      if(number_of_open_ != turns_.size())
+        turns_.erase(std::remove_if(turns_.begin(), turns_.end(), [this](std::size_t i) { return !is_open(i); }),
+                     turns_.end());
     }
   }
 
-private:
-  struct Walk
+  // How many steps have been taken, in all searches.
+  std::size_t number_of_steps() const { return number_of_steps_; }
+
+protected:
+  // The search that goes on for a search that has met others along its contour.
+  std::size_t leader(std::size_t i)
   {
-    Contour_walk<Complex> contour;
-    Plain_vector<Halfedge_index> crossed_edges;
-    std::size_t leader; // the walk along the same contour that has met this one; itself if none has
-    bool is_open;
-  };
+    return find_root(i, [this](std::size_t j) -> std::size_t& { return leaders_[j]; });
+  }
+
+  // Ends a search, for which its leader goes on.
+  void close(std::size_t i, std::size_t leader)
+  {
+    leaders_[i] = leader;
+    crossed_edges_[i] = {};
+    --number_of_open_;
+  }
+
+  std::vector<Plain_vector<Halfedge_index>> crossed_edges_; // by search, as all else here
+
+private:
+  static constexpr std::size_t no_leader = (std::numeric_limits<std::size_t>::max)(); // of those that are complete
+
+  bool is_open(std::size_t i) const { return leaders_[i] == i; }
+
+  Plain_vector<std::size_t> leaders_;
+  Plain_vector<std::size_t> turns_; // those that go on
+  std::size_t number_of_open_ = 0;
+  std::size_t number_of_steps_ = 0;
+};
+
+// The same on a surface, by walks. Where a walk comes to the start of another one, both are along one contour.
+template <class Complex>
+class Contours_side_by_side : public Contours_by_turns<Contours_side_by_side<Complex>>
+{
+public:
+  explicit Contours_side_by_side(const Complex& complex) : complex_(complex) {}
 
   template <class IsBelow>
   void begin(const Plain_vector<Halfedge_index>& starts, const IsBelow& is_below)
   {
     walks_.clear();
-    turns_.clear();
     starts_.clear();
     for(const Halfedge_index start : starts)
     {
-      const Halfedge_index ascending = is_below(complex_.source(start)) ? start : opposite_of(start);
-      turns_.push_back(walks_.size());
+      this->crossed_edges_[walks_.size()] = {is_below(complex_.source(start)) ? start : opposite_of(start)};
       starts_.emplace_back(edge_of(start), walks_.size());
-      walks_.push_back({Contour_walk(complex_, start, is_below), {ascending}, walks_.size(), true});
+      walks_.emplace_back(complex_, start, is_below);
     }
     std::sort(starts_.begin(), starts_.end());
-    number_of_open_ = walks_.size();
   }
 
-  // Where a walk comes to the start of another one, both are along one contour, and the first one goes on alone.
+  template <class IsBelow>
+  bool go_on(std::size_t i, const IsBelow& is_below)
+  {
+    if(!walks_[i].go_on(is_below))
+      return false;
+    const Halfedge_index ascending = walks_[i].ascending_edge();
+    this->crossed_edges_[i].push_back(ascending);
+    meet_start(i, edge_of(ascending));
+    return true;
+  }
+
+  bool is_border_reached(std::size_t i) const { return walks_[i].is_border_reached(); }
+
+private:
   void meet_start(std::size_t i, Edge_index edge)
   {
     if(starts_.size() == 2 && edge != starts_[0].first && edge != starts_[1].first)
@@ -243,37 +289,13 @@ private:
     const auto start = std::lower_bound(starts_.begin(), starts_.end(), std::make_pair(edge, std::size_t(0)));
     if(start == starts_.end() || start->first != edge)
       return;
-    const std::size_t other =
-      find_root(start->second, [this](std::size_t j) -> std::size_t& { return walks_[j].leader; });
-    if(other == i)
-      return;
-    walks_[other].leader = i;
-    close(walks_[other]);
-  }
-
-  void close(Walk& walk)
-  {
-    walk.is_open = false;
-    walk.crossed_edges = {};
-    --number_of_open_;
-    has_closed_walks_ = true;
-  }
-
-  void remove_closed_walks()
-  {
-    if(!has_closed_walks_)
-      return;
-    const auto is_closed = [this](std::size_t i) { return !walks_[i].is_open; };
-    turns_.erase(std::remove_if(turns_.begin(), turns_.end(), is_closed), turns_.end());
-    has_closed_walks_ = false;
+    if(const std::size_t other = this->leader(start->second); other != i)
+      this->close(other, i);
   }
 
   const Complex& complex_;
-  std::vector<Walk> walks_;         // by start
-  Plain_vector<std::size_t> turns_; // those that go on
+  std::vector<Contour_walk<Complex>> walks_;
   std::vector<std::pair<Edge_index, std::size_t>> starts_;
-  std::size_t number_of_open_ = 0;
-  bool has_closed_walks_ = false;
 };
 
 } // namespace CGAL::Reeb_graph::internal

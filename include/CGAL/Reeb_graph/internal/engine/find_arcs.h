@@ -149,7 +149,9 @@ void check_arcs(const Slab<Complex>& slab, const Slab_arcs& arcs)
 template <class ConcurrencyTag, class Complex, class Order, class Report>
 Slab_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Order& order, Default_method, const Report& report)
 {
-  Slab_arcs arcs = Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report);
+  No_vertex_queries no_queries;
+  Slab_arcs arcs =
+    Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report, no_queries);
   check_arcs(slab, arcs);
   return arcs;
 }
@@ -173,15 +175,14 @@ Slab_arcs find_and_glue_arcs(const Complex& complex,
                              Number number_of_slabs,
                              const Report& report)
 {
-  const auto slicing =
-    Slicing<Complex>::template make<ConcurrencyTag>(complex, order, critical_vertices, number_of_slabs);
+  const Slicing<Complex> slicing(ConcurrencyTag(), complex, order, critical_vertices, number_of_slabs);
   report(0.2);
   Indexed_vector<Slab_index, Slab_arcs> arcs_of_slabs(slicing.number_of_slabs());
   for_each_index<ConcurrencyTag>(arcs_of_slabs.size(), [&](std::size_t i) {
     arcs_of_slabs[Slab_index(i)] =
       find_arcs_of_slab<ConcurrencyTag>(slicing.slab(Slab_index(i)), order, method, No_progress());
   });
-  return Gluing(slicing, critical_vertices.size())(arcs_of_slabs);
+  return glue_slabs(slicing, arcs_of_slabs, critical_vertices.size());
 }
 
 // The slab stage between partition and gluing: finds the arcs between critical vertices, slab by slab. With one slab,

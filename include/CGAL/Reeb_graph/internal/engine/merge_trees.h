@@ -42,9 +42,9 @@ struct Merge_tree
 template <class Complex, class Order, Side side>
 class Merge_tree_sweep
 {
-public:
   typedef Monotone_path_ends<Complex, Order, side> Path_ends;
 
+public:
   Merge_tree_sweep(const Slab<Complex>& slab, const Order& order)
     : slab_(slab),
       order_(order),
@@ -74,24 +74,6 @@ public:
     }
   }
 
-  // The ends that paths are known to have are components that begin with extrema, then with contours of
-  // the level from which the sweep comes.
-  Path_ends& path_ends() { return path_ends_; }
-  const Path_ends& path_ends() const { return path_ends_; }
-
-  void forget_path_ends()
-  {
-    path_ends_ = Path_ends(slab_.complex(), order_, critical_vertices_.kept_neighbors());
-    Component_index component(0);
-    for(const Swept_index i : critical_vertices_.indices())
-    {
-      if(!is_extremum(i))
-        continue;
-      path_ends_.set_end(critical_vertices_.vertex(i), component);
-      ++component;
-    }
-  }
-
   // Paths are walked where they are on the surface, before the order of the field jumps about on it.
   template <class ConcurrencyTag>
   void find_path_ends()
@@ -118,26 +100,6 @@ public:
           path_ends_.end_of_path(vertex, end_at_level(), passed);
       }
     });
-  }
-
-  template <class EndOfStep>
-  void find_path_end(Sector_index i, const EndOfStep& end_of_step, Plain_vector<Vertex_index>& passed)
-  {
-    const Link_sector& sector = critical_vertices_.sector(side, i);
-    sector_components_[i] = path_ends_(Ascending_step{sector.edge, sector.extreme_neighbor}, end_of_step, passed);
-  }
-
-  void set_path_end(Sector_index i, Component_index end) { sector_components_[i] = end; }
-
-  // The end of a step that leaves the slab; see Monotone_path_ends.
-  auto end_at_level() const
-  {
-    return [this](Vertex_index target, const auto& find_edge) -> Component_index {
-      const Contour_index contour = slab_.contour_at_step(side, target, find_edge);
-      if(contour == no_index)
-        return no_index;
-      return Component_index(number_of_extrema_ + contour.number());
-    };
   }
 
   // Merges components at a critical vertex, which come in the order of the sweep. All classes are named before the
@@ -171,16 +133,8 @@ public:
     return components_.top(components_.find(path_ends_.end_of_path(vertex, end_of_step, passed)));
   }
 
-  // Puts a node on the component in which the critical vertex is that has been merged at last. An extremum has begun
-  // one of its own; on a surface, none has a node to be put there.
-  void put_on_last(Swept_index critical, Slab_node node)
-  {
-    add_nodes_up_to(node);
-    const Vertex_index vertex = critical_vertices_.vertex(critical);
-    put_on(merged_components_.empty() ? path_ends_.end(vertex) : merged_components_.front(), node);
-  }
-
-  // Puts the contours of the level at which the sweep ends on their components, when all vertices have been merged.
+  // Puts the contours of the level at which the sweep ends on their components, when all vertices have been merged. What
+  // a cut has parted is one component again by then, so paths may pass cuts.
   void merge_last_contours()
   {
     Plain_vector<Vertex_index> passed;
@@ -192,14 +146,6 @@ public:
       const Component_index end = path_ends_(slab_.step_from_contour(last_side, contour), end_at_level(), passed);
       put_on(components_.find(end), slab_.contour_node(last_side, contour));
     }
-  }
-
-  // Adds a component that begins with a new node. Returns its number.
-  Component_index add_component_of_cut(Slab_node node, bool is_border_reached)
-  {
-    add_nodes_up_to(node);
-    tree_.is_border_reached[node] = is_border_reached;
-    return components_.add(node);
   }
 
   // Fetch memory ahead of merge_at(), the second one less far ahead. Nearly all vertices have two sectors at most.
@@ -223,6 +169,64 @@ public:
 
   const Merge_tree& tree() const { return tree_; }
 
+protected:
+  template <class EndOfStep>
+  void find_path_end(Sector_index i, const EndOfStep& end_of_step, Plain_vector<Vertex_index>& passed)
+  {
+    const Link_sector& sector = critical_vertices_.sector(side, i);
+    sector_components_[i] = path_ends_(Ascending_step{sector.edge, sector.extreme_neighbor}, end_of_step, passed);
+  }
+
+  // The end of a step that leaves the slab; see Monotone_path_ends.
+  auto end_at_level() const
+  {
+    return [this](Vertex_index target, const auto& find_edge) -> Component_index {
+      const Contour_index contour = slab_.contour_at_step(side, target, find_edge);
+      if(contour == no_index)
+        return no_index;
+      return Component_index(number_of_extrema_ + contour.number());
+    };
+  }
+
+  // The ends that paths are known to have are components that begin with extrema, then with contours of the level from
+  // which the sweep comes.
+  void forget_path_ends()
+  {
+    path_ends_ = Path_ends(slab_.complex(), order_, critical_vertices_.kept_neighbors());
+    Component_index component(0);
+    for(const Swept_index i : critical_vertices_.indices())
+    {
+      if(!is_extremum(i))
+        continue;
+      path_ends_.set_end(critical_vertices_.vertex(i), component);
+      ++component;
+    }
+  }
+
+  // Puts a node on the component in which the critical vertex is that has been merged at last. An extremum has begun
+  // one of its own; on a surface, none has a node to be put there.
+  void put_on_last(Swept_index critical, Slab_node node)
+  {
+    add_nodes_up_to(node);
+    const Vertex_index vertex = critical_vertices_.vertex(critical);
+    put_on(merged_components_.empty() ? path_ends_.end(vertex) : merged_components_.front(), node);
+  }
+
+  // Adds a component that begins with a new node. Returns its number.
+  Component_index add_component_of_cut(Slab_node node, bool is_border_reached)
+  {
+    add_nodes_up_to(node);
+    tree_.is_border_reached[node] = is_border_reached;
+    return components_.add(node);
+  }
+
+  const Slab<Complex>& slab_;
+  const Order& order_;
+  const Swept_vertices& critical_vertices_;
+  Path_ends path_ends_;
+  Indexed_vector<Sector_index, Component_index> sector_components_; // in which a monotone path from there ends
+  Plain_vector<Vertex_index> passed_;
+
 private:
   bool is_extremum(Swept_index critical) const { return critical_vertices_.number_of_sectors(critical, side) == 0; }
 
@@ -243,15 +247,9 @@ private:
     components_.set_top(component, top);
   }
 
-  const Slab<Complex>& slab_;
-  const Order& order_;
-  const Swept_vertices& critical_vertices_;
-  Path_ends path_ends_;
   Number number_of_extrema_;
   Merging_components<Slab_node> components_;
-  Indexed_vector<Sector_index, Component_index> sector_components_; // in which a monotone path from there ends
   Plain_vector<Component_index> merged_components_;
-  Plain_vector<Vertex_index> passed_;
   Merge_tree tree_;
 };
 

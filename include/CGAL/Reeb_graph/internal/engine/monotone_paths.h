@@ -172,18 +172,6 @@ void find_link_sectors(const Complex& complex,
                        const Link_summary& summary,
                        const By_side<Link_sector*>& places)
 {
-  // Half of the critical vertices are extrema, if there are many: their only sector can stay in registers.
-  if(summary.number_of_sectors == 1)
-  {
-    Link_sector sector = {vertex, no_index};
-    complex.for_each_edge_around(vertex,
-                                 [&, side = summary.first_side()](Vertex_index neighbor, Halfedge_index halfedge) {
-                                   add_to_sector(sector, order, side, neighbor, halfedge);
-                                 });
-    *places[summary.first_side()] = sector;
-    return;
-  }
-
   Side last_side = summary.first_side();
   for(Number i = 0; i != summary.number_of_sectors; ++i, last_side = opposite_of(last_side))
     places[last_side][i / 2] = {vertex, no_index};

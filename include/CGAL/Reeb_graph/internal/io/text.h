@@ -26,7 +26,6 @@
 #include <fstream>
 #include <limits>
 #include <locale>
-#include <memory>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -197,21 +196,16 @@ std::string json_of_chain(const Chain& chain, const EndsOf& ends_of)
 class Text_output
 {
 public:
-  explicit Text_output(std::ostream& out) : out_(out), piece_(new char[size_of_piece]), end_(piece_.get()) {}
+  explicit Text_output(std::ostream& out) : out_(out) {}
 
   Text_output(const Text_output&) = delete;
   Text_output& operator=(const Text_output&) = delete;
 
   Text_output& operator<<(std::string_view text)
   {
-    if(text.size() > size_of_piece)
-    {
+    piece_ += text;
+    if(piece_.size() >= size_of_piece)
       flush();
-      out_.write(text.data(), static_cast<std::streamsize>(text.size()));
-      return *this;
-    }
-    make_room(text.size());
-    end_ += text.copy(end_, text.size());
     return *this;
   }
 
@@ -221,41 +215,29 @@ public:
   template <class Number, std::enable_if_t<std::is_arithmetic_v<Number>, int> = 0>
   Text_output& operator<<(Number number)
   {
+    char digits[most_characters_of_number];
+    char* end = digits;
     if constexpr(is_written_by_to_chars<Number>)
-    {
-      make_room(most_characters_of_number);
-      end_ = write_with_precision(number, std::numeric_limits<Number>::max_digits10, end_);
-      return *this;
-    }
+      end = write_with_precision(number, std::numeric_limits<Number>::max_digits10, digits);
     else if constexpr(std::is_integral_v<Number> && sizeof(Number) > 1)
-    {
-      make_room(most_characters_of_number);
-      end_ = std::to_chars(end_, end_ + most_characters_of_number, number).ptr;
-      return *this;
-    }
+      end = std::to_chars(digits, digits + most_characters_of_number, number).ptr;
     else
       return *this << to_round_trip_string(number);
+    return *this << std::string_view(digits, static_cast<std::size_t>(end - digits));
   }
 
   // Writes what is left. It is not left to a destructor, in which a stream could throw an exception.
   void flush()
   {
-    out_.write(piece_.get(), end_ - piece_.get());
-    end_ = piece_.get();
+    out_.write(piece_.data(), static_cast<std::streamsize>(piece_.size()));
+    piece_.clear();
   }
 
 private:
   static constexpr std::size_t size_of_piece = 1 << 16;
 
-  void make_room(std::size_t size)
-  {
-    if(size > size_of_piece - static_cast<std::size_t>(end_ - piece_.get()))
-      flush();
-  }
-
   std::ostream& out_;
-  std::unique_ptr<char[]> piece_;
-  char* end_; // of what is written in the piece
+  std::string piece_;
 };
 
 // Lets a stream write numbers as programs read them, whatever its locale is before and after. A stream that has failed
