@@ -179,7 +179,7 @@ private:
       return;
     }
     const std::size_t other = leader(searches_[edge] - first_search_);
-    if(other != i)
+    if(other != i && is_open(other))
       join(i, other);
   }
 

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <unordered_set>
 #include <utility>
@@ -194,6 +193,7 @@ public:
     std::iota(leaders_.begin(), leaders_.end(), std::size_t(0));
     turns_ = leaders_;
     number_of_open_ = starts.size();
+    is_open_.assign(starts.size(), true);
     crossed_edges_.assign(starts.size(), {});
     search.begin(starts, is_below);
     while(number_of_open_ > 1)
@@ -206,7 +206,7 @@ public:
         if(search.go_on(i, is_below))
           continue;
         visit(crossed_edges_[i], search.is_border_reached(i));
-        close(i, no_leader);
+        close(i, i);
         if(number_of_open_ == 1)
           return;
       }
@@ -226,10 +226,14 @@ protected:
     return find_root(i, [this](std::size_t j) -> std::size_t& { return leaders_[j]; });
   }
 
-  // Ends a search, for which its leader goes on.
+  // Whether a leader has not found all of its contour. An order that contradicts itself can lead to one that has.
+  bool is_open(std::size_t i) const { return is_open_[i]; }
+
+  // Ends a search, for which its leader goes on, if that is another one.
   void close(std::size_t i, std::size_t leader)
   {
     leaders_[i] = leader;
+    is_open_[i] = false;
     crossed_edges_[i] = {};
     --number_of_open_;
   }
@@ -237,10 +241,7 @@ protected:
   std::vector<Plain_vector<Halfedge_index>> crossed_edges_; // by search, as all else here
 
 private:
-  static constexpr std::size_t no_leader = (std::numeric_limits<std::size_t>::max)(); // of those that are complete
-
-  bool is_open(std::size_t i) const { return leaders_[i] == i; }
-
+  std::vector<bool> is_open_;
   Plain_vector<std::size_t> leaders_;
   Plain_vector<std::size_t> turns_; // those that go on
   std::size_t number_of_open_ = 0;
@@ -289,7 +290,7 @@ private:
     const auto start = std::lower_bound(starts_.begin(), starts_.end(), std::make_pair(edge, std::size_t(0)));
     if(start == starts_.end() || start->first != edge)
       return;
-    if(const std::size_t other = this->leader(start->second); other != i)
+    if(const std::size_t other = this->leader(start->second); other != i && this->is_open(other))
       this->close(other, i);
   }
 
