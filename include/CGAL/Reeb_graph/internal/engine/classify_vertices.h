@@ -57,25 +57,28 @@ Found_vertices find_vertices(const Complex& complex,
 {
   Found_vertices found;
   Kept_neighbors::Block neighbors = {};
+  std::size_t number_of_found = 0;
   for(std::size_t block = begin; block < end; block += neighbors.size())
   {
-    const std::size_t end_of_block = (std::min)(block + neighbors.size(), end);
-    const std::size_t number_of_earlier = found.vertices.size();
+    const std::size_t end_of_block = (std::min)(block + neighbors.size(), end), number_of_earlier = number_of_found;
+    if(found.vertices.size() < number_of_found + neighbors.size())
+      found.vertices.resize(2 * (number_of_found + neighbors.size()));
     for(const Vertex_index v : Index_range(Vertex_index(block), Vertex_index(end_of_block)))
     {
       if(!complex.has_vertex(v))
         continue;
       const Vertex_link link = find_link(v, found.fan_counts);
       neighbors[v.number() - block] = link.neighbors;
-      if(link.summary.number_of_sectors == 2)
-        continue;
-      found.vertices.push_back({v, link.summary});
-      found.numbers_of_sectors[Side::LOWER] += link.summary.number_of_lower_sectors();
-      found.numbers_of_sectors[Side::UPPER] += link.summary.number_of_upper_sectors();
+      const std::size_t is_found = link.summary.number_of_sectors != 2 ? 1 : 0;
+      found.vertices[number_of_found] = {v, link.summary};
+      number_of_found += is_found;
+      found.numbers_of_sectors[Side::LOWER] += is_found * link.summary.number_of_lower_sectors();
+      found.numbers_of_sectors[Side::UPPER] += is_found * link.summary.number_of_upper_sectors();
     }
-    if(Kept_neighbors::are_worth_keeping(found.vertices.size() - number_of_earlier, end_of_block - block))
+    if(Kept_neighbors::are_worth_keeping(number_of_found - number_of_earlier, end_of_block - block))
       kept_neighbors.keep(neighbors, block, end_of_block);
   }
+  found.vertices.resize(number_of_found);
   return found;
 }
 
