@@ -255,12 +255,15 @@ BOOST_AUTO_TEST_CASE(sorting_in_any_number_of_runs)
     std::vector<Key> keys;
     for(const internal::Vertex_index i : values.keys())
       keys.push_back(order.key(i, i));
-    std::vector<Key> expected = keys;
+    std::vector<Key> expected = keys, buffer(keys.size());
     std::sort(expected.begin(), expected.end(), order);
     std::shuffle(keys.begin(), keys.end(), random);
     const std::size_t number_of_runs = 1 + random() % 20;
-    internal::sort_in_runs<Parallel>(keys.begin(), keys.end(), order, number_of_runs);
-    if(!std::equal(keys.begin(), keys.end(), expected.begin(), expected.end(), is_same))
+    const bool is_buffer_wanted = random() % 2 == 0;
+    internal::sort_in_parallel<Parallel>(keys.data(), keys.data() + keys.size(), buffer.data(), order, number_of_runs,
+                                         is_buffer_wanted);
+    const std::vector<Key>& result = is_buffer_wanted ? buffer : keys;
+    if(!std::equal(result.begin(), result.end(), expected.begin(), expected.end(), is_same))
       BOOST_ERROR("seed " << seed << ", " << number_of_runs << " runs");
   }
 }
