@@ -83,7 +83,8 @@ public:
       Arcs_of_classes arcs_of_classes = combination.find_arcs_of_classes(arcs);
       if(cuts.size() != 0)
       {
-        const auto new_names = glue_cuts(cuts, arcs);
+        Indexed_vector<Slab_arc_index, Slab_arc_index> new_names(arcs.size(), no_index); // of those that are kept
+        glue_cuts(cuts, arcs, [&](Slab_arc_index arc, Slab_arc_index name) { new_names[arc] = name; });
         for(const Side side : both_sides)
           for(Slab_arc_index& arc : arcs_of_classes[side])
             arc = arc == no_index ? arc : new_names[arc];
@@ -93,7 +94,7 @@ public:
                                                  Trees_with_cuts{{&upwards->tree(), &downwards->tree()}, cuts});
     }
     else if(cuts.size() != 0)
-      glue_cuts(cuts, arcs);
+      glue_cuts(cuts, arcs, [](Slab_arc_index, Slab_arc_index) {});
     return arcs;
   }
 
@@ -143,7 +144,9 @@ private:
     constexpr std::size_t far_ahead = 24, ahead = 16, near_ahead = 8;
     const std::size_t size = critical_vertices_.size();
     const auto place = [&](std::size_t i) { return side == Side::LOWER ? i : size - 1 - i; };
-    const auto critical = [&](std::size_t i) { return critical_vertices_.ascending()[place(i)]; };
+    const auto critical = [&, ascending = critical_vertices_.ascending().data()](std::size_t i) {
+      return ascending[place(i)];
+    };
     for(std::size_t i = 0; i != size; ++i)
     {
       if(i + far_ahead < size)

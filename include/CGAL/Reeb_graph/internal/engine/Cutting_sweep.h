@@ -125,11 +125,11 @@ private:
   Indexed_vector<Edge_index, bool> is_edge_cut_;      // asked first; empty as long as nothing is registered
 };
 
-// Arcs that end at a cut go on to the vertex just above, and the short arcs from the cut to there are dropped. Returns
-// the new names of the arcs, no_index of those that are dropped: no vertex is on one of these.
-inline Indexed_vector<Slab_arc_index, Slab_arc_index> glue_cuts(const Loop_cuts& cuts, Slab_arcs& arcs)
+// Arcs that end at a cut go on to the vertex just above, and the short arcs from the cut to there are dropped: no
+// vertex is on one of these. Calls rename(arc, its new name) for the other ones.
+template <class Rename>
+void glue_cuts(const Loop_cuts& cuts, Slab_arcs& arcs, const Rename& rename)
 {
-  Indexed_vector<Slab_arc_index, Slab_arc_index> new_names(arcs.size(), no_index);
   Slab_arc_index next(0);
   for(const Slab_arc_index i : arcs.keys())
   {
@@ -139,11 +139,10 @@ inline Indexed_vector<Slab_arc_index, Slab_arc_index> glue_cuts(const Loop_cuts&
     if(cuts.is_cut_node(arc.upper))
       arc.upper = node_of(cuts.critical_vertex(cuts.cut_of_node(arc.upper)));
     arcs[next] = arc;
-    new_names[i] = next;
+    rename(i, next);
     ++next;
   }
   arcs.resize(next.number());
-  return new_names;
 }
 
 // The sweep for the split tree of a surface that is cut on the way. A cut ends the paths of vertices further down, so
