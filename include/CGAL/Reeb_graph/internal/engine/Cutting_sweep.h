@@ -17,11 +17,9 @@
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Reeb_graph::internal {
 

@@ -26,7 +26,6 @@
 #include <optional>
 #include <tuple>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
