@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -285,6 +286,29 @@ BOOST_AUTO_TEST_CASE(geodesic_distances_do_not_mix_components)
   expected.insert(expected.end(), other_expected.begin(), other_expected.end());
   expected.push_back(0);
   BOOST_TEST(distance(distances(both, {source, other_source, isolated}), expected) < 1e-6);
+}
+
+// Edges with the same ends are told apart.
+BOOST_AUTO_TEST_CASE(geodesic_distances_on_meshes_with_double_edges)
+{
+  std::size_t number_of_double_edges = 0;
+  for(std::size_t seed = 0; seed < 40; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      random_meshes::Random random(seed);
+      Surface_mesh mesh = make_mesh<Surface_mesh>(sphere(4));
+      mesh_builders::flip_edges_carelessly(mesh, 60, random);
+      std::set<std::pair<Surface_mesh::Vertex_index, Surface_mesh::Vertex_index>> ends;
+      for(const auto e : mesh.edges())
+        ends.insert(std::minmax({mesh.vertex(e, 0), mesh.vertex(e, 1)}));
+      number_of_double_edges += mesh.number_of_edges() - ends.size();
+      const auto field = vertex_map(mesh);
+      compute_geodesic_field(mesh, field, std::vector<Surface_mesh::Vertex_index>{Surface_mesh::Vertex_index(3)});
+      for(const auto v : mesh.vertices())
+        BOOST_TEST((get(field, v) >= 0 && get(field, v) < 20));
+      BOOST_TEST(get(field, Surface_mesh::Vertex_index(3)) == 0);
+    }
+  BOOST_TEST(number_of_double_edges > 10u);
 }
 
 BOOST_AUTO_TEST_CASE(marched_distances_are_close_in_the_plane)

@@ -174,6 +174,19 @@ BOOST_AUTO_TEST_CASE(graphs_without_branches_suggest_nothing)
   BOOST_CHECK_THROW(thresholds(unordered), CGAL::Reeb_graph::Measure_error);
 }
 
+// Without loops, one threshold says how much is left when nothing goes, even if each branch is as long as the range.
+BOOST_AUTO_TEST_CASE(branches_as_long_as_the_range_stay)
+{
+  Graph graph = random_graphs::make_graph(3, {{0, 2}, {1, 2}});
+  graph[2].value = 10;
+  graph[0].value = graph[1].value = 0;
+  const auto found = thresholds(graph);
+  BOOST_REQUIRE(found.size() == 1u);
+  BOOST_TEST(found[0].nodes == 3u);
+  BOOST_TEST(found[0].leaves == 2u);
+  BOOST_TEST(fault(graph, found[0], false) == "");
+}
+
 BOOST_AUTO_TEST_CASE(the_figure_of_the_demo_is_found_under_noise)
 {
   const auto mesh = make_mesh<mesh_builders::Surface_mesh>(generated_surfaces::standing_figure(6000));
