@@ -10,15 +10,19 @@
 // pointers as property maps, and on meshes as in CGAL's. It is compiled by scripts/check_syntax; some headers of Boost
 // hide names that its algorithms look up, and those hidden by one header are hidden behind all of them.
 
+#include <CGAL/Reeb_graph_traits.h>
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/graph/graphml.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
 #include <boost/graph/prim_minimum_spanning_tree.hpp>
 
+#include <fstream>
 #include <iterator>
 #include <vector>
 
@@ -44,4 +48,13 @@ inline void use_cgal()
   boost::prim_minimum_spanning_tree(mesh, predecessor_map, boost::root_vertex(start));
   std::vector<Traits::edge_descriptor> tree;
   boost::kruskal_minimum_spanning_tree(mesh, std::back_inserter(tree));
+}
+
+// Boost's function of the same name is meant: it takes a stream as it is, and ours makes something of it.
+inline void write_by_boost(std::ofstream& out)
+{
+  typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
+  CGAL::Reeb_graph_traits<Mesh, Mesh::Property_map<Mesh::Vertex_index, double>>::Graph graph;
+  const boost::dynamic_properties properties;
+  write_graphml(out, graph, properties);
 }
