@@ -61,6 +61,9 @@ public:
   std::size_t end_of_vertices() const { return number_of_vertices(); }
   boost::typed_identity_property_map<std::size_t> vertex_numbers() const { return {}; }
 
+  // Before it is used, as its type is that of what it returns.
+  auto points() const { return CGAL::make_range(mesh_.surface.points().begin(), mesh_.surface.points().end()); }
+
   template <class Any_augmentation, class NamedParameters>
   auto embed(const Any_augmentation& augmentation, const NamedParameters& np) const
   {
@@ -98,7 +101,6 @@ protected:
   const Complex& complex() const { return *mesh_.complex; }
   std::size_t number_of_vertices() const { return mesh_.surface.number_of_vertices(); }
   auto vertices() const { return boost::irange(std::size_t(0), number_of_vertices()); }
-  auto points() const { return CGAL::make_range(mesh_.surface.points().begin(), mesh_.surface.points().end()); }
   auto scalars() const { return CGAL::make_range(scalar_map_.begin(), scalar_map_.end()); }
 
   template <class NamedParameters>
