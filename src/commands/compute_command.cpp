@@ -257,12 +257,14 @@ void write_results(const Compute_options& options, Mesh& mesh, Scalar_map scalar
   count_all(mesh, graph.given(), report);
   if(options.simplification.is_anything_removed())
     count_simplified(graph.result(), threshold, report);
+  Output_group files;
   const Loops_of_surface loops = write_longest_loop(options, graph, report);
   write_simplified_field(options, mesh.surface, scalar_map, threshold, report);
   write_pairs_and_diagram(options, graph.given(), threshold, report);
   const std::vector<Arc_row> arcs = write_files_of_mesh(options, graph, mesh, scalar_map, report);
   write_graph_file(options, graph.result(), arcs, report);
   write_page_file(options, graph, mesh.surface, scalar_map, threshold, loops, report);
+  files.put_in_place();
 }
 
 void write_pairs_and_diagram(const Compute_options& options,

@@ -253,9 +253,11 @@ void run_curves(Curves_options options)
   const Cut_result result = cut(surface, scalar_map, options, report.are_ties_contracted);
   report.add_seconds("cut", cut_stopwatch.seconds());
   const Stopwatch output_stopwatch;
+  Output_group files;
   write_files(options, surface, result);
   report.add_seconds("output", output_stopwatch.seconds());
   write_files_of_graph(options, mesh, scalar_map, result, report);
+  files.put_in_place();
   report.curves = result.polylines.size();
   report.patches = result.number_of_patches;
   report.border_changes = result.border_changes;

@@ -15,12 +15,14 @@
 #include "generated_surfaces/standing_figure.h"
 #include "output/graph_output.h"
 #include "output/mesh_output.h"
+#include "output/output_file.h"
 #include "output/report_output.h"
 #include "page/page_output.h"
 
 #include <iostream>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -42,7 +44,10 @@ Scalar_map add_height(Surface& surface)
 void run_demo(const Demo_options& options)
 {
   const fs::path& folder = options.folder;
-  fs::create_directories(folder);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if(error)
+    throw Output_error(folder.string() + ": the folder cannot be made: " + error.message());
 
   Report report;
   const Stopwatch stopwatch;
@@ -57,6 +62,7 @@ void run_demo(const Demo_options& options)
   const Graph& graph = mesh_graph->result();
   count_all(surface, graph, report);
 
+  Output_group files;
   write_surface(folder / "surface.off", surface);
   write_scalars(folder / "scalars.txt", surface, scalar_map);
   write_coloured_surface(folder / "surface_coloured.ply", surface, scalar_map);
@@ -66,12 +72,12 @@ void run_demo(const Demo_options& options)
     write_graph(folder / name, graph, field_label, {}, attributes_of_arcs(graph, arcs));
 
   if(is_page_available())
-  {
     write_page(folder / "page.html",
                {surface, scalar_map, *mesh_graph, graph_options, "Figure with a hand on its hip", field_label});
+  files.put_in_place();
+  if(is_page_available())
     std::cout << "Open this page in a web browser to see the surface and its Reeb graph:\n\n  "
               << fs::absolute(folder / "page.html").lexically_normal().string() << "\n\n";
-  }
 
   std::cout << "The Reeb graph of the height on a generated figure, with one hand on the hip:\n\n";
   write_text(std::cout, report);

@@ -113,12 +113,14 @@ void run_handles(const Handles_options& options)
   report.add_seconds("handles", stopwatch.seconds());
   report.loops = loops.rows;
   const Stopwatch output_stopwatch;
+  Output_group files;
   if(!options.mesh_path.empty())
     write_surface(options.mesh_path, surface);
   if(!options.loops_path.empty())
     write_loops(options.loops_path, loops);
   if(!options.page_path.empty())
     write_page_of_loops(options, mesh, scalar_map, loops, report.field);
+  files.put_in_place();
   if(!options.mesh_path.empty() || !options.loops_path.empty() || !options.page_path.empty())
     report.add_seconds("output", output_stopwatch.seconds());
   if(options.is_report_json)

@@ -316,7 +316,11 @@ void run_compute_on_ranks(const Communicator& communicator, const Compute_on_ran
   Slab slab;
   const Graph_of_ranks graph = compute(communicator, mesh, options.graph, slab, report, rank);
   const double cpu_seconds = cpu_seconds_of_process();
-  run_on_rank_0(communicator, [&] { write_results(options, graph, mesh, threshold, slab, report); });
+  run_on_rank_0(communicator, [&] {
+    Output_group files;
+    write_results(options, graph, mesh, threshold, slab, report);
+    files.put_in_place();
+  });
   rank.cpu_seconds.emplace_back("output", cpu_seconds_of_process() - cpu_seconds);
   report.ranks = gather(communicator, slab, rank);
   run_on_rank_0(communicator, [&] {

@@ -98,11 +98,15 @@ void write_graph_in_space(const fs::path& path,
   const auto attributes = CGAL::parameters::arc_attributes(graph_in_space.arc_attributes);
   const std::string ending = format_of(path).ending;
   if(ending == ".csv")
-    return write_files(
-      {{table_path(path, "nodes"),
-        [&](std::ostream& stream) { CGAL::Reeb_graph::write_nodes_csv(stream, graph, embedding, vertex_numbers); }},
-       {table_path(path, "arcs"),
-        [&](std::ostream& stream) { CGAL::Reeb_graph::write_arcs_csv(stream, graph, embedding, attributes); }}});
+  {
+    Output_group tables;
+    write_file(table_path(path, "nodes"), [&](std::ostream& stream) {
+      CGAL::Reeb_graph::write_nodes_csv(stream, graph, embedding, vertex_numbers);
+    });
+    write_file(table_path(path, "arcs"),
+               [&](std::ostream& stream) { CGAL::Reeb_graph::write_arcs_csv(stream, graph, embedding, attributes); });
+    return tables.put_in_place();
+  }
   write_file(path, [&](std::ostream& stream) {
     if(ending == ".vtp")
       CGAL::Reeb_graph::write_vtp(stream, graph, embedding, vertex_numbers, attributes);

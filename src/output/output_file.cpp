@@ -21,6 +21,8 @@
 #include <cerrno>
 #include <cstddef>
 #include <iostream>
+#include <list>
+#include <mutex>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -31,8 +33,8 @@ namespace fs = std::filesystem;
 namespace reeb_graph_program {
 namespace {
 // The files to be removed when a signal ends the program.
-constexpr std::size_t most_files = 2;
-std::array<std::atomic<const char*>, most_files> partial_files = {};
+// The files to be removed when a signal ends the program; more than any command writes.
+std::array<std::atomic<const char*>, 64> partial_files = {};
 
 // Ends the program as the signal would have done. All that it calls can be called by a signal handler.
 void remove_partial_files(int signal)
@@ -44,34 +46,39 @@ void remove_partial_files(int signal)
   raise(signal);
 }
 
-// Lets the signals that users and limits end a program by remove the files, except those that are ignored.
+// Lets the signals that users and limits end a program by remove the files, except those that are ignored, as long as
+// there is one of any thread.
 class Interrupt_guard
 {
 public:
-  explicit Interrupt_guard(const std::vector<fs::path>& paths)
+  Interrupt_guard()
   {
-    for(std::size_t i = 0; i != paths.size(); ++i)
-      partial_files.at(i) = paths[i].c_str();
+    const std::lock_guard lock(mutex);
+    if(number_of_guards++ > 0)
+      return;
     for(std::size_t i = 0; i != signals.size(); ++i)
     {
-      sigaction(signals[i], nullptr, &old_actions_[i]);
-      if(old_actions_[i].sa_handler != SIG_IGN)
+      sigaction(signals[i], nullptr, &old_actions[i]);
+      if(old_actions[i].sa_handler != SIG_IGN)
         signal(signals[i], remove_partial_files);
     }
   }
   ~Interrupt_guard()
   {
+    const std::lock_guard lock(mutex);
+    if(--number_of_guards > 0)
+      return;
     for(std::size_t i = 0; i != signals.size(); ++i)
-      sigaction(signals[i], &old_actions_[i], nullptr);
-    for(auto& file : partial_files)
-      file = nullptr;
+      sigaction(signals[i], &old_actions[i], nullptr);
   }
   Interrupt_guard(const Interrupt_guard&) = delete;
   Interrupt_guard& operator=(const Interrupt_guard&) = delete;
 
 private:
   static constexpr std::array<int, 5> signals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU};
-  std::array<struct sigaction, signals.size()> old_actions_;
+  static inline std::array<struct sigaction, signals.size()> old_actions;
+  static inline std::mutex mutex;
+  static inline std::size_t number_of_guards = 0;
 };
 
 typedef struct stat File_status;
@@ -141,32 +148,39 @@ struct Place
   fs::path target, temporary_path; // empty if it is written at once
 };
 
-// Files beside the targets, which are removed in the end, whether they are there or not, also if the program is
+// The file beside the target, which is removed in the end, whether it is there or not, also if the program is
 // interrupted.
-struct Temporary_files
+class Partial_file
 {
-  explicit Temporary_files(const std::vector<Place>& places) : paths(paths_of(places)), guard(paths) {}
-  ~Temporary_files()
+public:
+  explicit Partial_file(const fs::path& path) : place(path)
+  {
+    for(std::size_t i = 0; i != partial_files.size() && !place.is_at_once && slot_ == nullptr; ++i)
+    {
+      const char* none = nullptr;
+      if(partial_files[i].compare_exchange_strong(none, place.temporary_path.c_str()))
+        slot_ = &partial_files[i];
+    }
+  }
+  ~Partial_file()
   {
     std::error_code ignored;
-    for(const fs::path& path : paths)
-      fs::remove(path, ignored);
+    if(!place.is_at_once)
+      fs::remove(place.temporary_path, ignored);
+    if(slot_ != nullptr)
+      *slot_ = nullptr;
   }
-  Temporary_files(const Temporary_files&) = delete;
-  Temporary_files& operator=(const Temporary_files&) = delete;
-
-  const std::vector<fs::path> paths;
-  const Interrupt_guard guard;
+  Partial_file(const Partial_file&) = delete;
+  Partial_file& operator=(const Partial_file&) = delete;
 
 private:
-  static std::vector<fs::path> paths_of(const std::vector<Place>& places)
-  {
-    std::vector<fs::path> result;
-    for(const Place& place : places)
-      if(!place.is_at_once)
-        result.push_back(place.temporary_path);
-    return result;
-  }
+  const Interrupt_guard guard_;
+
+public:
+  const Place place;
+
+private:
+  std::atomic<const char*>* slot_ = nullptr;
 };
 
 // A new file with the owner and the mode of that which it will replace; nobody else reads it before.
@@ -214,6 +228,9 @@ void put_in_place(const Place& place)
   if(error)
     throw output_error(place.path, error.value());
 }
+
+// Those of the group that lives.
+thread_local Output_group::Files* files_of_thread = nullptr;
 
 bool ends_in(const std::string& name, const std::string& ending)
 {
@@ -276,29 +293,50 @@ void flush_standard_output()
                              + (errno == 0 ? "" : ": " + std::generic_category().message(errno)));
 }
 
+struct Output_group::Files
+{
+  std::list<Partial_file> list;
+};
+
+Output_group::Output_group()
+{
+  if(files_of_thread != nullptr)
+    return;
+  files_ = std::make_unique<Files>();
+  files_of_thread = files_.get();
+}
+
+Output_group::~Output_group()
+{
+  if(files_)
+    files_of_thread = nullptr;
+}
+
+void Output_group::put_in_place()
+{
+  if(!files_)
+    return;
+  for(const Partial_file& file : files_->list)
+    reeb_graph_program::put_in_place(file.place);
+  files_->list.clear();
+}
+
 void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write)
 {
-  const Place place(path);
+  Output_group group;
+  const Place& place = files_of_thread->list.emplace_back(path).place;
   if(place.is_at_once)
     throw std::runtime_error(path.string() + ": this is written at several places at once, which need a file");
-  const Temporary_files temporary_files({place});
   write_stream(place, [](std::ostream&) {});
   write(place.temporary_path);
-  put_in_place(place);
+  group.put_in_place();
 }
 
-void write_files(const std::vector<Output_file>& files)
+void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write)
 {
-  std::vector<Place> places;
-  for(const Output_file& file : files)
-    places.emplace_back(file.path);
-  const Temporary_files temporary_files(places);
-  for(std::size_t i = 0; i != files.size(); ++i)
-    write_stream(places[i], files[i].write);
-  for(const Place& place : places)
-    put_in_place(place);
+  Output_group group;
+  write_stream(files_of_thread->list.emplace_back(path).place, write);
+  group.put_in_place();
 }
-
-void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write) { write_files({{path, write}}); }
 
 } // namespace reeb_graph_program

@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -40,19 +41,30 @@ std::ostream& report_stream(const std::vector<std::filesystem::path>& outputs);
 // Throws std::runtime_error if standard output has not arrived.
 void flush_standard_output();
 
+// Files that belong together: what this thread writes while such an object lives stays beside its place. None is there
+// before put_in_place(), nor after an exception before it. A group within another one is a part of that. What is written
+// at once, as standard output, does not wait.
+class Output_group
+{
+public:
+  Output_group();
+  ~Output_group();
+  Output_group(const Output_group&) = delete;
+  Output_group& operator=(const Output_group&) = delete;
+
+  void put_in_place();
+
+  struct Files;
+
+private:
+  std::unique_ptr<Files> files_; // none within another group
+};
+
 // Calls `write` with the name of a temporary file in the same folder and renames that file to `path` afterwards: the
 // file is complete or as it was before, and keeps its mode. Throws std::runtime_error, and what `write` throws.
 void replace_file(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
 
-struct Output_file
-{
-  std::filesystem::path path;
-  std::function<void(std::ostream&)> write;
-};
-
-// The same with streams, whose failure is an error, for files that belong together: none is there before all are
-// complete.
-void write_files(const std::vector<Output_file>& files);
+// The same with a stream, whose failure is an error.
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
 } // namespace reeb_graph_program

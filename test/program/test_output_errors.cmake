@@ -58,6 +58,38 @@ macro(foreach_output command)
   endforeach()
 endmacro()
 
+# If a later output cannot be written, the earlier ones are not there either: each but the one in a folder that is missing.
+function(expect_all_or_none subcommand arguments)
+  foreach(last IN LISTS ARGN)
+    set(files)
+    foreach(item IN LISTS ARGN)
+      string(REPLACE " " ";" item "${item}")
+      list(GET item 0 option)
+      list(GET item 1 name)
+      if("${item}" STREQUAL "${last}" OR "${option} ${name}" STREQUAL "${last}")
+        set(name missing/${name})
+      endif()
+      list(APPEND files ${option} ${name})
+    endforeach()
+    expect_error("missing/[^ ]*: the file cannot be written: No such file" ${subcommand} ${genus_3} ${arguments} ${files})
+  endforeach()
+endfunction()
+
+set(html)
+run(compute missing.off --field z --html page.html)
+if(NOT error MATCHES "without the page")
+  set(html "--html a.html")
+endif()
+expect_all_or_none(compute "--field;y;--leaves;2" "--graph a.csv" "--mesh-out a.vtp" "--vertex-arcs b.txt" "--pairs b.csv"
+                   "--diagram a.svg" "--longest-loop b.vtp" "--simplified-scalars c.txt" ${html})
+expect_all_or_none(curves "--field;y;--type;pants" "--curves a.polylines.txt" "--cut-mesh a.off" "--patches p.txt"
+                   "--graph a.csv" "--mesh-out a.ply" ${html})
+expect_all_or_none(handles "--remove;1" "--output a.off" "--loops a.vtp" ${html})
+file(MAKE_DIRECTORY ${FOLDER}/demo/graph.dot)
+expect_error("graph.dot: the file cannot be written: Is a directory" demo --out demo)
+file(GLOB files RELATIVE ${FOLDER}/demo ${FOLDER}/demo/*)
+expect_equal("${files}" "graph.dot")
+
 # a full disk
 function(expect_full_disk)
   file(CREATE_LINK /dev/full ${FOLDER}/full${ending} SYMBOLIC)

@@ -12,19 +12,23 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <vector>
 
 // Whoever interrupts the program finds the files as they were: argument 1 is a folder for them.
 
 namespace fs = std::filesystem;
+using reeb_graph_program::Output_group;
 using reeb_graph_program::write_file;
-using reeb_graph_program::write_files;
 
 namespace {
 // What the signal that ends a process while it writes the file leaves: no file, or those that were there, unchanged.
@@ -75,33 +79,59 @@ int main(int, char** arguments)
     check(contents_after_interrupt(folder, signal, ended_by) == "output.txt:old", name + " changes an old file");
     check(ended_by == signal, name + " does not end the program that replaces a file");
   }
-  // Of two files that belong together, neither is there if the second one fails or the program is interrupted.
+  // Of files that belong together, none is there if one fails or the program is interrupted, however many they are.
   fs::remove_all(folder);
   fs::create_directories(folder);
   const auto write_first = [](std::ostream& stream) { stream << "first"; };
-  const auto fail = [](std::ostream& stream) { stream.setstate(std::ios::failbit); };
+  const auto write_group = [&](const std::function<void(std::ostream&)>& write_last) {
+    Output_group files;
+    for(const char name : std::string("abcdefgh"))
+    {
+      Output_group inner; // a part of the other one
+      write_file(folder / std::string(1, name), write_first);
+      inner.put_in_place();
+    }
+    write_file(folder / "last", write_last);
+    check(!fs::exists(folder / "a"), "a file is there before those that belong to it");
+    files.put_in_place();
+  };
   bool has_thrown = false;
   try
   {
-    write_files({{folder / "a.txt", write_first}, {folder / "b.txt", fail}});
+    write_group([](std::ostream& stream) { stream.setstate(std::ios::failbit); });
   }
   catch(const std::runtime_error&)
   {
     has_thrown = true;
   }
-  check(has_thrown && fs::is_empty(folder), "the first one of two files stays when the second one fails");
+  check(has_thrown && fs::is_empty(folder), "the first ones of several files stay when the last one fails");
   const pid_t child = fork();
   if(child == 0)
   {
-    write_files({{folder / "a.txt", write_first}, {folder / "b.txt", [](std::ostream&) { raise(SIGTERM); }}});
+    write_group([](std::ostream&) { raise(SIGTERM); });
     _exit(EXIT_SUCCESS);
   }
   waitpid(child, nullptr, 0);
-  check(fs::is_empty(folder), "an interrupt leaves one of two files");
-  write_files({{folder / "a.txt", write_first}, {folder / "b.txt", write_first}});
-  check(fs::file_size(folder / "a.txt") == 5 && fs::file_size(folder / "b.txt") == 5, "two files are not written");
-  fs::remove(folder / "a.txt");
-  fs::remove(folder / "b.txt");
+  check(fs::is_empty(folder), "an interrupt leaves some of several files");
+  // Threads write groups of their own.
+  std::vector<std::thread> threads;
+  for(int i = 0; i < 8; ++i)
+    threads.emplace_back([&, i] {
+      for(int j = 0; j < 20; ++j)
+        write_file(folder / ("of_thread_" + std::to_string(i)), write_first);
+    });
+  for(std::thread& thread : threads)
+    thread.join();
+  struct sigaction action = {};
+  sigaction(SIGTERM, nullptr, &action);
+  check(action.sa_handler == SIG_DFL, "a handler of signals stays");
+  write_group(write_first);
+  std::size_t number_of_files = 0;
+  for(const auto& entry : fs::directory_iterator(folder))
+    number_of_files += fs::file_size(entry.path()) == 5 ? 1 : 0;
+  check(number_of_files == 9 + 8, "several files are not written");
+  fs::remove_all(folder);
+  fs::create_directories(folder);
 
   // A signal that is ignored stays so, as under nohup.
   ::signal(SIGHUP, SIG_IGN);
