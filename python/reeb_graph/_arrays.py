@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from typing import Any, Iterable, NamedTuple
 
@@ -11,6 +12,7 @@ from ._errors import MeshError
 
 LARGEST_NUMBER = 2**32 - 2  # of vertices
 LARGEST_NUMBER_OF_CELLS = 2**32 // 12
+ITEMS = {"triangles": "triangle", "edges": "edge", "tetrahedra": "tetrahedron"}  # in the rows of these arrays
 
 
 class Mesh(NamedTuple):
@@ -39,8 +41,49 @@ def one_of(name: str, names: Iterable[str], what: str) -> str:
     return name
 
 
+def real(number: Any, name: str) -> float:
+    """Return a real number as a double. An integer that is too large for one is a ValueError."""
+    try:
+        return float(number)
+    except OverflowError:
+        raise ValueError(f"{name} is too large for a double") from None
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} has to be a real number, not {number!r}") from None
+
+
+def measure(number: Any, name: str) -> float | None:
+    """Return a real number that is not negative, or None."""
+    if number is None:
+        return None
+    if not real(number, name) >= 0:
+        raise ValueError(f"{name} must not be negative or NaN, as {number} is")
+    return real(number, name)
+
+
+def count_of(number: Any, name: str, least: int) -> int | None:
+    """Return an integer from `least` on, or None. More than there can be of anything is as many as there can be."""
+    if number is None:
+        return None
+    try:
+        number = operator.index(number)
+    except TypeError:
+        raise TypeError(f"{name} has to be an integer, not {number!r}") from None
+    if number < least:
+        raise ValueError(f"{name} must not be less than {least}, as {number} is")
+    return min(number, 2**62)
+
+
+def refuse_mask(array: Any, item: str) -> None:
+    """Refuse an array in which items are masked, whose numbers mean nothing; `item` is what a row of it stands for."""
+    if np.ma.is_masked(array):
+        mask = np.ma.getmaskarray(array)
+        number = int(mask.reshape(len(mask), -1).any(axis=1).argmax()) if mask.ndim > 0 else 0
+        raise MeshError(f"{item} {number} has no value: it is masked", item, number)
+
+
 def numbers(array: Any, name: str, kinds: str = "iufb", what: str = "real numbers", largest: int = LARGEST_NUMBER) -> Any:
-    """Return an array of numbers of these kinds, of which there are not too many."""
+    """Return an array of numbers of these kinds, of which there are not too many, and none is masked."""
+    refuse_mask(array, ITEMS.get(name, "vertex"))
     array = np.asarray(array)
     if array.dtype.kind not in kinds and array.size > 0:
         raise TypeError(f"{name} has the dtype {array.dtype}; it has to be one of {what}")
@@ -77,9 +120,6 @@ def _points(points: Any, number: int) -> np.ndarray | None:
 
 def values_array(scalars: Any, name: str = "scalars") -> np.ndarray:
     """Return `scalars` as an array of one dimension of real numbers, in the byte order of the machine."""
-    if np.ma.is_masked(scalars):
-        vertex = int(np.ma.getmaskarray(scalars).argmax())
-        raise MeshError(f"vertex {vertex} has no value: it is masked", "vertex", vertex)
     scalars = numbers(scalars, name)
     if scalars.ndim != 1:
         raise ValueError(f"{name} has the shape {scalars.shape}; it has to be (number of vertices,)")
@@ -158,6 +198,8 @@ def mesh_arrays(mesh: Any) -> Mesh:
     if points is not None and hasattr(mesh, "cells_dict"):
         cells = _cells_by_type(mesh)
         return Mesh(cells.get("triangle"), np.asarray(points), cells.get("line"), cells.get("tetra"), data)
+    if np.size(getattr(mesh, "strips", ())) > 0:
+        raise ValueError("the mesh has strips of triangles: triangulate it before, as triangulate() does")
     if points is not None and hasattr(mesh, "faces"):
         lines = _rows(getattr(mesh, "lines", ()), 2, "lines of more than two points")
         return Mesh(_rows(mesh.faces, 3, "faces that are no triangles"), np.asarray(points), lines, None, data)

@@ -124,6 +124,7 @@ def height(triangles: Any, points: Any = None, direction: Any = (0, 0, 1)) -> np
 
     The triangles, or None, play no role: they are there for meshes in their place.
     """
+    _arrays.refuse_mask(direction, "coordinate")
     vector = np.asarray(direction, dtype=np.float64)
     if vector.shape != (3,):
         raise ValueError(f"the direction has three coordinates, not the shape {vector.shape}")
@@ -194,17 +195,16 @@ def _cut(
     max_triangles: int | None, threads: int | None, progress: Progress, *, persistence: Any = None, area: Any = None,
 ) -> Cut:
     manners = _core.Borders.__members__
-    for name, threshold in (("persistence", persistence), ("area", area)):
-        if threshold is not None and not threshold >= 0:
-            raise ValueError(f"{name} must not be negative or NaN, as {threshold} is")
+    persistence, area = _arrays.measure(persistence, "persistence"), _arrays.measure(area, "area")
     manner = manners[_arrays.one_of(borders, manners, "borders")]
     options = _core.CutOptions(kind, persistence, area, bool(cut_open), manner)
-    if max_triangles is not None and max_triangles < 1:
-        raise ValueError(f"max_triangles has to be positive, not {max_triangles}")
+    max_triangles = _arrays.count_of(max_triangles, "max_triangles", 1)
     mesh = _arrays.take(triangles, points)
     if mesh.points is None:
         raise ValueError("to cut a surface needs its points: they come behind the scalars")
     values = _arrays.doubles(_arrays.scalars_of(mesh, scalars))
+    for array in (vertex_arrays or {}).values():
+        _arrays.refuse_mask(array, "vertex")
     given = {name: np.asarray(array) for name, array in (vertex_arrays or {}).items()}
     columns = {name: _columns(array, name, len(values)) for name, array in given.items()}
     arguments = mesh.checked(len(values)), values, sum(columns.values(), []), options, max_triangles or 2**62

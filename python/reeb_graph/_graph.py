@@ -147,19 +147,15 @@ class ReebGraph:
         cancel_loops : bool
             Whether loops are removed as well; with a threshold only.
         """
-        given = {"threshold": threshold, "percent": percent, "leaves": leaves, "cancel_loops": cancel_loops}
         if percent is not None:
             if threshold is not None:
                 raise ValueError("threshold and percent do not go together")
-            threshold = f"{percent}%"
+            threshold = f"{_arrays.real(percent, 'percent')!r}%"
         if threshold is None and (leaves is None or cancel_loops):
             raise ValueError("a threshold or a percentage is needed, or without cancel_loops a number of leaves")
-        if isinstance(threshold, str):
-            threshold = threshold.strip()
-        elif threshold is not None and not threshold >= 0:
-            raise ValueError(f"the threshold must not be negative or NaN, as {threshold} is")
-        if leaves is not None and operator.index(leaves) < 0:
-            raise ValueError(f"the number of leaves must not be negative, as {leaves} is")
+        threshold = threshold.strip() if isinstance(threshold, str) else _arrays.measure(threshold, "the threshold")
+        leaves = _arrays.count_of(leaves, "the number of leaves", 0)
+        given = {"threshold": threshold, "leaves": leaves, "cancel_loops": cancel_loops}
         core = self._run("simplify", threshold, leaves, bool(cancel_loops), progress=progress)
         return ReebGraph(core, self._field, self._options, given)
 
@@ -187,17 +183,17 @@ class ReebGraph:
 
         `t` is linear in the values. The contour is an array of points that knows more, see `reeb_graph.Contour`.
         """
-        return self._contours(self._number(arc, self.n_arcs, "arc"), float(t), None)[0]
+        return self._contours(self._number(arc, self.n_arcs, "arc"), _arrays.real(t, "t"), None)[0]
 
     def contours(self, level: float) -> list[Contour]:
         """Trace all contours of the level of a value: those just above the last vertex whose scalar is at most `level`."""
-        if np.isnan(level):
+        if np.isnan(_arrays.real(level, "the level")):
             raise ValueError("the level is not a number (NaN)")
         return self._contours(None, None, self._field.place(level))
 
     def contours_of_arcs(self, t: float = 0.5) -> list[Contour]:
         """Trace the contour of each arc at the place `t` between its nodes."""
-        return self._contours(None, float(t), None)
+        return self._contours(None, _arrays.real(t, "t"), None)
 
     def critical_set(self, node: int) -> CriticalSet:
         """Return what a node stands for: the contours that meet there, and more."""
@@ -382,7 +378,10 @@ class ReebGraph:
 
     @staticmethod
     def _number(number: int, count: int, name: str) -> int:
-        number = operator.index(number)
+        try:
+            number = operator.index(number)
+        except TypeError:
+            raise TypeError(f"the number of {name} has to be an integer, not {number!r}") from None
         if not 0 <= number < count:
             raise NumberError(f"there is no {name} {number}: the graph has {count}, numbered from 0")
         return number
@@ -395,10 +394,7 @@ class ReebGraph:
         arc, value, closed, edges, points, polylines, triangles = found
         if self.is_surface and closed:
             points = np.concatenate([points, points[:1]])
-        contour = points.view(Contour)
-        contour.arc, contour.value, contour.closed = arc, value + float(self._field.base), closed
-        contour.edges, contour.polylines, contour.triangles = edges, polylines, triangles
-        return contour
+        return Contour._of(points, arc, value + float(self._field.base), closed, edges, polylines, triangles)
 
 
 def _manner(name: str | None) -> Any:
@@ -479,7 +475,9 @@ def compute(
     all_ties = _core.Ties.__members__
     _arrays.one_of(ties, all_ties, "ties")
     mesh = _arrays.take(triangles, points, edges, tetrahedra)
-    order = None if order is None else np.array(order)
+    if order is not None:
+        _arrays.refuse_mask(order, "vertex")
+        order = np.array(order)
     field = Field(_arrays.scalars_of(mesh, scalars), order)
     arguments = mesh.checked(field.size), field.doubles, all_ties[ties], bool(keep_degree_2)
     core = run(_core.compute, *arguments, threads=threads, progress=progress, name="Reeb graph")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -16,7 +17,8 @@ class Contour(np.ndarray):
     """A contour: the array of its points, in the order in which they follow each other.
 
     On a surface, a closed contour repeats its first point. In a complex, `polylines` lead through the points, which are
-    there once each; in tetrahedra, `triangles` do.
+    there once each; in tetrahedra, `triangles` do. Copies, and arrays with a point for each of its points, as
+    `contour * 2`, keep its attributes.
 
     Attributes
     ----------
@@ -40,6 +42,25 @@ class Contour(np.ndarray):
     edges: np.ndarray
     polylines: list[np.ndarray]
     triangles: np.ndarray
+
+    @classmethod
+    def _of(cls, points: np.ndarray, *attributes: Any) -> Contour:
+        contour = points.view(cls)
+        contour.__dict__.update(zip(cls.__annotations__, attributes))
+        return contour
+
+    def __array_finalize__(self, original: Any) -> None:
+        if isinstance(original, Contour) and original.shape == self.shape:
+            self.__dict__.update(original.__dict__)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        function, arguments, state = super().__reduce__()
+        return function, arguments, (state, self.__dict__)
+
+    def __setstate__(self, state: Any) -> None:
+        of_array, attributes = state
+        super().__setstate__(of_array)
+        self.__dict__.update(attributes)
 
     @property
     def points(self) -> np.ndarray:

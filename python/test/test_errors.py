@@ -105,6 +105,57 @@ def test_wrong_questions():
         graph.write("/no such folder/graph.svg")
 
 
+def masked(array, index):
+    mask = np.zeros(np.shape(array), bool)
+    mask[index] = True
+    return np.ma.masked_array(array, mask)
+
+
+def test_masks():
+    """A masked item of any array is an error that names it, as that of a scalar is."""
+    ranks = np.arange(len(SCALARS))
+    edges, tetrahedra = np.array([[0, 5], [1, 6], [2, 7]]), np.array([[0, 1, 2, 3], [4, 5, 6, 7]])
+    for arguments, options, item, number in (
+        ((TRIANGLES, masked(SCALARS, 7)), {}, "vertex", 7),
+        ((masked(TRIANGLES, (3, 1)), SCALARS), {}, "triangle", 3),
+        ((TRIANGLES, SCALARS), {"edges": masked(edges, (2, 0))}, "edge", 2),
+        ((TRIANGLES, SCALARS), {"tetrahedra": masked(tetrahedra, (1, 3))}, "tetrahedron", 1),
+        ((TRIANGLES, SCALARS), {"points": masked(POINTS, (4, 2))}, "vertex", 4),
+        ((TRIANGLES, SCALARS), {"order": masked(ranks, 6)}, "vertex", 6),
+    ):
+        with pytest.raises(reeb_graph.MeshError, match=f"{item} {number} has no value: it is masked") as caught:
+            reeb_graph.compute(*arguments, **options)
+        assert getattr(caught.value, item) == number
+        unmasked = [getattr(array, "data", array) if isinstance(array, np.ma.MaskedArray) else array for array in arguments]
+        reeb_graph.compute(*unmasked)  # no mask is no error, nor is one that masks nothing
+        reeb_graph.compute(*(np.ma.masked_array(array) for array in unmasked))
+    for ask in (lambda: reeb_graph.geodesic(TRIANGLES, masked(POINTS, (4, 2))),
+                lambda: reeb_graph.geodesic(TRIANGLES, POINTS, sources=masked([3, 4], 1)),
+                lambda: reeb_graph.height(TRIANGLES, POINTS, masked([0.0, 1.0, 2.0], 1)),
+                lambda: reeb_graph.make_borders_level(TRIANGLES, masked(SCALARS, 3)),
+                lambda: reeb_graph.branches(TRIANGLES, SCALARS, POINTS, vertex_arrays={"a": masked(SCALARS, 3)})):
+        with pytest.raises(reeb_graph.MeshError, match="it is masked"):
+            ask()
+
+
+def test_numbers_of_python():
+    """Numbers that no number of C has, and what is no number, give messages of our own."""
+    graph = reeb_graph.compute(TRIANGLES, SCALARS, points=POINTS)
+    huge = 10**400
+    own = "must not be|has to be|too large for a double|there is no arc"
+    for ask in (lambda: graph.simplify(huge), lambda: graph.simplify(percent=huge), lambda: graph.simplify(-huge),
+                lambda: graph.simplify([1]), lambda: graph.simplify(leaves=1.5), lambda: graph.simplify(leaves="x"),
+                lambda: graph.contours(None), lambda: graph.contours(huge), lambda: graph.contours("x"),
+                lambda: graph.contours([0.5, 1.5]), lambda: graph.contour(0, None), lambda: graph.contour(None, 0.5),
+                lambda: graph.contour(0, huge), lambda: graph.contours_of_arcs(None), lambda: graph.critical_set("x"),
+                lambda: reeb_graph.branches(TRIANGLES, SCALARS, POINTS, persistence=huge),
+                lambda: reeb_graph.branches(TRIANGLES, SCALARS, POINTS, area="x"),
+                lambda: reeb_graph.pants(TRIANGLES, SCALARS, POINTS, max_triangles="x")):
+        with pytest.raises((ValueError, TypeError), match=own):
+            ask()
+    assert graph.simplify(leaves=10**30).n_leaves == graph.n_leaves
+
+
 @pytest.mark.parametrize("seed", range(300))
 def test_random_inputs(seed):
     """Anything gives a graph, or an error that is one of those that are documented."""

@@ -285,3 +285,26 @@ def test_meshes_of_other_packages(torus):
         reeb_graph.compute(types.SimpleNamespace(points=points, cells_dict={"hexahedron": 0}), 0)
     with pytest.raises(TypeError):
         reeb_graph.mesh_arrays(Path("mesh.off"))
+
+
+def test_contours_keep_their_attributes(torus):
+    contour = next(c for c in torus[3].contours_of_arcs() if c.closed)
+    for other, points in (
+        (pickle.loads(pickle.dumps(contour)), contour.points),
+        (pickle.loads(pickle.dumps(contour, protocol=5)), contour.points),
+        (copy.copy(contour), contour.points),
+        (copy.deepcopy(contour), contour.points),
+        (contour.copy(), contour.points),
+        (contour * 2, 2 * contour.points),
+        (contour - [1, 2, 3], contour.points - [1, 2, 3]),
+        (contour[:], contour.points),
+    ):
+        assert type(other) is reeb_graph.Contour and np.array_equal(other, points)
+        assert (other.arc, other.value, other.closed) == (contour.arc, contour.value, True)
+        for name in ("edges", "polylines", "triangles"):
+            assert np.array_equal(getattr(other, name), getattr(contour, name))
+    assert contour.copy().points.base is not contour.points.base
+    moved = copy.deepcopy(contour)
+    moved += 1
+    assert moved.arc == contour.arc and np.array_equal(moved, contour.points + 1)
+    assert not hasattr(contour[1:], "edges")  # which are not those of the points that are left
