@@ -229,7 +229,9 @@ Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& op
   }
   catch(const CGAL::Reeb_graph::Border_level_error& error)
   {
-    throw std::runtime_error(std::string(error.what()) + "; here, so does --borders make-level");
+    const std::string message = error.what(); // which ends in a way out that is one of the library
+    throw std::runtime_error(message.substr(0, message.find(';'))
+                             + "; --borders make-level changes the field so that it does");
   }
 }
 

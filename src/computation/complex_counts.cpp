@@ -190,8 +190,7 @@ Complex_counts count_complex(const Complex& complex)
 std::string describe_obstacle(const Complex& complex)
 {
   if(!complex.tetrahedra.empty())
-    return "the mesh has tetrahedra: the surface around a volume, as CGAL::facets_in_complex_3_to_triangle_mesh() "
-           "makes it of a C3t3, is one";
+    return "the mesh has tetrahedra";
   const Complex_counts counts = count_complex(complex);
   const auto number = [](std::size_t n, const std::string& singular, const std::string& plural) {
     return std::to_string(n) + (n == 1 ? singular : plural);
@@ -201,20 +200,17 @@ std::string describe_obstacle(const Complex& complex)
   };
   if(counts.first_duplicate_face)
     return number(counts.duplicate_faces, " face repeats an earlier one", " faces repeat earlier ones")
-         + ", the first one, face " + std::to_string(*counts.first_duplicate_face)
-         + "; CGAL::Polygon_mesh_processing::merge_duplicate_polygons_in_polygon_soup() leaves one of each";
+         + ", the first one, face " + std::to_string(*counts.first_duplicate_face);
   if(const auto& edge = counts.first_edge_without_triangles)
     return number(counts.edges_without_triangles, " edge is on no face", " edges are on no face")
          + ", the first one, of " + ends(edge->first, edge->second)
          + "; without such edges, the file has a surface only";
-  const std::string repair = "; CGAL::Polygon_mesh_processing::orient_polygon_soup() cuts a mesh open there";
   if(const auto& edge = counts.first_edge_of_many_faces)
-    return "the edge between " + ends(edge->u, edge->v) + " has " + std::to_string(edge->faces) + " faces" + repair;
+    return "the edge between " + ends(edge->u, edge->v) + " has " + std::to_string(edge->faces) + " faces";
   if(const auto& vertex = counts.first_vertex_of_several_fans)
-    return "the faces at vertex " + std::to_string(vertex->vertex) + " form " + std::to_string(vertex->fans) + " fans"
-         + repair;
+    return "the faces at vertex " + std::to_string(vertex->vertex) + " form " + std::to_string(vertex->fans) + " fans";
   if(const auto& edge = counts.first_edge_without_orientation)
-    return "the faces cannot be oriented, which shows at the edge of " + ends(edge->first, edge->second) + repair;
+    return "the faces cannot be oriented, which shows at the edge of " + ends(edge->first, edge->second);
   return "the faces and edges form no manifold surface";
 }
 
