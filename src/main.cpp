@@ -6,6 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "base/message_of.h"
 #include "base/threads.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
@@ -274,12 +275,8 @@ int main(int argc, char** argv)
   {
     return report_error(describe(app, error));
   }
-  catch(const std::bad_alloc&)
-  {
-    return report_error("out of memory");
-  }
   catch(const std::exception& error)
   {
-    return report_error(error.what());
+    return report_error(reeb_graph_program::message_of(error));
   }
 }

@@ -116,6 +116,7 @@ struct Work_report
 {
   std::optional<CGAL::Reeb_graph::Field_report> field; // of a field that depends on the geometry of faces
   std::optional<Fixed_values> fixed_values;            // of a field that solves equations, or of distances
+  std::vector<std::string> notes;                      // on the input, and on what the user may not expect
   std::vector<std::pair<std::string, double>> seconds; // in the order in which they were spent
 
   // Adds to the seconds of a step, which is a new one if there is none of this name.
@@ -180,7 +181,6 @@ struct Report : Work_report
 struct Curves_report : Work_report
 {
   std::string field_name;
-  std::vector<std::string> notes; // on the field
   std::size_t curves = 0;
   std::size_t patches = 0;
   CGAL::Reeb_graph::Border_level_changes border_changes; // of the field

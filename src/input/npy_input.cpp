@@ -14,10 +14,11 @@
 
 #include <boost/endian/conversion.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <regex>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -31,13 +32,22 @@ struct Npy_array
   std::string_view numbers;
 };
 
-// The value of a key of the header, a dict of Python in a form that NumPy always writes.
-std::string header_value(const std::string& path, const std::string& header, const std::string& pattern)
+// The value of a key of the header, a dict of Python in a form that NumPy always writes: what is between two
+// characters behind the key.
+std::string header_value(const std::string& path,
+                         const std::string& header,
+                         const std::string& key,
+                         char begin,
+                         char end)
 {
-  std::smatch match;
-  if(!std::regex_search(header, match, std::regex(pattern)))
-    throw Input_error(path, "the header of the file is not one of NumPy: " + quote(header));
-  return match[1];
+  std::size_t place = header.find("'" + key + "':");
+  if(place != std::string::npos)
+    place = header.find_first_not_of(' ', place + key.size() + 3);
+  const std::size_t last = place < header.size() ? header.find(end, place + 1) : std::string::npos;
+  if(last == std::string::npos || header[place] != begin)
+    throw Input_error(path, "the header of the file has no " + std::string(key == "descr" ? "dtype of numbers" : key)
+                              + ": " + quote(header));
+  return header.substr(place + 1, last - place - 1);
 }
 
 Npy_array split_npy(const std::string& path, std::string_view text)
@@ -56,8 +66,8 @@ Npy_array split_npy(const std::string& path, std::string_view text)
   if(size > longest_header || text.size() - begin < size)
     throw Input_error(path, "the file ends in its header");
   const std::string header(text.substr(begin, size));
-  return {header_value(path, header, "'descr': *('[^']*'|[^,}]*)"),
-          header_value(path, header, "'shape': *\\(([^)]*)\\)"), text.substr(begin + size)};
+  return {header_value(path, header, "descr", '\'', '\''), header_value(path, header, "shape", '(', ')'),
+          text.substr(begin + size)};
 }
 
 template <class Number>
@@ -84,9 +94,8 @@ std::vector<double> decode_all(const std::string& path, std::string_view bytes, 
 
 std::vector<double> decode_array(const std::string& path, const Npy_array& array, std::size_t count)
 {
-  const std::string type = array.type.substr(1, array.type.size() - 2); // without quotation marks
-  const std::string kind = type.substr(type.empty() ? 0 : 1);
-  const bool is_reversed = type.substr(0, 1) == (is_machine_big_endian() ? "<" : ">");
+  const std::string kind = array.type.substr(array.type.empty() ? 0 : 1);
+  const bool is_reversed = array.type.substr(0, 1) == (is_machine_big_endian() ? "<" : ">");
   const auto decode_as = [&](auto number) {
     return decode_all<decltype(number)>(path, array.numbers, count, is_reversed);
   };
@@ -120,7 +129,9 @@ std::vector<double> read_npy(const std::string& path, std::size_t number_of_vert
 {
   const File_contents file(path);
   const Npy_array array = split_npy(path, file.text());
-  if(!std::regex_match(array.shape, std::regex(" *" + std::to_string(number_of_vertices) + ", *")))
+  std::string shape = array.shape;
+  shape.erase(std::remove(shape.begin(), shape.end(), ' '), shape.end());
+  if(shape != std::to_string(number_of_vertices) + ",")
     throw Input_error(path, "the array has the shape (" + array.shape + "): it must be ("
                               + std::to_string(number_of_vertices) + ",), one number for each vertex of the mesh");
   return decode_array(path, array, number_of_vertices);

@@ -6,6 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "base/message_of.h"
 #include "commands/command_line.h"
 #include "mpi/commands_on_ranks.h"
 #include "mpi/ranks.h"
@@ -24,7 +25,6 @@
 #include <exception>
 #include <iostream>
 #include <memory>
-#include <new>
 #include <string>
 
 namespace {
@@ -139,13 +139,9 @@ int run(int argc, char** argv, const Communicator& communicator, const Communica
   {
     return end_with_error(communicator, meeting, reeb_graph_program::describe(app, error));
   }
-  catch(const std::bad_alloc&)
-  {
-    return end_with_error(communicator, meeting, "out of memory");
-  }
   catch(const std::exception& error)
   {
-    return end_with_error(communicator, meeting, error.what());
+    return end_with_error(communicator, meeting, reeb_graph_program::message_of(error));
   }
 }
 

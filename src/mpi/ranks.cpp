@@ -8,6 +8,8 @@
 
 #include "mpi/ranks.h"
 
+#include "base/message_of.h"
+
 #include <CGAL/Reeb_graph/distributed/internal/exchange.h>
 
 #include <boost/mpi/collectives.hpp>
@@ -17,7 +19,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -30,14 +31,9 @@ void run_together(const Communicator& communicator, const std::function<void()>&
   {
     work();
   }
-  catch(const std::bad_alloc&)
-  {
-    message = "out of memory";
-    failed_rank = communicator.rank();
-  }
   catch(const std::exception& error)
   {
-    message = error.what();
+    message = message_of(error);
     failed_rank = communicator.rank();
   }
   int first = 0;

@@ -346,7 +346,7 @@ void write_json(std::ostream& out, const Report& report)
     json["peak_memory_bytes"] = largest_peak_memory_bytes(*report.ranks);
     add_ranks(json, *report.ranks);
   }
-  out << json.dump(2) << '\n';
+  write_line(out, json);
 }
 
 } // namespace reeb_graph_program

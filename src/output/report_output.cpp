@@ -61,6 +61,11 @@ void write_fixed_values(std::ostream& out, const Fixed_values& fixed)
 
 } // namespace
 
+void write_line(std::ostream& out, const nlohmann::ordered_json& json)
+{
+  out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+}
+
 void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report)
 {
   json["bad_faces"] = json["added_length"] = json["marched_components"] = nullptr;
@@ -74,6 +79,7 @@ void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report
   if(report.fixed_values)
     json["fixed_values"] = {{"vertices", json_of(report.fixed_values->vertices)},
                             {"borders", json_of(report.fixed_values->borders)}};
+  json["notes"] = report.notes;
   for(const auto& [step, seconds] : report.seconds)
     json["seconds"][step] = seconds;
   json["peak_memory_bytes"] = peak_memory_bytes();
@@ -81,6 +87,8 @@ void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report
 
 void write_field_text(std::ostream& out, const Work_report& report)
 {
+  for(const std::string& note : report.notes)
+    out << "         " << note << '\n';
   // A field that does not depend on the geometry has none.
   const CGAL::Reeb_graph::Field_report field = report.field.value_or(CGAL::Reeb_graph::Field_report());
   if(field.number_of_bad_faces > 0)
@@ -112,7 +120,7 @@ void write_json(std::ostream& out, const Field_range& range, const Work_report& 
   json["lowest"] = json_number(range.lowest);
   json["highest"] = json_number(range.highest);
   add_field_and_costs(json, report);
-  out << json.dump(2) << '\n';
+  write_line(out, json);
 }
 
 void write_text(std::ostream& out, const Contours_report& report)
@@ -126,15 +134,13 @@ void write_json(std::ostream& out, const Contours_report& report)
   nlohmann::ordered_json json;
   json["contours"] = report.contours;
   add_field_and_costs(json, report);
-  out << json.dump(2) << '\n';
+  write_line(out, json);
 }
 
 void write_text(std::ostream& out, const Curves_report& report)
 {
   out << report.curves << (report.curves == 1 ? " curve, " : " curves, ") << report.patches
       << (report.patches == 1 ? " patch\n" : " patches\n");
-  for(const std::string& note : report.notes)
-    out << "         " << note << '\n';
   write_field_text(out, report);
 }
 
@@ -149,9 +155,8 @@ void write_json(std::ostream& out, const Curves_report& report)
   json["largest_change"] = json_number(report.border_changes.largest_change);
   json["ties_contracted"] = report.are_ties_contracted;
   json["field"] = report.field_name;
-  json["notes"] = report.notes;
   add_field_and_costs(json, report);
-  out << json.dump(2) << '\n';
+  write_line(out, json);
 }
 
 void write_border_changes(std::ostream& out, const CGAL::Reeb_graph::Border_level_changes& changes)
@@ -189,6 +194,8 @@ void write_text(std::ostream& out, const Handles_report& report)
   out << "surface  " << count(number_of("handle"), "handle") << ", " << count(number_of("tunnel"), "tunnel") << ", "
       << count(number_of("hole"), "hole") << ", " << count(number_of("loop"), "loop") << " without inside\n";
   out << "field    " << report.field << '\n';
+  for(const std::string& note : report.notes)
+    out << "         " << note << '\n';
   if(report.removals)
     write_removals(out, *report.removals);
   if(report.loops.empty())
@@ -243,7 +250,7 @@ void write_json(std::ostream& out, const Handles_report& report)
          {"reason", row.is_removed ? nlohmann::ordered_json() : nlohmann::ordered_json(row.reason)}});
   }
   add_field_and_costs(json, report);
-  out << json.dump(2) << '\n';
+  write_line(out, json);
 }
 
 } // namespace reeb_graph_program

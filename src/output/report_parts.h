@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <ostream>
 #include <string>
 
 // What reports have in common.
@@ -35,6 +36,9 @@ inline nlohmann::ordered_json json_number(const std::optional<double>& number)
 {
   return number && std::isfinite(*number) ? nlohmann::ordered_json(*number) : nlohmann::ordered_json();
 }
+
+// Writes the report and a line end. Names of files and fields may be no UTF-8, which JSON has to be.
+void write_line(std::ostream& out, const nlohmann::ordered_json& json);
 
 void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report);
 

@@ -95,6 +95,30 @@ inline std::string rich_ply()
        + lines(points(), "", " 255") + lines(triangles(), "7 3 ", "");
 }
 
+// Each triangle is a strip of its own; the edges are some of theirs.
+inline std::string ply_of_strips(bool is_binary)
+{
+  std::string header = ply_header(is_binary ? "binary_little_endian" : "ascii", "double"), numbers;
+  header.replace(header.find("element face"), std::string::npos,
+                 "element edge 2\nproperty int vertex1\nproperty int vertex2\nelement tristrips 1\n"
+                 "property list int int vertex_indices\nend_header\n");
+  if(!is_binary)
+  {
+    for(const auto& row : triangles())
+      numbers += lines({row}, "", " -1");
+    return header + lines(points(), "", "") + "0 1\n5 2\n32 " + numbers;
+  }
+  for(const auto& row : points())
+    append<double>(header, row);
+  append<std::int32_t>(header, {0, 1, 5, 2, 32});
+  for(const auto& row : triangles())
+  {
+    append<std::int32_t>(header, row);
+    append<std::int32_t>(header, {-1});
+  }
+  return header;
+}
+
 inline std::string ascii_stl()
 {
   std::string content = "solid octahedron\n";
@@ -236,6 +260,35 @@ inline std::string binary_vtu(bool is_appended)
        + "</VTKFile>\n";
 }
 
+// The field z of the octahedron as an array of NumPy.
+inline std::string npy(const std::string& type)
+{
+  std::string header = "{'descr': '" + type + "', 'fortran_order': False, 'shape': (6,), }", content = "\x93NUMPY\x01";
+  header.resize(117, ' ');
+  content += '\0';
+  append<std::uint16_t>(content, {118});
+  content += header + "\n";
+  for(const auto& row : points())
+    if(type == "<f8")
+      append<double>(content, {row[2]});
+    else
+      append<float>(content, {row[2]}, true);
+  return content;
+}
+
+// The same as text.
+inline std::vector<Mesh_file> all_scalar_files()
+{
+  std::string text, csv = "\"name, of it\",5\" z,more\n";
+  for(const auto& row : points())
+  {
+    text += lines({{row[2]}}, "", "");
+    csv += lines({{row[2]}}, "a \"b\",", ",\"\"\"\"");
+  }
+  return {
+    {"npy", ".npy", npy("<f8")}, {"swapped_npy", ".npy", npy(">f4")}, {"text", ".txt", text}, {"csv", ".csv", csv}};
+}
+
 inline std::vector<Mesh_file> all_mesh_files()
 {
   const std::string off = "OFF\n# an octahedron\n6 8 12\n\n" + lines(points(), "", "") + lines(triangles(), "3 ", "");
@@ -245,17 +298,26 @@ inline std::vector<Mesh_file> all_mesh_files()
   const std::string obj = "# an octahedron\n" + lines(points(), "v ", "") + lines(triangles(), "f ", "", 1);
   const std::string rich_obj = "mtllib none\no octahedron\n" + lines(points(), "v ", " 1")
                              + "vt 0 0\nvn 0 0 1\ng all\nusemtl none\n" + lines(triangles(), "f ", "/1/1", 1);
+  const std::string mark = "\xEF\xBB\xBF";
+  std::string upper_stl = ascii_stl();
+  for(char& c : upper_stl)
+    c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
   return {{"off", ".off", off},
           {"coff", ".off", coff},
           {"stcn4off", ".off", stcnoff},
           {"obj", ".obj", obj},
           {"rich_obj", ".obj", rich_obj},
+          {"marked_obj", ".obj", mark + "$ an octahedron\nunknown 1\n" + obj + "l 1 2\n"},
           {"obj_from_the_end", ".obj", lines(points(), "v ", "") + lines(triangles(), "f ", "", -6)},
           {"ascii_ply", ".ply", ply_header("ascii", "double") + lines(points(), "", "") + lines(triangles(), "3 ", "")},
           {"rich_ply", ".ply", rich_ply()},
           {"little_endian_ply", ".ply", binary_ply("binary_little_endian", false)},
           {"big_endian_ply", ".ply", binary_ply("binary_big_endian", true)},
+          {"ply_of_strips", ".ply", ply_of_strips(false)},
+          {"binary_ply_of_strips", ".ply", ply_of_strips(true)},
           {"ascii_stl", ".stl", ascii_stl()},
+          {"upper_stl", ".stl", mark + upper_stl},
+          {"trailing_stl", ".stl", binary_stl() + "more bytes behind the last triangle"},
           {"binary_stl", ".stl", binary_stl()},
           {"ts", ".ts", ts()},
           {"medit", ".mesh", medit("Triangles", triangles())},
