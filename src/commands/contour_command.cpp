@@ -16,8 +16,11 @@
 #include "output/output_file.h"
 #include "output/report_output.h"
 
+#include <algorithm>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
@@ -29,6 +32,17 @@ void check_choice(const Contour_choice& choice)
        + int(choice.point.has_value())
      != 1)
     throw std::runtime_error("one of --t, --level, --levels, and --closest is needed");
+}
+
+void note_empty_levels(const std::vector<double>& levels, const std::vector<Contour>& contours, Work_report& report)
+{
+  for(const double level : levels)
+    if(std::none_of(contours.begin(), contours.end(), [&](const Contour& contour) { return contour.value == level; }))
+    {
+      std::ostringstream note;
+      note << "there is no contour at the level " << level;
+      report.notes.push_back(note.str());
+    }
 }
 
 } // namespace
@@ -54,6 +68,7 @@ void run_contour(const Contour_options& options)
                        threshold_in_units(choice.simplification, mesh.surface, scalar_map), graph_report)
       ->find_contours(choice);
   write_contours(options.output_path, contours, has_tetrahedra);
+  note_empty_levels(choice.levels, contours, report);
   report.contours = contours.size();
   std::ostream& stream = report_stream({options.output_path});
   if(options.is_report_json)

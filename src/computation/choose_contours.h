@@ -100,6 +100,13 @@ std::vector<Contour> nearest_contour(const AnyAugmentation& augmentation,
   return nearest;
 }
 
+inline std::string no_contour_at(double level)
+{
+  std::ostringstream message;
+  message << "there is no contour at the level " << level;
+  return message.str();
+}
+
 template <class AnyAugmentation, class Convert>
 void add_level(const AnyAugmentation& augmentation,
                const Convert& convert,
@@ -131,20 +138,12 @@ std::vector<Contour> choose_contours(const AnyAugmentation& augmentation,
     for(const double level : equal_steps(*choice.number_of_levels, scalar_map))
       add_level(augmentation, convert, level, contours);
   for(const double level : choice.levels)
-  {
-    const std::size_t number = contours.size();
     add_level(augmentation, convert, level, contours);
-    if(contours.size() == number && !choice.may_be_none)
-    {
-      std::ostringstream message;
-      message << "there is no contour at the level " << level;
-      throw std::runtime_error(message.str());
-    }
-  }
   if(contours.empty() && !choice.may_be_none)
-    throw std::runtime_error(choice.point ? "there is no contour near the point"
-                             : choice.t   ? "there is no contour: the graph has no arc"
-                                          : "there is no contour at these levels");
+    throw std::runtime_error(choice.point                ? "there is no contour near the point"
+                             : choice.t                  ? "there is no contour: the graph has no arc"
+                             : choice.levels.size() == 1 ? no_contour_at(choice.levels.front())
+                                                         : "there is no contour at these levels");
   return contours;
 }
 

@@ -25,7 +25,7 @@ struct Contour_choice
   Simplification_options simplification;
   std::optional<double> t;                     // between 0 and 1 on each arc
   std::optional<std::size_t> arc;              // with t: the only arc
-  std::vector<double> levels;                  // each has to have a contour
+  std::vector<double> levels;                  // of which some may have no contour
   std::optional<std::size_t> number_of_levels; // that cut the range of the field into equal steps
   std::optional<Point> point;
   bool may_be_none = false; // else it is an error if there is no contour
