@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -41,6 +42,7 @@ struct Mesh
 {
   Surface surface;
   std::optional<Complex> complex;
+  std::vector<std::string> notes = {}; // on what was left out when it was read
 };
 
 } // namespace reeb_graph_program

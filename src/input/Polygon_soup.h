@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -59,14 +60,18 @@ public:
     ++size_;
   }
 
+  template <class Vertices>
+  void add(const Vertices& vertices)
+  {
+    for(const auto v : vertices)
+      add_corner(v);
+    end_polygon();
+  }
+
   void append(const Polygons& others)
   {
     for(std::size_t i = 0; i < others.size(); ++i)
-    {
-      for(const Corner v : others[i])
-        add_corner(v);
-      end_polygon();
-    }
+      add(others[i]);
   }
 
   void reserve(std::size_t number) { corners_.reserve(3 * number); }
@@ -90,13 +95,27 @@ private:
   std::size_t size_ = 0;
 };
 
+// Adds the triangles of a strip: of any three corners in a row, every other one the other way round. Those with a
+// repeated vertex, by which strips turn or are joined, are no faces.
+inline void add_strip(const std::vector<Corner>& strip, Polygons& polygons)
+{
+  for(std::size_t i = 2; i < strip.size(); ++i)
+  {
+    const Corner a = strip[i - 2 + i % 2], b = strip[i - 1 - i % 2], c = strip[i];
+    if((a == b || b == c || a == c) && std::max({a, b, c}) != too_large_corner)
+      continue;
+    polygons.add(std::array<Corner, 3>{a, b, c});
+  }
+}
+
 struct Polygon_soup
 {
   std::vector<Point> points;
   Polygons polygons;
   std::vector<std::array<Corner, 2>> edges; // besides those of the polygons
   std::vector<std::array<Corner, 4>> tetrahedra;
-  std::vector<double> scalars; // the property of the points that was asked for; empty if none was
+  std::vector<double> scalars;    // the property of the points that was asked for; empty if none was
+  std::vector<std::string> notes; // on what was left out
 };
 
 // Makes the polygons of the parts those of the soup, one behind the other.
@@ -123,7 +142,8 @@ inline void join_polygons(const std::vector<Polygon_soup>& parts, Polygon_soup& 
     soup.polygons.append(part.polygons);
 }
 
-// The parts of a soup, one behind the other, whose polygons have the numbers of all vertices.
+// The parts of a soup, one behind the other, whose polygons and edges have the numbers of all vertices. They have no
+// tetrahedra, and no notes.
 inline Polygon_soup join(std::vector<Polygon_soup> parts)
 {
   if(parts.size() == 1)
@@ -144,6 +164,8 @@ inline Polygon_soup join(std::vector<Polygon_soup> parts)
       std::copy(parts[i].scalars.begin(), parts[i].scalars.end(), soup.scalars.data() + begins[i]);
   });
   join_polygons(parts, soup);
+  for(const Polygon_soup& part : parts)
+    soup.edges.insert(soup.edges.end(), part.edges.begin(), part.edges.end());
   return soup;
 }
 

@@ -63,6 +63,7 @@ Mesh read_mesh(const Input_options& options, Work_report& report)
   check_field_options(options);
   Mesh mesh = read_mesh(options.mesh_path, options.are_faces_triangulated, vertex_property(options));
   report.add_seconds("read", stopwatch.seconds());
+  report.notes.insert(report.notes.end(), mesh.notes.begin(), mesh.notes.end());
   if(mesh.complex && is_computed(options.field) && options.field != "height" && options.field != "geodesic")
     throw Input_error(options.mesh_path, "the field " + options.field + " needs an oriented manifold surface; "
                                            + describe_obstacle(*mesh.complex));

@@ -173,16 +173,20 @@ bool make_surface(const Polygon_soup& soup, Surface& surface)
     return true;
   if(find_duplicates(soup.polygons, true).number > 0)
     return false;
-  Polygon_soup oriented = {soup.points, soup.polygons, {}, {}, {}};
+  Polygon_soup oriented;
+  oriented.points = soup.points;
+  oriented.polygons = soup.polygons;
   return orient(oriented) && assemble_surface(oriented, surface);
 }
 
-void triangulate(const std::string& path, Surface& surface)
+// Face i of the surface is that of the file with the i-th of the numbers; with its own one if there are none.
+void triangulate(const std::string& path, const std::vector<std::size_t>& faces_of_file, Surface& surface)
 {
   triangulate_faces(surface);
   for(const Surface::Face_index f : surface.faces())
     if(surface.degree(f) != 3)
-      throw Input_error(path, "face " + std::to_string(f.idx()) + " cannot be cut into triangles");
+      throw Input_error(path, "face " + std::to_string(faces_of_file.empty() ? f.idx() : faces_of_file[f])
+                                + " cannot be cut into triangles");
 }
 
 // The triangles of the polygons, each of which is cut into triangles by itself if it is none.
@@ -191,6 +195,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::string& path, 
   std::vector<std::array<std::uint32_t, 3>> triangles;
   Surface pieces;
   std::vector<Corner> vertices_of_pieces;
+  std::vector<std::size_t> faces_of_file;
   std::vector<Surface::Vertex_index> face;
   for(std::size_t i = 0; i < soup.polygons.size(); ++i)
   {
@@ -207,8 +212,9 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::string& path, 
       vertices_of_pieces.push_back(v);
     }
     pieces.add_face(face);
+    faces_of_file.push_back(i);
   }
-  triangulate(path, pieces);
+  triangulate(path, faces_of_file, pieces);
   for(const Surface::Face_index f : pieces.faces())
   {
     std::array<std::uint32_t, 3> triangle = {};
@@ -261,7 +267,8 @@ Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::
       scalar_map[v] = soup.scalars[v];
   }
   if(are_faces_triangulated && !mesh.complex)
-    triangulate(path, mesh.surface);
+    triangulate(path, {}, mesh.surface);
+  mesh.notes = std::move(soup.notes);
   return mesh;
 }
 

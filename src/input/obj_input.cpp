@@ -13,21 +13,37 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
 namespace {
-// What a mesh does without: parameters, normals, names, materials, curves.
+template <std::size_t size>
+bool is_one_of(const std::array<std::string_view, size>& keywords, std::string_view keyword)
+{
+  return std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
+}
+
+// What a mesh does without: parameters, normals, names, materials, points.
 bool is_skipped_keyword(std::string_view keyword)
 {
-  static constexpr std::array<std::string_view, 42> keywords = {
-    "vt",       "vn",     "vp",     "g",      "o",     "s",     "l",    "p",          "bevel",     "lod",    "c_interp",
-    "d_interp", "usemap", "usemtl", "mtllib", "ctech", "stech", "end",  "shadow_obj", "trace_obj", "cstype", "deg",
-    "step",     "bmat",   "con",    "curv",   "curv2", "surf",  "parm", "trim",       "hole",      "scrv",   "sp",
-    "mg",       "maplib", "bsp",    "bzp",    "cdc",   "cdp",   "res",  "call",       "csh"};
-  return std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
+  static constexpr std::array<std::string_view, 33> keywords = {
+    "vt",     "vn",     "vp",     "g",     "o",     "s",    "p",          "bevel",     "lod",    "c_interp", "d_interp",
+    "usemap", "usemtl", "mtllib", "ctech", "stech", "end",  "shadow_obj", "trace_obj", "cstype", "deg",      "step",
+    "bmat",   "con",    "parm",   "trim",  "hole",  "scrv", "sp",         "mg",        "maplib", "res",      "csh"};
+  return is_one_of(keywords, keyword);
+}
+
+// What would be a part of the mesh: curves, surfaces, and patches of free form, and other files.
+bool is_geometry_not_read(std::string_view keyword)
+{
+  static constexpr std::array<std::string_view, 8> keywords = {"curv", "curv2", "surf", "bsp",
+                                                               "bzp",  "cdc",   "cdp",  "call"};
+  return is_one_of(keywords, keyword);
 }
 
 // The vertex of a corner: its number, from 1, or counted backwards from -1, and possibly more behind slashes.
@@ -49,18 +65,13 @@ Point read_point(Text_input& input)
   return Point(coordinates[0], coordinates[1], coordinates[2]);
 }
 
-// Returns the highest vertex, 0 if there is none.
-std::size_t read_polygon(Text_input& input, std::size_t number_of_earlier, Polygons& polygons)
+// The vertices of a face or a line. Returns the highest one, 0 if there is none.
+std::size_t read_corners(Text_input& input, std::size_t number_of_earlier, std::vector<std::size_t>& corners)
 {
-  std::size_t highest = 0;
+  corners.clear();
   for(std::string_view word = input.word_of_line(); !word.empty(); word = input.word_of_line())
-  {
-    const std::size_t vertex = read_corner(input, word, number_of_earlier);
-    polygons.add_corner(vertex);
-    highest = std::max(highest, vertex);
-  }
-  polygons.end_polygon();
-  return highest;
+    corners.push_back(read_corner(input, word, number_of_earlier));
+  return corners.empty() ? 0 : *std::max_element(corners.begin(), corners.end());
 }
 
 // Goes to the next line, and returns whether there is one.
@@ -70,6 +81,8 @@ bool next_joined_line(Text_input& input)
     return false;
   input.remove_comment('#');
   input.join_next_line();
+  if(input.next_word_of_line().substr(0, 1) == "$") // another mark of comments
+    input.remove_comment('$');
   return true;
 }
 
@@ -81,31 +94,68 @@ std::size_t count_points(Text_input& input)
   return number;
 }
 
-// The highest vertex of the faces, and the first line with it.
-struct Highest_vertex
+// What lines of the file, or of a part of it, are about.
+struct Line_facts
 {
-  std::size_t number = 0, line = 0;
+  std::size_t highest_vertex = 0, line_of_highest_vertex = 0; // of faces and lines, and the first line with it
+  std::size_t unknown_lines = 0, first_unknown_line = 0;      // that begin with no keyword
+  std::string first_unknown_keyword;
 };
 
 // Reads the file, or the part of it that has so many vertices before it.
-Polygon_soup read_lines(Text_input& input, std::size_t number_before, Highest_vertex& highest_vertex)
+Polygon_soup read_lines(Text_input& input, std::size_t number_before, Line_facts& facts)
 {
   Polygon_soup soup;
+  std::vector<std::size_t> corners;
   while(next_joined_line(input))
   {
     const std::string_view keyword = input.word_of_line();
     if(keyword == "v")
       soup.points.push_back(read_point(input));
-    else if(keyword == "f")
+    else if(keyword == "f" || keyword == "fo" || keyword == "l")
     {
-      const std::size_t highest = read_polygon(input, number_before + soup.points.size(), soup.polygons);
-      if(highest > highest_vertex.number)
-        highest_vertex = {highest, input.line_number()};
+      const std::size_t highest = read_corners(input, number_before + soup.points.size(), corners);
+      if(highest > facts.highest_vertex)
+        std::tie(facts.highest_vertex, facts.line_of_highest_vertex) = std::make_pair(highest, input.line_number());
+      if(keyword == "l" && corners.size() < 2)
+        input.fail("a line has fewer than two vertices");
+      for(std::size_t i = 1; keyword == "l" && i < corners.size(); ++i)
+        soup.edges.push_back({corner(corners[i - 1]), corner(corners[i])});
+      if(keyword != "l")
+        soup.polygons.add(corners);
     }
-    else if(!keyword.empty() && !is_skipped_keyword(keyword))
-      input.fail(quote(keyword) + " does not begin a line of an OBJ file");
+    else if(is_geometry_not_read(keyword))
+      input.fail(quote(keyword) + " is not read: a mesh has vertices, faces, and lines");
+    else if(!keyword.empty() && !is_skipped_keyword(keyword) && facts.unknown_lines++ == 0)
+    {
+      facts.first_unknown_line = input.line_number();
+      facts.first_unknown_keyword = keyword;
+    }
   }
   return soup;
+}
+
+// Throws Input_error for vertices that do not exist.
+void add_facts(const std::string& path, const std::vector<Line_facts>& parts, Polygon_soup& soup)
+{
+  Line_facts all;
+  for(const Line_facts& part : parts)
+  {
+    if(part.highest_vertex > all.highest_vertex)
+      std::tie(all.highest_vertex, all.line_of_highest_vertex) =
+        std::tie(part.highest_vertex, part.line_of_highest_vertex);
+    if(all.unknown_lines == 0)
+      std::tie(all.first_unknown_line, all.first_unknown_keyword) =
+        std::tie(part.first_unknown_line, part.first_unknown_keyword);
+    all.unknown_lines += part.unknown_lines;
+  }
+  if(all.highest_vertex >= soup.points.size())
+    throw Input_error(path, all.line_of_highest_vertex, "there is no vertex " + std::to_string(all.highest_vertex + 1));
+  if(all.unknown_lines > 0)
+    soup.notes.push_back(std::to_string(all.unknown_lines)
+                         + (all.unknown_lines == 1 ? " line of the file begins" : " lines of the file begin")
+                         + " with no keyword of OBJ, the first one, line " + std::to_string(all.first_unknown_line)
+                         + ", with " + quote(all.first_unknown_keyword));
 }
 
 } // namespace
@@ -116,19 +166,15 @@ Polygon_soup read_obj(const std::string& path)
   const Text_blocks blocks(Text_input(path, file.text()));
   const std::vector<std::size_t> before = blocks.count_before(count_points);
   std::vector<Polygon_soup> parts(blocks.size());
-  std::vector<Highest_vertex> highest(blocks.size());
+  std::vector<Line_facts> facts(blocks.size());
   run_tasks(blocks.size(), [&](std::size_t i) {
     Text_input block = blocks.input(i);
-    parts[i] = read_lines(block, before[i], highest[i]);
+    parts[i] = read_lines(block, before[i], facts[i]);
   });
   Polygon_soup soup = join(std::move(parts));
-  if(soup.points.empty() || soup.polygons.size() == 0)
+  if(soup.points.empty() || (soup.polygons.size() == 0 && soup.edges.empty()))
     throw Input_error(path, blocks.number_of_lines(), "the file ends without a face");
-  const auto first =
-    std::max_element(highest.begin(), highest.end(),
-                     [](const Highest_vertex& a, const Highest_vertex& b) { return a.number < b.number; });
-  if(first->number >= soup.points.size())
-    throw Input_error(path, first->line, "there is no vertex " + std::to_string(first->number + 1));
+  add_facts(path, facts, soup);
   return soup;
 }
 

@@ -8,6 +8,8 @@
 
 #include "input/ply_header.h"
 
+#include "input/field_names.h"
+
 #include <array>
 #include <utility>
 
@@ -74,25 +76,37 @@ Property read_property(Text_input& input)
   return property;
 }
 
-std::string names_of_numbers(const Element& element)
-{
-  std::string names;
-  for(const Property& property : element.properties)
-    if(!property.is_list())
-      names += (names.empty() ? "" : ", ") + property.name;
-  return names;
-}
-
 } // namespace
 
-std::size_t find_scalars(const Text_input& input, const Element& element, const std::string& name)
+std::size_t find_scalars(const Text_input& input,
+                         const Header& header,
+                         const Element& vertices,
+                         const std::string& name)
 {
-  const std::size_t place = element.find({name});
-  if(place == element.properties.size())
-    input.fail("the vertices have no property " + quote(name) + ", but " + names_of_numbers(element));
-  if(element.properties[place].is_list())
+  const std::size_t place = vertices.find({name});
+  if(place == vertices.properties.size())
+  {
+    Field_names names;
+    for(const Element& element : header.elements)
+      for(const Property& property : element.properties)
+        if((element.is_vertex() || element.is_face()) && !property.is_list())
+          names.add(element.is_face(), property.name, 1);
+    input.fail(names.message(name, "faces"));
+  }
+  if(vertices.properties[place].is_list())
     input.fail("the property " + quote(name) + " of the vertices is a list, and no field");
   return place;
+}
+
+void refuse_geometry(const Text_input& input, const Element& element)
+{
+  const bool has_vertices = element.find({"vertex_index", "vertex1", "v1"}) != element.properties.size();
+  const bool has_list = std::any_of(element.properties.begin(), element.properties.end(), [](const Property& property) {
+    return property.is_list() && is_integer(property.type);
+  });
+  if(element.number > 0 && (has_list || has_vertices))
+    input.fail("the element " + quote(element.name) + (has_list ? " has lists" : " has vertices")
+               + ", and is not read: a mesh is one of the elements vertex, face, tristrips, and edge");
 }
 
 Header read_header(Text_input& input)

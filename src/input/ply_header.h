@@ -58,6 +58,7 @@ struct Element
   std::vector<Property> properties;
 
   bool is_vertex() const { return name == "vertex" || name == "vertices"; }
+  bool is_face() const { return name == "face" || name == "faces"; }
 
   // The place of the first property that has one of the names, the number of properties if there is none.
   std::size_t find(std::initializer_list<std::string_view> names) const
@@ -103,8 +104,14 @@ inline std::size_t size_in_bytes(Type type)
 // property belongs to no element.
 Header read_header(Text_input& input);
 
-// The place of the property of the vertices that is asked for as field. Throws Input_error if there is none.
-std::size_t find_scalars(const Text_input& input, const Element& element, const std::string& name);
+// The place of the property of these vertices that is asked for as field. Throws Input_error if there is none.
+std::size_t find_scalars(const Text_input& input,
+                         const Header& header,
+                         const Element& vertices,
+                         const std::string& name);
+
+// Throws Input_error for an element that may be a part of the mesh: it has lists of integers, or vertices.
+void refuse_geometry(const Text_input& input, const Element& element);
 
 } // namespace ply
 

@@ -108,6 +108,7 @@ bool read_triangle_records(const Element& element, std::size_t place, Data& data
 }
 
 void read_points(Text_input& input,
+                 const ply::Header& header,
                  const Element& element,
                  const std::string& scalar_name,
                  Data& data,
@@ -117,7 +118,7 @@ void read_points(Text_input& input,
   for(const std::size_t place : places)
     if(place == element.properties.size() || element.properties[place].is_list())
       input.fail("the vertices have no x, y and z");
-  const std::size_t scalar_place = scalar_name.empty() ? 0 : ply::find_scalars(input, element, scalar_name);
+  const std::size_t scalar_place = scalar_name.empty() ? 0 : ply::find_scalars(input, header, element, scalar_name);
   if(read_point_records(element, places, scalar_name.empty() ? std::nullopt : std::make_optional(scalar_place), data,
                         soup))
     return;
@@ -150,12 +151,19 @@ void read_polygon(Text_input& input, const Property& property, Data& data, Polyg
   polygons.end_polygon();
 }
 
-void read_polygons(Text_input& input, const Element& element, Data& data, Polygons& polygons)
+// The place of the list of vertices.
+std::size_t find_vertices(Text_input& input, const Element& element, const std::string& plural)
 {
   const std::size_t place = element.find({"vertex_indices", "vertex_index"});
   if(place == element.properties.size() || !element.properties[place].is_list()
      || !is_integer(element.properties[place].type))
-    input.fail("the faces have no list of vertices");
+    input.fail("the " + plural + " have no list of vertices");
+  return place;
+}
+
+void read_polygons(Text_input& input, const Element& element, Data& data, Polygons& polygons)
+{
+  const std::size_t place = find_vertices(input, element, "faces");
   if(read_triangle_records(element, place, data, polygons))
     return;
   std::vector<double> ignored;
@@ -167,6 +175,58 @@ void read_polygons(Text_input& input, const Element& element, Data& data, Polygo
         data.read(element.properties[j], ignored);
 }
 
+// Strips of triangles one behind the other in lists: -1 ends one, which is the greatest number of an unsigned type.
+void read_strips(Text_input& input, const Element& element, Data& data, Polygons& polygons)
+{
+  const std::size_t place = find_vertices(input, element, "strips of triangles");
+  const double end_of_strip = element.properties[place].type == ply::Type::UINT32 ? 4294967295. : -1;
+  std::vector<double> numbers;
+  std::vector<Corner> strip;
+  for(std::size_t i = 0; i < element.number; ++i)
+    for(std::size_t j = 0; j < element.properties.size(); ++j)
+    {
+      data.read(element.properties[j], numbers);
+      if(j != place)
+        continue;
+      numbers.push_back(end_of_strip);
+      for(const double v : numbers)
+        if(v == end_of_strip)
+        {
+          add_strip(strip, polygons);
+          strip.clear();
+        }
+        else if(v < 0)
+          input.fail("a strip of triangles has a vertex that does not exist");
+        else
+          strip.push_back(corner(static_cast<std::size_t>(v)));
+    }
+}
+
+void read_edges(Text_input& input, const Element& element, Data& data, std::vector<std::array<Corner, 2>>& edges)
+{
+  const std::array<std::size_t, 2> places = {element.find({"vertex1", "v0", "vertex_1", "source"}),
+                                             element.find({"vertex2", "v1", "vertex_2", "target"})};
+  for(const std::size_t place : places)
+    if(element.number > 0 && (place == element.properties.size() || element.properties[place].is_list()))
+      input.fail("the edges have no vertex1 and vertex2");
+  std::vector<double> numbers;
+  std::array<double, 2> ends = {};
+  for(std::size_t i = 0; i < element.number; ++i)
+  {
+    for(std::size_t j = 0; j < element.properties.size(); ++j)
+    {
+      data.read(element.properties[j], numbers);
+      for(std::size_t k = 0; k < 2; ++k)
+        if(j == places[k])
+          ends[k] = numbers.front();
+    }
+    const auto end = [&](std::size_t k) {
+      return ends[k] < 0 ? too_large_corner : corner(static_cast<std::size_t>(ends[k]));
+    };
+    edges.push_back({end(0), end(1)});
+  }
+}
+
 Polygon_soup read_elements(Text_input& input, const ply::Header& header, const std::string& vertex_property)
 {
   Data data(input, header.format);
@@ -174,11 +234,18 @@ Polygon_soup read_elements(Text_input& input, const ply::Header& header, const s
   for(const Element& element : header.elements)
   {
     if(element.is_vertex())
-      read_points(input, element, vertex_property, data, soup);
-    else if(element.name == "face" || element.name == "faces")
+      read_points(input, header, element, vertex_property, data, soup);
+    else if(element.is_face())
       read_polygons(input, element, data, soup.polygons);
+    else if(element.name == "tristrips" || element.name == "tristrip")
+      read_strips(input, element, data, soup.polygons);
+    else if(element.name == "edge" || element.name == "edges")
+      read_edges(input, element, data, soup.edges);
     else
+    {
+      ply::refuse_geometry(input, element);
       data.skip(element);
+    }
   }
   data.check_end();
   return soup;

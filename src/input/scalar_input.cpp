@@ -117,20 +117,30 @@ private:
     return ',';
   }
 
-  // The cells of a line, without the quotation marks around them; two within them stand for one.
+  // The cells of a line, without the quotation marks around them; two within them stand for one. Behind other characters
+  // of its cell, a quotation mark is one as they are.
   std::vector<std::string> split(std::string_view text) const
   {
     std::vector<std::string> cells(1);
-    bool is_quoted = false;
+    bool is_quoted = false, has_begun = false;
     for(std::size_t i = 0; i < text.size(); ++i)
       if(text[i] == '"' && is_quoted && i + 1 < text.size() && text[i + 1] == '"')
         cells.back() += text[++i];
-      else if(text[i] == '"')
+      else if(text[i] == '"' && (is_quoted || !has_begun))
+      {
         is_quoted = !is_quoted;
+        has_begun = true;
+      }
       else if(text[i] == separator_ && !is_quoted)
+      {
         cells.emplace_back();
+        has_begun = false;
+      }
       else
+      {
         cells.back() += text[i];
+        has_begun = has_begun || !is_blank(text[i]);
+      }
     for(std::string& cell : cells)
       cell = std::string(trim(cell));
     return cells;
@@ -182,17 +192,11 @@ std::vector<double> read_lines(Lines lines,
   return scalars;
 }
 
-std::string_view without_byte_order_mark(std::string_view text)
-{
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  return text.substr(text.substr(0, byte_order_mark.size()) == byte_order_mark ? byte_order_mark.size() : 0);
-}
-
 template <class Part_of_line>
 std::vector<double> read_parts(const std::string& path, Part_of_line part, std::size_t number_of_vertices)
 {
   const File_contents file(path);
-  Text_input input(path, without_byte_order_mark(file.text()));
+  Text_input input(path, file.text());
   Lines first(input);
   if(first.next() && part.is_header(first))
     input = first.input();

@@ -19,6 +19,7 @@
 #include <cstring>
 #include <initializer_list>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -156,13 +157,35 @@ Number decode_little_endian(const char* bytes)
   return decode<Number>(bytes, is_machine_big_endian());
 }
 
-// The number of facets if the file is binary: if it has the size that its header says.
+// The number of facets that the header says if the file is binary: if it has their size at least, which no text has, or
+// a byte that no text has.
 std::optional<std::size_t> number_of_binary_facets(std::string_view bytes)
 {
   if(bytes.size() < header_size)
     return std::nullopt;
   const std::size_t number = decode_little_endian<std::uint32_t>(bytes.data() + 80);
-  return bytes.size() == header_size + facet_size * number ? std::make_optional(number) : std::nullopt;
+  const bool is_binary = (bytes.size() - header_size) / facet_size >= number
+                      || bytes.substr(0, header_size).find('\0') != std::string_view::npos;
+  return is_binary ? std::make_optional(number) : std::nullopt;
+}
+
+// Bytes behind the facets, which some programs write, are left out.
+void check_size(const std::string& path,
+                std::size_t size,
+                std::size_t number_of_facets,
+                std::vector<std::string>& notes)
+{
+  const std::size_t needed = header_size + facet_size * number_of_facets;
+  const std::string said = std::to_string(number_of_facets) + " triangles";
+  if(size < needed)
+    throw Input_error(path, "the file ends too early: its header says that there are " + said + ", and "
+                              + std::to_string((size - header_size) / facet_size) + " are");
+  if(size > needed && number_of_facets == 0)
+    throw Input_error(path, "its header says that there are 0 triangles, but " + std::to_string(size - needed)
+                              + " bytes follow");
+  if(size > needed)
+    notes.push_back(std::to_string(size - needed) + " bytes are left out behind the " + said
+                    + " that the header of the file says");
 }
 
 Polygon_soup read_binary(std::string_view bytes, std::size_t number_of_facets)
@@ -186,11 +209,22 @@ Polygon_soup read_binary(std::string_view bytes, std::size_t number_of_facets)
   return std::move(collector.soup());
 }
 
+// The next keyword in small letters; some programs write `end loop` as two words.
+std::string next_keyword(Text_input& input)
+{
+  std::string keyword(input.word_of_file());
+  if(!std::all_of(keyword.begin(), keyword.end(), [](char c) { return c >= 'a' && c <= 'z'; })) // which is rare
+    keyword = lower_case(keyword);
+  if(keyword == "end")
+    keyword += lower_case(std::string(input.word_of_line()));
+  return keyword;
+}
+
 void expect(Text_input& input, std::initializer_list<std::string_view> words)
 {
   for(const std::string_view expected : words)
   {
-    const std::string_view word = input.word_of_file();
+    const std::string word = next_keyword(input);
     if(word != expected)
       input.fail(quote(word) + " instead of " + quote(expected));
   }
@@ -222,13 +256,13 @@ Polygon_soup read_ascii(Text_input& input)
   while(true)
   {
     input.finish_line(); // the name of the solid
-    std::string_view word = input.word_of_file();
-    for(; word == "facet"; word = input.word_of_file())
+    std::string word = next_keyword(input);
+    for(; word == "facet"; word = next_keyword(input))
       read_facet(input, collector);
     if(word != "endsolid")
       input.fail(quote(word) + " instead of 'facet' or 'endsolid'");
     input.finish_line();
-    word = input.word_of_file();
+    word = next_keyword(input);
     if(word.empty())
       return std::move(collector.soup());
     if(word != "solid")
@@ -242,7 +276,13 @@ Polygon_soup read_stl(const std::string& path)
 {
   const File_contents file(path);
   if(const auto number_of_facets = number_of_binary_facets(file.text()))
-    return read_binary(file.text(), *number_of_facets);
+  {
+    std::vector<std::string> notes;
+    check_size(path, file.text().size(), *number_of_facets, notes);
+    Polygon_soup soup = read_binary(file.text(), *number_of_facets);
+    soup.notes = std::move(notes);
+    return soup;
+  }
   Text_input input(path, file.text());
   return read_ascii(input);
 }

@@ -51,22 +51,34 @@ inline std::string_view next_word(std::string_view line, std::size_t begin)
   return line.substr(begin, end - begin);
 }
 
+inline std::string lower_case(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
 inline std::string lower_case_extension(const std::string& path)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  return lower_case(std::filesystem::path(path).extension().string());
+}
+
+// Some programs begin a text with this mark of UTF-8, which says nothing of it.
+inline std::string_view without_byte_order_mark(std::string_view text)
+{
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  return text.substr(text.substr(0, byte_order_mark.size()) == byte_order_mark ? byte_order_mark.size() : 0);
 }
 
 // A text, read line by line and word by word: that of a file, or a part of it.
 class Text_input
 {
 public:
-  // `first_line` is the number of lines of the file before the text, which has to outlive this object.
+  // `first_line` is the number of lines of the file before the text, which has to outlive this object. A byte order mark
+  // before the first one is left out.
   Text_input(const std::string& path, std::string_view text, std::size_t first_line = 0)
     : path_(path),
-      rest_(text),
+      rest_(first_line == 0 ? without_byte_order_mark(text) : text),
       line_number_(first_line)
   {}
 

@@ -74,6 +74,8 @@ Polygon_soup read_ts(const std::string& path)
       vertices.read_triangle(soup.polygons);
     else if(keyword == "ATOM" || keyword == "PATOM")
       input.fail("vertices that are others again are not read");
+    else if(keyword == "SEG" || keyword == "TETRA")
+      input.fail(quote(keyword) + " is not read: cells are triangles, TRGL");
     has_end = has_end || keyword == "END";
   }
   if(!has_end)

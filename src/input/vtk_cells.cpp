@@ -13,6 +13,7 @@
 #include <array>
 #include <initializer_list>
 #include <limits>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
@@ -87,9 +88,13 @@ void add_vtk_cell(const std::string& path,
       soup.edges.push_back({v(i - 1), v(i)});
     break;
   case TRIANGLE_STRIP:
-    for(std::size_t i = 2; i < size; ++i)
-      add_polygon({v(i - 2 + i % 2), v(i - 1 - i % 2), v(i)}, soup.polygons);
+  {
+    std::vector<Corner> strip;
+    for(std::size_t i = 0; i < size; ++i)
+      strip.push_back(v(i));
+    add_strip(strip, soup.polygons);
     break;
+  }
   case PIXEL: add_polygon({v(0), v(1), v(3), v(2)}, soup.polygons); break;
   case TETRA: soup.tetrahedra.push_back({v(0), v(1), v(2), v(3)}); break;
   case TRIANGLE:

@@ -7,6 +7,7 @@
 // Author(s)     : The Reeb_graph authors
 
 #include "input/File_contents.h"
+#include "input/field_names.h"
 #include "input/mesh_formats.h"
 #include "input/text_input.h"
 #include "input/vtk_cells.h"
@@ -39,7 +40,7 @@ public:
     for(std::size_t i = 0; i < cells_.size(); ++i)
       add_vtk_cell(path_, types_[i], cells_[i], 0, soup_);
     if(!vertex_property_.empty() && soup_.scalars.size() != soup_.points.size())
-      throw Input_error(path_, "there is no field " + quote(vertex_property_) + ": its points have no such scalars");
+      throw Input_error(path_, names_.message(vertex_property_, "cells"));
     return std::move(soup_);
   }
 
@@ -91,6 +92,7 @@ private:
     else if(section == "POINT_DATA" || section == "CELL_DATA")
     {
       is_point_data_ = section == "POINT_DATA";
+      is_cell_data_ = !is_point_data_;
       number_of_entries_ = next_number<std::size_t>();
     }
     else if(section == "METADATA")
@@ -183,6 +185,7 @@ private:
     if(components == 0)
       input_.fail(quote(kind) + " is no section that is read");
     next_word(); // the type of the numbers
+    names_.add(is_cell_data_, name, components);
     skip_numbers(components * number_of_entries_);
   }
 
@@ -224,6 +227,8 @@ private:
   // `first` is the first number, which has been read already.
   void read_numbers(const std::string& name, std::size_t components, std::size_t tuples, std::string_view first)
   {
+    if(is_point_data_ || is_cell_data_)
+      names_.add(is_cell_data_, name, components);
     const bool is_wanted = is_point_data_ && !vertex_property_.empty() && name == vertex_property_ && components == 1;
     if(is_wanted)
       soup_.scalars.clear();
@@ -247,7 +252,8 @@ private:
   Polygon_soup soup_;
   Polygons cells_;
   std::vector<std::size_t> types_;
-  bool is_point_data_ = false;
+  bool is_point_data_ = false, is_cell_data_ = false;
+  Field_names names_;
   std::size_t number_of_entries_ = 0;
 };
 

@@ -7,6 +7,7 @@
 // Author(s)     : The Reeb_graph authors
 
 #include "input/File_contents.h"
+#include "input/field_names.h"
 #include "input/mesh_formats.h"
 #include "input/text_input.h"
 #include "input/vtk_cells.h"
@@ -51,6 +52,7 @@ struct Piece
 {
   std::size_t number_of_points = 0, number_of_cells = 0;
   std::map<std::string, Data_array> arrays; // of cells by their names; "points"; the field as "scalars"
+  Field_names names;
 };
 
 std::string decode_base64(std::string_view text)
@@ -168,7 +170,7 @@ private:
         read_file_tag(tag);
       else if(tag.name == "Piece")
         pieces_.push_back(
-          {parse_size(tag.attribute("NumberOfPoints")), parse_size(tag.attribute("NumberOfCells")), {}});
+          {parse_size(tag.attribute("NumberOfPoints")), parse_size(tag.attribute("NumberOfCells")), {}, {}});
       else if(tag.name == "PointData" || tag.name == "CellData" || tag.name == "Points" || tag.name == "Cells")
         section = tag.name;
       else if(tag.name == "DataArray")
@@ -218,6 +220,10 @@ private:
       : section == "PointData" && !vertex_property_.empty() && tag.attribute("Name") == vertex_property_
         ? "scalars"
         : std::string();
+    const std::string components = tag.attribute("NumberOfComponents", "1");
+    if(section == "PointData" || section == "CellData")
+      pieces_.back().names.add(section == "CellData", tag.attribute("Name"),
+                               components.empty() ? 1 : parse_size(components));
     if(!name.empty())
       pieces_.back().arrays[name] = {tag, text_.substr(tag.end, text_.find('<', tag.end) - tag.end)};
   }
@@ -231,7 +237,7 @@ private:
     if(!vertex_property_.empty())
     {
       if(piece.arrays.count("scalars") == 0)
-        fail("there is no field " + quote(vertex_property_) + ": its points have no such numbers");
+        fail(piece.names.message(vertex_property_, "cells"));
       const std::vector<double> scalars = numbers(piece, "scalars", piece.number_of_points, 1);
       soup.scalars.insert(soup.scalars.end(), scalars.begin(), scalars.end());
     }

@@ -59,14 +59,16 @@ public:
   bool is_reversed() const { return (header_.format == ply::Format::BINARY_BIG_ENDIAN) != is_machine_big_endian(); }
   std::uint64_t end() const { return end_; } // of all records
   const Text_input& input() const { return input_; }
+  const ply::Header& header() const { return header_; }
 
   [[noreturn]] void fail(const std::string& message) const { input_.fail(message); }
 
 private:
   void add(const ply::Element& element, std::uint64_t size_of_file)
   {
-    const bool are_vertices = element.name == "vertex" || element.name == "vertices";
-    const bool are_faces = element.name == "face" || element.name == "faces";
+    const bool are_vertices = element.is_vertex(), are_faces = element.is_face();
+    if(!are_vertices && !are_faces)
+      ply::refuse_geometry(input_, element);
     if((are_vertices && vertices_ != nullptr) || (are_faces && faces_ != nullptr))
       fail("there are two elements of " + element.name);
     const std::size_t place_of_polygon = are_faces ? find_polygon(element) : element.properties.size();
@@ -108,7 +110,7 @@ public:
     if(property.empty())
       return;
     const ply::Element& element = *layout.vertices();
-    const std::size_t place = ply::find_scalars(layout.input(), element, property);
+    const std::size_t place = ply::find_scalars(layout.input(), layout.header(), element, property);
     scalar_.emplace(element, place, layout.is_reversed());
   }
 
