@@ -11,6 +11,7 @@
 #include "generated_surfaces/standing_figure.h"
 #include "handle_samples.h"
 #include "random_meshes.h"
+#include "voxel_solids.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -71,6 +72,53 @@ bool does_self_intersect(const Mesh& mesh)
   return CGAL::Polygon_mesh_processing::does_self_intersect(exact);
 }
 
+// How many edges join vertices that another one joins.
+template <class Mesh>
+std::size_t number_of_repeated_edges(const Mesh& mesh)
+{
+  std::size_t result = 0;
+  for(const auto v : vertices(mesh))
+  {
+    std::set<typename boost::graph_traits<Mesh>::vertex_descriptor> neighbors;
+    for(const auto h : halfedges_around_target(v, mesh))
+      result += neighbors.insert(source(h, mesh)).second ? 0 : 1;
+  }
+  return result / 2;
+}
+
+// The surface of random cubes, moved a little, with edges collapsed at random until it has this many vertices, and with
+// holes if they are asked for.
+Surface_mesh coarse_surface(std::size_t seed, std::size_t size, bool has_holes)
+{
+  random_meshes::Random random(seed);
+  Triangle_soup soup = Voxel_solid(5, seed).surface();
+  for(auto& point : soup.points)
+    for(double& coordinate : point)
+      coordinate += static_cast<double>(random.below(201)) / 1000 - 0.1;
+  Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
+  for(int failures = 0; mesh.number_of_vertices() > size && failures != 300;)
+  {
+    const std::vector<Surface_mesh::Edge_index> edges(mesh.edges().begin(), mesh.edges().end());
+    const Surface_mesh::Edge_index edge = edges[random.below(edges.size())];
+    const bool is_possible = CGAL::Euler::does_satisfy_link_condition(edge, mesh);
+    failures = is_possible ? 0 : failures + 1;
+    if(is_possible)
+      CGAL::Euler::collapse_edge(edge, mesh);
+  }
+  for(int i = 0; has_holes && i != 2; ++i)
+  {
+    const std::vector<Surface_mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+    const auto h = mesh.halfedge(faces[random.below(faces.size())]);
+    bool is_free = true;
+    for(const auto v : vertices_around_face(h, mesh))
+      is_free = is_free && !mesh.is_border(v);
+    if(is_free)
+      CGAL::Euler::remove_face(h, mesh);
+  }
+  mesh.collect_garbage();
+  return mesh;
+}
+
 // Removes handles of a mesh that does not intersect itself, and checks what holds for each.
 template <class Mesh, class NamedParameters>
 std::vector<Handle_removal> remove_and_check(Mesh& mesh, double size, const NamedParameters& np)
@@ -87,6 +135,7 @@ std::vector<Handle_removal> remove_and_check(Mesh& mesh, double size, const Name
   BOOST_TEST(CGAL::is_valid_polygon_mesh(mesh));
   BOOST_TEST(CGAL::is_triangle_mesh(mesh));
   BOOST_TEST(CGAL::is_closed(mesh) == is_closed);
+  BOOST_TEST(number_of_repeated_edges(mesh) == 0u);
   BOOST_TEST(does_self_intersect(mesh) == did_self_intersect);
   std::size_t moved = 0;
   for(const auto& [v, point] : before)
@@ -339,6 +388,22 @@ BOOST_AUTO_TEST_CASE(loops_that_pass_a_vertex_twice_are_refused)
     number_of_crossed += count(remove_and_check(mesh, infinity), Removal_result::CROSSES_ITSELF);
   }
   BOOST_TEST(number_of_crossed > 0u);
+}
+
+// They have edges that join vertices of a loop beside it, which the discs must not have once more.
+BOOST_AUTO_TEST_CASE_TEMPLATE(coarse_surfaces_stay_surfaces, Mesh, Meshes)
+{
+  std::size_t number_of_removed = 0;
+  for(std::size_t seed = 0; seed != 600; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const Surface_mesh coarse = coarse_surface(seed, 60 + seed % 60, seed % 2 == 0);
+      Mesh mesh;
+      CGAL::copy_face_graph(coarse, mesh);
+      const auto rows = remove_and_check(mesh, infinity, parameters::check_self_intersections(false));
+      number_of_removed += count(rows, Removal_result::REMOVED);
+    }
+  BOOST_TEST(number_of_removed > 100u);
 }
 
 BOOST_AUTO_TEST_CASE(holes_stay)

@@ -35,6 +35,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -100,6 +101,50 @@ Disc_triangles triangulate_disc(const Polyline& polyline, const Polyline& third_
 #define CGAL_REEB_GRAPH_TRIANGULATE_DISC(PREFIX)                                                                       \
   PREFIX template Disc_triangles triangulate_disc(const std::vector<Disc_point>&, const std::vector<Disc_point>&);
 CGAL_REEB_GRAPH_FOR_LOOPS(CGAL_REEB_GRAPH_TRIANGULATE_DISC)
+
+// The disc of least area whose inner edges join no positions for which is_joined() holds; empty if there is none.
+template <class IsJoined>
+Disc_triangles triangulate_disc_without(const std::vector<Disc_point>& polyline, const IsJoined& is_joined)
+{
+  const std::size_t size = polyline.size();
+  const auto area = [&](std::size_t i, std::size_t k, std::size_t j) {
+    const auto normal = CGAL::cross_product(polyline[k] - polyline[i], polyline[j] - polyline[i]);
+    return std::sqrt(normal.squared_length());
+  };
+  // of the part between two positions: its least area, and the corner of its triangle at the edge between these
+  std::vector<double> areas(size * size, 0);
+  std::vector<std::size_t> apexes(size * size, size);
+  for(std::size_t length = 2; length < size; ++length)
+    for(std::size_t i = 0; i + length != size; ++i)
+    {
+      const std::size_t j = i + length;
+      double& least = areas[i * size + j] = std::numeric_limits<double>::infinity();
+      for(std::size_t k = i + 1; k != j && (length + 1 == size || !is_joined(i, j)); ++k)
+      {
+        const double parts = areas[i * size + k] + areas[k * size + j], sum = parts + area(i, k, j);
+        if(sum < least)
+        {
+          least = sum;
+          apexes[i * size + j] = k;
+        }
+      }
+    }
+  Disc_triangles result;
+  std::vector<std::pair<std::size_t, std::size_t>> edges = {{0, size - 1}};
+  while(!edges.empty())
+  {
+    const auto [i, j] = edges.back();
+    edges.pop_back();
+    if(j - i < 2)
+      continue;
+    const std::size_t k = apexes[i * size + j];
+    if(k == size)
+      return {};
+    result.push_back({i, k, j});
+    edges.insert(edges.end(), {{i, k}, {k, j}});
+  }
+  return result;
+}
 
 // The areas of the discs that fill loops, and do not meet a face but those at vertices of their loops.
 template <class Mesh, class LoopRange, class PointMap>

@@ -59,6 +59,7 @@ public:
       left.push_back(point(target(next(h, mesh), mesh)));
       right.push_back(point(target(next(opposite(h, mesh), mesh), mesh)));
     }
+    find_joined_vertices();
     for(const auto& third_points : {std::vector<Disc_point>(), left, right})
     {
       span_disc(polyline, third_points);
@@ -110,10 +111,38 @@ private:
   {
     disc_.clear();
     disc_triangles_ = triangulate_disc(polyline, third_points);
+    const auto is_joined = [&](std::size_t i, std::size_t j) { return joined_.count(std::minmax(i, j)) != 0; };
+    if(std::any_of(disc_triangles_.begin(), disc_triangles_.end(), [&](const auto& t) {
+         return is_joined(t[0], t[1]) || is_joined(t[1], t[2]) || is_joined(t[2], t[0]);
+       }))
+      disc_triangles_ = triangulate_disc_without(polyline, is_joined);
     for(auto& t : disc_triangles_)
       std::sort(t.begin(), t.end());
     add_disc(disc_, 0, polyline);
     find_normals(polyline);
+  }
+
+  // Finds the vertices of the loop that an edge joins which leaves both on the same side of the loop. An inner edge of the
+  // disc between them would be there twice.
+  void find_joined_vertices()
+  {
+    const std::size_t size = loop_.size();
+    std::array<std::map<halfedge_descriptor, std::size_t>, 2> leaving; // positions of their sources, by the side
+    for(std::size_t k = 0; k != size; ++k)
+    {
+      const halfedge_descriptor back = opposite(loop_[(k + size - 1) % size], mesh_);
+      for(halfedge_descriptor h = turned(loop_[k]); h != back; h = turned(h))
+        leaving[0].emplace(h, k);
+      for(halfedge_descriptor h = turned(back); h != loop_[k]; h = turned(h))
+        leaving[1].emplace(h, k);
+    }
+    for(const auto& side : leaving)
+      for(const auto& [h, position] : side)
+      {
+        const auto other = side.find(opposite(h, mesh_));
+        if(other != side.end())
+          joined_.insert(std::minmax(position, other->second));
+      }
   }
 
   // Moves the copies until nothing intersects; false if nothing helps, or if there is no disc.
@@ -312,6 +341,8 @@ private:
   const PointMap& point_map_;
   std::vector<halfedge_descriptor> loop_;
   std::set<vertex_descriptor> passed_;
+  std::set<std::pair<std::size_t, std::size_t>>
+    joined_;                                   // positions in the loop, which no inner edge of the disc may join
   Disc_triangles disc_triangles_;              // by positions in the loop
   std::vector<Disc_kernel::Vector_3> normals_; // of the disc
   std::vector<Triangle> disc_, placed_;
