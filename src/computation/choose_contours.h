@@ -12,8 +12,8 @@
 #include "computation/contours.h"
 #include "computation/nearest_place.h"
 
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/squared_distance_3.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -59,11 +59,11 @@ inline std::vector<double> equal_steps(std::size_t number_of_levels, Scalar_map 
   return levels;
 }
 
-inline double squared_distance(const Point& point, const Contour& contour)
+inline double distance_to(const Point& point, const Contour& contour)
 {
   double least = std::numeric_limits<double>::infinity();
   const auto visit = [&](const std::array<Point, 3>& triangle) {
-    least = (std::min)(least, CGAL::squared_distance(point, nearest_point(point, triangle)));
+    least = (std::min)(least, CGAL::Reeb_graph::internal::distance_between(point, nearest_point(point, triangle)));
   };
   const std::vector<Point>& points = contour.points;
   for(const std::vector<std::size_t>& line : contour.polylines)
@@ -91,7 +91,7 @@ std::vector<Contour> nearest_contour(const AnyAugmentation& augmentation,
     for(const auto& contour : augmentation.template contours_at_value<CGAL::Parallel_if_available_tag>(level))
     {
       Contour candidate = convert(contour);
-      const double distance = squared_distance(place.place(), candidate);
+      const double distance = distance_to(place.place(), candidate);
       if(!(distance < least))
         continue;
       least = distance;

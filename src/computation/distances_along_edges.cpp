@@ -8,7 +8,7 @@
 
 #include "computation/distances_along_edges.h"
 
-#include <CGAL/squared_distance_3.h>
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 
 // Before that of compressed graphs, which hides a function that it needs.
 #include <boost/pending/disjoint_sets.hpp>
@@ -65,7 +65,7 @@ std::vector<double> distances_from(const Surface& surface, Edges edges, const st
     return surface.point(Surface::Vertex_index(static_cast<Surface::size_type>(v)));
   };
   for(const auto& [u, v] : edges)
-    lengths.push_back({std::sqrt(CGAL::squared_distance(point(u), point(v)))});
+    lengths.push_back({CGAL::Reeb_graph::internal::distance_between(point(u), point(v))});
   const std::size_t number_of_vertices = surface.number_of_vertices();
   for(const std::size_t source : sources)
     edges.emplace_back(number_of_vertices, source);

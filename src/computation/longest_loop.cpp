@@ -10,9 +10,9 @@
 
 #include "computation/simplification.h"
 
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -126,7 +126,7 @@ Loops_of_surface find_longest_loop(Mesh_graph& mesh_graph)
   Loop_row row;
   row.kind = "loop";
   for(std::size_t i = 1; i < curve.size(); ++i)
-    row.length += std::sqrt(CGAL::squared_distance(curve[i - 1], curve[i]));
+    row.length += CGAL::Reeb_graph::internal::distance_between(curve[i], curve[i - 1]);
   row.persistence = CGAL::Reeb_graph::persistence(graph, *pair);
   return {{row}, {curve}};
 }

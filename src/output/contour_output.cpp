@@ -12,9 +12,9 @@
 
 #include <CGAL/IO/OFF.h>
 #include <CGAL/Reeb_graph/IO/polylines.h>
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/io/Vtp_document.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
-#include <CGAL/squared_distance_3.h>
 
 #include <array>
 #include <cmath>
@@ -49,7 +49,7 @@ std::vector<Contour_line> lines_of(const std::vector<Contour>& contours)
       for(const std::size_t i : numbers)
       {
         if(!line.points.empty())
-          line.length += std::sqrt(CGAL::squared_distance(line.points.back(), contour.points[i]));
+          line.length += CGAL::Reeb_graph::internal::distance_between(line.points.back(), contour.points[i]);
         line.points.push_back(contour.points[i]);
       }
       lines.push_back(std::move(line));

@@ -187,6 +187,25 @@ BOOST_AUTO_TEST_CASE(the_unit_gradient_field_of_a_function_of_x_is_x)
     BOOST_TEST(std::abs(get(unit_field, v) - mesh.point(v).x()) < 1e-12);
 }
 
+// It does not depend on the unit of the field, even where differences of values are infinite.
+BOOST_AUTO_TEST_CASE(the_unit_gradient_field_of_the_largest_and_of_the_smallest_values)
+{
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(square(20, 0));
+  const auto field = vertex_map(mesh), unit_field = vertex_map(mesh), expected = vertex_map(mesh);
+  const auto compute = [&](int exponent, const auto& result) {
+    for(const auto v : vertices(mesh))
+      put(field, v, std::scalbn(std::sin(7 * mesh.point(v).x() + 4 * mesh.point(v).y()), exponent));
+    compute_unit_gradient_field(mesh, field, result);
+  };
+  compute(0, expected);
+  for(const int exponent : {1023, -900})
+  {
+    compute(exponent, unit_field);
+    for(const auto v : vertices(mesh))
+      BOOST_TEST(get(unit_field, v) == get(expected, v));
+  }
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(the_gradient_of_the_unit_gradient_field_is_about_one, Mesh, Meshes)
 {
   const Mesh mesh = make_mesh<Mesh>(tube(30, 60));

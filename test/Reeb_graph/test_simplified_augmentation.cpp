@@ -23,6 +23,7 @@
 #include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <numeric>
@@ -53,10 +54,7 @@ struct Simplified_sample
       simplification(CGAL::Reeb_graph::simplify(graph, threshold, simplified))
   {}
 
-  auto parameters_of_simplified() const
-  {
-    return CGAL::parameters::simplification(simplification, named_parameters(settings));
-  }
+  auto parameters_of_simplified() const { return named_parameters(settings).simplification(simplification); }
 
   typedef graph_checks::Graph_of<Mesh> Graph;
   typedef CGAL::Reeb_graph::Augmentation<Mesh, graph_checks::Scalar_map_of<Mesh>> Augmentation;
@@ -263,6 +261,43 @@ BOOST_AUTO_TEST_CASE(simplifications_of_other_graphs)
   const Augmentation with_other(sample.mesh, sample.scalar_map, sample.simplified,
                                 CGAL::parameters::simplification(other.simplification));
   BOOST_CHECK_THROW(with_other.locate_vertices(), CGAL::Reeb_graph::Graph_mismatch_error);
+}
+
+// Squares of lengths can be too large, or too small.
+BOOST_AUTO_TEST_CASE(lengths_and_areas_in_any_unit)
+{
+  const Sample sample = curve_samples::smooth_sample(2, 300, 1);
+  const auto measures = [&](int exponent) {
+    auto soup = sample.soup;
+    for(auto& point : soup.points)
+      for(double& coordinate : point)
+        coordinate = std::scalbn(coordinate, exponent);
+    const auto mesh = make_mesh<Surface_mesh>(soup);
+    const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, sample.values);
+    graph_checks::Graph_of<Surface_mesh> graph;
+    CGAL::compute_reeb_graph(mesh, scalar_map, graph);
+    const CGAL::Reeb_graph::Augmentation augmentation(mesh, scalar_map, graph);
+    auto result = CGAL::Reeb_graph::arc_lengths(mesh, scalar_map, graph);
+    for(double& length : result)
+      length = std::scalbn(length, -exponent);
+    for(const double area : CGAL::Reeb_graph::arc_areas(mesh, graph, augmentation.locate_vertices()))
+      result.push_back(std::scalbn(area, -2 * exponent));
+    return result;
+  };
+  const auto expected = measures(0);
+  for(const int exponent : {-500, -300, 300, 500})
+  {
+    const auto found = measures(exponent);
+    BOOST_REQUIRE(found.size() == expected.size());
+    for(std::size_t i = 0; i != found.size(); ++i)
+      BOOST_TEST(std::abs(found[i] - expected[i]) <= 1e-12 * expected[i]);
+  }
+  for(const int exponent : {-900, 900})
+  {
+    const auto found = measures(exponent);
+    for(std::size_t i = 0; i != found.size() / 2; ++i) // lengths alone: areas are out of range
+      BOOST_TEST(std::abs(found[i] - expected[i]) <= 1e-12 * expected[i]);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

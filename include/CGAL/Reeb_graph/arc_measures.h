@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
@@ -76,7 +77,7 @@ std::vector<double> lengths_of_arcs(const Mesh& mesh,
 {
   const auto used_length = [&](const auto& h, const auto end) {
     const auto u = source(h, mesh), w = target(h, mesh);
-    const double length = std::sqrt(CGAL::to_double((get(point_map, w) - get(point_map, u)).squared_length()));
+    const double length = distance_between(get(point_map, w), get(point_map, u));
     return end == w ? length : length * crossing_fraction(value(u), value(w), value(end));
   };
   std::vector<double> lengths;
@@ -153,8 +154,7 @@ std::vector<double> areas_of_pieces(const FaceListGraph& mesh,
     {
       const auto h = halfedge(f, mesh);
       const auto a = source(h, mesh), b = target(h, mesh), c = target(next(h, mesh), mesh);
-      const double area =
-        std::sqrt(CGAL::to_double(squared_area(get(point_map, a), get(point_map, b), get(point_map, c))));
+      const double area = internal::area_of(get(point_map, a), get(point_map, b), get(point_map, c));
       internal::add_to_pieces(area, std::array{a, b, c}, locations, areas);
     }
     return areas;
@@ -211,9 +211,8 @@ std::vector<double> arc_areas(const Soup_augmentation<Scalar, ReebGraph, Traits>
   {
     const auto& t = complex.vertices_of(triangle);
     const std::array<std::size_t, 3> v = {t[0].number(), t[1].number(), t[2].number()};
-    internal::add_to_pieces(
-      std::sqrt(CGAL::to_double(squared_area(get(point_map, v[0]), get(point_map, v[1]), get(point_map, v[2])))), v,
-      locations, areas);
+    internal::add_to_pieces(internal::area_of(get(point_map, v[0]), get(point_map, v[1]), get(point_map, v[2])), v,
+                            locations, areas);
   }
   return internal::measures_of_arcs(graph, areas);
 }

@@ -243,10 +243,7 @@ Field_report compute_unit_gradient_field(const FaceListGraph& mesh,
         fixed.fix(v, 0);
     },
     [&](const auto& surface, const auto&) {
-      auto vectors = fields::scaled_gradients(surface, values);
-      for(fields::Vector& vector : vectors)
-        vector = fields::normalized(vector);
-      return fields::integrated_divergences(surface, vectors);
+      return fields::integrated_divergences(surface, fields::unit_gradients(surface, values));
     });
 }
 

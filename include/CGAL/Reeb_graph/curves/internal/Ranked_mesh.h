@@ -13,6 +13,8 @@
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Reeb_graph/curves/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/border_cycles.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -25,17 +27,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <tuple>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
 
-// The place of a vertex in the total order. Only comparisons decide the Reeb graph, so ranks can take the place of
-// scalar values. Between the ranks of two vertices of the input there is room for those of the vertices that a
-// refinement adds.
-typedef std::uint64_t Rank;
+// Between the ranks of two vertices of the input there is room for those of the vertices that a refinement adds.
 inline constexpr Rank rank_spacing = Rank(1) << 31;
 
 // A mesh that is refined, with the rank of each vertex, and its value as far as it places the points of new vertices.
@@ -96,7 +94,7 @@ public:
 
   double distance(vertex_descriptor u, vertex_descriptor w) const
   {
-    return std::sqrt(CGAL::to_double((get(vertex_point_map_, u) - get(vertex_point_map_, w)).squared_length()));
+    return distance_between(get(vertex_point_map_, u), get(vertex_point_map_, w));
   }
 
   // Splits the edge of `h` by a vertex at the fraction `t` of the way from `u` to `w`, the ends of the edge of which

@@ -17,6 +17,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Weights/mixed_voronoi_region_weights.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -41,6 +42,25 @@ inline std::vector<Vector> scaled_gradients(const Indexed_surface& surface, cons
     // The hat functions add up to one, so a constant may be taken off; it makes constant fields have gradient zero.
     gradients.push_back((values[v[1]] - values[v[0]]) * geometry.hat_gradient(1)
                         + (values[v[2]] - values[v[0]]) * geometry.hat_gradient(2));
+  }
+  return gradients;
+}
+
+// The directions of these gradients, zero where a gradient is. Differences of values would be infinite, or lost, at the
+// ends of their range: those of each face are divided by a power of two.
+inline std::vector<Vector> unit_gradients(const Indexed_surface& surface, const std::vector<double>& values)
+{
+  std::vector<Vector> gradients;
+  gradients.reserve(surface.triangles().size());
+  for(std::size_t t = 0; t != surface.triangles().size(); ++t)
+  {
+    const Triangle_geometry geometry = triangle_geometry(surface, t);
+    const auto& v = surface.triangles()[t].vertices;
+    const double largest = (std::max)({std::abs(values[v[0]]), std::abs(values[v[1]]), std::abs(values[v[2]])});
+    const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+    const auto value = [&](std::size_t i) { return std::scalbn(values[v[i]], -exponent); };
+    gradients.push_back(
+      normalized((value(1) - value(0)) * geometry.hat_gradient(1) + (value(2) - value(0)) * geometry.hat_gradient(2)));
   }
   return gradients;
 }

@@ -17,6 +17,7 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 
 // The seam of the library CGAL::Reeb_graph_compiled, in which the stages are compiled once for what nearly all use. Its
@@ -56,7 +57,10 @@ typedef Surface_mesh_complex<Epeck_point> Epeck_complex;
 
 template <class Scalar>
 using Natural_order = Vertex_order<Scalar, std::less<Scalar>>;
-typedef std::size_t Rank; // the scalars of those who cut along curves
+
+// The place of a vertex in the total order. Only comparisons decide the Reeb graph, so ranks can take the place of
+// scalar values where surfaces are cut along curves.
+typedef std::uint64_t Rank;
 
 } // namespace Reeb_graph::internal
 } // namespace CGAL
