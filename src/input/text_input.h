@@ -11,9 +11,10 @@
 
 #include "input/input_error.h"
 
+#include <CGAL/Reeb_graph/internal/io/read_number.h>
+
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -31,7 +32,7 @@ std::errc parse_number(std::string_view text, Number& number)
 {
   if(text.size() > 1 && text[0] == '+' && text[1] != '-')
     text.remove_prefix(1); // std::from_chars takes no plus sign
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const auto [end, error] = CGAL::Reeb_graph::internal::read_number(text.data(), text.data() + text.size(), number);
   if(error == std::errc() && end != text.data() + text.size())
     return std::errc::invalid_argument;
   return error;

@@ -17,6 +17,7 @@
 #include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/Reeb_graph/curves/cut_along_contours.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
+#include <CGAL/Reeb_graph/internal/io/read_number.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 
@@ -26,6 +27,7 @@
 #include <boost/mpl/list.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -35,6 +37,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 // Loops, components and leaves of graphs, and graphs written and read back.
@@ -256,6 +259,35 @@ BOOST_AUTO_TEST_CASE(files_that_are_written_and_read)
   }
   BOOST_TEST(graph_checks::are_identical(graph, read));
 }
+
+#ifdef __cpp_lib_to_chars
+// What stands in where a standard library reads no floating-point numbers reads the same.
+BOOST_AUTO_TEST_CASE(numbers_are_read_as_by_the_standard_library)
+{
+  const std::string characters = "0123456789.eE+-infaty00112x";
+  random_meshes::Random random(4);
+  std::size_t number_of_read = 0;
+  for(int i = 0; i != 300000; ++i)
+  {
+    std::string text(i % 13 == 0 ? "-" : "");
+    for(std::size_t size = random.below(9); size != 0; --size)
+      text += characters[random.below(characters.size())];
+    text += i % 7 == 0  ? "e-32" + std::to_string(random.below(10))
+          : i % 11 == 0 ? "inf"
+          : i % 17 == 0 ? "infinity"
+                        : "";
+    double expected = 7, number = 7;
+    const char *const begin = text.data(), *const end = begin + text.size();
+    const auto expected_end = std::from_chars(begin, end, expected);
+    const auto read_end = CGAL::Reeb_graph::internal::read_floating_number(begin, end, number);
+    const bool is_same = read_end.ptr == expected_end.ptr && read_end.ec == expected_end.ec
+                      && (number == expected || (std::isnan(number) && std::isnan(expected)));
+    BOOST_TEST(is_same, "'" << text << "' is read in another way");
+    number_of_read += expected_end.ec == std::errc() ? 1 : 0;
+  }
+  BOOST_TEST(number_of_read > 100000u);
+}
+#endif
 
 // Text is written in pieces, in which a stream has no part, with all digits of numbers.
 BOOST_AUTO_TEST_CASE(text_is_written_as_by_a_stream)

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/io/read_number.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -23,7 +24,6 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
-#include <charconv>
 #include <cstddef>
 #include <fstream>
 #include <istream>
@@ -49,7 +49,7 @@ Value parse_value(const std::string& text)
   if constexpr(std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>)
   {
     const char* const end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, value);
+    const auto result = read_number(text.data(), end, value);
     is_read = result.ec == std::errc() && result.ptr == end;
   }
   else
