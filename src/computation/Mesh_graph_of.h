@@ -29,13 +29,13 @@
 
 namespace reeb_graph_program {
 // Computes the Reeb graph by compute(np), and adds what it took to the report.
-template <class Compute>
-auto compute_and_time(const Graph_options& options, Report& report, const Compute& compute)
+template <class NamedParameters, class Compute>
+auto compute_and_time(const NamedParameters& np, Report& report, const Compute& compute)
 {
   Report_visitor visitor(report);
   Progress_bar progress_bar("graph");
   const Timed_computation timed(report);
-  return compute(named_parameters(options).visitor(std::ref(visitor)).callback(std::ref(progress_bar)));
+  return compute(np.visitor(std::ref(visitor)).callback(std::ref(progress_bar)));
 }
 
 // A Mesh_graph. `Kind` knows the mesh: it has the types Graph and Augmentation, and functions that are called as they
@@ -169,12 +169,12 @@ private:
   // With the places of the vertices, if they are wanted.
   Any_graph compute(std::vector<std::size_t>* places, Report& report) const
   {
-    return compute_and_time(options_, report, [&](const auto& np) {
-      if(!places)
-        return kind_.compute(np);
-      places->resize(kind_.end_of_vertices());
-      return kind_.compute(CGAL::parameters::vertex_place_map(CGAL::make_property_map(*places), np));
-    });
+    const auto compute = [&](const auto& np) { return kind_.compute(np); };
+    const auto np = kind_.named_parameters(options_);
+    if(!places)
+      return compute_and_time(np, report, compute);
+    places->resize(kind_.end_of_vertices());
+    return compute_and_time(np.vertex_place_map(CGAL::make_property_map(*places)), report, compute);
   }
 
   Contour convert(const typename Any_augmentation::Contour& contour)
@@ -190,7 +190,7 @@ private:
     if(augmentation_)
       return *augmentation_;
     Progress_bar progress_bar("surface");
-    const auto np = named_parameters(options_);
+    const auto np = kind_.named_parameters(options_);
     if(const auto& simplification = simplified_->simplification())
       augmentation_ =
         kind_.augment(simplified_->result(), np.simplification(*simplification).callback(std::ref(progress_bar)));

@@ -36,6 +36,8 @@ public:
 
   Surface_kind(const Mesh& mesh, Scalar_map scalar_map) : surface_(mesh.surface), scalar_map_(scalar_map) {}
 
+  auto named_parameters(const Graph_options& options) const { return reeb_graph_program::named_parameters(options); }
+
   template <class NamedParameters>
   Graph compute(const NamedParameters& np) const
   {
@@ -127,7 +129,7 @@ private:
 
 Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report)
 {
-  return compute_and_time(options, report, [&](const auto& np) {
+  return compute_and_time(named_parameters(options), report, [&](const auto& np) {
     Graph graph;
     CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(surface, scalar_map, graph, np);
     return graph;

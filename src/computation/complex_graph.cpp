@@ -39,6 +39,11 @@ public:
 
   Complex_kind(const Mesh& mesh, Scalar_map scalar_map) : mesh_(mesh), scalar_map_(scalar_map) {}
 
+  auto named_parameters(const Graph_options& options) const
+  {
+    return reeb_graph_program::named_parameters(options).edges(std::cref(complex().edges));
+  }
+
   // The same graph with descriptors of the surface that has the vertices, without chains.
   const reeb_graph_program::Graph& on_surface(const Complex_graph& graph,
                                               std::optional<reeb_graph_program::Graph>& result) const
@@ -103,12 +108,6 @@ protected:
   auto vertices() const { return boost::irange(std::size_t(0), number_of_vertices()); }
   auto scalars() const { return CGAL::make_range(scalar_map_.begin(), scalar_map_.end()); }
 
-  template <class NamedParameters>
-  auto with_edges(const NamedParameters& np) const
-  {
-    return CGAL::parameters::edges(std::cref(complex().edges), np);
-  }
-
   template <class AnyAugmentation>
   Contour crossings(const AnyAugmentation& augmentation, const typename AnyAugmentation::Contour& contour) const
   {
@@ -151,7 +150,7 @@ public:
     Complex_graph graph;
     with_triangles([&](const auto& triangles) {
       CGAL::compute_reeb_graph_of_soup<CGAL::Parallel_if_available_tag>(number_of_vertices(), triangles, scalars(),
-                                                                        graph, with_edges(np));
+                                                                        graph, np);
     });
     return graph;
   }
@@ -160,7 +159,7 @@ public:
   std::unique_ptr<const Augmentation> augment(const Complex_graph& graph, const NamedParameters& np) const
   {
     return with_triangles([&](const auto& triangles) {
-      return std::make_unique<const Augmentation>(number_of_vertices(), triangles, scalars(), graph, with_edges(np));
+      return std::make_unique<const Augmentation>(number_of_vertices(), triangles, scalars(), graph, np);
     });
   }
 
@@ -199,15 +198,14 @@ public:
   {
     Complex_graph graph;
     CGAL::compute_reeb_graph_of_tetrahedra<CGAL::Parallel_if_available_tag>(number_of_vertices(), complex().tetrahedra,
-                                                                            scalars(), graph, with_edges(np));
+                                                                            scalars(), graph, np);
     return graph;
   }
 
   template <class NamedParameters>
   std::unique_ptr<const Augmentation> augment(const Complex_graph& graph, const NamedParameters& np) const
   {
-    return std::make_unique<const Augmentation>(number_of_vertices(), complex().tetrahedra, scalars(), graph,
-                                                with_edges(np));
+    return std::make_unique<const Augmentation>(number_of_vertices(), complex().tetrahedra, scalars(), graph, np);
   }
 
   template <class MakeAugmentation>

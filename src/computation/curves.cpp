@@ -57,7 +57,7 @@ std::vector<Curve> find_curves(Surface& surface,
   case Curves_type::BRANCH:
     CGAL::Reeb_graph::branch_curves(
       surface, scalar_map, std::back_inserter(curves),
-      with_maps(own.persistence_threshold(options.persistence.value_or(0)).area_threshold(options.area.value_or(0))));
+      with_maps(own.persistence_threshold(options.persistence.value_or(0))).area_threshold(options.area.value_or(0)));
     break;
   }
   return curves;

@@ -75,9 +75,8 @@ std::vector<Removal_row> remove_handles(Surface& surface,
 Loops_of_surface find_loops(const Surface& surface, Scalar_map scalar_map, bool are_shortened)
 {
   Progress_bar progress_bar("handles");
-  const auto callback = CGAL::parameters::callback(std::ref(progress_bar));
   const auto found = CGAL::Reeb_graph::handle_and_tunnel_loops(
-    surface, scalar_map, CGAL::parameters::shorten_loops(are_shortened, callback));
+    surface, scalar_map, CGAL::parameters::shorten_loops(are_shortened).callback(std::ref(progress_bar)));
   std::vector<std::vector<Surface::Halfedge_index>> walks;
   for(const auto& loop : found.loops())
     walks.push_back(loop.is_simple ? loop.halfedges : std::vector<Surface::Halfedge_index>());

@@ -75,9 +75,9 @@ Simplified_graph_of<AnyGraph>::Simplified_graph_of(const AnyGraph& given,
   if(std::isnan(threshold_))
     threshold_ = suggested_threshold(find_thresholds(given, options.are_loops_cancelled)).value_or(0);
   namespace parameters = CGAL::parameters;
-  const auto leaves = parameters::number_of_leaves(options.number_of_leaves.value_or(0));
-  simplification_ = CGAL::Reeb_graph::simplify(given, threshold_, simplified_,
-                                               parameters::cancel_loops(options.are_loops_cancelled, leaves));
+  simplification_ = CGAL::Reeb_graph::simplify(
+    given, threshold_, simplified_,
+    parameters::number_of_leaves(options.number_of_leaves.value_or(0)).cancel_loops(options.are_loops_cancelled));
 }
 
 template class Simplified_graph_of<Graph>;
@@ -88,10 +88,11 @@ Augmentation Simplified_graph::augmentation(const Surface& surface,
                                             const Graph_options& options) const
 {
   Progress_bar progress_bar("surface");
-  const auto np = named_parameters(options).callback(std::ref(progress_bar));
+  const auto np = named_parameters(options);
   if(!simplification())
-    return Augmentation(surface, scalar_map, result(), np);
-  return Augmentation(surface, scalar_map, result(), CGAL::parameters::simplification(*simplification(), np));
+    return Augmentation(surface, scalar_map, result(), np.callback(std::ref(progress_bar)));
+  return Augmentation(surface, scalar_map, result(),
+                      np.simplification(*simplification()).callback(std::ref(progress_bar)));
 }
 
 std::vector<Persistence_pair> find_persistence_pairs(const Graph& graph)

@@ -41,10 +41,10 @@ Embedded_graph embed(const Page_subject& subject)
 {
   namespace parameters = CGAL::parameters;
   Progress_bar progress_bar("embedding");
-  const auto smoothing = parameters::number_of_smoothing_steps(1).callback(std::ref(progress_bar));
-  const auto at_nodes = parameters::number_of_contours_at_nodes(2, smoothing);
   auto embedding = CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(
-    subject.augmentation, parameters::number_of_contours(16, at_nodes));
+    subject.augmentation,
+    parameters::number_of_contours(16).number_of_contours_at_nodes(2).number_of_smoothing_steps(1).callback(
+      std::ref(progress_bar)));
   const Graph& graph = subject.graph();
   std::vector<std::size_t> node_sizes =
     count_by_place(subject.surface().vertices(), subject.places, num_vertices(graph) + num_edges(graph));

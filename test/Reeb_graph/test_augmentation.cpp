@@ -262,8 +262,7 @@ void check_place_map(const Mesh& mesh,
   graph_checks::Graph_of<Mesh> graph, graph_alone;
   std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, int> places;
   CGAL::compute_reeb_graph(mesh, scalar_map, graph_alone, np);
-  CGAL::compute_reeb_graph(mesh, scalar_map, graph,
-                           CGAL::parameters::vertex_place_map(boost::make_assoc_property_map(places), method_np));
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph, method_np.vertex_place_map(boost::make_assoc_property_map(places)));
   BOOST_TEST(graph_checks::are_identical(graph, graph_alone));
   const CGAL::Reeb_graph::Augmentation augmentation(mesh, scalar_map, graph, np);
   const auto locations = augmentation.locate_vertices();
@@ -287,7 +286,7 @@ void check_place_map(const Mesh& mesh,
 
 auto graph_parameters(Ties ties, bool keeps_degree_two_nodes)
 {
-  return CGAL::parameters::ties(ties, CGAL::parameters::keep_degree_two_nodes(keeps_degree_two_nodes));
+  return CGAL::parameters::ties(ties).keep_degree_two_nodes(keeps_degree_two_nodes);
 }
 } // namespace
 
@@ -315,8 +314,7 @@ BOOST_AUTO_TEST_CASE(places_come_with_the_graph_by_any_method)
       for(const std::size_t number_of_slabs : {1, 5})
       {
         const auto np = graph_parameters(Ties::CONTRACT, false);
-        check_place_map(mesh, values, np,
-                        CGAL::parameters::method(method, CGAL::parameters::number_of_slabs(number_of_slabs, np)));
+        check_place_map(mesh, values, np, np.method(method).number_of_slabs(number_of_slabs));
       }
 }
 

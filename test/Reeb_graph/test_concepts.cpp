@@ -291,7 +291,7 @@ BOOST_AUTO_TEST_CASE(a_visitor_by_value_among_other_parameters)
   graph_checks::Graph_of<Surface_mesh> graph;
   const Counting_visitor visitor = {&number_of_stages};
   CGAL::compute_reeb_graph(sample.mesh, scalar_map, graph,
-                           CGAL::parameters::keep_degree_two_nodes(true, CGAL::parameters::visitor(visitor)));
+                           CGAL::parameters::keep_degree_two_nodes(true).visitor(visitor));
   BOOST_TEST(number_of_stages == 4u);
   const mesh_builders::Mesh_numbers<Surface_mesh> numbers(sample.mesh);
   BOOST_TEST((graph_checks::plain(numbers, graph) == compute_plain(sample.mesh, sample.values, true)));
@@ -326,8 +326,7 @@ BOOST_AUTO_TEST_CASE(named_parameters_in_a_row)
   check(of_package);
   check(parameters::ties(Ties::CONTRACT).number_of_slabs(3).edges(5.5).keep_degree_two_nodes(true));
   check(of_package.verbose(true).random_seed(7));
-  check(parameters::ties(Ties::CONTRACT, parameters::edges(5.5).keep_degree_two_nodes(true)).number_of_slabs(3));
-  check(parameters::number_of_slabs(3, of_package.verbose(true)));
+  check(parameters::ties(Ties::CONTRACT).edges(5.5).keep_degree_two_nodes(true).number_of_slabs(3));
   BOOST_TEST(parameters::get_parameter(of_package.verbose(true).random_seed(7), CGAL::internal_np::random_seed) == 7);
 
   // Behind those of CGAL there is no way to lose one.

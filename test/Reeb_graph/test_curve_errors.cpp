@@ -138,8 +138,8 @@ BOOST_AUTO_TEST_CASE(thresholds_that_are_no_thresholds)
                       CGAL::Reeb_graph::Threshold_error);
     BOOST_CHECK_THROW(number_of_branches(CGAL::parameters::area_threshold(threshold)),
                       CGAL::Reeb_graph::Threshold_error);
-    BOOST_CHECK_THROW(number_of_branches(CGAL::parameters::measure_threshold(
-                        threshold, CGAL::parameters::branch_measure([](const auto& b) { return b.weight; }))),
+    BOOST_CHECK_THROW(number_of_branches(CGAL::parameters::measure_threshold(threshold).branch_measure(
+                        [](const auto& b) { return b.weight; })),
                       CGAL::Reeb_graph::Threshold_error);
   }
   BOOST_TEST(num_vertices(mesh) == 7u);

@@ -12,9 +12,12 @@
 #include "cut_mesh_checks.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Polygon_mesh_processing/repair.h>
+#include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/cutting_system.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -76,8 +79,7 @@ BOOST_AUTO_TEST_CASE(the_cost_chooses_the_places)
   const Sample sample = curve_samples::smooth_sample(5, 3000, 0);
   const double shortest = total_length(pants_of(sample, CGAL::parameters::default_values()));
   const double longest = total_length(pants_of(sample, CGAL::parameters::curve_cost(negative_length)));
-  const double single =
-    total_length(pants_of(sample, CGAL::parameters::number_of_candidates(1, CGAL::parameters::default_values())));
+  const double single = total_length(pants_of(sample, CGAL::parameters::number_of_candidates(1)));
   const double many = total_length(pants_of(sample, CGAL::parameters::number_of_candidates(1000)));
   BOOST_TEST(longest > 1.05 * shortest);
   BOOST_TEST(single >= shortest);
@@ -101,8 +103,8 @@ BOOST_AUTO_TEST_CASE(the_weight_chooses_the_tree)
   const Sample sample = curve_samples::smooth_sample(5, 3000, 0);
   const double shortest = length_of_cutting_system(sample, CGAL::parameters::default_values());
   const double other_tree = length_of_cutting_system(sample, CGAL::parameters::arc_weight(negative_length));
-  const double longest = length_of_cutting_system(
-    sample, CGAL::parameters::arc_weight(negative_length, CGAL::parameters::curve_cost(negative_length)));
+  const double longest =
+    length_of_cutting_system(sample, CGAL::parameters::arc_weight(negative_length).curve_cost(negative_length));
   BOOST_TEST(shortest < other_tree);
   BOOST_TEST(other_tree < longest);
 }
@@ -206,6 +208,51 @@ BOOST_AUTO_TEST_CASE(the_same_curves_on_all_types_of_meshes)
         BOOST_TEST(curves[i].value == expected[i].value);
       }
     }
+}
+
+// Numbers of any type are stored as the type that the parameter has.
+BOOST_AUTO_TEST_CASE(named_parameters_of_any_arithmetic_type)
+{
+  namespace parameters = CGAL::parameters;
+  namespace tags = CGAL::Reeb_graph::internal;
+  const auto check = [](const auto& value) {
+    const auto np =
+      parameters::persistence_threshold(value).measure_threshold(value).solver_tolerance(value).number_of_candidates(
+        value);
+    BOOST_TEST(parameters::get_parameter(np, tags::persistence_threshold) == 3.);
+    BOOST_TEST(parameters::get_parameter(np, tags::measure_threshold) == 3.);
+    BOOST_TEST(parameters::get_parameter(np, tags::solver_tolerance) == 3.);
+    BOOST_TEST(parameters::get_parameter(np, tags::number_of_candidates) == 3u);
+    const tags::Branch_thresholds thresholds(parameters::persistence_threshold(value).area_threshold(value));
+    BOOST_TEST(thresholds.persistence == 3.);
+    BOOST_TEST(thresholds.area == 3.);
+    BOOST_TEST(tags::Branch_thresholds(parameters::area_threshold(value)).area == 3.);
+    BOOST_TEST(tags::Branch_thresholds(parameters::verbose(true).area_threshold(value)).area == 3.);
+  };
+  check(3.);
+  check(3.F);
+  check(3);
+  check(3L);
+  check(3U);
+  check(static_cast<short>(3));
+  check(3.L);
+}
+
+// A parameter of ours with the name of one of CGAL's would take its place.
+BOOST_AUTO_TEST_CASE(functions_of_cgal_keep_their_parameters)
+{
+  Surface_mesh mesh;
+  for(const double size : {1., 2., 100.})
+  {
+    CGAL::make_tetrahedron(mesh_builders::Point(5 * size, 0, 0), mesh_builders::Point(6 * size, 0, 0),
+                           mesh_builders::Point(5 * size, size, 0), mesh_builders::Point(5 * size, 0, size), mesh);
+  }
+  Surface_mesh other = mesh;
+  namespace processing = CGAL::Polygon_mesh_processing;
+  BOOST_TEST(processing::remove_connected_components_of_negligible_size(mesh, CGAL::parameters::area_threshold(1000.))
+             == 2u);
+  BOOST_TEST(processing::remove_connected_components_of_negligible_size(other, CGAL::parameters::area_threshold(1000))
+             == 2u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -112,7 +112,7 @@ std::string fault_of_decomposition(const Sample& sample, Borders borders)
   auto visitor = history.visitor();
   Curves_of<Mesh> curves;
   Decomposition::compute(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, sample.values), curves,
-                         CGAL::parameters::borders(borders, CGAL::parameters::visitor(std::ref(visitor))));
+                         CGAL::parameters::borders(borders).visitor(std::ref(visitor)));
   if(static_cast<long>(curves.size()) != expected.second)
     return std::to_string(curves.size()) + " curves, expected " + std::to_string(expected.second);
   for(const auto& curve : curves)
@@ -293,9 +293,9 @@ std::size_t number_of_branches(const Sample& sample, double persistence, double 
 {
   auto mesh = curve_samples::make_mesh<Surface_mesh>(sample.soup);
   Curves_of<Surface_mesh> curves;
-  CGAL::Reeb_graph::branch_curves(
-    mesh, CGAL::Reeb_graph::make_scalar_map(mesh, sample.values), std::back_inserter(curves),
-    CGAL::parameters::persistence_threshold(persistence, CGAL::parameters::area_threshold(area)));
+  CGAL::Reeb_graph::branch_curves(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, sample.values),
+                                  std::back_inserter(curves),
+                                  CGAL::parameters::persistence_threshold(persistence).area_threshold(area));
   BOOST_TEST(CGAL::is_valid_polygon_mesh(mesh));
   return curves.size();
 }
@@ -380,13 +380,14 @@ BOOST_AUTO_TEST_CASE(measures_of_branches)
       {
         const auto threshold = parameters::measure_threshold(share * range);
         const std::size_t number = number_of_curves(mesh, parameters::persistence_threshold(share * range));
-        BOOST_TEST(number_of_curves(mesh, parameters::branch_measure(persistence, threshold)) == number);
-        BOOST_TEST(number_of_curves(mesh, parameters::branch_measure(difference, threshold)) <= number);
-        BOOST_TEST(number_of_curves(mesh, parameters::branch_measure(area, parameters::measure_threshold(share)))
+        BOOST_TEST(number_of_curves(mesh, threshold.branch_measure(persistence)) == number);
+        BOOST_TEST(number_of_curves(mesh, threshold.branch_measure(difference)) <= number);
+        BOOST_TEST(number_of_curves(mesh, parameters::branch_measure(area).measure_threshold(share))
                    == number_of_curves(mesh, parameters::area_threshold(share)));
       }
-      BOOST_CHECK_THROW(number_of_curves(mesh, parameters::branch_measure([](const auto&) { return std::nan(""); },
-                                                                          parameters::measure_threshold(1))),
+      BOOST_CHECK_THROW(number_of_curves(mesh, parameters::branch_measure([](const auto&) {
+                                                 return std::nan("");
+                                               }).measure_threshold(1)),
                         CGAL::Reeb_graph::Measure_error);
     }
   BOOST_TEST(number_of_branches > 100u);

@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(many_contours_at_a_time, Mesh, Meshes)
         number_of_faces = number;
         return true;
       };
-      sample.cut(CGAL::parameters::face_count_callback(tell, CGAL::parameters::visitor(std::ref(visitor))));
+      sample.cut(CGAL::parameters::face_count_callback(tell).visitor(std::ref(visitor)));
       BOOST_TEST(number_of_faces == num_faces(sample.mesh));
       BOOST_REQUIRE(sample.curves.size() == sample.contours.size());
       long number_of_open_curves = 0;
@@ -196,11 +196,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(property_maps_tell_the_curves_and_the_pieces, Mesh
         std::map<edge_descriptor, bool> is_constrained;
         std::map<edge_descriptor, std::size_t> curve_of_edge;
         std::map<face_descriptor, std::size_t> patch_of_face;
-        sample.cut(CGAL::parameters::cut_open(
-          is_cut_open, CGAL::parameters::edge_curve_map(
-                         boost::make_assoc_property_map(curve_of_edge),
-                         CGAL::parameters::edge_is_constrained_map(boost::make_assoc_property_map(is_constrained))
-                           .face_patch_map(boost::make_assoc_property_map(patch_of_face)))));
+        sample.cut(CGAL::parameters::cut_open(is_cut_open)
+                     .edge_curve_map(boost::make_assoc_property_map(curve_of_edge))
+                     .edge_is_constrained_map(boost::make_assoc_property_map(is_constrained))
+                     .face_patch_map(boost::make_assoc_property_map(patch_of_face)));
 
         std::map<edge_descriptor, std::size_t> expected;
         for(std::size_t i = 0; i < sample.curves.size(); ++i)
@@ -271,7 +270,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_visitor_is_told_of_everything_that_is_new, Mesh,
       const std::size_t number_of_vertices = num_vertices(sample.mesh), number_of_faces = num_faces(sample.mesh);
       Recording_visitor<Mesh> visitor;
       visitor.mesh = &sample.mesh;
-      sample.cut(CGAL::parameters::cut_open(true, CGAL::parameters::visitor(std::ref(visitor))));
+      sample.cut(CGAL::parameters::cut_open(true).visitor(std::ref(visitor)));
       std::size_t number_of_curve_edges = 0;
       for(const auto& curve : sample.curves)
         number_of_curve_edges += curve.halfedges.size();

@@ -440,11 +440,10 @@ BOOST_AUTO_TEST_CASE(the_axis_names_the_field_and_its_unit)
 {
   Graph graph = random_graphs::make_graph(4, {{0, 1}, {1, 2}, {1, 2}, {2, 3}});
   std::ostringstream stream;
-  CGAL::Reeb_graph::write_svg(
-    stream, graph,
-    parameters::field_name(
-      "<p> & \"q\"", parameters::field_unit(
-                       "\xc2\xb5m", parameters::vertex_index_map(boost::typed_identity_property_map<std::size_t>()))));
+  CGAL::Reeb_graph::write_svg(stream, graph,
+                              parameters::field_name("<p> & \"q\"")
+                                .field_unit("\xc2\xb5m")
+                                .vertex_index_map(boost::typed_identity_property_map<std::size_t>()));
   const std::string svg = stream.str();
   const Drawing drawing(svg);
   BOOST_TEST(svg.find("&lt;p&gt; &amp; &quot;q&quot; [\xc2\xb5m]</text>") != std::string::npos);

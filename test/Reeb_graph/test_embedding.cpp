@@ -284,8 +284,8 @@ BOOST_AUTO_TEST_CASE(lines_that_are_nearer_than_their_width_are_told_apart)
 BOOST_AUTO_TEST_CASE(contours_at_nodes_are_ever_nearer_to_them)
 {
   const Embedded_sample<Surface_mesh> s(with_heights_as_values(curve_samples::smooth_sample(2, 600, 0)));
-  const auto embedding = CGAL::Reeb_graph::embed(
-    s.augmentation, CGAL::parameters::number_of_contours_at_nodes(2, CGAL::parameters::number_of_contours(3)));
+  const auto embedding =
+    CGAL::Reeb_graph::embed(s.augmentation, CGAL::parameters::number_of_contours_at_nodes(2).number_of_contours(3));
   for(std::size_t arc = 0; arc != embedding.arc_values.size(); ++arc)
   {
     const std::vector<double>& values = embedding.arc_values[arc];
@@ -371,8 +371,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(contours_are_at_equal_steps, Mesh, Meshes)
     const auto other_map = CGAL::Reeb_graph::make_scalar_map(s.mesh, numbers);
     const auto np = CGAL::parameters::number_of_contours(3);
     const auto equal = embed(s.augmentation, np);
-    const auto constant = embed(s.augmentation, CGAL::parameters::parametrization_map(constant_map, np));
-    const auto other = embed(s.augmentation, CGAL::parameters::parametrization_map(other_map, np));
+    const auto constant = embed(s.augmentation, np.parametrization_map(constant_map));
+    const auto other = embed(s.augmentation, np.parametrization_map(other_map));
     BOOST_TEST((constant.arc_values == equal.arc_values));
     std::size_t i = 0;
     for(const auto arc : CGAL::make_range(edges(s.graph)))
@@ -398,7 +398,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(smoothing_leaves_ends_and_makes_lines_less_rough, 
   for(std::size_t i = 0; i < rough.arc_polylines.size(); ++i)
     BOOST_TEST(roughness(smooth.arc_polylines[i]) < roughness(rough.arc_polylines[i]));
   const auto without_contours =
-    embed(s.augmentation, CGAL::parameters::number_of_contours(0, CGAL::parameters::number_of_smoothing_steps(1)));
+    embed(s.augmentation, CGAL::parameters::number_of_contours(0).number_of_smoothing_steps(1));
   for(const Polyline& polyline : without_contours.arc_polylines)
     BOOST_TEST(polyline.size() == 2u);
 }
@@ -435,8 +435,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(other_scalars_and_points, Scalar, Other_scalars)
   {
     const auto np = CGAL::parameters::embedding_manner(manner);
     const auto embedding = embed(augmentation, np);
-    const auto moved =
-      embed(augmentation, CGAL::parameters::embedding_manner(manner, CGAL::parameters::vertex_point_map(point_map)));
+    const auto moved = embed(augmentation, CGAL::parameters::embedding_manner(manner).vertex_point_map(point_map));
     BOOST_REQUIRE(embedding.arc_polylines.size() == num_edges(graph));
     std::size_t i = 0;
     for(const auto arc : CGAL::make_range(edges(graph)))

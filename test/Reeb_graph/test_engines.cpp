@@ -58,9 +58,8 @@ Graph compute(const Surface_mesh& mesh,
 {
   namespace parameters = CGAL::parameters;
   Graph graph;
-  CGAL::compute_reeb_graph(
-    mesh, scalar_map, graph,
-    parameters::method(method, parameters::ties(ties, parameters::keep_degree_two_nodes(keeps_degree_two_nodes))));
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph,
+                           parameters::method(method).ties(ties).keep_degree_two_nodes(keeps_degree_two_nodes));
   return graph;
 }
 

@@ -87,9 +87,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(graphs_of_many_fields_on_one_flat_field_are_those_
       graph_checks::Graph_of<Mesh> expected, graph;
       auto expected_places = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
       auto places = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
-      CGAL::compute_reeb_graph(mesh, scalar_map, expected,
-                               parameters::ties(ties, parameters::vertex_place_map(expected_places)));
-      CGAL::compute_reeb_graph(mesh, flat_field, graph, parameters::ties(ties, parameters::vertex_place_map(places)));
+      CGAL::compute_reeb_graph(mesh, scalar_map, expected, parameters::ties(ties).vertex_place_map(expected_places));
+      CGAL::compute_reeb_graph(mesh, flat_field, graph, parameters::ties(ties).vertex_place_map(places));
       BOOST_TEST_CONTEXT("seed " << seed << ", field " << number)
       {
         BOOST_TEST(graph_checks::are_identical(expected, graph));

@@ -226,8 +226,7 @@ BOOST_AUTO_TEST_CASE(gyroids_and_plates_of_high_genus)
                           generated_surfaces::closed_surface(100, 6000)})
   {
     const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
-    const auto found =
-      find_loops(mesh, 3, parameters::shorten_loops(false, parameters::check_self_intersections(false)));
+    const auto found = find_loops(mesh, 3, parameters::shorten_loops(false).check_self_intersections(false));
     const long characteristic =
       static_cast<long>(mesh.number_of_vertices() + mesh.number_of_faces()) - static_cast<long>(mesh.number_of_edges());
     std::size_t number_of_components = 0;

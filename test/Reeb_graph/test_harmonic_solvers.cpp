@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(a_larger_tolerance_takes_fewer_steps)
   {
     const Large_field field(mesh, laplacian_weights(weights));
     const auto with_tolerance = [&](double tolerance) {
-      return Large_field(mesh, CGAL::parameters::solver_tolerance(tolerance, laplacian_weights(weights)));
+      return Large_field(mesh, laplacian_weights(weights).solver_tolerance(tolerance));
     };
     const Large_field rough_field = with_tolerance(1e-4);
     BOOST_TEST(rough_field.report.number_of_iterations < field.report.number_of_iterations);

@@ -59,7 +59,7 @@ Result make_level(const Sample& sample, Border_extremum extremum, std::size_t wi
   const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, sample.values);
   Result result;
   result.changes = CGAL::Reeb_graph::make_borders_level(
-    mesh, scalar_map, CGAL::parameters::border_extremum(extremum, CGAL::parameters::collar_width(width)));
+    mesh, scalar_map, CGAL::parameters::border_extremum(extremum).collar_width(width));
   for(const auto v : vertices(mesh))
     result.values.push_back(get(scalar_map, v));
   return result;
@@ -481,9 +481,8 @@ BOOST_AUTO_TEST_CASE(another_order)
   const auto scalar_map = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:scalar").first;
   for(const auto v : vertices(mesh))
     scalar_map[v] = sample.values[v];
-  const auto np = CGAL::parameters::geom_traits(Descending_traits());
-  CGAL::Reeb_graph::make_borders_level(mesh, scalar_map,
-                                       CGAL::parameters::border_extremum(Border_extremum::MAXIMUM, np));
+  CGAL::Reeb_graph::make_borders_level(
+    mesh, scalar_map, CGAL::parameters::border_extremum(Border_extremum::MAXIMUM).geom_traits(Descending_traits()));
   const std::vector<double> expected = {0, 0, 0, 0, 0, 5, 9, 5, -20, -20, -20, -20};
   for(const auto v : vertices(mesh))
     BOOST_TEST(scalar_map[v] == expected[v]);

@@ -153,8 +153,13 @@ void draw(const Graph& graph, const NamedParameters& np, double sign, Outcome& o
   BOOST_TEST(std::is_sorted(outcome.heights.back().begin(), outcome.heights.back().end()));
 }
 
-template <class Graph, class NamedParameters>
-void simplify(const Surface_mesh& mesh, const Graph& graph, const NamedParameters& np, Outcome& outcome)
+// `simplify_np` asks for loops to be cancelled, too.
+template <class Graph, class NamedParameters, class SimplifyParameters>
+void simplify(const Surface_mesh& mesh,
+              const Graph& graph,
+              const NamedParameters& np,
+              const SimplifyParameters& simplify_np,
+              Outcome& outcome)
 {
   outcome.values.push_back(CGAL::Reeb_graph::arc_persistences(graph, np));
   std::vector<CGAL::Reeb_graph::Persistence_pair<std::size_t>> pairs;
@@ -167,7 +172,7 @@ void simplify(const Surface_mesh& mesh, const Graph& graph, const NamedParameter
   const auto& persistences = outcome.values.front();
   const double threshold = persistences.empty() ? 1 : persistences[persistences.size() / 2];
   Graph simplified;
-  CGAL::Reeb_graph::simplify(graph, threshold, simplified, parameters::cancel_loops(true, np));
+  CGAL::Reeb_graph::simplify(graph, threshold, simplified, simplify_np);
   outcome.graphs.push_back(graph_checks::plain(Mesh_numbers<Surface_mesh>(mesh), simplified));
 }
 
@@ -241,7 +246,7 @@ void cut(const Surface_mesh& mesh, const Graph& graph, const Traits& traits, dou
   Surface_mesh cut_mesh(mesh), segmented_mesh(mesh);
   std::vector<CGAL::Reeb_graph::Curve<Surface_mesh::Halfedge_index>> curves;
   CGAL::Reeb_graph::cutting_system(cut_mesh, values_of<Scalar>(cut_mesh), std::back_inserter(curves),
-                                   parameters::borders(CGAL::Reeb_graph::Borders::MAKE_LEVEL, np));
+                                   parameters::borders(CGAL::Reeb_graph::Borders::MAKE_LEVEL).geom_traits(traits));
   outcome.numbers.push_back({double(curves.size())});
   for(const auto& curve : curves)
     outcome.values.push_back({curve.length, sign * curve.value});
@@ -264,7 +269,7 @@ Outcome all_of(const Sample& sample, const std::vector<Scalar>& scalars, const T
   const auto np = parameters::geom_traits(traits);
   CGAL::compute_reeb_graph(mesh, map, graph, np);
   outcome.graphs.push_back(graph_checks::plain(Mesh_numbers<Surface_mesh>(mesh), graph));
-  simplify(mesh, graph, np, outcome);
+  simplify(mesh, graph, np, parameters::cancel_loops(true).geom_traits(traits), outcome);
   draw(graph, np, sign, outcome);
   write(mesh, graph, np, outcome);
   outcome.values.push_back(CGAL::Reeb_graph::arc_lengths(mesh, map, graph, np));
@@ -294,7 +299,7 @@ Outcome all_of_graph(const Surface_mesh& mesh, const graph_checks::Graph_of<Surf
 {
   const auto other = copy_of_graph<Number>(graph);
   Outcome outcome;
-  simplify(mesh, other, parameters::default_values(), outcome);
+  simplify(mesh, other, parameters::default_values(), parameters::cancel_loops(true), outcome);
   draw(other, parameters::default_values(), 1, outcome);
   return outcome;
 }

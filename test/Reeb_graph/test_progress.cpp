@@ -222,9 +222,13 @@ struct Face_counts
   static inline bool are_refused = false;
 };
 
-auto with_face_counts(Callback callback)
+auto with_face_counts(Callback callback) { return parameters::face_count_callback(Face_counts()).callback(callback); }
+
+auto with_level_borders(Callback callback)
 {
-  return parameters::face_count_callback(Face_counts(), parameters::callback(callback));
+  return parameters::borders(CGAL::Reeb_graph::Borders::MAKE_LEVEL)
+    .face_count_callback(Face_counts())
+    .callback(callback);
 }
 
 template <class Mesh>
@@ -232,16 +236,15 @@ std::vector<Work<Mesh>> cuts()
 {
   using namespace CGAL::Reeb_graph;
   const auto output = boost::make_function_output_iterator(No_output());
-  return {{"cutting_system",
-           [=](Mesh& mesh, Field<Mesh> field, Callback callback) {
-             cutting_system(mesh, field, output, parameters::borders(Borders::MAKE_LEVEL, with_face_counts(callback)));
-           }},
-          {"segment_by_arcs", [](Mesh& mesh, Field<Mesh> field, Callback callback) {
-             typename CGAL::Reeb_graph_traits<Mesh, Field<Mesh>>::Graph graph;
-             CGAL::compute_reeb_graph(mesh, field, graph);
-             const auto patch_map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
-             segment_by_arcs(mesh, field, graph, patch_map, with_face_counts(callback));
-           }}};
+  return {
+    {"cutting_system", [=](Mesh& mesh, Field<Mesh> field,
+                           Callback callback) { cutting_system(mesh, field, output, with_level_borders(callback)); }},
+    {"segment_by_arcs", [](Mesh& mesh, Field<Mesh> field, Callback callback) {
+       typename CGAL::Reeb_graph_traits<Mesh, Field<Mesh>>::Graph graph;
+       CGAL::compute_reeb_graph(mesh, field, graph);
+       const auto patch_map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+       segment_by_arcs(mesh, field, graph, patch_map, with_face_counts(callback));
+     }}};
 }
 
 std::vector<Work<Surface_mesh>> all_works()
@@ -255,11 +258,10 @@ std::vector<Work<Surface_mesh>> all_works()
   add("pants_decomposition", [=](Surface_mesh& mesh, Map field, Callback callback) {
     pants_decomposition(
       mesh, field, output,
-      parameters::cut_open(true, parameters::borders(Borders::MAKE_LEVEL, with_face_counts(callback))));
+      parameters::cut_open(true).borders(Borders::MAKE_LEVEL).face_count_callback(Face_counts()).callback(callback));
   });
   add("branch_curves", [=](Surface_mesh& mesh, Map field, Callback callback) {
-    const auto np = parameters::borders(Borders::MAKE_LEVEL, with_face_counts(callback));
-    branch_curves(mesh, field, output, parameters::area_threshold(1e-9, np));
+    branch_curves(mesh, field, output, with_level_borders(callback).area_threshold(1e-9));
   });
   add("cut_along_contours", [=](Surface_mesh& mesh, Map field, Callback callback) {
     Graph graph;

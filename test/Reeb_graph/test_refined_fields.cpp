@@ -348,9 +348,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(fields_with_ties, Mesh, Meshes)
       const auto scalar_map = make_writable_map(mesh, sample.values);
       Curves_of<Mesh> curves;
       const bool is_closed = CGAL::is_closed(mesh);
-      CGAL::Reeb_graph::cutting_system(
-        mesh, scalar_map, std::back_inserter(curves),
-        CGAL::parameters::borders(Borders::MAKE_LEVEL, CGAL::parameters::cut_open(seed % 2 == 1)));
+      CGAL::Reeb_graph::cutting_system(mesh, scalar_map, std::back_inserter(curves),
+                                       CGAL::parameters::borders(Borders::MAKE_LEVEL).cut_open(seed % 2 == 1));
       const auto [lowest, highest] = std::minmax_element(sample.values.begin(), sample.values.end());
       std::size_t position = 0, number_of_faults = 0;
       for(const auto v : vertices(mesh))
@@ -425,7 +424,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(attributes_are_carried_over, Mesh, Meshes)
   visitor.add_vertex_map(name_map, [](const std::string&, const std::string&, double) { return "added"; });
   std::vector<CGAL::Reeb_graph::Curve<typename boost::graph_traits<Mesh>::halfedge_descriptor>> curves;
   CGAL::Reeb_graph::pants_decomposition(mesh, make_writable_map(mesh, sample.values), std::back_inserter(curves),
-                                        CGAL::parameters::cut_open(true, CGAL::parameters::visitor(visitor)));
+                                        CGAL::parameters::cut_open(true).visitor(visitor));
   std::size_t position = 0, number_of_faults = 0;
   for(const auto v : vertices(mesh))
   {

@@ -120,9 +120,9 @@ BOOST_AUTO_TEST_CASE(each_arc_has_one_patch_with_other_parameters)
   using CGAL::Reeb_graph::Ties;
   for(std::size_t seed = 0; seed < 400; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
-  test_arcs<Surface_mesh>(curve_samples::any_sample(seed),
-                          CGAL::parameters::ties(seed % 3 == 0 ? Ties::PERTURB : Ties::CONTRACT,
-                                                 CGAL::parameters::keep_degree_two_nodes(seed % 2 == 0)));
+  test_arcs<Surface_mesh>(
+    curve_samples::any_sample(seed),
+    CGAL::parameters::ties(seed % 3 == 0 ? Ties::PERTURB : Ties::CONTRACT).keep_degree_two_nodes(seed % 2 == 0));
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(patches_of_pants, Mesh, Meshes)
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(patches_of_branches, Mesh, Meshes)
   Patches_of<Mesh> patches;
   const std::size_t number_of_patches = CGAL::Reeb_graph::segment_by_branches(
     mesh, CGAL::Reeb_graph::make_scalar_map(mesh, sample.values), boost::make_assoc_property_map(patches),
-    CGAL::parameters::cut_open(true, CGAL::parameters::persistence_threshold(0.3)));
+    CGAL::parameters::cut_open(true).persistence_threshold(0.3));
   BOOST_TEST(number_of_patches == 5u);
   BOOST_TEST(pieces_of(mesh).size() == 5u);
   std::vector<Piece> pieces = pieces_of_patches(mesh, patches);

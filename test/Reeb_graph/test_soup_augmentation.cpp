@@ -48,15 +48,14 @@ struct Falling_traits : CGAL::Reeb_graph_soup_traits<int>
 void check_complex(const Complex& complex, const std::vector<double>& values, Ties ties, bool keeps_degree_two_nodes)
 {
   namespace parameters = CGAL::parameters;
-  const auto np =
-    parameters::ties(ties, parameters::keep_degree_two_nodes(keeps_degree_two_nodes, parameters::edges(complex.edges)));
+  const auto np = parameters::ties(ties).keep_degree_two_nodes(keeps_degree_two_nodes).edges(complex.edges);
   const Oracle oracle(complex.number_of_vertices, complex.simplices(), values, ties, keeps_degree_two_nodes);
   Graph graph;
   if(complex.tetrahedra.empty())
   {
     std::vector<std::size_t> places(values.size());
     CGAL::compute_reeb_graph_of_soup(complex.number_of_vertices, complex.triangles, values, graph,
-                                     parameters::vertex_place_map(places.data(), np));
+                                     np.vertex_place_map(places.data()));
     const Soup_augmentation augmentation(complex.number_of_vertices, complex.triangles, values, graph, np);
     Augmentation_check(complex, values, oracle, augmentation).run(ties);
     const auto locations = augmentation.locate_vertices();
@@ -67,7 +66,7 @@ void check_complex(const Complex& complex, const std::vector<double>& values, Ti
   {
     std::vector<std::size_t> places(values.size());
     CGAL::compute_reeb_graph_of_tetrahedra(complex.number_of_vertices, complex.tetrahedra, values, graph,
-                                           parameters::vertex_place_map(places.data(), np));
+                                           np.vertex_place_map(places.data()));
     const Tetrahedra_augmentation augmentation(complex.number_of_vertices, complex.tetrahedra, values, graph, np);
     Augmentation_check(complex, values, oracle, augmentation).run(ties);
     const auto locations = augmentation.locate_vertices();
@@ -217,7 +216,7 @@ BOOST_AUTO_TEST_CASE(the_way_back_from_a_simplified_graph)
       const auto simplification = CGAL::Reeb_graph::simplify(graph, 2, simplified);
       const Soup_augmentation augmentation(values.size(), complex.triangles, values, graph, np);
       const Soup_augmentation of_simplified(values.size(), complex.triangles, values, simplified,
-                                            CGAL::parameters::simplification(simplification, np));
+                                            np.simplification(simplification));
       const auto locations = augmentation.locate_vertices(), new_locations = of_simplified.locate_vertices();
       for(std::size_t v = 0; v < values.size(); ++v)
       {
@@ -248,7 +247,7 @@ BOOST_AUTO_TEST_CASE(climbing_gives_the_arcs_of_complexes_that_sweeping_gives)
       const Complex complex = random_complexes::skeleton(random_complexes::random_complex(complex_class, random));
       const std::size_t size = complex.number_of_vertices;
       const auto values = random_complexes::random_values(size, random);
-      const auto np = CGAL::parameters::keep_degree_two_nodes(true, CGAL::parameters::edges(complex.edges));
+      const auto np = CGAL::parameters::keep_degree_two_nodes(true).edges(complex.edges);
       Graph graph;
       CGAL::compute_reeb_graph_of_soup(size, complex.triangles, values, graph, np);
       const auto locations = Soup_augmentation(size, complex.triangles, values, graph, np).locate_vertices();

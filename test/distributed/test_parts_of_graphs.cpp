@@ -109,8 +109,8 @@ BOOST_AUTO_TEST_CASE(chains_stay_on_the_ranks)
             value = static_cast<double>(static_cast<int>(value / 8));
         const auto input = random_part(surface, random);
         Slab slab;
-        const auto np = parameters::ties(ties, parameters::slab(std::ref(slab)));
-        const auto graph = graph_on_ranks(input, parameters::gather_chains(false, np));
+        const auto np = parameters::ties(ties).slab(std::ref(slab));
+        const auto graph = graph_on_ranks(input, np.gather_chains(false));
         const auto kept_chains = gather_kept_chains(slab, num_edges(graph));
         const auto gathered = graph_on_ranks(input, np);
         BOOST_TEST(slab.chain_parts.empty());
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(any_triangles)
       const Surface<double> triangles = {{complex.number_of_vertices, complex.triangles},
                                          random_complexes::random_values(complex.number_of_vertices, random)};
       const auto ties = random.below(2) == 0 ? CGAL::Reeb_graph::Ties::PERTURB : CGAL::Reeb_graph::Ties::CONTRACT;
-      const auto np = parameters::ties(ties, parameters::keep_degree_two_nodes(random.below(2) == 0));
+      const auto np = parameters::ties(ties).keep_degree_two_nodes(random.below(2) == 0);
       const auto input = random_part(triangles, random);
       Graph<double> graph;
       CGAL::compute_reeb_graph_of_soup_distributed(world(), input.vertices, input.triangles, input.scalars, graph, np);

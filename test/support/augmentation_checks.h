@@ -80,7 +80,7 @@ struct Augmented_mesh
 private:
   static auto parameters(Ties ties, bool keeps_degree_two_nodes)
   {
-    return CGAL::parameters::ties(ties, CGAL::parameters::keep_degree_two_nodes(keeps_degree_two_nodes));
+    return CGAL::parameters::ties(ties).keep_degree_two_nodes(keeps_degree_two_nodes);
   }
 
   template <class NamedParameters>

@@ -83,9 +83,10 @@ inline Settings settings_of_seed(std::size_t seed)
 inline auto named_parameters(const Settings& settings)
 {
   namespace parameters = CGAL::parameters;
-  const auto slabs = parameters::number_of_slabs(settings.number_of_slabs);
-  const auto nodes = parameters::keep_degree_two_nodes(settings.keeps_degree_two_nodes, slabs);
-  return parameters::ties(settings.ties, parameters::method(settings.method, nodes));
+  return parameters::ties(settings.ties)
+    .method(settings.method)
+    .keep_degree_two_nodes(settings.keeps_degree_two_nodes)
+    .number_of_slabs(settings.number_of_slabs);
 }
 
 // Calls the function in an arena of that many threads, even if there are fewer cores.

@@ -49,7 +49,7 @@ Graph_of<Mesh, Scalar> compute(const Mesh& mesh,
   namespace parameters = CGAL::parameters;
   Graph_of<Mesh, Scalar> graph;
   CGAL::compute_reeb_graph(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values), graph,
-                           parameters::method(method, parameters::keep_degree_two_nodes(keeps_degree_two_nodes)));
+                           parameters::method(method).keep_degree_two_nodes(keeps_degree_two_nodes));
   return graph;
 }
 

@@ -60,30 +60,17 @@ struct Own_named_parameters : Named_function_parameters<T, Tag, Base>
 
 namespace parameters {
 
-// For each parameter, a function that starts a sequence, and one that appends to a sequence: that was the way to give
-// several before they could follow each other, and stays for one release.
+// For each parameter, a function that starts a sequence.
 #define CGAL_REEB_GRAPH_NAMED_PARAMETER(name, Type)                                                                    \
   inline auto name(const Type& value)                                                                                  \
   {                                                                                                                    \
     return Reeb_graph::internal::Own_named_parameters<Type, Reeb_graph::internal::name##_t>(value);                    \
-  }                                                                                                                    \
-  template <class T, class Tag, class Base>                                                                            \
-  auto name(const Type& value, const Named_function_parameters<T, Tag, Base>& np)                                      \
-  {                                                                                                                    \
-    return Reeb_graph::internal::Own_named_parameters<Type, Reeb_graph::internal::name##_t,                            \
-                                                      Named_function_parameters<T, Tag, Base>>(value, np);             \
   }
 #define CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(name, tag)                                                         \
   template <class Value>                                                                                               \
   auto name(const Value& value)                                                                                        \
   {                                                                                                                    \
     return Reeb_graph::internal::Own_named_parameters<Value, Reeb_graph::internal::tag##_t>(value);                    \
-  }                                                                                                                    \
-  template <class Value, class T, class Tag, class Base>                                                               \
-  auto name(const Value& value, const Named_function_parameters<T, Tag, Base>& np)                                     \
-  {                                                                                                                    \
-    return Reeb_graph::internal::Own_named_parameters<Value, Reeb_graph::internal::tag##_t,                            \
-                                                      Named_function_parameters<T, Tag, Base>>(value, np);             \
   }
 #include <CGAL/Reeb_graph/internal/base/named_parameters_list.h>
 #undef CGAL_REEB_GRAPH_NAMED_PARAMETER

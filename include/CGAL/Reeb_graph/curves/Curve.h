@@ -79,14 +79,14 @@ struct Candidate_curve
 ///     \cgalParamType{a function object that is called with a `Reeb_graph::Candidate_curve` and returns a `double`}
 ///     \cgalParamDefault{the length; for `branch_curves()`, the length for positions up to 0.5, else more than that of
 ///                       any of these}
-///     \cgalParamExtra{use the functions `parameters::curve_cost()`}
+///     \cgalParamExtra{use the function `parameters::curve_cost()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_candidates}
 ///     \cgalParamDescription{the number of places that are tried for each curve, at least 1. They are evenly spread
 ///                           over the edges of the chains of the arcs.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{16}
-///     \cgalParamExtra{use the functions `parameters::number_of_candidates()`}
+///     \cgalParamExtra{use the function `parameters::number_of_candidates()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 
@@ -106,7 +106,7 @@ struct Candidate_curve
 ///                           changed field, call that function first.}
 ///     \cgalParamType{`Reeb_graph::Borders`}
 ///     \cgalParamDefault{`Reeb_graph::Borders::LEVEL`}
-///     \cgalParamExtra{use the functions `parameters::borders()`}
+///     \cgalParamExtra{use the function `parameters::borders()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 
@@ -123,7 +123,7 @@ struct Candidate_curve
 ///                           border cycles. The lower side gets new vertices at the points of the curve.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{use the functions `parameters::cut_open()`}
+///     \cgalParamExtra{use the function `parameters::cut_open()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{is set to `true` for each edge of a curve; other edges are not written}
@@ -136,7 +136,7 @@ struct Candidate_curve
 ///     \cgalParamType{a model of `WritablePropertyMap` with the edge descriptors as key type and an integer type as
 ///                    value type}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::edge_curve_map()`}
+///     \cgalParamExtra{use the function `parameters::edge_curve_map()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_patch_map}
 ///     \cgalParamDescription{is set to the number of the piece that the face belongs to once the mesh is cut along all
@@ -152,7 +152,7 @@ struct Candidate_curve
 ///                           is as `callback` leaves it.}
 ///     \cgalParamType{a function object that can be called with a `std::size_t` and returns `bool`}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::face_count_callback()`}
+///     \cgalParamExtra{use the function `parameters::face_count_callback()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 

@@ -50,19 +50,19 @@ namespace CGAL::Reeb_graph {
 ///                           between the values at its ends, or that at the saddle and one that has been removed}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
-///     \cgalParamExtra{use the functions `parameters::persistence_threshold()`}
+///     \cgalParamExtra{use the function `parameters::persistence_threshold()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{area_threshold}
 ///     \cgalParamDescription{the least area of a branch: a third of the area of the faces at each of its vertices}
-///     \cgalParamType{`double`}
+///     \cgalParamType{a number}
 ///     \cgalParamDefault{0}
-///     \cgalParamExtra{use the functions `parameters::area_threshold()`}
+///     \cgalParamExtra{one of \cgal, which comes behind those of the package}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_count_threshold}
 ///     \cgalParamDescription{the least number of vertices of the given mesh in a branch}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
-///     \cgalParamExtra{use the functions `parameters::vertex_count_threshold()`}
+///     \cgalParamExtra{use the function `parameters::vertex_count_threshold()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{branch_measure}
 ///     \cgalParamDescription{how large a branch is, for `measure_threshold`}
@@ -70,13 +70,13 @@ namespace CGAL::Reeb_graph {
 ///                    mesh, and whose weight is its area, and returns a `double`. Where a saddle has been unfolded, its
 ///                    vertex can be a new one.}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::branch_measure()`}
+///     \cgalParamExtra{use the function `parameters::branch_measure()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{measure_threshold}
 ///     \cgalParamDescription{the least `branch_measure` of a branch}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
-///     \cgalParamExtra{use the functions `parameters::measure_threshold()`}
+///     \cgalParamExtra{use the function `parameters::measure_threshold()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

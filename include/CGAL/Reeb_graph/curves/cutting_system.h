@@ -49,7 +49,7 @@ namespace CGAL::Reeb_graph {
 ///                           taken. It is called with the candidate that has been chosen for the arc.}
 ///     \cgalParamType{a function object that is called with a `Reeb_graph::Candidate_curve` and returns a `double`}
 ///     \cgalParamDefault{the length}
-///     \cgalParamExtra{use the functions `parameters::arc_weight()`}
+///     \cgalParamExtra{use the function `parameters::arc_weight()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

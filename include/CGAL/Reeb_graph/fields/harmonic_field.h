@@ -67,7 +67,7 @@ namespace CGAL::Reeb_graph {
 ///     \cgalParamDescription{the weights \f$ w_{ij} \f$}
 ///     \cgalParamType{`Reeb_graph::Laplacian_weights`}
 ///     \cgalParamDefault{`Reeb_graph::Laplacian_weights::MEAN_VALUE`}
-///     \cgalParamExtra{use the functions `parameters::laplacian_weights()`}
+///     \cgalParamExtra{use the function `parameters::laplacian_weights()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_linear_solver}
 ///     \cgalParamDescription{a solver that takes the place of multigrid and of the default factorization. All matrices
@@ -87,7 +87,7 @@ namespace CGAL::Reeb_graph {
 ///                       between neighbors make extrema that have to be removed.}
 ///     \cgalParamExtra{It is not used where the matrix itself is factorized: small meshes and solvers that are given,
 ///                     but for mean value weights.}
-///     \cgalParamExtra{use the functions `parameters::solver_tolerance()`}
+///     \cgalParamExtra{use the function `parameters::solver_tolerance()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{is called between the steps with the fraction that is done; `false` stops, but for the

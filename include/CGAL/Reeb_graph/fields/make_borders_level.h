@@ -82,14 +82,14 @@ struct Border_level_changes
 ///     \cgalParamDescription{whether borders become minima or maxima}
 ///     \cgalParamType{`Reeb_graph::Border_extremum`}
 ///     \cgalParamDefault{`Reeb_graph::Border_extremum::AUTOMATIC`}
-///     \cgalParamExtra{use the functions `parameters::border_extremum()`}
+///     \cgalParamExtra{use the function `parameters::border_extremum()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{collar_width}
 ///     \cgalParamDescription{the number of edges from a border up to which values are changed; 0 changes those of
 ///                           borders only}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{3}
-///     \cgalParamExtra{use the functions `parameters::collar_width()`}
+///     \cgalParamExtra{use the function `parameters::collar_width()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object}

@@ -175,7 +175,7 @@ private:
 ///     \cgalParamDescription{whether the loops are made short}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
-///     \cgalParamExtra{use the functions `parameters::shorten_loops()`}
+///     \cgalParamExtra{use the function `parameters::shorten_loops()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{check_self_intersections}
 ///     \cgalParamDescription{whether triangles that intersect are looked for, so that what has no inside is known. This
@@ -184,7 +184,7 @@ private:
 ///                           is still found. Not every intersection changes these, so the default is to look.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
-///     \cgalParamExtra{use the functions `parameters::check_self_intersections()`}
+///     \cgalParamExtra{use the function `parameters::check_self_intersections()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object}

@@ -61,7 +61,7 @@ namespace CGAL::Reeb_graph {
 ///     \cgalParamDescription{at most this many are removed, the smallest first}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{all that are smaller than the size}
-///     \cgalParamExtra{use the functions `parameters::number_of_handles()`}
+///     \cgalParamExtra{use the function `parameters::number_of_handles()`}
 ///   \cgalParamNEnd
 ///   \reebGraphPointsOfLoops{ReadWritePropertyMap}
 ///   \cgalParamNBegin{visitor}
@@ -75,7 +75,7 @@ namespace CGAL::Reeb_graph {
 ///     \cgalParamDescription{as for `handle_and_tunnel_loops()`}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
-///     \cgalParamExtra{use the functions `parameters::check_self_intersections()`}
+///     \cgalParamExtra{use the function `parameters::check_self_intersections()`}
 ///   \cgalParamNEnd
 ///   \reebGraphCallback
 /// \cgalNamedParamsEnd

@@ -78,7 +78,7 @@ struct Branch
 ///     \cgalParamDescription{no more arcs are removed when this many leaves are left, nodes with a single arc}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
-///     \cgalParamExtra{use the functions `parameters::number_of_leaves()`}
+///     \cgalParamExtra{use the function `parameters::number_of_leaves()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{cancel_loops}
 ///     \cgalParamDescription{whether loops of a persistence below the threshold are removed, too: of the two sides of a
@@ -87,7 +87,7 @@ struct Branch
 ///                           surface asks for, so that `simplify_field()` throws an exception if it is asked to.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{use the functions `parameters::cancel_loops()`}
+///     \cgalParamExtra{use the function `parameters::cancel_loops()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{piece_weights}
 ///     \cgalParamDescription{a number for each node, and then for each arc in the order of `edges(graph)`; see
@@ -95,13 +95,13 @@ struct Branch
 ///                           removed.}
 ///     \cgalParamType{a range of numbers}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the functions `parameters::piece_weights()`}
+///     \cgalParamExtra{use the function `parameters::piece_weights()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{branch_measure}
 ///     \cgalParamDescription{how large a branch is}
 ///     \cgalParamType{a function object that is called with a `Reeb_graph::Branch` and returns a `double`}
 ///     \cgalParamDefault{`Branch::weight` if there are `piece_weights`, else `Branch::persistence`}
-///     \cgalParamExtra{use the functions `parameters::branch_measure()`}
+///     \cgalParamExtra{use the function `parameters::branch_measure()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{an instance of a traits class whose `scalar_to_double_object()` makes numbers of the

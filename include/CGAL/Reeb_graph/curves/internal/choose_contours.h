@@ -20,6 +20,7 @@
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -28,6 +29,8 @@
 #include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 #include <CGAL/Reeb_graph/simplification/internal/prune_graph.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
+
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/graph_traits.hpp>
@@ -108,7 +111,8 @@ struct Branch_thresholds
 
   explicit Branch_thresholds(const NamedParameters& np)
     : persistence(parameters::choose_parameter(parameters::get_parameter(np, persistence_threshold), 0.)),
-      area(parameters::choose_parameter(parameters::get_parameter(np, area_threshold), 0.)),
+      area(CGAL::to_double(
+        parameters::choose_parameter(parameters::get_parameter(np, internal_np::area_threshold), 0.))), // of any type
       vertex_count(static_cast<double>(
         parameters::choose_parameter(parameters::get_parameter(np, vertex_count_threshold), std::size_t(0)))),
       measure(parameters::choose_parameter(parameters::get_parameter(np, measure_threshold), 0.)),
@@ -199,8 +203,8 @@ std::vector<Arc_path> find_branches(const RankedMesh& ranked,
   const auto difference = [&](Index a, Index b) {
     return persistence(ranked.value(graph[a].vertex), ranked.value(graph[b].vertex));
   };
-  typedef Weighted_leaf_arc<Branch_weight> Leaf_arc;
-  const auto size = [&](const Leaf_arc& arc) {
+  typedef Weighted_leaf_arc<Branch_weight> Measured_arc;
+  const auto size = [&](const Measured_arc& arc) {
     if(simple.is_border[arc.leaf])
       return std::numeric_limits<double>::infinity(); // It stays.
     const Branch<vertex_descriptor> branch = {graph[arc.leaf].vertex, graph[arc.saddle].vertex, arc.is_minimum,
@@ -209,7 +213,7 @@ std::vector<Arc_path> find_branches(const RankedMesh& ranked,
   };
   Weighted_leaf_pruning<Branch_weight> pruned(static_cast<Index>(num_vertices(graph)), read_arcs(graph),
                                               branch_weights(ranked, simple, thresholds, progress));
-  const auto small_size = [&](const Leaf_arc& arc) {
+  const auto small_size = [&](const Measured_arc& arc) {
     const double relative_size = size(arc);
     return relative_size < 1 ? relative_size : std::numeric_limits<double>::quiet_NaN();
   };
@@ -220,7 +224,7 @@ std::vector<Arc_path> find_branches(const RankedMesh& ranked,
     const auto [lower, upper] = pruned.arc(arc);
     if(!pruned.is_left(pruned.place_of_arc(arc)) || pruned.is_leaf(lower) == pruned.is_leaf(upper))
       continue;
-    const Leaf_arc leaf_arc = pruned.leaf_arc_of(pruned.is_leaf(lower) ? lower : upper);
+    const Measured_arc leaf_arc = pruned.leaf_arc_of(pruned.is_leaf(lower) ? lower : upper);
     if(simple.is_border[leaf_arc.leaf] || !(size(leaf_arc) >= 1))
       continue;
     Arc_path path = {leaf_arc.saddle, leaf_arc.leaf, {}};
@@ -269,7 +273,7 @@ double length_of_contour(const RankedMesh& ranked,
   for(const auto h : contour.halfedges)
   {
     const auto next = point(h);
-    sum += std::sqrt(CGAL::to_double((next - last).squared_length()));
+    sum += distance_between(next, last);
     last = next;
   }
   return sum;

@@ -7,7 +7,8 @@
 // Author(s)     : The Reeb_graph authors
 
 // The named parameters of the package's own, as CGAL's parameters_interface.h lists its own: each as a name and the type of
-// the value. It is read several times, and is not guarded therefore.
+// the value. None of these names is among those of CGAL, whatever its version: the test `names_of_parameters_are_free` looks.
+// It is read several times, and is not guarded therefore.
 
 CGAL_REEB_GRAPH_NAMED_PARAMETER(keep_degree_two_nodes, bool)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(ties, Reeb_graph::Ties)
@@ -29,7 +30,6 @@ CGAL_REEB_GRAPH_NAMED_PARAMETER(gather_chains, bool)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_candidates, std::size_t)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(borders, Reeb_graph::Borders)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(persistence_threshold, double)
-CGAL_REEB_GRAPH_NAMED_PARAMETER(area_threshold, double)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(vertex_count_threshold, std::size_t)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(measure_threshold, double)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(cut_open, bool)

@@ -259,8 +259,10 @@ auto simplified_values(FlatField& flat_field,
   std::vector<Index> places(field.values.size(), no_index);
   const auto place_map = boost::make_function_property_map<typename FlatField::key_type, Index&>(
     [&](const auto& v) -> Index& { return places[field.numbers(v).number()]; });
-  compute_reeb_graph(mesh, flat_field, graph,
-                     parameters::vertex_place_map(place_map, np.callback(progress.part(0.1, 0.6).callback())));
+  const auto np_of_graph = np.callback(progress.part(0.1, 0.6).callback());
+  compute_reeb_graph(
+    mesh, flat_field, graph,
+    Own_named_parameters<decltype(place_map), vertex_place_map_t, decltype(np_of_graph)>(place_map, np_of_graph));
   const Leaf_pruning pruned = prune_graph<Branch>(graph, threshold, np);
   const std::vector<Index> saddles_of_places = pruned.find_saddles();
   std::vector<Index> saddles;
