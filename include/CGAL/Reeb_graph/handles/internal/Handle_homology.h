@@ -72,9 +72,9 @@ public:
     std::vector<long long> result(size(), 0), sums(copieces_.size(), 0);
     for(const Index h : walk)
     {
-      const auto number = numbers_.find(h & ~Index(1));
-      if(number != numbers_.end())
-        result[number->second] += h == component_.left_over[number->second] ? 1 : -1;
+      const auto left_over = numbers_.find(h & ~Index(1));
+      if(left_over != numbers_.end())
+        result[left_over->second] += h == component_.left_over[left_over->second] ? 1 : -1;
       for(const Index g : {h, surface_.opposite(h)})
       {
         // A loop c that leads to the parent of the face on the left of a halfedge crosses it from its left.

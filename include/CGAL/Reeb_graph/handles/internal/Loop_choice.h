@@ -178,7 +178,7 @@ private:
     const double number = static_cast<double>(halves_.size());
     for(std::size_t i = 0; i != halves_.size(); ++i)
       for(int half : {0, 1})
-        visit(half, i, progress.part(i / number, (i + 1) / number));
+        visit(half, i, progress.part(static_cast<double>(i) / number, static_cast<double>(i + 1) / number));
   }
 
   // So many places of the cover may be seen in one search, so that all searches together take a time that is linear.
@@ -313,8 +313,9 @@ public:
       Crossing_bounds crossing_bounds(surface_);
       const double number_of_choices = static_cast<double>(choices_.size());
       for(std::size_t i = 0; i != choices_.size(); ++i)
-        choices_[i].shorten(search, crossing_bounds, bound,
-                            progress.part(i / number_of_choices, (i + 1) / number_of_choices));
+        choices_[i].shorten(
+          search, crossing_bounds, bound,
+          progress.part(static_cast<double>(i) / number_of_choices, static_cast<double>(i + 1) / number_of_choices));
     }
     std::vector<std::vector<Pair_of_loops>> result;
     for(auto& choice : choices_)

@@ -227,7 +227,6 @@ public:
   using Base::begin;
   using Base::capacity;
   using Base::clear;
-  using Base::data;
   using Base::empty;
   using Base::end;
   using Base::erase;
@@ -239,12 +238,24 @@ public:
   using Base::resize;
   using Base::size;
 
+  // Templates, as std::vector<bool> has no such function.
+  template <class Vector = Base>
+  auto data()
+  {
+    return static_cast<Vector&>(*this).data();
+  }
+  template <class Vector = Base>
+  auto data() const
+  {
+    return static_cast<const Vector&>(*this).data();
+  }
+
   reference operator[](Key key) { return Base::operator[](number_of(key)); }
   const_reference operator[](Key key) const { return Base::operator[](number_of(key)); }
 
   // Replaces the content, which takes less time to compile than to resize, which keeps it.
-  void renew(std::size_t size) { *this = Indexed_vector(size); }
-  void renew(std::size_t size, const T& value) { *this = Indexed_vector(size, value); }
+  void renew(std::size_t new_size) { *this = Indexed_vector(new_size); }
+  void renew(std::size_t new_size, const T& value) { *this = Indexed_vector(new_size, value); }
 
   bool contains(Key key) const { return number_of(key) < size(); }
 

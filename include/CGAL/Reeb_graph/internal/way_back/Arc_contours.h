@@ -166,7 +166,8 @@ private:
     const double lower = on_complex_.value(on_complex_.lower_vertex(arc)),
                  upper = on_complex_.value(on_complex_.upper_vertex(arc));
     const auto& chain = on_complex_.chain(arc);
-    const std::size_t step = (std::min)(static_cast<std::size_t>(t * chain.size()), chain.size() - 1);
+    const std::size_t step =
+      (std::min)(static_cast<std::size_t>(t * static_cast<double>(chain.size())), chain.size() - 1);
     return between(arc, value_at_fraction(lower, upper, t), on_complex_.source_of(chain[step]));
   }
 

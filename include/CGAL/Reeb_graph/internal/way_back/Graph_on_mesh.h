@@ -165,7 +165,7 @@ public:
   Vertex_index source_of(halfedge_descriptor h) const { return number(source(h, mesh_)); }
   Vertex_index target_of(halfedge_descriptor h) const { return number(target(h, mesh_)); }
 
-  halfedge_descriptor halfedge(Halfedge_index number) const { return this->field().halfedges(mesh_, number); }
+  halfedge_descriptor halfedge(Halfedge_index h) const { return this->field().halfedges(mesh_, h); }
 
   // Where to trace the contour from that crosses h: the number of the opposite of h, or that of h if only h has a
   // triangle.
@@ -222,7 +222,7 @@ private:
   {
     std::vector<face_descriptor> faces;
     complex().for_each_halfedge_around(node_vertex(node),
-                                       [&](Halfedge_index number) { faces.push_back(face(halfedge(number), mesh_)); });
+                                       [&](Halfedge_index h) { faces.push_back(face(halfedge(h), mesh_)); });
     std::reverse(faces.begin(), faces.end());
     return faces;
   }

@@ -39,8 +39,8 @@ namespace CGAL::Reeb_graph::internal {
 template <class Point>
 Point make_point(const Coordinates& coordinates)
 {
-  typedef std::decay_t<decltype(std::declval<const Point&>().x())> Number;
-  return Point(Number(coordinates[0]), Number(coordinates[1]), Number(coordinates[2]));
+  typedef std::decay_t<decltype(std::declval<const Point&>().x())> Coordinate;
+  return Point(Coordinate(coordinates[0]), Coordinate(coordinates[1]), Coordinate(coordinates[2]));
 }
 
 inline Coordinates mix(double t, const Coordinates& a, const Coordinates& b)
