@@ -59,4 +59,6 @@ packages_of_mpi=(libboost-mpi-dev libopenmpi-dev openmpi-bin)
 has_mpi() { if are_installed "${packages_of_mpi[@]}"; then echo ON; else echo OFF; fi; }
 # With these, scripts/test builds and tests the Python package as well, and scripts/demo --python shows it.
 packages_of_python=(pybind11-dev python3-pybind11 python3-numpy python3-pytest python3-dev)
+# With these, scripts/check compiles the headers with another standard library.
+packages_of_libcxx=(clang libc++-dev libc++abi-dev)
 packages_of_tests=("${packages_of_program[@]}" doxygen libgudhi-dev python3 "${packages_of_python[@]}")

@@ -3,7 +3,8 @@
 cmake_minimum_required(VERSION 3.21)
 
 # Each room, from the ground up, and what it may include besides itself. `words` are small public headers, which include
-# none but each other; `core` is what else is public and belongs to no room on top.
+# none but each other; `core` is what else is public and belongs to no room on top, and the door of `way_back`: these two
+# include each other.
 set(rooms words base complex engine io core way_back fields simplification drawing curves handles distributed)
 set(below_words)
 set(below_base words)
