@@ -191,6 +191,7 @@ def test_networkx(torus):
     for lower, upper, arc, data in directed.edges(keys=True, data=True):
         assert [lower, upper] == graph.arcs[arc].tolist() and data["index"] == arc
         assert data["length"] == graph.lengths()[arc] and data["area"] == graph.areas()[arc]
+        assert all(data[name] == column[arc] for name, column in graph.measures().items())
 
 
 def test_pyvista(torus):

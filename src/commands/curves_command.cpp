@@ -12,7 +12,6 @@
 #include "computation/analysis.h"
 #include "computation/augmentation.h"
 #include "computation/curves.h"
-#include "computation/embedding.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/field_input.h"
@@ -103,19 +102,15 @@ void write_files(const Curves_options& options, const Surface& surface, const Cu
 
 void write_graph_file(const Curves_options& options, Mesh_graph& graph)
 {
-  std::vector<Arc_row> arcs;
+  std::vector<CGAL::Reeb_graph::Attribute> attributes;
   if(has_arc_attributes(options.graph_path))
-    arcs = graph.measure_arcs();
+    attributes = graph.arc_table().attributes();
   if(is_format_in_space(options.graph_path))
   {
-    const Graph_in_space graph_in_space =
-      graph.embed(CGAL::Reeb_graph::Embedding_manner::BY_COST, arcs.empty() ? nullptr : &arcs);
-    return write_graph_in_space(options.graph_path, graph.result(), graph_in_space,
-                                [&](std::ostream& stream) { graph.write_json(stream, graph_in_space, 0); });
+    const Embedding embedding = graph.embed(CGAL::Reeb_graph::Embedding_manner::BY_COST);
+    return write_graph_in_space(options.graph_path, graph.result(), embedding, attributes,
+                                [&](std::ostream& stream) { graph.write_json(stream, embedding, attributes, 0); });
   }
-  std::vector<CGAL::Reeb_graph::Attribute> attributes;
-  if(!arcs.empty())
-    attributes = attributes_of_arcs(graph.result(), arcs);
   write_graph(options.graph_path, graph.result(), field_label(options.input, options.unit), {}, attributes);
 }
 
@@ -148,11 +143,7 @@ void write_files_of_graph(const Curves_options& options,
   if(!options.page_path.empty())
   {
     const Stopwatch stopwatch;
-    Page_request request = {mesh.surface,
-                            scalar_map,
-                            *graph,
-                            options.graph,
-                            std::filesystem::path(options.input.mesh_path).filename().string(),
+    Page_request request = {scalar_map, *graph, std::filesystem::path(options.input.mesh_path).filename().string(),
                             field_label(options.input, options.unit)};
     request.up = options.up;
     request.patch_map = result.patch_map;

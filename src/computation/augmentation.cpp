@@ -61,11 +61,13 @@ public:
   }
 
   template <class MakeAugmentation>
-  std::vector<Arc_row> measure_arcs(const Graph& graph,
-                                    const std::vector<std::size_t>& places,
-                                    const MakeAugmentation&) const
+  std::vector<Arc_column> measure_arcs(const Graph& graph,
+                                       const std::vector<std::size_t>& places,
+                                       const MakeAugmentation&) const
   {
-    return reeb_graph_program::measure_arcs(surface_, scalar_map_, graph, places);
+    return {length_column(CGAL::Reeb_graph::arc_lengths(surface_, scalar_map_, graph)),
+            size_column("area", CGAL::Reeb_graph::arc_areas(surface_, graph, Vertex_places{places})),
+            vertices_column(surface_.vertices(), places, num_vertices(graph), num_edges(graph))};
   }
 
   std::pair<std::size_t, std::size_t> ends(Surface::Halfedge_index h) const
@@ -138,15 +140,6 @@ Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_o
 {
   Report unused;
   return compute_and_time(surface, scalar_map, options, unused);
-}
-
-std::vector<Arc_row> measure_arcs(const Surface& surface,
-                                  Scalar_map scalar_map,
-                                  const Graph& graph,
-                                  const std::vector<std::size_t>& places)
-{
-  return rows_of_arcs(graph, surface.vertices(), places, CGAL::Reeb_graph::arc_lengths(surface, scalar_map, graph),
-                      CGAL::Reeb_graph::arc_areas(surface, graph, Vertex_places{places}));
 }
 
 std::unique_ptr<Mesh_graph> compute_mesh_graph(const Mesh& mesh,
