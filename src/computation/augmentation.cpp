@@ -67,7 +67,11 @@ public:
   {
     return {length_column(CGAL::Reeb_graph::arc_lengths(surface_, scalar_map_, graph)),
             size_column("area", CGAL::Reeb_graph::arc_areas(surface_, graph, Vertex_places{places})),
-            vertices_column(surface_.vertices(), places, num_vertices(graph), num_edges(graph))};
+            vertices_column(surface_.vertices(), places, num_vertices(graph), num_edges(graph)),
+            {{"mean_value", CGAL::Reeb_graph::arc_mean_values(surface_, scalar_map_, graph, Vertex_places{places})},
+             Arc_joining::MEAN_BY_AREA,
+             Arc_unit::VALUE,
+             false}};
   }
 
   std::pair<std::size_t, std::size_t> ends(Surface::Halfedge_index h) const

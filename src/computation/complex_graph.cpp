@@ -111,6 +111,15 @@ protected:
   }
 
   template <class AnyAugmentation>
+  Arc_column mean_value_column(const AnyAugmentation& augmentation, const std::vector<std::size_t>& places) const
+  {
+    return {{"mean_value", CGAL::Reeb_graph::arc_mean_values(augmentation, points(), Vertex_places{places})},
+            Arc_joining::MEAN_BY_AREA,
+            Arc_unit::VALUE,
+            false};
+  }
+
+  template <class AnyAugmentation>
   Contour crossings(const AnyAugmentation& augmentation, const typename AnyAugmentation::Contour& contour) const
   {
     Contour result;
@@ -173,7 +182,8 @@ public:
     const Augmentation& augmentation = make_augmentation();
     return {length_column(CGAL::Reeb_graph::arc_lengths(augmentation, points())),
             size_column("area", CGAL::Reeb_graph::arc_areas(augmentation, points(), Vertex_places{places})),
-            vertices_column(vertices(), places, num_vertices(graph), num_edges(graph))};
+            vertices_column(vertices(), places, num_vertices(graph), num_edges(graph)),
+            mean_value_column(augmentation, places)};
   }
 
   Contour contour(const Augmentation& augmentation, const Augmentation::Contour& contour) const
@@ -220,7 +230,8 @@ public:
     const Augmentation& augmentation = make_augmentation();
     return {length_column(CGAL::Reeb_graph::arc_lengths(augmentation, points())),
             size_column("volume", CGAL::Reeb_graph::arc_volumes(augmentation, points(), Vertex_places{places})),
-            vertices_column(vertices(), places, num_vertices(graph), num_edges(graph))};
+            vertices_column(vertices(), places, num_vertices(graph), num_edges(graph)),
+            mean_value_column(augmentation, places)};
   }
 
   Contour contour(const Augmentation& augmentation, const Augmentation::Contour& patch) const

@@ -140,6 +140,8 @@ Functions functions_of_augmentation()
      [](const Subject& s) { return 0 * vertex_counts_of_pieces(s.mesh, s.graph, *s.locations).size(); }},
     {"areas_of_pieces", [](const Subject& s) { return 0 * areas_of_pieces(s.mesh, s.graph, *s.locations).size(); }},
     {"arc_areas", [](const Subject& s) { return 0 * arc_areas(s.mesh, s.graph, *s.locations).size(); }},
+    {"arc_mean_values",
+     [](const Subject& s) { return 0 * arc_mean_values(s.mesh, s.field, s.graph, *s.locations).size(); }},
     {"arc_lengths",
      [](const Subject& s) {
        std::size_t sum = 0;

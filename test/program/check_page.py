@@ -125,6 +125,17 @@ def check_contours(arc, nodes):
         check(nodes[arc["source"]]["value"] <= value <= nodes[arc["target"]]["value"], "a contour beyond its arc")
 
 
+# Where arcs are joined, their mean is that of what they have taken up, weighted by area.
+def check_means(arcs, level):
+    for number, arc in enumerate(level["graph"]["arcs"]):
+        taken_up = [arcs[i] for i, new_number in enumerate(level["arcs"]) if new_number == number]
+        areas, means = zip(*([value_of(other[name]) for name in ("area", "mean_value")] for other in taken_up))
+        area, mean = (value_of(arc[name]) for name in ("area", "mean_value"))
+        if area > 0 and all(map(math.isfinite, means)):
+            expected = sum(a * m for a, m in zip(areas, means)) / sum(areas)
+            check(is_near([mean], [expected], max(map(abs, means))), "the mean of joined arcs")
+
+
 def check_levels(data, surface):
     graph, levels = data["graph"], data["levels"]
     check(1 <= len(levels) <= 32 and levels[0]["threshold"] == 0 and "graph" not in levels[0], "the first level")
@@ -138,6 +149,7 @@ def check_levels(data, surface):
         if len(level["graph"]["nodes"]) == 2 and len(graph["nodes"]) < len(surface.places) == sum(
                 arc["vertices"] for arc in graph["arcs"]) + len(graph["nodes"]):
             check(level["graph"]["arcs"][0]["vertices"] == len(surface.places) - 2, "vertices are lost")
+        check_means(graph["arcs"], level)
         vertices = [node["vertex"] for node in graph["nodes"]]
         new_vertices = [node["vertex"] for node in level["graph"]["nodes"]]
         for number, arc in enumerate(level["graph"]["arcs"]):
