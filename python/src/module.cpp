@@ -202,8 +202,8 @@ std::tuple<std::vector<double>, bool> simplified_scalars(Graph_of_arrays& graph)
 {
   Surface& surface = graph.input->mesh.surface;
   const Scalar_map map = add_map(surface, "v:simplified", nullptr);
-  const Simplified_field field = compute_simplified_field(surface, graph.input->scalar_map, graph.simplification,
-                                                          graph.mesh_graph->threshold(), graph.options.ties, map);
+  const Simplified_field field = compute_simplified_field(graph.input->mesh, graph.input->scalar_map, *graph.mesh_graph,
+                                                          graph.options, graph.simplification, map);
   return {std::vector<double>(map.begin(), map.end()), field.are_ties_contracted};
 }
 

@@ -55,7 +55,8 @@ bool are_attributes_written(const Compute_options& options, bool is_surface)
 bool are_places_wanted(const Compute_options& options, bool is_surface)
 {
   return options.is_table_wanted.value_or(false) || are_attributes_written(options, is_surface)
-      || !options.vertex_arcs_path.empty() || !options.mesh_path.empty() || !options.page_path.empty();
+      || !options.vertex_arcs_path.empty() || !options.mesh_path.empty() || !options.page_path.empty()
+      || !options.simplified_scalars_path.empty();
 }
 
 std::vector<std::filesystem::path> output_files(const Compute_options& options)
@@ -163,20 +164,20 @@ void write_page_file(const Compute_options& options,
 }
 
 void write_simplified_field(const Compute_options& options,
-                            Surface& surface,
+                            Mesh& mesh,
                             Scalar_map scalar_map,
-                            double threshold,
+                            Mesh_graph& graph,
                             Report& report)
 {
   if(options.simplified_scalars_path.empty())
     return;
   const Stopwatch stopwatch;
-  const Scalar_map simplified_map = surface.add_property_map<Surface::Vertex_index, double>("v:simplified").first;
-  const Simplified_field field = compute_simplified_field(surface, scalar_map, options.simplification, threshold,
-                                                          options.graph.ties, simplified_map);
+  const Scalar_map simplified_map = mesh.surface.add_property_map<Surface::Vertex_index, double>("v:simplified").first;
+  const Simplified_field field =
+    compute_simplified_field(mesh, scalar_map, graph, options.graph, options.simplification, simplified_map);
   report.simplification->largest_change = field.largest_change;
   report.simplification->are_ties_contracted = field.are_ties_contracted;
-  write_scalars(options.simplified_scalars_path, surface, simplified_map);
+  write_scalars(options.simplified_scalars_path, mesh.surface, simplified_map);
   report.seconds.emplace_back("simplified field", stopwatch.seconds());
 }
 
@@ -252,7 +253,7 @@ void write_results(const Compute_options& options, Mesh& mesh, Scalar_map scalar
     count_simplified(graph.result(), threshold, report);
   Output_group files;
   const Loops_of_surface loops = write_longest_loop(options, graph, report);
-  write_simplified_field(options, mesh.surface, scalar_map, threshold, report);
+  write_simplified_field(options, mesh, scalar_map, graph, report);
   write_pairs_and_diagram(options, graph.given(), threshold, report);
   const auto attributes = write_files_of_mesh(options, graph, mesh, scalar_map, report);
   write_graph_file(options, graph.result(), attributes, report);

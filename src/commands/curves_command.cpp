@@ -10,7 +10,6 @@
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
-#include "computation/augmentation.h"
 #include "computation/curves.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
@@ -27,7 +26,6 @@
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <cmath>
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -174,21 +172,16 @@ Surface read(Input_options& input, Curves_report& report)
 }
 
 // Writes the simplified field over the given one.
-void simplify(const Surface& surface,
-              Scalar_map scalar_map,
-              const Simplification_options& options,
-              Curves_report& report)
+void simplify(const Mesh& mesh, Scalar_map scalar_map, const Simplification_options& options, Curves_report& report)
 {
   const Stopwatch stopwatch;
-  double threshold = threshold_in_units(options, surface, scalar_map);
-  if(std::isnan(threshold))
-  {
-    const Graph given = compute_graph(surface, scalar_map, Graph_options());
-    threshold = Simplified_graph(given, options, threshold).threshold();
-  }
+  Graph_options graph_options;
+  graph_options.are_places_wanted = true;
+  Report unused;
+  const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, options,
+                                        threshold_in_units(options, mesh.surface, scalar_map), unused);
   report.are_ties_contracted =
-    compute_simplified_field(surface, scalar_map, options, threshold, CGAL::Reeb_graph::Ties::PERTURB, scalar_map)
-      .are_ties_contracted;
+    compute_simplified_field(mesh, scalar_map, *graph, graph_options, options, scalar_map).are_ties_contracted;
   if(report.are_ties_contracted)
     std::cerr << "contracted ties of the simplified field: what is removed has the value of its saddle\n";
   report.add_seconds("simplified field", stopwatch.seconds());
@@ -241,7 +234,7 @@ void run_curves(Curves_options options)
   Surface& surface = mesh.surface;
   const Scalar_map scalar_map = add_field(options.input, surface, report);
   if(options.simplification.is_anything_removed())
-    simplify(surface, scalar_map, options.simplification, report);
+    simplify(mesh, scalar_map, options.simplification, report);
   const Stopwatch cut_stopwatch;
   const Cut_result result = cut(surface, scalar_map, options, report.are_ties_contracted);
   report.add_seconds("cut", cut_stopwatch.seconds());

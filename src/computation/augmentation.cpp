@@ -131,21 +131,6 @@ private:
 
 } // namespace
 
-Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report)
-{
-  return compute_and_time(options, report, [&](const auto& np) {
-    Graph graph;
-    CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(surface, scalar_map, graph, np);
-    return graph;
-  });
-}
-
-Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options)
-{
-  Report unused;
-  return compute_and_time(surface, scalar_map, options, unused);
-}
-
 std::unique_ptr<Mesh_graph> compute_mesh_graph(const Mesh& mesh,
                                                Scalar_map scalar_map,
                                                const Graph_options& options,

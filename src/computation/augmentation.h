@@ -19,12 +19,6 @@
 #include <vector>
 
 namespace reeb_graph_program {
-// Computes the Reeb graph, and adds what it took to the report.
-Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report);
-
-// Without a report.
-Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options);
-
 // The places of vertices, by their indices, as functions that measure pieces of a mesh ask for them.
 struct Vertex_places
 {

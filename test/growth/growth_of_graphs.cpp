@@ -13,6 +13,8 @@
 #include <CGAL/Reeb_graph.h>
 #include <CGAL/compute_reeb_graph.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -202,6 +204,20 @@ Functions functions_of_graphs()
        std::vector<double> result(s.mesh.number_of_vertices());
        simplify_field(s.mesh, s.field, 0.2 * s.range, make_scalar_map(s.mesh, result),
                       parameters::ties(Ties::CONTRACT));
+       return std::size_t(0);
+     }},
+    {"simplify_field, with the graph",
+     [](const Subject& s) {
+       std::vector<double> result(s.mesh.number_of_vertices());
+       const auto places =
+         boost::make_function_property_map<Mesh::Vertex_index>([&](auto v) { return s.locations->index(v); });
+       try
+       {
+         simplify_field(s.mesh, s.field, s.graph, 0.2 * s.range, make_scalar_map(s.mesh, result),
+                        parameters::vertex_place_map(places));
+       }
+       catch(const Perturbed_ties_error&)
+       {}
        return std::size_t(0);
      }},
     {"simplify_field",
