@@ -94,8 +94,9 @@ const std::vector<double>& sizes_of_arcs(const Arc_table& table)
 
 Arc_table table_of_graph(const Graph& graph)
 {
-  return {ends_of_arcs(graph),
-          {{{"persistence", persistences(graph)}, Arc_joining::RECOMPUTED, Arc_unit::DIFFERENCE, true, {}, &persistences}}};
+  return {
+    ends_of_arcs(graph),
+    {{{"persistence", persistences(graph)}, Arc_joining::RECOMPUTED, Arc_unit::DIFFERENCE, true, {}, &persistences}}};
 }
 
 Arc_column length_column(std::vector<double> lengths)
