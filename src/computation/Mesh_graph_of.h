@@ -128,10 +128,11 @@ public:
   {
     if(!arc_table_)
     {
-      arc_table_ = table_of_graph(result());
+      Arc_table table = table_of_graph(result());
       std::vector<Arc_column> measures = kind_.measure_arcs(
         simplified_->result(), places(), [this]() -> const Any_augmentation& { return augmentation(); });
-      std::move(measures.begin(), measures.end(), std::back_inserter(arc_table_->columns));
+      std::move(measures.begin(), measures.end(), std::back_inserter(table.columns));
+      arc_table_ = std::move(table);
     }
     return *arc_table_;
   }
