@@ -109,13 +109,14 @@ std::vector<CGAL::Reeb_graph::Attribute> write_files_of_mesh(const Compute_optio
     const Arc_table& table = graph.arc_table();
     if(has_table)
       report.arc_table = &table;
-    if(has_attributes)
-      attributes = table.attributes(options.base);
+    attributes = table.attributes(options.base);
     report.seconds.emplace_back("measure", stopwatch.seconds());
   }
   std::optional<Embedding> embedding;
   if(is_graph_in_space(options))
     embedding = embed_and_time(options, is_surface, graph, report);
+  if(embedding && !has_attributes)
+    attributes.clear();
   if(!embedding && !has_places)
     return attributes;
   const Stopwatch output_stopwatch;
