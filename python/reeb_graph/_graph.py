@@ -201,6 +201,10 @@ class ReebGraph:
         lower, upper, star, loop = self._run("critical_set", self._number(node, self.n_nodes, "node"))
         return CriticalSet([self._contour(c) for c in lower], [self._contour(c) for c in upper], star, loop)
 
+    def measures(self) -> dict[str, np.ndarray]:
+        """Measure the arcs: all numbers that a file of the graph has for them, by name, each as an array."""
+        return {name: column.copy() for name, column in self._measures.items()}
+
     def lengths(self) -> np.ndarray:
         """Measure the length of each arc along its chain, up to the level of its upper node."""
         return self._measure("length")
@@ -295,8 +299,7 @@ class ReebGraph:
         """Return the graph as a `networkx.MultiGraph`, or as a `MultiDiGraph` whose arcs ascend.
 
         Nodes are the numbers of nodes, with the attributes `vertex`, `value`, `kind`, and `point`; the key of an arc is
-        its number, and its attributes are `index`, `lower_value`, `upper_value`, and with points `persistence`, `length`,
-        `area` or in tetrahedra `volume`, and `vertices`, how many belong to it.
+        its number, and its attributes are `index`, `lower_value`, `upper_value`, and with points its `measures`.
         """
         import networkx
 
@@ -365,7 +368,8 @@ class ReebGraph:
     @cached_property
     def _measures(self) -> dict[str, np.ndarray]:
         self._need_points("a length or an area")
-        return dict(zip(*self._run("measures")))
+        base = float(self._field.base)
+        return {name: column + base if is_value else column for name, column, is_value in zip(*self._run("measures"))}
 
     def _measure(self, name: str) -> np.ndarray:
         if name not in self._measures:

@@ -173,24 +173,27 @@ std::vector<Contour> contours(Graph_of_arrays& graph,
   return graph.mesh_graph->find_contours(choice);
 }
 
-// The names of the measures of arcs, and a column for each.
+// The names of the measures of arcs, a column for each, and whether it has values of the field.
 auto measures(Graph_of_arrays& graph)
 {
   std::vector<std::string> names;
   std::vector<std::vector<double>> columns;
-  for(const auto& attribute : attributes_of_arcs(graph.graph(), graph.mesh_graph->measure_arcs()))
+  std::vector<bool> are_values;
+  for(const Arc_column& column : graph.mesh_graph->arc_table().columns)
   {
-    names.push_back(attribute.name);
-    std::visit([&](const auto& numbers) { columns.emplace_back(numbers.begin(), numbers.end()); }, attribute.numbers);
+    names.push_back(column.attribute.name);
+    std::visit([&](const auto& numbers) { columns.emplace_back(numbers.begin(), numbers.end()); },
+               column.attribute.numbers);
+    are_values.push_back(column.unit == Arc_unit::VALUE);
   }
-  return std::make_tuple(names, columns);
+  return std::make_tuple(names, columns, are_values);
 }
 
 // By default in the manner of the program.
 auto embed(Graph_of_arrays& graph, std::optional<Manner> manner)
 {
   const Manner by_default = graph.input->mesh.complex ? Manner::STRAIGHT : Manner::BY_COST;
-  const auto embedding = graph.mesh_graph->embed(manner.value_or(by_default), nullptr).embedding;
+  const Embedding embedding = graph.mesh_graph->embed(manner.value_or(by_default));
   return std::make_tuple(embedding.manner, embedding.node_points, embedding.arc_polylines, embedding.arc_values);
 }
 
@@ -199,8 +202,8 @@ std::tuple<std::vector<double>, bool> simplified_scalars(Graph_of_arrays& graph)
 {
   Surface& surface = graph.input->mesh.surface;
   const Scalar_map map = add_map(surface, "v:simplified", nullptr);
-  const Simplified_field field = compute_simplified_field(surface, graph.input->scalar_map, graph.simplification,
-                                                          graph.mesh_graph->threshold(), graph.options.ties, map);
+  const Simplified_field field = compute_simplified_field(graph.input->mesh, graph.input->scalar_map, *graph.mesh_graph,
+                                                          graph.options, graph.simplification, map);
   return {std::vector<double>(map.begin(), map.end()), field.are_ties_contracted};
 }
 

@@ -101,11 +101,17 @@ def test_critical_sets(torus):
 
 
 def test_measures_and_embedding(torus):
-    triangles, points, _, graph = torus
+    triangles, points, scalars, graph = torus
     sides = points[triangles]
-    area = np.linalg.norm(np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0]), axis=1).sum() / 2
-    assert np.isclose(graph.areas().sum(), area)
+    area_of_triangles = np.linalg.norm(np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0]), axis=1) / 2
+    assert np.isclose(graph.areas().sum(), area_of_triangles.sum())
     assert np.all(graph.lengths() > 0)
+    integral = area_of_triangles @ scalars[triangles].mean(axis=1)
+    assert np.isclose(graph.areas() @ graph.measures()["mean_value"], integral)
+    base = 2**60  # which is added to values, but not to differences
+    moved = reeb_graph.compute(triangles, np.round(1e6 * scalars).astype(np.int64) + base, points=points).measures()
+    assert np.allclose((moved["mean_value"] - base) / 1e6, graph.measures()["mean_value"], atol=1e-3)
+    assert np.allclose(moved["persistence"] / 1e6, graph.measures()["persistence"], atol=1e-3)
     for manner in ("centroids", "on-surface", "straight"):
         embedding = graph.embed(manner)
         assert embedding.manner == manner and embedding.node_points.shape == (graph.n_nodes, 3)
@@ -191,6 +197,7 @@ def test_networkx(torus):
     for lower, upper, arc, data in directed.edges(keys=True, data=True):
         assert [lower, upper] == graph.arcs[arc].tolist() and data["index"] == arc
         assert data["length"] == graph.lengths()[arc] and data["area"] == graph.areas()[arc]
+        assert all(data[name] == column[arc] for name, column in graph.measures().items())
 
 
 def test_pyvista(torus):

@@ -9,6 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_SRC_REPORT_H
 #define CGAL_REEB_GRAPH_SRC_REPORT_H
 
+#include "base/Arc_table.h"
+
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/options.h>
@@ -83,19 +85,6 @@ struct Simplification_counts
   Graph_counts graph;
   std::optional<double> largest_change; // of the field, if that has been simplified
   bool are_ties_contracted = false;     // of that field, though not asked for
-};
-
-// What was found, and what it took.
-struct Arc_row
-{
-  std::size_t lower_node = 0;
-  std::size_t upper_node = 0;
-  double lower_value = 0;
-  double upper_value = 0;
-  double length = 0;
-  double area = 0;
-  std::size_t vertices = 0;                    // that belong to the arc
-  std::optional<double> volume = std::nullopt; // in tetrahedra, in the place of the area
 };
 
 // Where a field has been given its values. A border is named by its first vertex.
@@ -173,7 +162,7 @@ struct Report : Work_report
   std::optional<Simplification_counts> simplification;
   std::vector<CGAL::Reeb_graph::Simplification_threshold> thresholds; // that matter for the given graph
   std::optional<CGAL::Reeb_graph::Embedding_manner> embedding_manner; // of a graph in space
-  std::optional<std::vector<Arc_row>> arc_table;                      // of the simplified graph if there is one
+  const Arc_table* arc_table = nullptr;                               // of the simplified graph if there is one
   std::optional<Loop_row> longest_loop;                               // the same
 };
 

@@ -181,8 +181,8 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
            "With --simplify or --leaves: write a field whose graph is the simplified one to this file; .npy for NumPy");
   CLI::Option* table = command->add_flag_callback(
     "--table", [&options] { options.is_table_wanted = true; },
-    "Print a table of the arcs with their ends, lengths, areas and numbers of vertices; by default for graphs of up to "
-    "40 arcs");
+    "Print a table of the arcs with their ends, persistences, lengths, areas and numbers of vertices; by default for "
+    "graphs of up to 40 arcs");
   command
     ->add_flag_callback(
       "--no-table", [&options] { options.is_table_wanted = false; }, "Do not print this table")

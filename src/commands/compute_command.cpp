@@ -12,8 +12,8 @@
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
+#include "computation/augmentation.h"
 #include "computation/complex_counts.h"
-#include "computation/embedding.h"
 #include "computation/longest_loop.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
@@ -55,7 +55,8 @@ bool are_attributes_written(const Compute_options& options, bool is_surface)
 bool are_places_wanted(const Compute_options& options, bool is_surface)
 {
   return options.is_table_wanted.value_or(false) || are_attributes_written(options, is_surface)
-      || !options.vertex_arcs_path.empty() || !options.mesh_path.empty() || !options.page_path.empty();
+      || !options.vertex_arcs_path.empty() || !options.mesh_path.empty() || !options.page_path.empty()
+      || !options.simplified_scalars_path.empty();
 }
 
 std::vector<std::filesystem::path> output_files(const Compute_options& options)
@@ -72,32 +73,28 @@ void add_base(double base, std::vector<double>& values)
     value += base;
 }
 
-Graph_in_space embed_and_time(const Compute_options& options,
-                              bool is_surface,
-                              Mesh_graph& graph,
-                              const std::vector<Arc_row>* arcs,
-                              Report& report)
+Embedding embed_and_time(const Compute_options& options, bool is_surface, Mesh_graph& graph, Report& report)
 {
   const Stopwatch stopwatch;
   // tables hold no lines, only the points of nodes
   const auto default_manner = !is_surface || std::filesystem::path(options.graph_path).extension() == ".csv"
                               ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
                               : CGAL::Reeb_graph::Embedding_manner::BY_COST;
-  Graph_in_space result = graph.embed(options.embedding_manner.value_or(default_manner), arcs);
-  add_base(options.base, result.embedding.node_values);
-  for(std::vector<double>& values : result.embedding.arc_values)
+  Embedding result = graph.embed(options.embedding_manner.value_or(default_manner));
+  add_base(options.base, result.node_values);
+  for(std::vector<double>& values : result.arc_values)
     add_base(options.base, values);
-  report.embedding_manner = result.embedding.manner;
+  report.embedding_manner = result.manner;
   report.seconds.emplace_back("embed", stopwatch.seconds());
   return result;
 }
 
-// Arcs are measured if a file or the table needs it. Returns those that have been measured.
-std::vector<Arc_row> write_files_of_mesh(const Compute_options& options,
-                                         Mesh_graph& graph,
-                                         const Mesh& mesh,
-                                         Scalar_map scalar_map,
-                                         Report& report)
+// Arcs are measured if a file or the table needs it. Returns what files of graphs write of them.
+std::vector<CGAL::Reeb_graph::Attribute> write_files_of_mesh(const Compute_options& options,
+                                                             Mesh_graph& graph,
+                                                             const Mesh& mesh,
+                                                             Scalar_map scalar_map,
+                                                             Report& report)
 {
   constexpr std::size_t few_arcs = 40;
   const std::size_t number_of_nodes = num_vertices(graph.result());
@@ -105,55 +102,53 @@ std::vector<Arc_row> write_files_of_mesh(const Compute_options& options,
   const bool has_table = options.is_table_wanted.value_or(num_edges(graph.result()) <= few_arcs);
   const bool has_places = !options.vertex_arcs_path.empty() || !options.mesh_path.empty();
   const bool has_attributes = are_attributes_written(options, is_surface);
-  std::vector<Arc_row> arcs;
+  std::vector<CGAL::Reeb_graph::Attribute> attributes;
   if(has_table || has_attributes)
   {
     const Stopwatch stopwatch;
-    arcs = graph.measure_arcs();
+    const Arc_table& table = graph.arc_table();
     if(has_table)
-      report.arc_table = arcs;
+      report.arc_table = &table;
+    attributes = table.attributes(options.base);
     report.seconds.emplace_back("measure", stopwatch.seconds());
   }
-  std::optional<Graph_in_space> graph_in_space;
+  std::optional<Embedding> embedding;
   if(is_graph_in_space(options))
-    graph_in_space = embed_and_time(options, is_surface, graph, has_attributes ? &arcs : nullptr, report);
-  if(!graph_in_space && !has_places)
-    return arcs;
+    embedding = embed_and_time(options, is_surface, graph, report);
+  if(embedding && !has_attributes)
+    attributes.clear();
+  if(!embedding && !has_places)
+    return attributes;
   const Stopwatch output_stopwatch;
   if(!options.vertex_arcs_path.empty())
     write_vertex_arcs(options.vertex_arcs_path, graph.places(), number_of_nodes);
   if(!options.mesh_path.empty())
     write_mesh(options.mesh_path, mesh, {scalar_map, graph.places(), number_of_nodes, std::nullopt});
   std::optional<Graph> copy;
-  if(graph_in_space)
-    write_graph_in_space(options.graph_path, with_base(graph.result(), options.base, copy), *graph_in_space,
-                         [&](std::ostream& stream) { graph.write_json(stream, *graph_in_space, options.base); });
+  if(embedding)
+    write_graph_in_space(options.graph_path, with_base(graph.result(), options.base, copy), *embedding, attributes,
+                         [&](std::ostream& stream) { graph.write_json(stream, *embedding, attributes, options.base); });
   report.add_seconds("output", output_stopwatch.seconds());
-  return arcs;
+  return attributes;
 }
 
 void write_graph_file(const Compute_options& options,
                       const Graph& graph,
-                      const std::vector<Arc_row>& arcs,
+                      const std::vector<CGAL::Reeb_graph::Attribute>& arc_attributes,
                       Report& report)
 {
   if(options.graph_path.empty() || is_graph_in_space(options))
     return;
   const Stopwatch stopwatch;
-  std::vector<CGAL::Reeb_graph::Attribute> attributes;
-  if(has_arc_attributes(options.graph_path) && arcs.size() == num_edges(graph))
-    attributes = attributes_of_arcs(graph, arcs);
   std::optional<Graph> copy;
   write_graph(options.graph_path, with_base(graph, options.base, copy), field_label(options.input, options.unit), {},
-              attributes);
+              arc_attributes);
   report.add_seconds("output", stopwatch.seconds());
 }
 
 void write_page_file(const Compute_options& options,
                      Mesh_graph& graph,
-                     const Surface& surface,
                      Scalar_map scalar_map,
-                     double threshold,
                      const Loops_of_surface& loops,
                      Report& report)
 {
@@ -162,28 +157,28 @@ void write_page_file(const Compute_options& options,
   const Stopwatch stopwatch;
   write_page(
     options.page_path,
-    {surface, scalar_map, graph, options.graph,
+    {scalar_map, graph,
      options.title.empty() ? std::filesystem::path(options.input.mesh_path).filename().string() : options.title,
-     field_label(options.input, options.unit), options.simplification, threshold, options.up, std::nullopt,
-     loops.polylines, loops.rows});
+     field_label(options.input, options.unit), options.simplification, options.up, std::nullopt, loops.polylines,
+     loops.rows});
   report.seconds.emplace_back("page", stopwatch.seconds());
 }
 
 void write_simplified_field(const Compute_options& options,
-                            Surface& surface,
+                            Mesh& mesh,
                             Scalar_map scalar_map,
-                            double threshold,
+                            Mesh_graph& graph,
                             Report& report)
 {
   if(options.simplified_scalars_path.empty())
     return;
   const Stopwatch stopwatch;
-  const Scalar_map simplified_map = surface.add_property_map<Surface::Vertex_index, double>("v:simplified").first;
-  const Simplified_field field = compute_simplified_field(surface, scalar_map, options.simplification, threshold,
-                                                          options.graph.ties, simplified_map);
+  const Scalar_map simplified_map = mesh.surface.add_property_map<Surface::Vertex_index, double>("v:simplified").first;
+  const Simplified_field field =
+    compute_simplified_field(mesh, scalar_map, graph, options.graph, options.simplification, simplified_map);
   report.simplification->largest_change = field.largest_change;
   report.simplification->are_ties_contracted = field.are_ties_contracted;
-  write_scalars(options.simplified_scalars_path, surface, simplified_map);
+  write_scalars(options.simplified_scalars_path, mesh.surface, simplified_map);
   report.seconds.emplace_back("simplified field", stopwatch.seconds());
 }
 
@@ -259,11 +254,11 @@ void write_results(const Compute_options& options, Mesh& mesh, Scalar_map scalar
     count_simplified(graph.result(), threshold, report);
   Output_group files;
   const Loops_of_surface loops = write_longest_loop(options, graph, report);
-  write_simplified_field(options, mesh.surface, scalar_map, threshold, report);
+  write_simplified_field(options, mesh, scalar_map, graph, report);
   write_pairs_and_diagram(options, graph.given(), threshold, report);
-  const std::vector<Arc_row> arcs = write_files_of_mesh(options, graph, mesh, scalar_map, report);
-  write_graph_file(options, graph.result(), arcs, report);
-  write_page_file(options, graph, mesh.surface, scalar_map, threshold, loops, report);
+  const auto attributes = write_files_of_mesh(options, graph, mesh, scalar_map, report);
+  write_graph_file(options, graph.result(), attributes, report);
+  write_page_file(options, graph, scalar_map, loops, report);
   files.put_in_place();
 }
 

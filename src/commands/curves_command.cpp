@@ -10,9 +10,7 @@
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
-#include "computation/augmentation.h"
 #include "computation/curves.h"
-#include "computation/embedding.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/field_input.h"
@@ -28,7 +26,6 @@
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <cmath>
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -103,19 +100,15 @@ void write_files(const Curves_options& options, const Surface& surface, const Cu
 
 void write_graph_file(const Curves_options& options, Mesh_graph& graph)
 {
-  std::vector<Arc_row> arcs;
+  std::vector<CGAL::Reeb_graph::Attribute> attributes;
   if(has_arc_attributes(options.graph_path))
-    arcs = graph.measure_arcs();
+    attributes = graph.arc_table().attributes();
   if(is_format_in_space(options.graph_path))
   {
-    const Graph_in_space graph_in_space =
-      graph.embed(CGAL::Reeb_graph::Embedding_manner::BY_COST, arcs.empty() ? nullptr : &arcs);
-    return write_graph_in_space(options.graph_path, graph.result(), graph_in_space,
-                                [&](std::ostream& stream) { graph.write_json(stream, graph_in_space, 0); });
+    const Embedding embedding = graph.embed(CGAL::Reeb_graph::Embedding_manner::BY_COST);
+    return write_graph_in_space(options.graph_path, graph.result(), embedding, attributes,
+                                [&](std::ostream& stream) { graph.write_json(stream, embedding, attributes, 0); });
   }
-  std::vector<CGAL::Reeb_graph::Attribute> attributes;
-  if(!arcs.empty())
-    attributes = attributes_of_arcs(graph.result(), arcs);
   write_graph(options.graph_path, graph.result(), field_label(options.input, options.unit), {}, attributes);
 }
 
@@ -148,11 +141,7 @@ void write_files_of_graph(const Curves_options& options,
   if(!options.page_path.empty())
   {
     const Stopwatch stopwatch;
-    Page_request request = {mesh.surface,
-                            scalar_map,
-                            *graph,
-                            options.graph,
-                            std::filesystem::path(options.input.mesh_path).filename().string(),
+    Page_request request = {scalar_map, *graph, std::filesystem::path(options.input.mesh_path).filename().string(),
                             field_label(options.input, options.unit)};
     request.up = options.up;
     request.patch_map = result.patch_map;
@@ -183,21 +172,16 @@ Surface read(Input_options& input, Curves_report& report)
 }
 
 // Writes the simplified field over the given one.
-void simplify(const Surface& surface,
-              Scalar_map scalar_map,
-              const Simplification_options& options,
-              Curves_report& report)
+void simplify(const Mesh& mesh, Scalar_map scalar_map, const Simplification_options& options, Curves_report& report)
 {
   const Stopwatch stopwatch;
-  double threshold = threshold_in_units(options, surface, scalar_map);
-  if(std::isnan(threshold))
-  {
-    const Graph given = compute_graph(surface, scalar_map, Graph_options());
-    threshold = Simplified_graph(given, options, threshold).threshold();
-  }
+  Graph_options graph_options;
+  graph_options.are_places_wanted = true;
+  Report unused;
+  const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, options,
+                                        threshold_in_units(options, mesh.surface, scalar_map), unused);
   report.are_ties_contracted =
-    compute_simplified_field(surface, scalar_map, options, threshold, CGAL::Reeb_graph::Ties::PERTURB, scalar_map)
-      .are_ties_contracted;
+    compute_simplified_field(mesh, scalar_map, *graph, graph_options, options, scalar_map).are_ties_contracted;
   if(report.are_ties_contracted)
     std::cerr << "contracted ties of the simplified field: what is removed has the value of its saddle\n";
   report.add_seconds("simplified field", stopwatch.seconds());
@@ -250,7 +234,7 @@ void run_curves(Curves_options options)
   Surface& surface = mesh.surface;
   const Scalar_map scalar_map = add_field(options.input, surface, report);
   if(options.simplification.is_anything_removed())
-    simplify(surface, scalar_map, options.simplification, report);
+    simplify(mesh, scalar_map, options.simplification, report);
   const Stopwatch cut_stopwatch;
   const Cut_result result = cut(surface, scalar_map, options, report.are_ties_contracted);
   report.add_seconds("cut", cut_stopwatch.seconds());

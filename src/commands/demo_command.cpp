@@ -10,7 +10,6 @@
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
-#include "computation/embedding.h"
 #include "generated_surfaces/build_mesh.h"
 #include "generated_surfaces/standing_figure.h"
 #include "output/graph_output.h"
@@ -67,13 +66,11 @@ void run_demo(const Demo_options& options)
   write_scalars(folder / "scalars.txt", surface, scalar_map);
   write_coloured_surface(folder / "surface_coloured.ply", surface, scalar_map);
   const Field_label field_label = {"height", "m"};
-  const std::vector<Arc_row> arcs = mesh_graph->measure_arcs();
   for(const char* name : {"graph.svg", "graph.graphml", "graph.dot"})
-    write_graph(folder / name, graph, field_label, {}, attributes_of_arcs(graph, arcs));
+    write_graph(folder / name, graph, field_label, {}, mesh_graph->arc_table().attributes());
 
   if(is_page_available())
-    write_page(folder / "page.html",
-               {surface, scalar_map, *mesh_graph, graph_options, "Figure with a hand on its hip", field_label});
+    write_page(folder / "page.html", {scalar_map, *mesh_graph, "Figure with a hand on its hip", field_label});
   files.put_in_place();
   if(is_page_available())
     std::cout << "Open this page in a web browser to see the surface and its Reeb graph:\n\n  "

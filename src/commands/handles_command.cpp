@@ -80,12 +80,8 @@ void write_page_of_loops(const Handles_options& options,
   graph_options.are_places_wanted = true;
   Report unused;
   const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, {}, 0, unused);
-  Page_request request = {mesh.surface,
-                          scalar_map,
-                          *graph,
-                          graph_options,
-                          std::filesystem::path(options.input.mesh_path).filename().string(),
-                          {field, options.unit}};
+  Page_request request = {
+    scalar_map, *graph, std::filesystem::path(options.input.mesh_path).filename().string(), {field, options.unit}};
   request.up = options.up;
   request.curves = loops.polylines;
   request.loops = loops.rows;

@@ -9,12 +9,16 @@
 #ifndef CGAL_REEB_GRAPH_SRC_MESH_GRAPH_H
 #define CGAL_REEB_GRAPH_SRC_MESH_GRAPH_H
 
+#include "base/Arc_table.h"
 #include "base/complex.h"
 #include "base/options.h"
 #include "base/report.h"
 #include "base/surface.h"
 #include "computation/contours.h"
-#include "computation/embedding.h"
+#include "computation/simplification.h"
+
+#include <CGAL/Reeb_graph/Embedding.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <cstddef>
 #include <memory>
@@ -22,6 +26,8 @@
 #include <vector>
 
 namespace reeb_graph_program {
+typedef CGAL::Reeb_graph::Embedding<Point> Embedding;
+
 // The Reeb graph of what a mesh file has, simplified if that is asked for, and what is asked of the mesh by way of it:
 // one interface for surfaces, and for complexes of triangles or of tetrahedra.
 class Mesh_graph
@@ -49,14 +55,19 @@ public:
   virtual const std::vector<std::size_t>& places() = 0;
   virtual const std::vector<std::size_t>& given_places() = 0;
 
-  // The arcs, by their numbers.
-  virtual std::vector<Arc_row> measure_arcs() = 0;
+  // What is measured of arcs, by the first call.
+  virtual const Arc_table& arc_table() = 0;
 
-  // Without rows of arcs, there are no measures.
-  virtual Graph_in_space embed(CGAL::Reeb_graph::Embedding_manner manner, const std::vector<Arc_row>* arcs) = 0;
+  virtual Embedding embed(CGAL::Reeb_graph::Embedding_manner manner) = 0;
 
   // Writes the graph in space with its chains, and with the values that with_base() gives it.
-  virtual void write_json(std::ostream& stream, const Graph_in_space& graph_in_space, double base) = 0;
+  virtual void write_json(std::ostream& stream,
+                          const Embedding& embedding,
+                          const std::vector<CGAL::Reeb_graph::Attribute>& arc_attributes,
+                          double base) = 0;
+
+  // The way to the surface. Throws std::logic_error on complexes.
+  virtual const Augmentation& surface_augmentation() = 0;
 
   // Throws std::runtime_error if there is no such arc, no contour, or none at one of the levels: no arc is alive there.
   virtual std::vector<Contour> find_contours(const Contour_choice& choice) = 0;

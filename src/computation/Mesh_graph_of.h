@@ -13,6 +13,7 @@
 #include "base/stopwatch.h"
 #include "computation/Mesh_graph.h"
 #include "computation/Report_visitor.h"
+#include "computation/arc_columns.h"
 #include "computation/augmentation.h"
 #include "computation/choose_contours.h"
 #include "computation/simplification.h"
@@ -22,8 +23,11 @@
 
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -55,8 +59,7 @@ public:
                 Report& report)
     : kind_(mesh, scalar_map),
       options_(options),
-      given_places_(options.are_places_wanted ? std::make_shared<std::vector<std::size_t>>() : nullptr),
-      given_(new Any_graph(compute(given_places_.get(), report))) // not make_shared(), which copies it
+      given_(new Any_graph(compute(options.are_places_wanted, report))) // not make_shared(), which copies it
   {
     const Stopwatch stopwatch;
     simplified_.emplace(*given_, simplification, threshold);
@@ -105,14 +108,12 @@ public:
 
   const std::vector<std::size_t>& given_places() override
   {
-    if(!given_places_)
+    if(!*given_places_)
     {
-      const auto places = std::make_shared<std::vector<std::size_t>>();
       Report unused;
-      compute(places.get(), unused);
-      given_places_ = places;
+      compute(true, unused);
     }
-    return *given_places_;
+    return **given_places_;
   }
 
   const std::vector<std::size_t>& places() override
@@ -123,28 +124,42 @@ public:
     return simplification ? *places_ : given_places();
   }
 
-  std::vector<Arc_row> measure_arcs() override
+  const Arc_table& arc_table() override
   {
-    return kind_.measure_arcs(simplified_->result(), places(),
-                              [this]() -> const Any_augmentation& { return augmentation(); });
+    if(!arc_table_)
+    {
+      Arc_table table = table_of_graph(result());
+      std::vector<Arc_column> measures = kind_.measure_arcs(
+        simplified_->result(), places(), [this]() -> const Any_augmentation& { return augmentation(); });
+      std::move(measures.begin(), measures.end(), std::back_inserter(table.columns));
+      arc_table_ = std::move(table);
+    }
+    return *arc_table_;
   }
 
-  Graph_in_space embed(CGAL::Reeb_graph::Embedding_manner manner, const std::vector<Arc_row>* arcs) override
+  Embedding embed(CGAL::Reeb_graph::Embedding_manner manner) override
   {
     Progress_bar progress_bar("embedding");
     const auto np = CGAL::parameters::embedding_manner(manner).callback(std::ref(progress_bar));
-    Graph_in_space graph_in_space = {kind_.embed(augmentation(), np), {}};
-    if(arcs)
-      graph_in_space.arc_attributes = attributes_of_arcs(result(), *arcs);
-    return graph_in_space;
+    return kind_.embed(augmentation(), np);
   }
 
-  void write_json(std::ostream& stream, const Graph_in_space& graph_in_space, double base) override
+  void write_json(std::ostream& stream,
+                  const Embedding& embedding,
+                  const std::vector<CGAL::Reeb_graph::Attribute>& arc_attributes,
+                  double base) override
   {
     std::optional<Any_graph> copy;
     CGAL::Reeb_graph::write_json(stream, augmentation().mesh(), with_base(augmentation().graph(), base, copy),
-                                 graph_in_space.embedding, kind_.vertex_numbers(),
-                                 CGAL::parameters::arc_attributes(graph_in_space.arc_attributes));
+                                 embedding, kind_.vertex_numbers(), CGAL::parameters::arc_attributes(arc_attributes));
+  }
+
+  const Augmentation& surface_augmentation() override
+  {
+    if constexpr(std::is_same_v<Any_augmentation, Augmentation>)
+      return augmentation();
+    else
+      throw std::logic_error("the mesh is no surface");
   }
 
   std::vector<Contour> find_contours(const Contour_choice& choice) override
@@ -166,15 +181,17 @@ public:
   }
 
 private:
-  // With the places of the vertices, if they are wanted.
-  Any_graph compute(std::vector<std::size_t>* places, Report& report) const
+  // Keeps the places of the vertices, if they are wanted.
+  Any_graph compute(bool are_places_wanted, Report& report) const
   {
-    const auto compute = [&](const auto& np) { return kind_.compute(np); };
-    const auto np = kind_.named_parameters(options_);
-    if(!places)
-      return compute_and_time(np, report, compute);
-    places->resize(kind_.end_of_vertices());
-    return compute_and_time(np.vertex_place_map(CGAL::make_property_map(*places)), report, compute);
+    return compute_and_time(kind_.named_parameters(options_), report, [&](const auto& np) {
+      if(!are_places_wanted)
+        return kind_.compute(np);
+      std::vector<std::size_t> places(kind_.end_of_vertices());
+      Any_graph graph = kind_.compute(np.vertex_place_map(CGAL::make_property_map(places)));
+      *given_places_ = std::move(places);
+      return graph;
+    });
   }
 
   Contour convert(const typename Any_augmentation::Contour& contour)
@@ -201,12 +218,15 @@ private:
 
   const Kind kind_;
   const Graph_options options_;
-  std::shared_ptr<std::vector<std::size_t>> given_places_; // null while nobody has asked for them
+  // Those of the given graph, shared as that is; none while nobody has asked for them.
+  const std::shared_ptr<std::optional<std::vector<std::size_t>>> given_places_ =
+    std::make_shared<std::optional<std::vector<std::size_t>>>();
   const std::shared_ptr<const Any_graph> given_;
   std::optional<Simplified_graph_of<Any_graph>> simplified_;
   mutable std::optional<Graph> given_on_surface_, result_on_surface_;
   std::unique_ptr<const Any_augmentation> augmentation_;
   std::optional<std::vector<std::size_t>> places_; // in a simplified graph
+  std::optional<Arc_table> arc_table_;
 };
 
 } // namespace reeb_graph_program

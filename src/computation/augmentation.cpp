@@ -63,11 +63,17 @@ public:
   }
 
   template <class MakeAugmentation>
-  std::vector<Arc_row> measure_arcs(const Graph& graph,
-                                    const std::vector<std::size_t>& places,
-                                    const MakeAugmentation&) const
+  std::vector<Arc_column> measure_arcs(const Graph& graph,
+                                       const std::vector<std::size_t>& places,
+                                       const MakeAugmentation&) const
   {
-    return reeb_graph_program::measure_arcs(surface_, scalar_map_, graph, places);
+    return {length_column(CGAL::Reeb_graph::arc_lengths(surface_, scalar_map_, graph)),
+            size_column("area", CGAL::Reeb_graph::arc_areas(surface_, graph, Vertex_places{places})),
+            vertices_column(surface_.vertices(), places, num_vertices(graph), num_edges(graph)),
+            {{"mean_value", CGAL::Reeb_graph::arc_mean_values(surface_, scalar_map_, graph, Vertex_places{places})},
+             Arc_joining::MEAN_BY_AREA,
+             Arc_unit::VALUE,
+             false}};
   }
 
   std::pair<std::size_t, std::size_t> ends(Surface::Halfedge_index h) const
@@ -126,30 +132,6 @@ private:
 };
 
 } // namespace
-
-Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report)
-{
-  return compute_and_time(named_parameters(options), report, [&](const auto& np) {
-    Graph graph;
-    CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(surface, scalar_map, graph, np);
-    return graph;
-  });
-}
-
-Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options)
-{
-  Report unused;
-  return compute_and_time(surface, scalar_map, options, unused);
-}
-
-std::vector<Arc_row> measure_arcs(const Surface& surface,
-                                  Scalar_map scalar_map,
-                                  const Graph& graph,
-                                  const std::vector<std::size_t>& places)
-{
-  return rows_of_arcs(graph, surface.vertices(), places, CGAL::Reeb_graph::arc_lengths(surface, scalar_map, graph),
-                      CGAL::Reeb_graph::arc_areas(surface, graph, Vertex_places{places}));
-}
 
 std::unique_ptr<Mesh_graph> compute_mesh_graph(const Mesh& mesh,
                                                Scalar_map scalar_map,

@@ -19,54 +19,12 @@
 #include <vector>
 
 namespace reeb_graph_program {
-// Computes the Reeb graph, and adds what it took to the report.
-Graph compute_and_time(const Surface& surface, Scalar_map scalar_map, const Graph_options& options, Report& report);
-
-// Without a report.
-Graph compute_graph(const Surface& surface, Scalar_map scalar_map, const Graph_options& options);
-
 // The places of vertices, by their indices, as functions that measure pieces of a mesh ask for them.
 struct Vertex_places
 {
   const std::vector<std::size_t>& places;
   std::size_t index(std::size_t v) const { return places[v]; }
 };
-
-// How many of the vertices are at each place.
-template <class VertexRange>
-std::vector<std::size_t> count_by_place(const VertexRange& vertices,
-                                        const std::vector<std::size_t>& places,
-                                        std::size_t number_of_places)
-{
-  std::vector<std::size_t> counts(number_of_places, 0);
-  for(const std::size_t v : vertices)
-    ++counts[places[v]];
-  return counts;
-}
-
-// The arcs of the graph, by their numbers.
-std::vector<Arc_row> measure_arcs(const Surface& surface,
-                                  Scalar_map scalar_map,
-                                  const Graph& graph,
-                                  const std::vector<std::size_t>& places);
-
-template <class AnyGraph, class VertexRange>
-std::vector<Arc_row> rows_of_arcs(const AnyGraph& graph,
-                                  const VertexRange& vertices,
-                                  const std::vector<std::size_t>& places,
-                                  const std::vector<double>& lengths,
-                                  const std::vector<double>& areas)
-{
-  const std::vector<std::size_t> counts = count_by_place(vertices, places, num_vertices(graph) + num_edges(graph));
-  std::vector<Arc_row> rows;
-  for(const auto arc : CGAL::make_range(edges(graph)))
-  {
-    const std::size_t i = get(boost::edge_index, graph, arc), lower = source(arc, graph), upper = target(arc, graph);
-    rows.push_back(
-      {lower, upper, graph[lower].value, graph[upper].value, lengths[i], areas[i], counts[num_vertices(graph) + i]});
-  }
-  return rows;
-}
 
 // The graph with values to which `base` is added, in `copy` if need be.
 template <class AnyGraph>

@@ -64,6 +64,7 @@ public:
   }
 
   std::size_t end_of_vertices() const { return number_of_vertices(); }
+  auto points() const { return CGAL::make_range(mesh_.surface.points().begin(), mesh_.surface.points().end()); }
   boost::typed_identity_property_map<std::size_t> vertex_numbers() const { return {}; }
 
   // Before it is used, as its type is that of what it returns.
@@ -107,6 +108,15 @@ protected:
   std::size_t number_of_vertices() const { return mesh_.surface.number_of_vertices(); }
   auto vertices() const { return boost::irange(std::size_t(0), number_of_vertices()); }
   auto scalars() const { return CGAL::make_range(scalar_map_.begin(), scalar_map_.end()); }
+
+  template <class AnyAugmentation>
+  Arc_column mean_value_column(const AnyAugmentation& augmentation, const std::vector<std::size_t>& places) const
+  {
+    return {{"mean_value", CGAL::Reeb_graph::arc_mean_values(augmentation, points(), Vertex_places{places})},
+            Arc_joining::MEAN_BY_AREA,
+            Arc_unit::VALUE,
+            false};
+  }
 
   template <class AnyAugmentation>
   Contour crossings(const AnyAugmentation& augmentation, const typename AnyAugmentation::Contour& contour) const
@@ -164,13 +174,15 @@ public:
   }
 
   template <class MakeAugmentation>
-  std::vector<Arc_row> measure_arcs(const Complex_graph& graph,
-                                    const std::vector<std::size_t>& places,
-                                    const MakeAugmentation& make_augmentation) const
+  std::vector<Arc_column> measure_arcs(const Complex_graph& graph,
+                                       const std::vector<std::size_t>& places,
+                                       const MakeAugmentation& make_augmentation) const
   {
     const Augmentation& augmentation = make_augmentation();
-    return rows_of_arcs(graph, vertices(), places, CGAL::Reeb_graph::arc_lengths(augmentation, points()),
-                        CGAL::Reeb_graph::arc_areas(augmentation, points(), Vertex_places{places}));
+    return {length_column(CGAL::Reeb_graph::arc_lengths(augmentation, points())),
+            size_column("area", CGAL::Reeb_graph::arc_areas(augmentation, points(), Vertex_places{places})),
+            vertices_column(vertices(), places, num_vertices(graph), num_edges(graph)),
+            mean_value_column(augmentation, places)};
   }
 
   Contour contour(const Augmentation& augmentation, const Augmentation::Contour& contour) const
@@ -209,17 +221,15 @@ public:
   }
 
   template <class MakeAugmentation>
-  std::vector<Arc_row> measure_arcs(const Complex_graph& graph,
-                                    const std::vector<std::size_t>& places,
-                                    const MakeAugmentation& make_augmentation) const
+  std::vector<Arc_column> measure_arcs(const Complex_graph& graph,
+                                       const std::vector<std::size_t>& places,
+                                       const MakeAugmentation& make_augmentation) const
   {
     const Augmentation& augmentation = make_augmentation();
-    const std::vector<double> volumes = CGAL::Reeb_graph::arc_volumes(augmentation, points(), Vertex_places{places});
-    std::vector<Arc_row> rows =
-      rows_of_arcs(graph, vertices(), places, CGAL::Reeb_graph::arc_lengths(augmentation, points()), volumes);
-    for(std::size_t i = 0; i < rows.size(); ++i)
-      rows[i].volume = volumes[i];
-    return rows;
+    return {length_column(CGAL::Reeb_graph::arc_lengths(augmentation, points())),
+            size_column("volume", CGAL::Reeb_graph::arc_volumes(augmentation, points(), Vertex_places{places})),
+            vertices_column(vertices(), places, num_vertices(graph), num_edges(graph)),
+            mean_value_column(augmentation, places)};
   }
 
   Contour contour(const Augmentation& augmentation, const Augmentation::Contour& patch) const

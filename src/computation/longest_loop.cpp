@@ -112,12 +112,12 @@ Loops_of_surface find_longest_loop(Mesh_graph& mesh_graph)
   const auto pair = std::max_element(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
     return CGAL::Reeb_graph::persistence(graph, a) < CGAL::Reeb_graph::persistence(graph, b);
   });
-  const Graph_in_space in_space = mesh_graph.embed(CGAL::Reeb_graph::Embedding_manner::ON_SURFACE, nullptr);
+  const Embedding embedding = mesh_graph.embed(CGAL::Reeb_graph::Embedding_manner::ON_SURFACE);
   Polyline curve;
   std::size_t node = pair->upper_node;
   for(const Arc& arc : arcs_of_loop(graph, *pair))
   {
-    Polyline piece = in_space.embedding.arc_polylines[arc.number];
+    Polyline piece = embedding.arc_polylines[arc.number];
     if(arc.upper == node)
       std::reverse(piece.begin(), piece.end());
     node = arc.upper == node ? arc.lower : arc.upper;

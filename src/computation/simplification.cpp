@@ -9,14 +9,12 @@
 #include "computation/simplification.h"
 
 #include "base/complex.h"
-#include "base/progress_bar.h"
 
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
@@ -82,18 +80,6 @@ Simplified_graph_of<AnyGraph>::Simplified_graph_of(const AnyGraph& given,
 
 template class Simplified_graph_of<Graph>;
 template class Simplified_graph_of<Complex_graph>;
-
-Augmentation Simplified_graph::augmentation(const Surface& surface,
-                                            Scalar_map scalar_map,
-                                            const Graph_options& options) const
-{
-  Progress_bar progress_bar("surface");
-  const auto np = named_parameters(options);
-  if(!simplification())
-    return Augmentation(surface, scalar_map, result(), np.callback(std::ref(progress_bar)));
-  return Augmentation(surface, scalar_map, result(),
-                      np.simplification(*simplification()).callback(std::ref(progress_bar)));
-}
 
 std::vector<Persistence_pair> find_persistence_pairs(const Graph& graph)
 {

@@ -72,14 +72,7 @@ private:
   std::optional<CGAL::Reeb_graph::Simplification<AnyGraph>> simplification_;
 };
 
-class Simplified_graph : public Simplified_graph_of<Graph>
-{
-public:
-  using Simplified_graph_of<Graph>::Simplified_graph_of;
-
-  // The way from the result to the surface. `options` are those that the given graph was computed with.
-  Augmentation augmentation(const Surface& surface, Scalar_map scalar_map, const Graph_options& options) const;
-};
+typedef Simplified_graph_of<Graph> Simplified_graph;
 
 std::vector<Persistence_pair> find_persistence_pairs(const Graph& graph);
 

@@ -11,6 +11,7 @@
 
 #include "base/options.h"
 #include "base/surface.h"
+#include "computation/Mesh_graph.h"
 
 namespace reeb_graph_program {
 struct Simplified_field
@@ -19,13 +20,14 @@ struct Simplified_field
   bool are_ties_contracted; // though not asked for, as there is no such field otherwise
 };
 
-// Computes a field that has the simplified graph with these ties or, if that fails, with contracted ones. The threshold
-// is that of threshold_in_units(). `simplified_map` can be `scalar_map`. Throws the exceptions of the library.
-Simplified_field compute_simplified_field(const Surface& surface,
+// Computes a field that has the simplified graph with the ties of these options or, if that fails, with contracted ones.
+// The graph is that of the field with these options. `simplified_map` can be `scalar_map`. Throws the exceptions of the
+// library.
+Simplified_field compute_simplified_field(const Mesh& mesh,
                                           Scalar_map scalar_map,
-                                          const Simplification_options& options,
-                                          double threshold,
-                                          CGAL::Reeb_graph::Ties ties,
+                                          Mesh_graph& graph,
+                                          const Graph_options& graph_options,
+                                          const Simplification_options& simplification,
                                           Scalar_map simplified_map);
 
 } // namespace reeb_graph_program

@@ -10,7 +10,6 @@
 #include "base/progress_bar.h"
 #include "computation/Report_visitor.h"
 #include "computation/analysis.h"
-#include "computation/embedding.h"
 #include "computation/simplification.h"
 #include "input/field_input.h"
 #include "mpi/Rank_visitor.h"
@@ -216,20 +215,19 @@ Field_label label(const Compute_options& options)
 }
 
 // Each arc is a straight line between the vertices of its nodes.
-Graph_in_space embed_straight(const Graph& graph, const Surface& surface)
+Embedding embed_straight(const Graph& graph, const Surface& surface)
 {
-  Graph_in_space result;
+  Embedding result;
   for(const auto node : CGAL::make_range(vertices(graph)))
   {
-    result.embedding.node_points.push_back(surface.point(graph[node].vertex));
-    result.embedding.node_values.push_back(graph[node].value);
+    result.node_points.push_back(surface.point(graph[node].vertex));
+    result.node_values.push_back(graph[node].value);
   }
   for(const auto arc : CGAL::make_range(edges(graph)))
   {
     const std::size_t lower = source(arc, graph), upper = target(arc, graph);
-    result.embedding.arc_polylines.push_back(
-      {result.embedding.node_points[lower], result.embedding.node_points[upper]});
-    result.embedding.arc_values.push_back({graph[lower].value, graph[upper].value});
+    result.arc_polylines.push_back({result.node_points[lower], result.node_points[upper]});
+    result.arc_values.push_back({graph[lower].value, graph[upper].value});
   }
   return result;
 }
@@ -260,9 +258,9 @@ void write_results(const Compute_options& options,
   const Stopwatch stopwatch;
   if(is_graph_in_space(options))
   {
-    const Graph_in_space graph_in_space = embed_straight(simplified.result(), given.surface);
-    report.embedding_manner = graph_in_space.embedding.manner;
-    write_graph_in_space(options.graph_path, simplified.result(), graph_in_space, {}); // which is no JSON
+    const Embedding embedding = embed_straight(simplified.result(), given.surface);
+    report.embedding_manner = embedding.manner;
+    write_graph_in_space(options.graph_path, simplified.result(), embedding, {}, {}); // which is no JSON
   }
   else
   {

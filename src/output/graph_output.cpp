@@ -90,12 +90,12 @@ void write_graph(const fs::path& path,
 
 void write_graph_in_space(const fs::path& path,
                           const Graph& graph,
-                          const Graph_in_space& graph_in_space,
+                          const Embedding& embedding,
+                          const std::vector<CGAL::Reeb_graph::Attribute>& arc_attributes,
                           const std::function<void(std::ostream&)>& write_json)
 {
   const Vertex_numbers vertex_numbers;
-  const auto& embedding = graph_in_space.embedding;
-  const auto attributes = CGAL::parameters::arc_attributes(graph_in_space.arc_attributes);
+  const auto attributes = CGAL::parameters::arc_attributes(arc_attributes);
   const std::string ending = format_of(path).ending;
   if(ending == ".csv")
   {

@@ -12,8 +12,7 @@
 #include "base/Field_label.h"
 #include "base/Vertex_numbers.h"
 #include "base/surface.h"
-#include "computation/augmentation.h"
-#include "computation/embedding.h"
+#include "computation/Mesh_graph.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -45,7 +44,8 @@ void write_graph(const std::filesystem::path& path,
 // Writes a graph in a format in space. `write_json` writes it with its chains, and is called for that format only.
 void write_graph_in_space(const std::filesystem::path& path,
                           const Graph& graph,
-                          const Graph_in_space& graph_in_space,
+                          const Embedding& embedding,
+                          const std::vector<CGAL::Reeb_graph::Attribute>& arc_attributes,
                           const std::function<void(std::ostream&)>& write_json);
 
 // Writes for each vertex, on a line of its own, the node or the arc that it belongs to, by their numbers in the graph

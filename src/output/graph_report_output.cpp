@@ -15,9 +15,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iomanip>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -165,18 +167,26 @@ nlohmann::ordered_json json_of(const CGAL::Reeb_graph::Simplification_threshold&
   return json;
 }
 
-nlohmann::ordered_json json_of(const Arc_row& row, std::size_t arc)
+nlohmann::ordered_json json_of(const Arc_table& table)
 {
-  nlohmann::ordered_json json;
-  json["arc"] = arc;
-  json["from"] = row.lower_node;
-  json["to"] = row.upper_node;
-  json["lower_value"] = json_number(row.lower_value);
-  json["upper_value"] = json_number(row.upper_value);
-  json["length"] = json_number(row.length);
-  json[row.volume ? "volume" : "area"] = json_number(row.volume.value_or(row.area));
-  json["vertices"] = row.vertices;
-  return json;
+  auto rows = nlohmann::ordered_json::array();
+  for(const Arc_ends& ends : table.ends)
+    rows.push_back({{"arc", rows.size()},
+                    {"from", ends.lower_node},
+                    {"to", ends.upper_node},
+                    {"lower_value", json_number(ends.lower_value)},
+                    {"upper_value", json_number(ends.upper_value)}});
+  const auto add = [&](const std::string& name, const auto& numbers, const auto& json_of_number) {
+    for(std::size_t arc = 0; arc != rows.size(); ++arc)
+      rows[arc][name] = json_of_number(numbers[arc]);
+  };
+  for(const auto& column : table.columns)
+    if(const auto* const numbers = std::get_if<std::vector<double>>(&column.attribute.numbers))
+      add(column.attribute.name, *numbers, [](double number) { return json_number(number); });
+    else
+      add(column.attribute.name, std::get<std::vector<std::int64_t>>(column.attribute.numbers),
+          [](std::int64_t number) { return number; });
+  return rows;
 }
 
 // What a person can choose for --simplify, or leave to `auto`.
@@ -189,17 +199,28 @@ void write_thresholds(std::ostream& out, const std::vector<CGAL::Reeb_graph::Sim
         << (threshold.is_suggested ? ", and so does auto" : "");
 }
 
-void write_table(std::ostream& out, const std::vector<Arc_row>& rows)
+void write_table(std::ostream& out, const Arc_table& table)
 {
-  out << "\n  arc   from     to        from value          to value          length          "
-      << (!rows.empty() && rows[0].volume ? "volume" : "  area") << "  vertices\n"
-      << std::defaultfloat << std::setprecision(6);
-  for(std::size_t arc = 0; arc < rows.size(); ++arc)
+  const auto for_each_column = [&](const auto& write) {
+    for(const Arc_column& column : table.columns)
+      if(column.is_in_text)
+      {
+        out << std::setw(column.unit == Arc_unit::COUNT ? 10 : 16);
+        write(column.attribute);
+      }
+    out << '\n';
+  };
+  out << "\n  arc   from     to        from value          to value";
+  for_each_column([&](const CGAL::Reeb_graph::Attribute& attribute) { out << attribute.name; });
+  out << std::defaultfloat << std::setprecision(6);
+  for(std::size_t arc = 0; arc < table.ends.size(); ++arc)
   {
-    const Arc_row& row = rows[arc];
-    out << std::setw(5) << arc << std::setw(7) << row.lower_node << std::setw(7) << row.upper_node << std::setw(18)
-        << row.lower_value << std::setw(18) << row.upper_value << std::setw(16) << row.length << std::setw(16)
-        << row.volume.value_or(row.area) << std::setw(10) << row.vertices << '\n';
+    const Arc_ends& ends = table.ends[arc];
+    out << std::setw(5) << arc << std::setw(7) << ends.lower_node << std::setw(7) << ends.upper_node << std::setw(18)
+        << ends.lower_value << std::setw(18) << ends.upper_value;
+    for_each_column([&](const CGAL::Reeb_graph::Attribute& attribute) {
+      std::visit([&](const auto& numbers) { out << numbers[arc]; }, attribute.numbers);
+    });
   }
 }
 
@@ -299,7 +320,7 @@ void write_text(std::ostream& out, const Report& report)
   out << "\nmemory   " << std::setprecision(1) << static_cast<double>(peak_memory_bytes()) / 1e6 << " MB at the peak\n";
   if(report.ranks)
     write_ranks(out, *report.ranks);
-  if(report.arc_table && !report.arc_table->empty())
+  if(report.arc_table != nullptr && !report.arc_table->ends.empty())
     write_table(out, *report.arc_table);
 }
 
@@ -337,9 +358,7 @@ void write_json(std::ostream& out, const Report& report)
   if(report.longest_loop)
     json["longest_loop"] = {{"persistence", json_number(report.longest_loop->persistence)},
                             {"length", json_number(report.longest_loop->length)}};
-  json["arc_table"] = report.arc_table ? nlohmann::ordered_json::array() : nlohmann::ordered_json();
-  for(std::size_t arc = 0; report.arc_table && arc < report.arc_table->size(); ++arc)
-    json["arc_table"].push_back(json_of((*report.arc_table)[arc], arc));
+  json["arc_table"] = report.arc_table != nullptr ? json_of(*report.arc_table) : nlohmann::ordered_json();
   add_field_and_costs(json, report);
   if(report.ranks)
   {

@@ -36,20 +36,19 @@ function decodePlane(plane, lower, upper, range) {
 }
 
 // JSON has no infinite numbers: they are written as text.
-function decodeGraph(graph, range) {
+function decodeGraph(graph, range, columns) {
   const nodes = graph.nodes.map(node => Object.assign({}, node, {value: Number(node.value)}));
   return {
     nodes,
-    arcs: graph.arcs.map(arc => Object.assign({}, arc, {
+    arcs: graph.arcs.map(arc => Object.assign({}, arc, ...columns.map(({name}) => ({[name]: Number(arc[name])})), {
       plane: decodePlane(arc.plane, nodes[arc.source].value, nodes[arc.target].value, range),
-      persistence: Number(arc.persistence), length: Number(arc.length), area: Number(arc.area),
       contours: arc.contours ? arc.contours.map(decodeContour) : null
     }))
   };
 }
 
-function decodeLevel(level, range) {
-  return Object.assign({}, level, {graph: level.graph ? decodeGraph(level.graph, range) : null});
+function decodeLevel(level, range, columns) {
+  return Object.assign({}, level, {graph: level.graph ? decodeGraph(level.graph, range, columns) : null});
 }
 
 function decodeSurface(surface) {
@@ -88,11 +87,12 @@ function readPageData(text) {
     field: data.field,
     surface,
     range,
-    graph: decodeGraph(data.graph, range),
+    columns: data.columns, // what is told of each arc
+    graph: decodeGraph(data.graph, range, data.columns),
     // The number of arcs of the graph that was asked for, if that is too large for a page and has been simplified.
     arcsOfInput: data.graph.is_simplified ? data.graph.arcs_of_input : null,
     threshold: data.graph.threshold,
-    levels: data.levels.map(level => decodeLevel(level, range)),
+    levels: data.levels.map(level => decodeLevel(level, range, data.columns)),
     curves: data.curves.map(decodePolyline),
     // What the curves are, if they are handles, tunnels and the like.
     loops: data.loops.map(loop => Object.assign({}, loop, {

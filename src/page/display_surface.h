@@ -10,7 +10,6 @@
 #define CGAL_REEB_GRAPH_SRC_DISPLAY_SURFACE_H
 
 #include "base/surface.h"
-#include "computation/augmentation.h"
 #include "page/page_data.h"
 
 #include <array>

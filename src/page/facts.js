@@ -68,12 +68,16 @@ class Facts {
       + ", at its upper end " + this.tellEnd(arc.target) + ".");
     this.addList(text, [
       ["upper end", end(view.upper(number))],
-      ["lower end", end(view.lower(number))],
-      ["persistence", formatValue(arc.persistence, unit)],
-      ["length", formatNumber(arc.length)],
-      ["area", formatNumber(arc.area)],
-      ["vertices", arc.vertices.toLocaleString("en")]
-    ].concat(contour ? [["contour at", formatValue(contour.value, unit)]] : []));
+      ["lower end", end(view.lower(number))]
+    ].concat(
+      this.data.columns.map(({name, unit: kind}) => [name.replace(/_/g, " "), this.format(arc[name], kind)]),
+      contour ? [["contour at", formatValue(contour.value, unit)]] : []));
+  }
+
+  // A number of an arc, in the unit of the field, without one, or a count.
+  format(number, kind) {
+    return kind === "field" ? formatValue(number, this.unit)
+      : kind === "count" ? number.toLocaleString("en") : formatNumber(number);
   }
 
   showNode(text, number) {

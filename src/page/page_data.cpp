@@ -45,17 +45,12 @@ Embedded_graph embed(const Page_subject& subject)
     subject.augmentation,
     parameters::number_of_contours(16).number_of_contours_at_nodes(2).number_of_smoothing_steps(1).callback(
       std::ref(progress_bar)));
-  const Graph& graph = subject.graph();
-  std::vector<std::size_t> node_sizes =
-    count_by_place(subject.surface().vertices(), subject.places, num_vertices(graph) + num_edges(graph));
-  node_sizes.resize(num_vertices(graph));
   const Surface_follower follow(subject.surface());
   for(Point& point : embedding.node_points)
     point = follow(point);
   for(Polyline& line : embedding.arc_polylines)
     line = follow(line);
-  return {graph, std::move(embedding.node_points), std::move(node_sizes), std::move(embedding.arc_polylines),
-          measure_arcs(subject.surface(), subject.scalar_map, graph, subject.places)};
+  return {subject.graph(), std::move(embedding.node_points), std::move(embedding.arc_polylines), subject.arc_table};
 }
 
 nlohmann::ordered_json page_surface(const Page_subject& subject,
@@ -180,6 +175,7 @@ nlohmann::ordered_json page_data(const Page_subject& subject)
                    {"lowest", value_scale.lowest()},
                    {"highest", value_scale.highest()}};
   data["surface"] = page_surface(subject, surface, frame);
+  data["columns"] = page_columns(subject.arc_table);
   data["graph"] = page_graph(embedded, frame, value_scale);
   if(surface.is_decimated)
     add_contours(subject, frame, data["graph"]["arcs"]);

@@ -9,10 +9,11 @@
 #ifndef CGAL_REEB_GRAPH_SRC_PAGE_DATA_H
 #define CGAL_REEB_GRAPH_SRC_PAGE_DATA_H
 
+#include "base/Arc_table.h"
 #include "base/Field_label.h"
 #include "base/report.h"
 #include "base/surface.h"
-#include "computation/augmentation.h"
+#include "computation/simplification.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -27,6 +28,7 @@ struct Page_subject
 {
   const Augmentation& augmentation;       // the way from the graph to the surface
   const std::vector<std::size_t>& places; // of the vertices, by their indices
+  const Arc_table& arc_table;
   Scalar_map scalar_map;
   std::string title;
   Field_label field_label;
@@ -45,6 +47,8 @@ struct Page_subject
 // surface.origin. A number that JSON does not have is one of the strings "Infinity", "-Infinity" and "NaN", for which
 // JavaScript's Number() returns it; field.lowest and field.highest are always finite, with room for infinite values,
 // and so are the heights in the plane.
+//
+// What is measured of arcs, each arc has under the names of `columns`, which say in which unit it is.
 //
 // The graph is told from the one that was asked for by is_simplified; arcs_of_input counts the arcs of that.
 //

@@ -9,7 +9,6 @@
 #include "page/page_graph.h"
 
 #include <CGAL/Reeb_graph/plane_layout.h>
-#include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <nlohmann/json.hpp>
@@ -17,6 +16,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <variant>
 
 namespace reeb_graph_program {
 namespace {
@@ -55,6 +56,14 @@ nlohmann::ordered_json flat_drawing(const std::vector<std::array<double, 2>>& dr
   return json;
 }
 
+nlohmann::ordered_json json_number(double number) { return number_or_string(number); }
+nlohmann::ordered_json json_number(std::int64_t number) { return number; }
+
+const char* name_of(Arc_unit unit)
+{
+  return unit == Arc_unit::COUNT ? "count" : unit == Arc_unit::PLAIN ? "" : "field";
+}
+
 } // namespace
 
 nlohmann::ordered_json number_or_string(double number)
@@ -64,29 +73,35 @@ nlohmann::ordered_json number_or_string(double number)
   return std::isnan(number) ? "NaN" : number > 0 ? "Infinity" : "-Infinity";
 }
 
+nlohmann::ordered_json page_columns(const Arc_table& table)
+{
+  auto json = nlohmann::ordered_json::array();
+  for(const Arc_column& column : table.columns)
+    json.push_back({{"name", column.attribute.name}, {"unit", name_of(column.unit)}});
+  return json;
+}
+
 nlohmann::ordered_json page_graph(const Embedded_graph& embedded,
                                   const Page_frame& frame,
                                   const Value_scale& value_scale)
 {
   const Graph& graph = embedded.graph;
   const CGAL::Reeb_graph::Plane_layout layout = CGAL::Reeb_graph::lay_out_in_plane(graph);
-  const std::vector<double> persistences = CGAL::Reeb_graph::arc_persistences(graph);
   auto nodes = nlohmann::ordered_json::array();
   for(const auto node : CGAL::make_range(vertices(graph)))
     nodes.push_back(page_node(graph, node, embedded.node_points[node], layout.node_positions[node], frame));
   auto arcs = nlohmann::ordered_json::array();
   for(std::size_t i = 0; i != num_edges(graph); ++i)
   {
-    const Arc_row& row = embedded.arc_rows[i];
+    const Arc_ends& ends = embedded.arc_table.ends[i];
     nlohmann::ordered_json arc;
-    arc["source"] = row.lower_node;
-    arc["target"] = row.upper_node;
+    arc["source"] = ends.lower_node;
+    arc["target"] = ends.upper_node;
     arc["polyline"] = flat_polyline(embedded.arc_polylines[i], frame);
     arc["plane"] = flat_drawing(layout.arc_polylines[i], value_scale);
-    arc["persistence"] = number_or_string(persistences[i]);
-    arc["length"] = number_or_string(row.length);
-    arc["area"] = number_or_string(row.area);
-    arc["vertices"] = row.vertices;
+    for(const Arc_column& column : embedded.arc_table.columns)
+      arc[column.attribute.name] =
+        std::visit([&](const auto& numbers) { return json_number(numbers[i]); }, column.attribute.numbers);
     arcs.push_back(std::move(arc));
   }
   return {{"nodes", std::move(nodes)}, {"arcs", std::move(arcs)}};

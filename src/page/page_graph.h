@@ -9,7 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_PAGE_GRAPH_H
 #define CGAL_REEB_GRAPH_SRC_PAGE_GRAPH_H
 
-#include "base/report.h"
+#include "base/Arc_table.h"
 #include "base/surface.h"
 #include "page/display_surface.h"
 
@@ -28,13 +28,15 @@ struct Embedded_graph
 {
   const Graph& graph;
   std::vector<Point> node_points = {};
-  std::vector<std::size_t> node_sizes = {}; // in vertices
   std::vector<Polyline> arc_polylines = {}; // from the lower node to the upper one
-  std::vector<Arc_row> arc_rows = {};
+  Arc_table arc_table = {};
 };
 
 // A number, or a string where JSON has none.
 nlohmann::ordered_json number_or_string(double number);
+
+// What is told of each arc.
+nlohmann::ordered_json page_columns(const Arc_table& table);
 
 // The nodes and arcs, without what leads from arcs to the surface.
 nlohmann::ordered_json page_graph(const Embedded_graph& embedded,

@@ -8,6 +8,7 @@
 
 #include "page/page_levels.h"
 
+#include "computation/arc_columns.h"
 #include "computation/simplification.h"
 
 #include <CGAL/Reeb_graph/simplification/Simplification.h>
@@ -84,33 +85,13 @@ std::vector<std::vector<std::size_t>> parts_of_arcs(const Graph& given, const Gr
   return parts;
 }
 
-// Adds to simplified arcs what they have taken up.
-void add_up(const Embedded_graph& given, const Simplification& simplification, Embedded_graph& simplified)
-{
-  const std::size_t number_of_nodes = num_vertices(simplified.graph);
-  simplified.node_sizes.resize(number_of_nodes);
-  const auto size_of_place = [&](std::size_t place) -> std::size_t& {
-    return place < number_of_nodes ? simplified.node_sizes[place]
-                                   : simplified.arc_rows[place - number_of_nodes].vertices;
-  };
-  for(const auto node : CGAL::make_range(vertices(given.graph)))
-    size_of_place(simplification.index_of_node(node)) += given.node_sizes[node];
-  for(std::size_t i = 0; i != given.arc_rows.size(); ++i)
-  {
-    const std::size_t place = simplification.index_of_arc(i);
-    size_of_place(place) += given.arc_rows[i].vertices;
-    if(place >= number_of_nodes)
-      simplified.arc_rows[place - number_of_nodes].area += given.arc_rows[i].area;
-  }
-}
-
 // The simplified graph where the given one is, by the parts of its arcs.
 Embedded_graph simplified_embedding(const Embedded_graph& given,
                                     const Graph& simplified,
                                     const Simplification& simplification,
                                     const std::vector<std::vector<std::size_t>>& parts)
 {
-  Embedded_graph result = {simplified};
+  Embedded_graph result = {simplified, {}, {}, join_arcs(given.arc_table, simplified, simplification, parts)};
   result.node_points.resize(num_vertices(simplified));
   for(const auto node : CGAL::make_range(vertices(given.graph)))
   {
@@ -118,21 +99,15 @@ Embedded_graph simplified_embedding(const Embedded_graph& given,
     if(place < num_vertices(simplified) && simplified[place].vertex == given.graph[node].vertex)
       result.node_points[place] = given.node_points[node];
   }
-  for(const auto arc : CGAL::make_range(edges(simplified)))
+  for(const std::vector<std::size_t>& parts_of_arc : parts)
   {
-    const std::size_t lower = source(arc, simplified), upper = target(arc, simplified);
-    Arc_row row = {lower, upper, simplified[lower].value, simplified[upper].value, 0, 0, 0};
-    Polyline polyline;
-    for(const std::size_t part : parts[result.arc_rows.size()])
+    Polyline& polyline = result.arc_polylines.emplace_back();
+    for(const std::size_t part : parts_of_arc)
     {
       const Polyline& more = given.arc_polylines[part];
       polyline.insert(polyline.end(), more.begin() + (polyline.empty() ? 0 : 1), more.end());
-      row.length += given.arc_rows[part].length;
     }
-    result.arc_polylines.push_back(std::move(polyline));
-    result.arc_rows.push_back(row);
   }
-  add_up(given, simplification, result);
   return result;
 }
 
@@ -147,7 +122,7 @@ nlohmann::ordered_json page_level(const Embedded_graph& given,
   nlohmann::ordered_json level;
   level["threshold"] = threshold;
   auto& new_arcs = level["arcs"] = nlohmann::ordered_json::array();
-  for(std::size_t i = 0; i != given.arc_rows.size(); ++i)
+  for(std::size_t i = 0; i != given.arc_table.ends.size(); ++i)
   {
     const std::size_t place = simplification.index_of_arc(i);
     new_arcs.push_back(place < number_of_nodes ? -1 - static_cast<std::ptrdiff_t>(place)
@@ -167,7 +142,7 @@ nlohmann::ordered_json page_levels(const Embedded_graph& given, const Page_frame
   nlohmann::ordered_json first;
   first["threshold"] = 0;
   auto& arcs = first["arcs"] = nlohmann::ordered_json::array();
-  for(std::size_t i = 0; i != given.arc_rows.size(); ++i)
+  for(std::size_t i = 0; i != given.arc_table.ends.size(); ++i)
     arcs.push_back(i);
   auto levels = nlohmann::ordered_json::array({first});
   std::size_t last_number_of_arcs = num_edges(given.graph);

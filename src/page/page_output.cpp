@@ -8,7 +8,6 @@
 
 #include "page/page_output.h"
 
-#include "computation/augmentation.h"
 #include "computation/simplification.h"
 #include "output/output_file.h"
 #include "page/page_template.h"
@@ -23,6 +22,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -119,26 +119,23 @@ void check_page(const fs::path& path, const std::string& up)
 void write_page(const fs::path& path, const Page_request& request)
 {
   const Graph& given = request.graph.given();
-  const Simplified_graph wanted(given, request.simplification, request.threshold);
-  const std::optional<double> threshold = threshold_for_page(given, wanted.result(), request.threshold);
-  std::optional<Simplified_graph> smaller;
+  const Graph& wanted = request.graph.result();
+  const std::optional<double> threshold = threshold_for_page(given, wanted, request.graph.threshold());
+  std::unique_ptr<Mesh_graph> smaller;
   if(threshold)
   {
     Simplification_options options = request.simplification;
     options.threshold = {*threshold, false};
     options.number_of_leaves.reset();
     options.are_loops_cancelled = true;
-    smaller.emplace(given, options, *threshold);
+    smaller = request.graph.simplify(options, *threshold);
   }
-  const Simplified_graph& shown = smaller ? *smaller : wanted;
-  const Augmentation augmentation = shown.augmentation(request.surface, request.scalar_map, request.graph_options);
-  const auto& simplification = shown.simplification();
-  const std::vector<std::size_t> places =
-    simplification ? simplified_places(request.graph.given_places(), *simplification) : request.graph.given_places();
-  nlohmann::ordered_json data = page_data({augmentation, places, request.scalar_map, request.title, request.field_label,
-                                           request.up, request.patch_map, request.curves, request.loops});
+  Mesh_graph& shown = smaller ? *smaller : request.graph;
+  nlohmann::ordered_json data =
+    page_data({shown.surface_augmentation(), shown.places(), shown.arc_table(), request.scalar_map, request.title,
+               request.field_label, request.up, request.patch_map, request.curves, request.loops});
   data["graph"]["is_simplified"] = threshold.has_value();
-  data["graph"]["arcs_of_input"] = num_edges(wanted.result());
+  data["graph"]["arcs_of_input"] = num_edges(wanted);
   data["graph"]["threshold"] = threshold.value_or(0);
 
   const std::string text = script_text(data);

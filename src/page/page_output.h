@@ -30,15 +30,12 @@ void check_page(const std::filesystem::path& path, const std::string& up);
 // What a page is written of.
 struct Page_request
 {
-  const Surface& surface;
   Scalar_map scalar_map;
-  Mesh_graph& graph; // which is computed with these options; it is the given one that is simplified
-  Graph_options graph_options;
+  Mesh_graph& graph; // of a surface
   std::string title;
   Field_label field_label;
-  Simplification_options simplification = {};
-  double threshold = 0; // that of threshold_in_units()
-  std::string up = {};  // which way is up: x, y, z, -x, -y, -z, or as the page finds it
+  Simplification_options simplification = {}; // that of the graph
+  std::string up = {};                        // which way is up: x, y, z, -x, -y, -z, or as the page finds it
   std::optional<Patch_map> patch_map = std::nullopt;
   std::vector<Polyline> curves = {};
   std::vector<Loop_row> loops = {};

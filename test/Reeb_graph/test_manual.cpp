@@ -230,7 +230,9 @@ BOOST_AUTO_TEST_CASE(way_back)
   const auto areas = CGAL::Reeb_graph::arc_areas(mesh, graph, places);         // they add up to that of the mesh
   const auto pieces = CGAL::Reeb_graph::areas_of_pieces(mesh, graph, places);  // nodes and arcs apart
   const auto counts = CGAL::Reeb_graph::vertex_counts_of_pieces(mesh, graph, places);
+  const auto means = CGAL::Reeb_graph::arc_mean_values(mesh, scalar_map, graph, places); // weighted by area
   //! [measures]
+  BOOST_TEST(means.size() == num_edges(graph));
   BOOST_TEST(lengths.size() == num_edges(graph));
   BOOST_TEST(areas.size() == num_edges(graph));
   BOOST_TEST(pieces.size() == num_vertices(graph) + num_edges(graph));

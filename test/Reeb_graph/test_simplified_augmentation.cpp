@@ -18,16 +18,21 @@
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/mpl/list.hpp>
 #include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 #include <vector>
 
 // The way from a simplified graph to the mesh.
@@ -66,6 +71,70 @@ struct Simplified_sample
   double threshold;
   CGAL::Reeb_graph::Simplification<Graph> simplification;
 };
+
+// The weights of the values of each arc, by its definition: each triangle is cut into thirds, one for each corner. That
+// of a node is cut once more, into a part for each arc there.
+template <class Mesh, class Graph, class Locations>
+std::vector<std::vector<std::pair<double, double>>> values_of_arcs(const Mesh& mesh,
+                                                                   const graph_checks::Scalar_map_of<Mesh>& scalar_map,
+                                                                   const Graph& graph,
+                                                                   const Locations& locations)
+{
+  std::vector<std::vector<std::pair<double, double>>> weighted_values(num_edges(graph));
+  for(const auto f : CGAL::make_range(faces(mesh)))
+    for(const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
+    {
+      const double third = CGAL::Polygon_mesh_processing::face_area(f, mesh) / 3;
+      const std::size_t place = locations.index(v);
+      std::vector<std::size_t> arcs;
+      for(std::size_t i = 0; i < num_edges(graph); ++i)
+      {
+        const auto arc = *std::next(edges(graph).first, static_cast<std::ptrdiff_t>(i));
+        if(place == num_vertices(graph) + i || place == source(arc, graph) || place == target(arc, graph))
+          arcs.push_back(i);
+      }
+      for(const std::size_t arc : arcs)
+        weighted_values[arc].emplace_back(get(scalar_map, v), third / static_cast<double>(arcs.size()));
+    }
+  return weighted_values;
+}
+
+template <class Mesh, class Graph, class Locations>
+void check_mean_values(const Mesh& mesh,
+                       const graph_checks::Scalar_map_of<Mesh>& scalar_map,
+                       const Graph& graph,
+                       const Locations& locations)
+{
+  const auto means = CGAL::Reeb_graph::arc_mean_values(mesh, scalar_map, graph, locations);
+  const auto areas = CGAL::Reeb_graph::arc_areas(mesh, graph, locations);
+  const auto weighted_values = values_of_arcs(mesh, scalar_map, graph, locations);
+  BOOST_TEST_REQUIRE(means.size() == num_edges(graph));
+  std::size_t i = 0;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const double low = graph[source(arc, graph)].value, high = graph[target(arc, graph)].value;
+    double sum = 0, weight = 0, least = (std::numeric_limits<double>::max)(), greatest = -least;
+    for(const auto& [value, its_weight] : weighted_values[i])
+    {
+      sum += value * its_weight;
+      weight += its_weight;
+      least = (std::min)(least, value);
+      greatest = (std::max)(greatest, value);
+    }
+    const double mean = weight == 0 ? low + (high - low) / 2 : sum / weight;
+    if(std::isnan(mean))
+      BOOST_TEST((std::isnan(means[i]) || low == high)); // infinite values of both signs
+    else if(weight == 0 || std::isinf(mean))
+      BOOST_TEST(means[i] == mean);
+    else
+    {
+      BOOST_TEST(std::abs(means[i] - mean) <= 1e-10 * (std::max)(std::abs(least), std::abs(greatest)));
+      BOOST_TEST((least <= means[i] && means[i] <= greatest));
+    }
+    BOOST_TEST(std::abs(areas[i] - weight) <= 1e-10 * weight);
+    ++i;
+  }
+}
 } // namespace
 
 // Each vertex is where the node or arc is that took up its own.
@@ -101,7 +170,48 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(vertices_are_in_the_place_that_took_them_up, Mesh,
       const auto counts = CGAL::Reeb_graph::vertex_counts_of_pieces(sample.mesh, sample.simplified, locations);
       BOOST_TEST(std::accumulate(counts.begin(), counts.end(), 0.) == static_cast<double>(num_vertices(sample.mesh)));
       BOOST_TEST(graph_checks::are_arcs_numbered(sample.simplified));
+      check_mean_values(sample.mesh, sample.scalar_map, sample.graph, old_locations);
+      check_mean_values(sample.mesh, sample.scalar_map, sample.simplified, locations);
     }
+}
+
+// The means, by the areas, add up to the integral of the field; neither large nor infinite values break a sum.
+BOOST_AUTO_TEST_CASE(mean_values_of_arcs)
+{
+  namespace Reeb_graph = CGAL::Reeb_graph;
+  const auto tolerance = boost::test_tools::tolerance(1e-9);
+  Sample sample = curve_samples::smooth_sample(2, 2000, 1);
+  const auto mesh = make_mesh<Surface_mesh>(sample.soup);
+  const auto means_of = [&](const std::vector<double>& values) {
+    const auto scalar_map = Reeb_graph::make_scalar_map(mesh, values);
+    const auto graph = compute<CGAL::Sequential_tag>(mesh, scalar_map, Settings());
+    const auto locations = Reeb_graph::Augmentation(mesh, scalar_map, graph).locate_vertices();
+    return std::make_pair(Reeb_graph::arc_mean_values(mesh, scalar_map, graph, locations),
+                          Reeb_graph::arc_areas(mesh, graph, locations));
+  };
+  const auto [means, areas] = means_of(sample.values);
+  double integral = 0;
+  for(const auto f : faces(mesh))
+  {
+    double sum = 0;
+    for(const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
+      sum += sample.values[v];
+    integral += CGAL::Polygon_mesh_processing::face_area(f, mesh) * sum / 3;
+  }
+  BOOST_TEST(std::inner_product(means.begin(), means.end(), areas.begin(), 0.) == integral, tolerance);
+
+  const auto [least, greatest] = std::minmax_element(sample.values.begin(), sample.values.end());
+  const double scale = std::ldexp(1, 1022 - std::ilogb((std::max)(std::abs(*least), std::abs(*greatest))));
+  const auto highest = static_cast<std::size_t>(greatest - sample.values.begin());
+  std::vector<double> large = sample.values;
+  for(double& value : large)
+    value *= scale;
+  const auto means_of_large = means_of(large).first;
+  for(std::size_t i = 0; i < means.size(); ++i)
+    BOOST_TEST(means_of_large[i] / scale == means[i], tolerance);
+  sample.values[highest] = std::numeric_limits<double>::infinity();
+  const auto means_with_infinity = means_of(sample.values).first;
+  BOOST_TEST(std::count(means_with_infinity.begin(), means_with_infinity.end(), sample.values[highest]) == 1);
 }
 
 // A contour of an arc is one of the arcs that it has been made of.

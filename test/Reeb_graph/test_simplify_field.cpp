@@ -17,12 +17,14 @@
 #include <CGAL/Reeb_graph/simplification/simplify_field.h>
 
 #include <boost/mpl/list.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <ctime>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -145,6 +147,32 @@ bool names_the_way_out(const CGAL::Reeb_graph::Perturbed_ties_error& error)
   return std::string(error.what()).find("Ties::CONTRACT") != std::string::npos;
 }
 
+// The field that is computed with a given graph is the same one. Without ties, a graph with perturbed ones serves for
+// contracted ones.
+template <class Mesh>
+void test_given_graph(const Field_sample& sample, Ties ties_of_graph, Ties ties)
+{
+  const Mesh mesh = make_mesh<Mesh>(sample.mesh);
+  const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, sample.values);
+  const auto expected_map = CGAL::Reeb_graph::make_scalar_map(mesh, sample.values);
+  const auto result_map = CGAL::Reeb_graph::make_scalar_map(mesh, sample.values);
+  std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, std::size_t> places;
+  const auto place_map = boost::make_assoc_property_map(places);
+  graph_checks::Graph_of<Mesh> graph;
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph,
+                           parameters::vertex_place_map(place_map, parameters::ties(ties_of_graph)));
+  const auto np = parameters::vertex_place_map(place_map, parameters::ties(ties));
+  const double expected =
+    CGAL::Reeb_graph::simplify_field(mesh, scalar_map, sample.threshold, expected_map, parameters::ties(ties));
+  BOOST_TEST(CGAL::Reeb_graph::simplify_field(mesh, scalar_map, graph, sample.threshold, result_map, np) == expected);
+  BOOST_TEST(values_of(mesh, result_map) == values_of(mesh, expected_map), boost::test_tools::per_element());
+  for(auto& place : places)
+    place.second = num_vertices(graph) + num_edges(graph);
+  if(!places.empty())
+    BOOST_CHECK_THROW(CGAL::Reeb_graph::simplify_field(mesh, scalar_map, graph, sample.threshold, result_map, np),
+                      CGAL::Reeb_graph::Graph_mismatch_error);
+}
+
 // Tests a field; returns `false` if there is none, which the caller has to justify. Then there is one with contracted
 // ties.
 template <class Mesh>
@@ -169,6 +197,8 @@ bool test_field(const Field_sample& sample, Ties ties)
     BOOST_TEST(names_the_way_out(error));
     BOOST_TEST((ties == Ties::PERTURB && test_field<Mesh>(sample, Ties::CONTRACT)));
     BOOST_TEST(values_of(mesh, result_map) == sample.values, boost::test_tools::per_element());
+    if(std::set<double>(sample.values.begin(), sample.values.end()).size() == sample.values.size())
+      test_given_graph<Mesh>(sample, Ties::PERTURB, Ties::CONTRACT);
     return false;
   }
   const auto result = compute<CGAL::Sequential_tag>(mesh, result_map, settings);
@@ -205,6 +235,7 @@ bool test_field(const Field_sample& sample, Ties ties)
   }
   BOOST_TEST(change == largest_change);
   BOOST_TEST((change == 0 || change < sample.threshold));
+  test_given_graph<Mesh>(sample, ties, ties);
   return true;
 }
 

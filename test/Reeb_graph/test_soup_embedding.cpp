@@ -149,11 +149,15 @@ BOOST_AUTO_TEST_CASE(arcs_of_soups_and_tetrahedra_are_measured)
     const auto soup_lengths = Reeb_graph::arc_lengths(soup_augmentation, points);
     const auto soup_areas = Reeb_graph::arc_areas(soup_augmentation, points, soup_augmentation.locate_vertices());
     BOOST_REQUIRE(soup_lengths.size() == lengths.size());
+    const auto means = Reeb_graph::arc_mean_values(mesh, scalar_map, graph, augmentation.locate_vertices());
+    const auto soup_means = Reeb_graph::arc_mean_values(soup_augmentation, points, soup_augmentation.locate_vertices());
     BOOST_REQUIRE(soup_areas.size() == areas.size());
+    BOOST_REQUIRE(soup_means.size() == areas.size());
     for(std::size_t arc = 0; arc < lengths.size(); ++arc)
     {
       BOOST_TEST(soup_lengths[arc] == lengths[arc], tolerance);
       BOOST_TEST(soup_areas[arc] == areas[arc], tolerance);
+      BOOST_TEST(soup_means[arc] == means[arc], tolerance);
     }
     BOOST_CHECK_THROW(Reeb_graph::arc_lengths(soup_augmentation, std::vector<Point>(points.size() - 1)),
                       Reeb_graph::Attribute_count_error);
@@ -161,11 +165,15 @@ BOOST_AUTO_TEST_CASE(arcs_of_soups_and_tetrahedra_are_measured)
 
   auto solid = generated_surfaces::solid(3, 2);
   const auto points = make_points(solid.points);
-  double volume = 0;
-  for(const auto& t : solid.tetrahedra)
-    volume += std::abs(CGAL::volume(points[t[0]], points[t[1]], points[t[2]], points[t[3]]));
-  solid.tetrahedra.push_back(solid.tetrahedra.front());
   const auto values = random_meshes::random_permutation(points.size(), random);
+  double volume = 0, integral = 0;
+  for(const auto& t : solid.tetrahedra)
+  {
+    const double its_volume = std::abs(CGAL::volume(points[t[0]], points[t[1]], points[t[2]], points[t[3]]));
+    volume += its_volume;
+    integral += its_volume * (values[t[0]] + values[t[1]] + values[t[2]] + values[t[3]]) / 4;
+  }
+  solid.tetrahedra.push_back(solid.tetrahedra.front());
   Graph graph;
   CGAL::compute_reeb_graph_of_tetrahedra(points, solid.tetrahedra, values, graph);
   const Tetrahedra_augmentation augmentation(points, solid.tetrahedra, values, graph);
@@ -173,6 +181,22 @@ BOOST_AUTO_TEST_CASE(arcs_of_soups_and_tetrahedra_are_measured)
   BOOST_TEST(volumes.size() == num_edges(graph));
   BOOST_TEST(std::accumulate(volumes.begin(), volumes.end(), 0.) == volume, tolerance);
   BOOST_TEST(Reeb_graph::arc_lengths(augmentation, points).size() == num_edges(graph));
+  const auto means = Reeb_graph::arc_mean_values(augmentation, points, augmentation.locate_vertices());
+  BOOST_TEST(std::inner_product(means.begin(), means.end(), volumes.begin(), 0.) == integral, tolerance);
+}
+
+// An edge beside a triangle: the one arc has the area of the triangle, and the other one none.
+BOOST_AUTO_TEST_CASE(means_of_edges_are_in_the_middle)
+{
+  const std::vector<Point> points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(2, 0, 0), Point(3, 0, 0)};
+  const std::vector<std::array<std::size_t, 3>> triangles = {{0, 1, 2}};
+  const std::vector<std::array<std::size_t, 2>> edges = {{3, 4}};
+  const std::vector<double> values = {0, 1, 5, 7, 10};
+  Graph graph;
+  CGAL::compute_reeb_graph_of_soup(points, triangles, values, graph, CGAL::parameters::edges(edges));
+  const Soup_augmentation augmentation(points, triangles, values, graph, CGAL::parameters::edges(edges));
+  const auto means = CGAL::Reeb_graph::arc_mean_values(augmentation, points, augmentation.locate_vertices());
+  BOOST_TEST(means == (std::vector<double>{2, 8.5}), boost::test_tools::per_element());
 }
 
 // All writers write of a soup's graph what they write of the graph of the surface.

@@ -46,7 +46,9 @@ struct Soup
                              const std::vector<Point>& points,
                              const Locations& locations)
   {
-    return 0 * arc_areas(augmentation, points, locations).size();
+    return 0
+         * (arc_areas(augmentation, points, locations).size()
+            + arc_mean_values(augmentation, points, locations).size());
   }
 };
 
@@ -66,7 +68,9 @@ struct Solid
                              const std::vector<Point>& points,
                              const Locations& locations)
   {
-    return 0 * arc_volumes(augmentation, points, locations).size();
+    return 0
+         * (arc_volumes(augmentation, points, locations).size()
+            + arc_mean_values(augmentation, points, locations).size());
   }
 };
 
@@ -135,7 +139,7 @@ std::vector<Function<Subject>> functions()
        s.augmentation->locate_vertices();
        return std::size_t(0);
      }},
-    {"locate_vertices, arc_areas or arc_volumes", [](const Subject& s) { return s.measure(); }},
+    {"locate_vertices, arc_areas or arc_volumes, arc_mean_values", [](const Subject& s) { return s.measure(); }},
     {"arc_lengths",
      [](const Subject& s) {
        std::size_t sum = 0;

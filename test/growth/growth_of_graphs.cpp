@@ -13,6 +13,8 @@
 #include <CGAL/Reeb_graph.h>
 #include <CGAL/compute_reeb_graph.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -140,6 +142,8 @@ Functions functions_of_augmentation()
      [](const Subject& s) { return 0 * vertex_counts_of_pieces(s.mesh, s.graph, *s.locations).size(); }},
     {"areas_of_pieces", [](const Subject& s) { return 0 * areas_of_pieces(s.mesh, s.graph, *s.locations).size(); }},
     {"arc_areas", [](const Subject& s) { return 0 * arc_areas(s.mesh, s.graph, *s.locations).size(); }},
+    {"arc_mean_values",
+     [](const Subject& s) { return 0 * arc_mean_values(s.mesh, s.field, s.graph, *s.locations).size(); }},
     {"arc_lengths",
      [](const Subject& s) {
        std::size_t sum = 0;
@@ -200,6 +204,20 @@ Functions functions_of_graphs()
        std::vector<double> result(s.mesh.number_of_vertices());
        simplify_field(s.mesh, s.field, 0.2 * s.range, make_scalar_map(s.mesh, result),
                       parameters::ties(Ties::CONTRACT));
+       return std::size_t(0);
+     }},
+    {"simplify_field, with the graph",
+     [](const Subject& s) {
+       std::vector<double> result(s.mesh.number_of_vertices());
+       const auto places =
+         boost::make_function_property_map<Mesh::Vertex_index>([&](auto v) { return s.locations->index(v); });
+       try
+       {
+         simplify_field(s.mesh, s.field, s.graph, 0.2 * s.range, make_scalar_map(s.mesh, result),
+                        parameters::vertex_place_map(places));
+       }
+       catch(const Perturbed_ties_error&)
+       {}
        return std::size_t(0);
      }},
     {"simplify_field",

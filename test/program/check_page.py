@@ -76,7 +76,13 @@ class Surface:
         check(not self.patches or len(self.patches) == len(self.triangles), "the patches are not those of the faces")
 
 
-def check_graph(graph, surface, arc_numbers):
+# The names of what is told of each arc.
+def columns_of(data):
+    check(all(column["unit"] in ("field", "count", "") for column in data["columns"]), "the unit of a column")
+    return {column["name"] for column in data["columns"]}
+
+
+def check_graph(graph, surface, columns, arc_numbers):
     nodes, arcs = graph["nodes"], graph["arcs"]
     for node in nodes:
         node["value"] = value_of(node["value"])
@@ -92,9 +98,9 @@ def check_graph(graph, surface, arc_numbers):
         for height, node in ((plane[1], lower), (plane[-1], upper)):
             check(height == node["value"] or math.isinf(node["value"]), "a node is not at its value")
         check(plane[1::2] == sorted(plane[1::2]), "a drawn arc does not ascend")
-        for key in ("persistence", "length", "area"):
+        for key in ("persistence", "length", "area", "vertices"):
             check(value_of(arc[key]) >= 0, key)
-        check(arc["vertices"] >= 0, "vertices")
+        check(columns <= arc.keys(), "an arc has no number for a column")
     check(all(-1 - len(nodes) < number < len(arcs) for number in arc_numbers), "there is no such node or arc")
 
 
@@ -119,6 +125,17 @@ def check_contours(arc, nodes):
         check(nodes[arc["source"]]["value"] <= value <= nodes[arc["target"]]["value"], "a contour beyond its arc")
 
 
+# Where arcs are joined, their mean is that of what they have taken up, weighted by area.
+def check_means(arcs, level):
+    for number, arc in enumerate(level["graph"]["arcs"]):
+        taken_up = [arcs[i] for i, new_number in enumerate(level["arcs"]) if new_number == number]
+        areas, means = zip(*([value_of(other[name]) for name in ("area", "mean_value")] for other in taken_up))
+        area, mean = (value_of(arc[name]) for name in ("area", "mean_value"))
+        if area > 0 and all(map(math.isfinite, means)):
+            expected = sum(a * m for a, m in zip(areas, means)) / sum(areas)
+            check(is_near([mean], [expected], max(map(abs, means))), "the mean of joined arcs")
+
+
 def check_levels(data, surface):
     graph, levels = data["graph"], data["levels"]
     check(1 <= len(levels) <= 32 and levels[0]["threshold"] == 0 and "graph" not in levels[0], "the first level")
@@ -128,10 +145,11 @@ def check_levels(data, surface):
         check(level["threshold"] > threshold and len(level["graph"]["arcs"]) < number_of_arcs, "the order of levels")
         threshold, number_of_arcs = level["threshold"], len(level["graph"]["arcs"])
         check(len(level["arcs"]) == len(graph["arcs"]), "the arcs of a level")
-        check_graph(level["graph"], surface, level["arcs"])
+        check_graph(level["graph"], surface, columns_of(data), level["arcs"])
         if len(level["graph"]["nodes"]) == 2 and len(graph["nodes"]) < len(surface.places) == sum(
                 arc["vertices"] for arc in graph["arcs"]) + len(graph["nodes"]):
             check(level["graph"]["arcs"][0]["vertices"] == len(surface.places) - 2, "vertices are lost")
+        check_means(graph["arcs"], level)
         vertices = [node["vertex"] for node in graph["nodes"]]
         new_vertices = [node["vertex"] for node in level["graph"]["nodes"]]
         for number, arc in enumerate(level["graph"]["arcs"]):
@@ -202,7 +220,7 @@ def main(path, title, *arguments):
     check(page.title == data["title"] == title, f"the title is {page.title}")
     surface = Surface(data["surface"])
     graph = data["graph"]
-    check_graph(graph, surface, surface.places)
+    check_graph(graph, surface, columns_of(data), surface.places)
     low, high = data["field"]["lowest"], data["field"]["highest"]
     check(all(low <= value <= high for value in surface.values if math.isfinite(value)), "the range of the field")
     if data["surface"]["is_decimated"]:

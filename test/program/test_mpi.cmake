@@ -62,7 +62,7 @@ set(smooth genus_3_1.ply --field smooth)
 # The graphs are the same to the byte, but for those measures of the arcs for which the whole surface is needed.
 function(expect_same_graph sequential on_ranks)
   file(READ ${FOLDER}/${sequential} content)
-  foreach(measure length area vertices)
+  foreach(measure length area vertices mean_value)
     if(NOT content MATCHES "<key id=\"(key[0-9]+)\" for=\"edge\" attr.name=\"${measure}\"")
       message(SEND_ERROR "${sequential} has no ${measure}")
     endif()

@@ -96,7 +96,7 @@ def check_by_python():
             # The field is the coordinate x, of centroids as well.
             if manner != "straight":
                 check(are_close(arc["values"], [p[0] for p in arc["polyline"]]), "a point has not its value")
-            for name in ("persistence", "length", "area", "vertices"):
+            for name in ("persistence", "length", "area", "vertices", "mean_value"):
                 check(float(row[name]) == arc[name], f"{name} differs")
             chain = arc["chain"]
             check(chain[0][0] == ends[0]["vertex"], "a chain does not begin at its node")
@@ -213,7 +213,7 @@ def check_by_networkx():
     check(all(graph.nodes[n]["vertex"] == other.nodes[n]["vertex"] for n in graph), "the nodes are others")
     loops = graph.number_of_edges() - graph.number_of_nodes() + networkx.number_weakly_connected_components(graph)
     check(loops == report["loops"], "the numbers of loops differ")
-    measures = ("persistence", "length", "area", "vertices")
+    measures = ("persistence", "length", "area", "vertices", "mean_value")
     check(sorted((u, v, *(d[name] for name in measures)) for u, v, d in graph.edges(data=True))
           == sorted((u, v, *(d[name] for name in measures)) for u, v, d in other.edges(data=True)),
           "the measures of arcs are others")
@@ -277,7 +277,7 @@ def check_by_vtk():
             check([of_points.GetArray("value").GetValue(j) for j in numbers] == arc["values"], "values are others")
             check([numbers[0], numbers[-1]] == [arc["source"], arc["target"]], "a line does not end at its nodes")
             check(of_cells.GetArray("arc").GetValue(len(nodes) + i) == i, "the cells of arcs are others")
-            for name in ("persistence", "length", "area", "vertices"):
+            for name in ("persistence", "length", "area", "vertices", "mean_value"):
                 check(of_cells.GetArray(name).GetValue(len(nodes) + i) == arc[name], f"{name} is another")
         check_colours(vtk_rendering, data)
     data = read_by_vtk(vtk_io, "mesh.vtp")

@@ -13,14 +13,17 @@ foreach(row "vertices=4" "edges=6" "faces=4" "components=1" "border_loops=0" "eu
 endforeach()
 
 # the table of the arcs, by default of a graph of few: the tetrahedron has the height 1
-foreach(row "arc=0" "from=0" "to=1" "lower_value=0.0" "upper_value=1.0" "length=1.0" "vertices=2")
+foreach(row "arc=0" "from=0" "to=1" "lower_value=0.0" "upper_value=1.0" "persistence=1.0" "length=1.0" "vertices=2")
   string(REPLACE "=" ";" row "${row}")
   list(GET row 0 key)
   list(GET row 1 value)
   expect_json("${value}" arc_table 0 ${key} ${tetrahedron})
 endforeach()
+expect_success(compute tetrahedron.off --field z --json) # a third of the faces at the top has the value 1
+string(JSON mean GET "${output}" arc_table 0 mean_value)
+expect_match("${mean}" "^0[.]262891")
 expect_success(compute tetrahedron.off --field z)
-expect_match("${output}" "\n +arc +from +to +from value +to value +length +area +vertices\n +0 +0 +1 +0 +1 +1 +[0-9.]+ +2\n$")
+expect_match("${output}" "\n +arc +from +to +from value +to value +persistence +length +area +vertices\n +0 +0 +1 +0 +1 +1 +1 +[0-9.]+ +2\n$")
 expect_success(compute tetrahedron.off --field z --no-table)
 if(output MATCHES "from value")
   message(SEND_ERROR "'${output}' has a table")

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
+#include <CGAL/Reeb_graph/internal/base/Weighted_mean.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
@@ -64,6 +65,87 @@ std::vector<double> measures_of_arcs(const ReebGraph& graph, const std::vector<d
     for(const auto node : {source(arc, graph), target(arc, graph)})
       result[arc_number] += pieces[node] / static_cast<double>(degree(node, graph));
     ++arc_number;
+  }
+  return result;
+}
+
+// Calls visit(area, vertices) for each face.
+template <class FaceListGraph, class PointMap, class Visit>
+void visit_faces(const FaceListGraph& mesh, const PointMap& point_map, const Visit& visit)
+{
+  for(const auto f : CGAL::make_range(faces(mesh)))
+  {
+    const auto h = halfedge(f, mesh);
+    const auto a = source(h, mesh), b = target(h, mesh), c = target(next(h, mesh), mesh);
+    visit(area_of(get(point_map, a), get(point_map, b), get(point_map, c)), std::array{a, b, c});
+  }
+}
+
+// Calls visit(area, vertices) for each triangle.
+template <class Scalar, class ReebGraph, class Traits, class PointRange, class Visit>
+void visit_cells(const Soup_augmentation<Scalar, ReebGraph, Traits>& augmentation,
+                 const PointRange& points,
+                 const Visit& visit)
+{
+  const auto point_map = checked_point_map(points, augmentation.number_of_vertices());
+  for(const auto triangle : augmentation.mesh().triangles())
+  {
+    const auto& t = augmentation.mesh().vertices_of(triangle);
+    const std::array<std::size_t, 3> v = {t[0].number(), t[1].number(), t[2].number()};
+    visit(area_of(get(point_map, v[0]), get(point_map, v[1]), get(point_map, v[2])), v);
+  }
+}
+
+// Calls visit(volume, vertices) for each tetrahedron.
+template <class Scalar, class ReebGraph, class Traits, class PointRange, class Visit>
+void visit_cells(const Tetrahedra_augmentation<Scalar, ReebGraph, Traits>& augmentation,
+                 const PointRange& points,
+                 const Visit& visit)
+{
+  const auto point_map = checked_point_map(points, augmentation.number_of_vertices());
+  for(const auto& t : augmentation.cells())
+  {
+    const std::array<std::size_t, 4> v = {t[0].number(), t[1].number(), t[2].number(), t[3].number()};
+    visit(std::abs(CGAL::to_double(
+            volume(get(point_map, v[0]), get(point_map, v[1]), get(point_map, v[2]), get(point_map, v[3])))),
+          v);
+  }
+}
+
+// The measures of the arcs of a soup or of tetrahedra.
+template <class AnyAugmentation, class PointRange, class VertexLocations>
+std::vector<double> measures_of_cells(const AnyAugmentation& augmentation,
+                                      const PointRange& points,
+                                      const VertexLocations& locations)
+{
+  const auto& graph = augmentation.graph();
+  std::vector<double> pieces(num_vertices(graph) + num_edges(graph), 0);
+  visit_cells(augmentation, points,
+              [&](double measure, const auto& vertices) { add_to_pieces(measure, vertices, locations, pieces); });
+  return measures_of_arcs(graph, pieces);
+}
+
+// The mean of the values at the vertices of each arc, weighted by what measures_of_arcs() has of them. `value` is called
+// with a vertex; visit_all(visit) calls visit(measure, vertices) for each face or cell.
+template <class ReebGraph, class VertexLocations, class Value, class VisitAll>
+std::vector<double> mean_values_of_arcs(const ReebGraph& graph,
+                                        const VertexLocations& locations,
+                                        const Value& value,
+                                        const VisitAll& visit_all)
+{
+  std::vector<Weighted_mean> pieces(num_vertices(graph) + num_edges(graph));
+  visit_all([&](double measure, const auto& vertices) {
+    for(const auto v : vertices)
+      pieces.at(locations.index(v)).add(value(v), measure / static_cast<double>(std::size(vertices)));
+  });
+  std::vector<double> result;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const auto lower = source(arc, graph), upper = target(arc, graph);
+    Weighted_mean& mean = pieces[num_vertices(graph) + result.size()];
+    for(const auto node : {lower, upper})
+      mean.add(pieces[node].mean, pieces[node].weight / static_cast<double>(degree(node, graph)));
+    result.push_back(mean.mean_or_middle(value(graph[lower].vertex), value(graph[upper].vertex)));
   }
   return result;
 }
@@ -150,13 +232,9 @@ std::vector<double> areas_of_pieces(const FaceListGraph& mesh,
   {
     const auto point_map = internal::choose_point_map(mesh, np);
     std::vector<double> areas(num_vertices(graph) + num_edges(graph), 0);
-    for(const auto f : CGAL::make_range(faces(mesh)))
-    {
-      const auto h = halfedge(f, mesh);
-      const auto a = source(h, mesh), b = target(h, mesh), c = target(next(h, mesh), mesh);
-      const double area = internal::area_of(get(point_map, a), get(point_map, b), get(point_map, c));
-      internal::add_to_pieces(area, std::array{a, b, c}, locations, areas);
-    }
+    internal::visit_faces(mesh, point_map, [&](double area, const auto& vertices) {
+      internal::add_to_pieces(area, vertices, locations, areas);
+    });
     return areas;
   }
   else
@@ -203,18 +281,7 @@ std::vector<double> arc_areas(const Soup_augmentation<Scalar, ReebGraph, Traits>
                               const PointRange& points,
                               const VertexLocations& locations)
 {
-  const auto& graph = augmentation.graph();
-  const auto& complex = augmentation.mesh();
-  const auto point_map = internal::checked_point_map(points, augmentation.number_of_vertices());
-  std::vector<double> areas(num_vertices(graph) + num_edges(graph), 0);
-  for(const auto triangle : complex.triangles())
-  {
-    const auto& t = complex.vertices_of(triangle);
-    const std::array<std::size_t, 3> v = {t[0].number(), t[1].number(), t[2].number()};
-    internal::add_to_pieces(internal::area_of(get(point_map, v[0]), get(point_map, v[1]), get(point_map, v[2])), v,
-                            locations, areas);
-  }
-  return internal::measures_of_arcs(graph, areas);
+  return internal::measures_of_cells(augmentation, points, locations);
 }
 
 /// \brief adds up the volume of the tetrahedra that belongs to each arc of their Reeb graph, as the area of a mesh: a
@@ -233,17 +300,78 @@ std::vector<double> arc_volumes(const Tetrahedra_augmentation<Scalar, ReebGraph,
                                 const PointRange& points,
                                 const VertexLocations& locations)
 {
-  const auto& graph = augmentation.graph();
-  const auto point_map = internal::checked_point_map(points, augmentation.number_of_vertices());
-  std::vector<double> volumes(num_vertices(graph) + num_edges(graph), 0);
-  for(const auto& t : augmentation.cells())
+  return internal::measures_of_cells(augmentation, points, locations);
+}
+
+/// \brief computes the mean value of the field on each arc of a Reeb graph, weighted by area.
+///
+/// The weight of a vertex is what it has of the areas of `arc_areas()`: a third of each of its faces, and for that of a
+/// node an equal part for each arc there. So the means, each times the area of its arc, add up to the integral of the
+/// field over the mesh, which is linear on each face. A mean lies between the least and the greatest value at vertices of
+/// its arc and at its ends. An arc without area has the middle of the values of its nodes. With an infinite value, the
+/// mean is infinite, or NaN with both of them.
+///
+/// It takes time linear in the size of the mesh.
+///
+/// \param mesh the mesh that the graph has been computed of
+/// \param scalar_map the field that it has been computed of
+/// \param graph the Reeb graph, or a simplified one
+/// \param locations what `Augmentation::locate_vertices()` has returned for the graph
+/// \param np named parameters: those of `areas_of_pieces()`, and `geom_traits`, as for `simplify()`
+///
+/// \returns the means, in the order of `edges(graph)`.
+///
+/// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of this mesh
+template <class FaceListGraph,
+          class ScalarMap,
+          class ReebGraph,
+          class VertexLocations,
+          class NamedParameters = parameters::Default_named_parameters>
+std::vector<double> arc_mean_values(const FaceListGraph& mesh,
+                                    ScalarMap scalar_map,
+                                    const ReebGraph& graph,
+                                    const VertexLocations& locations,
+                                    const NamedParameters& np = parameters::default_values())
+{
+  typedef internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters> Traits;
+  if constexpr(internal::Mesh_with_numbers<FaceListGraph, ScalarMap, Traits>::value)
   {
-    const std::array<std::size_t, 4> v = {t[0].number(), t[1].number(), t[2].number(), t[3].number()};
-    internal::add_to_pieces(std::abs(CGAL::to_double(volume(get(point_map, v[0]), get(point_map, v[1]),
-                                                            get(point_map, v[2]), get(point_map, v[3])))),
-                            v, locations, volumes);
+    const internal::Scalar_conversion<Traits> conversion(internal::choose_traits<Traits>(np));
+    const auto value = [&](const auto v) { return conversion.to_double(get(scalar_map, v)); };
+    const auto point_map = internal::choose_point_map(mesh, np);
+    return internal::mean_values_of_arcs(graph, locations, value,
+                                         [&](const auto& visit) { internal::visit_faces(mesh, point_map, visit); });
   }
-  return internal::measures_of_arcs(graph, volumes);
+  else
+    return {};
+}
+
+/// \brief computes the mean value of the field on each arc of the Reeb graph of a soup, weighted by the areas of the
+/// triangles, or of tetrahedra, weighted by their volumes, as on a mesh.
+///
+/// An arc without triangles or tetrahedra, as on an edge that is on none, has the middle of the values of its nodes.
+///
+/// \param augmentation a `Soup_augmentation` or `Tetrahedra_augmentation` of the graph
+/// \param points the points of the vertices, a random access range
+/// \param locations what `augmentation.locate_vertices()` has returned
+///
+/// \returns the means, in the order of `edges(graph)`.
+///
+/// \exception Attribute_count_error if there is not one point for each vertex
+/// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of these triangles or tetrahedra
+template <template <class, class, class> class AnyAugmentation,
+          class Scalar,
+          class ReebGraph,
+          class Traits,
+          class PointRange,
+          class VertexLocations>
+std::vector<double> arc_mean_values(const AnyAugmentation<Scalar, ReebGraph, Traits>& augmentation,
+                                    const PointRange& points,
+                                    const VertexLocations& locations)
+{
+  return internal::mean_values_of_arcs(
+    augmentation.graph(), locations, [&](std::size_t v) { return augmentation.value(v); },
+    [&](const auto& visit) { internal::visit_cells(augmentation, points, visit); });
 }
 
 /// \brief measures the length of each arc of a Reeb graph on the surface.

@@ -103,7 +103,7 @@ OutputIterator branch_curves(MutableFaceGraph& mesh,
   progress.report(0);
   internal::check_input(mesh, scalar_map, np);
   const OutputIterator end = internal::cut_along_chosen_contours(
-    mesh, scalar_map, curves, np, internal::Stage_progress(progress, 0.05, 1),
+    mesh, scalar_map, curves, np, internal::Stage_progress(progress, 0.05, 1), thresholds.needs_places(),
     [&](const auto& ranked, const auto& simple, const internal::Stage_progress& stage) {
       return internal::choose_branch_curves(ranked, simple, thresholds, np, stage);
     });

@@ -16,6 +16,8 @@
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 
+#include <type_traits>
+
 namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphCurves
@@ -73,7 +75,7 @@ OutputIterator cutting_system(MutableFaceGraph& mesh,
   progress.report(0);
   internal::check_input(mesh, scalar_map, np);
   const OutputIterator end = internal::cut_along_chosen_contours(
-    mesh, scalar_map, curves, np, internal::Stage_progress(progress, 0.05, 1),
+    mesh, scalar_map, curves, np, internal::Stage_progress(progress, 0.05, 1), std::false_type(),
     [&](const auto& ranked, const auto& simple, const internal::Stage_progress& stage) {
       return internal::choose_cutting_system(ranked, simple, np, stage);
     });

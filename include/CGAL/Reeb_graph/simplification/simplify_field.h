@@ -20,7 +20,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <boost/graph/graph_traits.hpp>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Reeb_graph {
 
@@ -92,10 +93,59 @@ double simplify_field(const FaceListGraph& mesh,
     throw Loop_cancellation_error();
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Traits;
   if constexpr(internal::Field_of_numbers_and_map<FaceListGraph, ScalarMap, Traits, SimplifiedScalarMap>::value)
-  {
-    typedef Branch<typename boost::graph_traits<typename Traits::Graph>::vertex_descriptor> Branch;
-    return internal::write_simplified_field<Branch, Traits>(mesh, scalar_map, threshold, simplified_scalar_map, np);
-  }
+    return internal::write_simplified_field<Traits>(
+      mesh, scalar_map, threshold, simplified_scalar_map, np, [&](const auto& flat_field, const auto& progress) {
+        std::pair<typename Traits::Graph, std::vector<internal::Index>> graph;
+        graph.second = internal::compute_with_places(flat_field, graph.first, np, progress);
+        return graph;
+      });
+  else
+    return 0;
+}
+
+/// \ingroup PkgReebGraphSimplification
+///
+/// \brief computes a field whose Reeb graph is the simplified graph of a given field, as above, with the graph of the
+/// given field, which then need not be computed once more.
+///
+/// \param mesh the triangulated surface; it is only read
+/// \param scalar_map the scalar field
+/// \param graph the graph that `compute_reeb_graph()` has computed of them with the same `ties`. Where all values are
+///        different, that is the same one for both.
+/// \param threshold what is smaller is removed, in units of the measure
+/// \param simplified_scalar_map the result; it can be the same map as `scalar_map`
+/// \param np the named parameters of `simplify_field()` above, and `vertex_place_map`, the one that
+///        `compute_reeb_graph()` has written, which has to be there
+///
+/// \returns the largest absolute difference between a value of the result and the given one.
+///
+/// \exception Reeb_graph::Graph_mismatch_error if a place is none of the graph
+///
+/// and the other exceptions of `simplify_field()` above.
+template <class FaceListGraph, class ScalarMap, class ReebGraph, class SimplifiedScalarMap, class NamedParameters>
+double simplify_field(const FaceListGraph& mesh,
+                      ScalarMap scalar_map,
+                      const ReebGraph& graph,
+                      double threshold,
+                      SimplifiedScalarMap simplified_scalar_map,
+                      const NamedParameters& np)
+{
+  typedef decltype(parameters::get_parameter(np, internal::vertex_place_map)) Place_map;
+  static_assert(internal::is_given<Place_map>,
+                "simplify_field() with a graph needs the named parameter vertex_place_map.");
+  static_assert(!internal::is_given<decltype(parameters::get_parameter(np, internal_np::geom_traits))>,
+                "simplify_field() knows the order of operator< only: it takes no named parameter geom_traits.");
+  if(parameters::choose_parameter(parameters::get_parameter(np, internal::cancel_loops), false))
+    throw Loop_cancellation_error();
+  typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Traits;
+  if constexpr(internal::Field_of_numbers_and_map<FaceListGraph, ScalarMap, Traits, SimplifiedScalarMap>::value
+               && internal::is_given<Place_map>)
+    return internal::write_simplified_field<Traits>(
+      mesh, scalar_map, threshold, simplified_scalar_map, np, [&](const auto& flat_field, const auto&) {
+        const auto map = parameters::get_parameter(np, internal::vertex_place_map);
+        return std::pair<const ReebGraph&, std::vector<internal::Index>>(graph,
+                                                                         internal::read_places(flat_field, graph, map));
+      });
   else
     return 0;
 }

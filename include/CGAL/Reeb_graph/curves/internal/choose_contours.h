@@ -42,6 +42,7 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -129,7 +130,7 @@ struct Branch_thresholds
   }
 
   bool needs_areas() const { return area > 0 || (has_measure && measure > 0); }
-  bool needs_vertex_counts() const { return vertex_count > 0; }
+  bool needs_places() const { return needs_areas() || vertex_count > 0; }
 
   // The size relative to the thresholds, less than 1 if one of them is not reached.
   template <class Branch>
@@ -168,16 +169,16 @@ struct Branch_weight
 template <class RankedMesh, class Thresholds>
 std::vector<Branch_weight> branch_weights(const RankedMesh& ranked,
                                           const Simple_reeb_graph<RankedMesh>& simple,
-                                          const Thresholds& thresholds,
-                                          const Stage_progress& progress)
+                                          const Thresholds& thresholds)
 {
   std::vector<Branch_weight> weights(num_vertices(simple.graph) + num_edges(simple.graph));
-  if(!thresholds.needs_areas() && !thresholds.needs_vertex_counts())
+  if(!thresholds.needs_places())
     return weights;
-  const Augmentation<typename RankedMesh::Mesh, typename RankedMesh::Rank_map> augmentation(
-    ranked.mesh(), ranked.rank_map(), simple.graph,
-    parameters::ties(Ties::CONTRACT).callback(progress.part(0, 0.2).callback()));
-  const auto locations = augmentation.locate_vertices(parameters::callback(progress.part(0.2, 0.9).callback()));
+  struct
+  {
+    const typename Simple_reeb_graph<RankedMesh>::Place_map& places;
+    std::size_t index(typename RankedMesh::vertex_descriptor v) const { return get(places, v); }
+  } const locations = {*simple.places};
   for(const auto v : simple.given_vertices)
     ++weights[locations.index(v)].vertex_count;
   if(thresholds.needs_areas())
@@ -195,8 +196,7 @@ std::vector<Branch_weight> branch_weights(const RankedMesh& ranked,
 template <class RankedMesh, class Thresholds>
 std::vector<Arc_path> find_branches(const RankedMesh& ranked,
                                     const Simple_reeb_graph<RankedMesh>& simple,
-                                    const Thresholds& thresholds,
-                                    const Stage_progress& progress)
+                                    const Thresholds& thresholds)
 {
   typedef typename RankedMesh::vertex_descriptor vertex_descriptor;
   const auto& graph = simple.graph;
@@ -212,7 +212,7 @@ std::vector<Arc_path> find_branches(const RankedMesh& ranked,
     return thresholds.relative_size(branch, arc.weight.vertex_count);
   };
   Weighted_leaf_pruning<Branch_weight> pruned(static_cast<Index>(num_vertices(graph)), read_arcs(graph),
-                                              branch_weights(ranked, simple, thresholds, progress));
+                                              branch_weights(ranked, simple, thresholds));
   const auto small_size = [&](const Measured_arc& arc) {
     const double relative_size = size(arc);
     return relative_size < 1 ? relative_size : std::numeric_limits<double>::quiet_NaN();
@@ -397,18 +397,20 @@ auto choose_branch_curves(const RankedMesh& ranked,
                           const NamedParameters& np,
                           const Stage_progress& progress)
 {
-  const auto paths = find_branches(ranked, simple, thresholds, progress.part(0, 0.3));
-  return choose_along_paths<Cost_of_branch_curve>(ranked, simple, paths, np, progress.part(0.3, 1));
+  const auto paths = find_branches(ranked, simple, thresholds);
+  return choose_along_paths<Cost_of_branch_curve>(ranked, simple, paths, np, progress);
 }
 
 // Refines a mesh so that the contours of choose(ranked mesh, its Reeb graph with simple saddles, progress) become paths
-// of edges, and outputs these. The input has been checked by check_input().
-template <class Mesh, class ScalarMap, class OutputIterator, class NamedParameters, class Choose>
+// of edges, and outputs these. The input has been checked by check_input(). Whether choose() wants the places of vertices
+// is told as to compute_simple_reeb_graph().
+template <class Mesh, class ScalarMap, class OutputIterator, class NamedParameters, class ArePlacesWanted, class Choose>
 OutputIterator cut_along_chosen_contours(Mesh& mesh,
                                          const ScalarMap& scalar_map,
                                          OutputIterator output,
                                          const NamedParameters& np,
                                          const Stage_progress& progress,
+                                         const ArePlacesWanted& are_places_wanted,
                                          const Choose& choose)
 {
   typedef Chosen_traits<Reeb_graph_traits<Mesh, ScalarMap>, NamedParameters> Traits;
@@ -417,7 +419,7 @@ OutputIterator cut_along_chosen_contours(Mesh& mesh,
     const auto traits = choose_traits<Traits>(np);
     const auto cut = [&](const auto& map, const Stage_progress& stage) {
       const auto find_contours = [&](const auto& ranked, const Stage_progress& finding) {
-        const auto simple = compute_simple_reeb_graph(ranked, map, traits, finding.part(0, 0.55));
+        const auto simple = compute_simple_reeb_graph(ranked, map, traits, are_places_wanted, finding.part(0, 0.55));
         auto choices = choose(ranked, simple, finding.part(0.55, 1));
         return std::vector<Contour_to_cut<typename boost::graph_traits<Mesh>::halfedge_descriptor>>(
           std::make_move_iterator(choices.begin()), std::make_move_iterator(choices.end()));
@@ -456,7 +458,7 @@ OutputIterator cut_into_pants(Mesh& mesh,
                               const NamedParameters& np,
                               const Stage_progress& progress)
 {
-  return cut_along_chosen_contours(mesh, scalar_map, output, np, progress,
+  return cut_along_chosen_contours(mesh, scalar_map, output, np, progress, std::false_type(),
                                    [&](const auto& ranked, const auto& simple, const Stage_progress& stage) {
                                      return choose_pants_decomposition(ranked, simple, np, stage);
                                    });

@@ -25,7 +25,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
@@ -200,18 +203,23 @@ void check_negative_euler_characteristics(const Mesh& mesh)
 template <class RankedMesh>
 struct Simple_reeb_graph
 {
-  typedef typename Reeb_graph_traits<typename RankedMesh::Mesh, typename RankedMesh::Rank_map>::Graph Graph;
+  typedef typename RankedMesh::Mesh Mesh;
+  typedef typename Reeb_graph_traits<Mesh, typename RankedMesh::Rank_map>::Graph Graph;
+  typedef decltype(get(dynamic_vertex_property_t<std::size_t>(), std::declval<const Mesh&>())) Place_map;
 
   Graph graph;
+  std::optional<Place_map> places;                                    // of all vertices, if they are wanted
   std::vector<bool> is_border;                                        // whether a node is a border, by node
   std::vector<typename RankedMesh::vertex_descriptor> given_vertices; // those that refining the mesh has not added
 };
 
-// Refines the mesh so that its Reeb graph is simple. The input has been checked by check_input().
-template <class RankedMesh, class ScalarMap, class Traits>
+// Refines the mesh so that its Reeb graph is simple. The input has been checked by check_input(). `ArePlacesWanted` is
+// bool, or std::false_type where they never are.
+template <class RankedMesh, class ScalarMap, class Traits, class ArePlacesWanted>
 Simple_reeb_graph<RankedMesh> compute_simple_reeb_graph(const RankedMesh& ranked,
                                                         const ScalarMap& scalar_map,
                                                         const Traits& traits,
+                                                        const ArePlacesWanted& are_places_wanted,
                                                         const Stage_progress& progress)
 {
   auto& mesh = ranked.mesh();
@@ -224,8 +232,16 @@ Simple_reeb_graph<RankedMesh> compute_simple_reeb_graph(const RankedMesh& ranked
   split_chords(ranked, borders);
   unfold_all_vertices(ranked);
 
-  compute_reeb_graph(mesh, ranked.rank_map(), result.graph,
-                     parameters::ties(Ties::CONTRACT).callback(progress.part(0.55, 1).callback()));
+  const auto ties = parameters::ties(Ties::CONTRACT);
+  const auto callback = progress.part(0.55, 1).callback();
+  if(!are_places_wanted)
+    compute_reeb_graph(mesh, ranked.rank_map(), result.graph, ties.callback(callback));
+  else if constexpr(std::is_same_v<ArePlacesWanted, bool>)
+  {
+    result.places = get(dynamic_vertex_property_t<std::size_t>(), std::as_const(mesh));
+    compute_reeb_graph(mesh, ranked.rank_map(), result.graph,
+                       ties.vertex_place_map(*result.places).callback(callback));
+  }
   for(const auto node : CGAL::make_range(vertices(result.graph)))
     result.is_border.push_back(borders.is_on_border(result.graph[node].vertex));
   return result;

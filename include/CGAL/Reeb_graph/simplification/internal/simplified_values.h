@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Flat_field.h>
+#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
@@ -30,6 +31,7 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
@@ -242,10 +244,49 @@ std::vector<Scalar> perturbed_values(const Complex& complex,
                                                        const std::vector<SCALAR>&, double);
 CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES_ONCE(CGAL_REEB_GRAPH_PERTURBED_VALUES)
 
+// Computes the graph with the places of the vertices, by their numbers.
+template <class Graph, class FlatField, class NamedParameters>
+std::vector<Index> compute_with_places(const FlatField& flat_field,
+                                       Graph& graph,
+                                       const NamedParameters& np,
+                                       const Stage_progress& progress)
+{
+  const auto& field = flat_field.flat_surface(flat_field.mesh())->field;
+  std::vector<Index> places(field.values.size(), no_index);
+  const auto place_map = boost::make_function_property_map<typename FlatField::key_type, Index&>(
+    [&](const auto& v) -> Index& { return places[field.numbers(v).number()]; });
+  const auto np_of_graph = np.callback(progress.callback());
+  compute_reeb_graph(
+    flat_field.mesh(), flat_field, graph,
+    Own_named_parameters<decltype(place_map), vertex_place_map_t, decltype(np_of_graph)>(place_map, np_of_graph));
+  return places;
+}
+
+// The places of the vertices in a graph that has been computed already.
+template <class FlatField, class Graph, class PlaceMap>
+std::vector<Index> read_places(const FlatField& flat_field, const Graph& graph, const PlaceMap& place_map)
+{
+  using boost::get; // for a pointer, whatever has been included before
+  const auto surface = flat_field.flat_surface(flat_field.mesh());
+  std::vector<Index> places(surface->field.values.size(), no_index);
+  for(const Vertex_index number : surface->complex.vertices())
+  {
+    if(!surface->complex.has_vertex(number))
+      continue;
+    const auto place = static_cast<std::size_t>(get(place_map, surface->field.vertices[number]));
+    if(place >= num_vertices(graph) + num_edges(graph))
+      throw Graph_mismatch_error();
+    places[number.number()] = static_cast<Index>(place);
+  }
+  return places;
+}
+
 // The values of the simplified field, by number of the vertex; see simplify_field(). They are those of `flat_field`
-// then, if the graph has been computed again to see that it is the simplified one.
+// then, if the graph has been computed again to see that it is the simplified one. `places` are those in the given graph.
 template <class Branch, class Graph, class FlatField, class NamedParameters>
 auto simplified_values(FlatField& flat_field,
+                       const Graph& graph,
+                       const std::vector<Index>& places,
                        double threshold,
                        const NamedParameters& np,
                        const Stage_progress& progress)
@@ -255,14 +296,6 @@ auto simplified_values(FlatField& flat_field,
   const auto& flat = *flat_field.flat_surface(mesh); // It stays, as long as nobody else has it.
   const auto& complex = flat.complex;
   const auto& field = flat.field;
-  Graph graph;
-  std::vector<Index> places(field.values.size(), no_index);
-  const auto place_map = boost::make_function_property_map<typename FlatField::key_type, Index&>(
-    [&](const auto& v) -> Index& { return places[field.numbers(v).number()]; });
-  const auto np_of_graph = np.callback(progress.part(0.1, 0.6).callback());
-  compute_reeb_graph(
-    mesh, flat_field, graph,
-    Own_named_parameters<decltype(place_map), vertex_place_map_t, decltype(np_of_graph)>(place_map, np_of_graph));
   const Leaf_pruning pruned = prune_graph<Branch>(graph, threshold, np);
   const std::vector<Index> saddles_of_places = pruned.find_saddles();
   std::vector<Index> saddles;
@@ -295,13 +328,15 @@ auto simplified_values(FlatField& flat_field,
     throw Perturbed_ties_error("the values are not floating-point numbers");
 }
 
-// Writes them, and returns the largest difference.
-template <class Branch, class Traits, class Mesh, class ScalarMap, class SimplifiedScalarMap, class NamedParameters>
+// Writes them, and returns the largest difference. find_graph(flat field, progress) returns the given graph, or a
+// reference to it, and the places of the vertices there.
+template <class Traits, class Mesh, class ScalarMap, class SimplifiedScalarMap, class NamedParameters, class FindGraph>
 double write_simplified_field(const Mesh& mesh,
                               const ScalarMap& scalar_map,
                               double threshold,
                               const SimplifiedScalarMap& simplified_scalar_map,
-                              const NamedParameters& np)
+                              const NamedParameters& np,
+                              const FindGraph& find_graph)
 {
   const Progress progress(np);
   progress.report(0);
@@ -311,8 +346,11 @@ double write_simplified_field(const Mesh& mesh,
     else
       return Flat_field<Mesh, typename Traits::Scalar>(mesh, scalar_map, np);
   }();
+  const auto given = find_graph(flat_field, Stage_progress(progress, 0.1, 0.6));
+  typedef std::decay_t<decltype(given.first)> Graph;
+  typedef Branch<typename boost::graph_traits<Graph>::vertex_descriptor> Branch;
   const auto values =
-    simplified_values<Branch, typename Traits::Graph>(flat_field, threshold, np, Stage_progress(progress, 0, 0.98));
+    simplified_values<Branch>(flat_field, given.first, given.second, threshold, np, Stage_progress(progress, 0, 0.98));
   double largest_difference = 0;
   const auto surface = flat_field.flat_surface(mesh);
   for(const Vertex_index number : surface->complex.vertices())
