@@ -113,7 +113,7 @@ def geodesic(
 
     Notes
     -----
-    By the heat method: K. Crane, C. Weischedel, M. Wardetzky, *Geodesics in Heat*, 2013.
+    By a marching front: M. Novotni, R. Klein, *Computing Geodesic Distances on Triangular Meshes*, 2002.
     """
     mesh = _arrays.take(triangles, points, edges, tetrahedra)
     return _field("geodesic", mesh, threads, progress, sources=_vertex_numbers(sources, "sources"))

@@ -138,7 +138,7 @@ void compute_from_sources(const Input_options& options,
   std::vector<Vertex> source_vertices;
   for(const auto& constraint : constraints)
     source_vertices.push_back(constraint.first);
-  report.field = CGAL::Reeb_graph::compute_geodesic_field(surface, scalar_map, source_vertices, np);
+  CGAL::Reeb_graph::compute_geodesic_field(surface, scalar_map, source_vertices, np);
 }
 
 // The map holds the field to start from.

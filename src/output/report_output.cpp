@@ -68,12 +68,11 @@ void write_line(std::ostream& out, const nlohmann::ordered_json& json)
 
 void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report)
 {
-  json["bad_faces"] = json["added_length"] = json["marched_components"] = nullptr;
+  json["bad_faces"] = json["added_length"] = nullptr;
   if(report.field)
   {
     json["bad_faces"] = report.field->number_of_bad_faces;
     json["added_length"] = report.field->added_length;
-    json["marched_components"] = report.field->number_of_marched_components;
   }
   json["fixed_values"] = nullptr;
   if(report.fixed_values)
@@ -97,9 +96,6 @@ void write_field_text(std::ostream& out, const Work_report& report)
     out << "         the equations are too badly conditioned: ";
   if(field.added_length > 0)
     out << "edges are taken to be longer by " << field.added_length << '\n';
-  if(field.number_of_marched_components > 0)
-    out << "         the heat method fails on " << count(field.number_of_marched_components, "component")
-        << ": distances of a marching front\n";
   if(report.fixed_values)
     write_fixed_values(out, *report.fixed_values);
 }

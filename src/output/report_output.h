@@ -60,8 +60,7 @@ void write_json(std::ostream& out, const Handles_report& report);
 void write_text(std::ostream& out, const Field_range& range, const Work_report& report);
 void write_json(std::ostream& out, const Field_range& range, const Work_report& report);
 
-// Lines of where a harmonic field has its values from, of what was done about bad faces, and of the heat method, as far
-// as they apply.
+// Lines of where a field has its values from, and of what was done about bad faces, as far as they apply.
 void write_field_text(std::ostream& out, const Work_report& report);
 
 // Tells how the field has been changed, if it has.

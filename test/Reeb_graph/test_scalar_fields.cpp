@@ -10,7 +10,6 @@
 
 #include "field_samples.h"
 
-#include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/fields/gradient_and_divergence.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
 #include <CGAL/Reeb_graph/fields/height_field.h>
@@ -24,11 +23,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <set>
 #include <utility>
 #include <vector>
 
-// Gradient, divergence, and the fields that are made of them; geodesic distances and heights.
+// Gradient, divergence, and the fields that are made of them; heights.
 
 BOOST_AUTO_TEST_SUITE(test_scalar_fields)
 
@@ -265,103 +263,6 @@ BOOST_AUTO_TEST_CASE(constant_fields_have_no_direction)
   compute_unit_gradient_field(mesh, field, unit_field);
   for(const auto v : vertices(mesh))
     BOOST_TEST(get(unit_field, v) == 0);
-}
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(geodesic_distances_on_the_sphere, Mesh, Meshes)
-{
-  const Mesh mesh = make_mesh<Mesh>(stretched(sphere(25), 3, 3, 3));
-  const auto field = vertex_map(mesh);
-  const auto handles = vertex_vector(mesh);
-  const auto points = get(CGAL::vertex_point, mesh);
-  compute_geodesic_field(mesh, field, std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor>{handles[7]});
-  const Vector_3 source = get(points, handles[7]) - CGAL::ORIGIN;
-  for(const auto v : vertices(mesh))
-  {
-    const double cosine = (get(points, v) - CGAL::ORIGIN) * source / 9;
-    const double expected = 3 * std::acos((std::max)(-1., (std::min)(1., cosine)));
-    BOOST_TEST(std::abs(get(field, v) - expected) < 0.2);
-  }
-  BOOST_TEST(get(field, handles[7]) == 0);
-}
-
-BOOST_AUTO_TEST_CASE(geodesic_distances_do_not_mix_components)
-{
-  const Triangle_soup one = generated_surfaces::closed_surface(1, 500), other = sphere(6);
-  Triangle_soup both = one;
-  for(const auto& p : other.points)
-    both.points.push_back({p[0] + 50, p[1], p[2]});
-  for(const auto& t : other.triangles)
-    both.triangles.push_back({t[0] + one.points.size(), t[1] + one.points.size(), t[2] + one.points.size()});
-  both.points.push_back({9, 9, 9}); // an isolated vertex
-  const auto distances = [](const Triangle_soup& soup, const std::vector<Surface_mesh::Vertex_index>& sources) {
-    const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
-    const auto field = vertex_map(mesh);
-    compute_geodesic_field(mesh, field, sources);
-    return values_of(mesh, field);
-  };
-  const Surface_mesh::Vertex_index source(5), other_source(one.points.size() + 8), isolated(both.points.size() - 1);
-  std::vector<double> expected = distances(one, {source});
-  const std::vector<double> other_expected = distances(other, {Surface_mesh::Vertex_index(8)});
-  expected.insert(expected.end(), other_expected.begin(), other_expected.end());
-  expected.push_back(0);
-  BOOST_TEST(distance(distances(both, {source, other_source, isolated}), expected) < 1e-6);
-}
-
-// Edges with the same ends are told apart.
-BOOST_AUTO_TEST_CASE(geodesic_distances_on_meshes_with_double_edges)
-{
-  std::size_t number_of_double_edges = 0;
-  for(std::size_t seed = 0; seed < 40; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      random_meshes::Random random(seed);
-      Surface_mesh mesh = make_mesh<Surface_mesh>(sphere(4));
-      mesh_builders::flip_edges_carelessly(mesh, 60, random);
-      std::set<std::pair<Surface_mesh::Vertex_index, Surface_mesh::Vertex_index>> ends;
-      for(const auto e : mesh.edges())
-        ends.insert(std::minmax({mesh.vertex(e, 0), mesh.vertex(e, 1)}));
-      number_of_double_edges += mesh.number_of_edges() - ends.size();
-      const auto field = vertex_map(mesh);
-      compute_geodesic_field(mesh, field, std::vector<Surface_mesh::Vertex_index>{Surface_mesh::Vertex_index(3)});
-      for(const auto v : mesh.vertices())
-        BOOST_TEST((get(field, v) >= 0 && get(field, v) < 20));
-      BOOST_TEST(get(field, Surface_mesh::Vertex_index(3)) == 0);
-    }
-  BOOST_TEST(number_of_double_edges > 10u);
-}
-
-BOOST_AUTO_TEST_CASE(marched_distances_are_close_in_the_plane)
-{
-  namespace fields = CGAL::Reeb_graph::internal::scalar_fields;
-  const Surface_mesh mesh = make_mesh<Surface_mesh>(square(20, 0.7));
-  const fields::Indexed_mesh<Surface_mesh> surface(mesh, CGAL::parameters::default_values());
-  std::vector<bool> is_source(mesh.number_of_vertices(), false);
-  is_source[215] = true;
-  const fields::Marching marching(surface, is_source);
-  for(const auto v : mesh.vertices())
-  {
-    const double expected = length(mesh.point(v) - mesh.point(Surface_mesh::Vertex_index(215)));
-    BOOST_TEST(marching.distances()[v] * surface.scale() > expected - 1e-12);
-    BOOST_TEST(marching.distances()[v] * surface.scale() < 1.1 * expected + 1e-12);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(geodesic_distances_far_away)
-{
-  // a thousand times as far as the heat method sees
-  const Triangle_soup soup = tube(5, 4000);
-  const Surface_mesh mesh = make_mesh<Surface_mesh>(soup);
-  const auto field = vertex_map(mesh);
-  const Field_report report =
-    compute_geodesic_field(mesh, field, std::vector<Surface_mesh::Vertex_index>{Surface_mesh::Vertex_index(0)});
-  BOOST_TEST(report.number_of_marched_components == 1u);
-  BOOST_TEST(report.added_length == 0);
-  for(const auto v : mesh.vertices())
-  {
-    const double height = mesh.point(v).z() - mesh.point(Surface_mesh::Vertex_index(0)).z();
-    BOOST_TEST(get(field, v) > height - 1e-9);
-    BOOST_TEST(get(field, v) < 1.1 * height + 3);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(heights_are_exact)

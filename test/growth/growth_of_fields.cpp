@@ -100,10 +100,8 @@ std::vector<Function<Subject>> functions()
     field(
       "compute_unit_gradient_field",
       [](const Subject& s, auto map) { compute_unit_gradient_field(s.mesh, s.field, map); }, factorized),
-    field(
-      "compute_geodesic_field",
-      [](const Subject& s, auto map) { compute_geodesic_field(s.mesh, map, std::array<Vertex, 1>{Vertex(0)}); },
-      factorized),
+    field("compute_geodesic_field",
+          [](const Subject& s, auto map) { compute_geodesic_field(s.mesh, map, std::array<Vertex, 1>{Vertex(0)}); }),
   };
 }
 } // namespace

@@ -39,8 +39,9 @@ commands.update({
     "handles": (["handles", "{mesh}", "--scalars", "{values}", "--no-shortening", "--loops", "l.polylines.txt"],
                 near_linear),
     "field height": (["field", "{mesh}", "--type", "height", "--output", "f.txt"], near_linear),
+    "field geodesic": (["field", "{mesh}", "--type", "geodesic", "--output", "f.txt"], near_linear),
 })
-for field in ("harmonic", "poisson", "unit-gradient", "geodesic"):
+for field in ("harmonic", "poisson", "unit-gradient"):
     commands[f"field {field}"] = (["field", "{mesh}", "--type", field, "--output", "f.txt"], factorized)
 for kind in ("cutting-system", "branch", "pants"):
     commands[f"curves {kind}"] = (["curves", "{mesh}", "--scalars", "{values}", "--type", kind, "--curves",

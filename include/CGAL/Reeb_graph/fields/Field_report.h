@@ -34,8 +34,6 @@ struct Field_report
   double added_length = 0;
   /// the mean length of the edges before, in the unit of the points; zero if nothing is added
   double mean_length = 0;
-  /// for `compute_geodesic_field()`: the number of components on which the heat method fails
-  std::size_t number_of_marched_components = 0;
   /// for harmonic, Poisson and unit gradient fields: the number of steps of the iteration that solves large systems of
   /// equations; zero if the equations were solved directly
   std::size_t number_of_iterations = 0;

@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/internal/Geodesic_distances.h>
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
+#include <CGAL/Reeb_graph/fields/internal/Intrinsic_triangulation.h>
 #include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/fields/internal/constraints.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
@@ -22,7 +22,9 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Reeb_graph {
@@ -31,21 +33,15 @@ namespace CGAL::Reeb_graph {
 ///
 /// \brief computes the geodesic distance of each vertex from the nearest one of some source vertices.
 ///
-/// The distances are those of the heat method with intrinsic Delaunay triangulations, \cgal's
-/// `Heat_method_3::Surface_mesh_geodesic_distances_3`, for each connected component on its own: an estimate, which gets
-/// better as the mesh gets finer. Other than a harmonic field, it can have extrema anywhere.
+/// A front marches from vertex to vertex, along the edges and straight through the triangles: M. Novotni and R. Klein,
+/// *Computing Geodesic Distances on Triangular Meshes*, 2002. Before, edges are flipped, on the surface, until the
+/// triangulation is Delaunay: A. I. Bobenko and B. A. Springborn, *A Discrete Laplace-Beltrami Operator for Simplicial
+/// Surfaces*, 2007. So the distances depend on the shape of the surface more than on that of its triangles, which may be
+/// long, or have no area. They are estimates: Section \ref ReebGraph_other_fields of the manual has their errors. But no
+/// distance is less than that in space from the nearest source, and along an edge they differ by no more than its
+/// length, both up to rounding. Other than a harmonic field, the field can have extrema anywhere.
 ///
-/// On a component where the heat method fails, the distances are those of a front that marches from vertex to vertex,
-/// along the edges and straight through the triangles: M. Novotni and R. Klein, *Computing Geodesic Distances on
-/// Triangular Meshes*, 2002. They need nothing but the lengths of the edges, which are longer if there are bad faces,
-/// see `Field_report`. The heat method fails if its equations have no solution. It fails if a distance is not finite,
-/// as some thousand edges away from the sources, or off by more than half of the largest one. It is not tried where the
-/// intrinsic Delaunay triangulation may not end: if a side of a triangle is as long as the two others to 14 digits, or
-/// edges differ in length by a factor of 10<sup>7</sup>.
-///
-/// It needs Eigen: the macro `CGAL_EIGEN3_ENABLED` has to be defined. Matrices are factorized, in about
-/// \f$ O(n^{3/2}) \f$ time and \f$ O(n \log n) \f$ memory for \f$ n \f$ vertices, plus the time of the intrinsic
-/// Delaunay triangulation, plus the number of vertices times that of the sources.
+/// It takes \f$ O(n \log n) \f$ time for \f$ n \f$ vertices, for any number of sources, and \f$ O(n) \f$ memory.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
 /// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
@@ -58,8 +54,6 @@ namespace CGAL::Reeb_graph {
 /// \param sources the vertices at distance zero, at least one in each connected component
 /// \param np `callback` and `vertex_point_map` as for `compute_harmonic_field()`
 ///
-/// \returns what was changed because of bad faces, and on how many components the heat method fails
-///
 /// \exception Unknown_vertex_error if a source is not a vertex of the mesh
 /// \exception Unconstrained_component_error if a component has no source
 /// \exception Non_finite_scalar_error if a distance is beyond the range of numbers
@@ -71,10 +65,10 @@ template <class FaceListGraph,
           class FieldMap,
           class VertexRange,
           class NamedParameters = parameters::Default_named_parameters>
-Field_report compute_geodesic_field(const FaceListGraph& mesh,
-                                    FieldMap field_map,
-                                    const VertexRange& sources,
-                                    const NamedParameters& np = parameters::default_values())
+void compute_geodesic_field(const FaceListGraph& mesh,
+                            FieldMap field_map,
+                            const VertexRange& sources,
+                            const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
   if constexpr(internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
@@ -85,23 +79,16 @@ Field_report compute_geodesic_field(const FaceListGraph& mesh,
     fields::Constraints<double> fixed(surface.number_of_vertices());
     for(const auto v : sources)
       fixed.fix(surface.position(v), 0);
-    const fields::Weighted_graph graph = fields::laplacian_graph(surface, Laplacian_weights::UNIFORM);
-    fields::check_components(graph, fixed.is_fixed);
-    Field_report report = fields::make_triangles_proper(surface);
-    fields::Geodesic_distances geodesic_distances(fixed.is_fixed,
-                                                  fields::Marching(surface, fixed.is_fixed).distances());
-    progress.report(0.1);
-
-    geodesic_distances.run(mesh, surface, fields::label_components(graph), progress);
-    report.number_of_marched_components = geodesic_distances.number_of_marched_components();
-    std::vector<double> distances = geodesic_distances.distances();
+    fields::Intrinsic_triangulation triangulation(surface, fields::find_opposites(mesh, surface));
+    triangulation.make_delaunay({progress, 0.1, 0.5});
+    std::vector<double> distances =
+      fields::Geodesic_distances(surface, triangulation)(fixed.is_fixed, {progress, 0.5, 0.95});
+    if(std::find(distances.begin(), distances.end(), std::numeric_limits<double>::infinity()) != distances.end())
+      fields::check_components(fields::laplacian_graph(surface, Laplacian_weights::UNIFORM), fixed.is_fixed);
     for(double& distance : distances)
       distance *= surface.scale();
     fields::write_field(surface, distances, field_map, progress);
-    return report;
   }
-  else
-    return Field_report();
 }
 
 } // namespace CGAL::Reeb_graph

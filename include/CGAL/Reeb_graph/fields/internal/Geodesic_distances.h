@@ -12,18 +12,10 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
-#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
+#include <CGAL/Reeb_graph/fields/internal/Intrinsic_triangulation.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-
-#include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/Face_filtered_graph.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
-#include <CGAL/exceptions.h>
-
-#include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -38,252 +30,148 @@ namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 // Distances from the sources that grow from vertex to vertex, as those of Dijkstra's algorithm, along the edges and
 // straight through the triangles (M. Novotni and R. Klein, Computing Geodesic Distances on Triangular Meshes, 2002).
-// They depend on the lengths of edges only, no equation is solved, and each vertex of a component with a source gets a
-// finite one. Along an edge they grow by no more than its length.
-class Marching
+// A way may bend at each vertex, and each vertex knows where that to it has last done so, its origin. Each vertex of a
+// component with a source gets a finite distance. Vertices get theirs in ascending order, so that along an edge, of the
+// surface or of the triangulation, they differ by no more than its length. None is less than that in space.
+class Geodesic_distances
 {
 public:
-  Marching(const Indexed_surface& surface, const std::vector<bool>& is_source)
+  Geodesic_distances(const Indexed_surface& surface, const Intrinsic_triangulation& triangulation)
     : surface_(surface),
-      triangles_(surface.number_of_vertices(),
-                 [&](const auto& visit) {
-                   for(std::size_t t = 0; t != surface.triangles().size(); ++t)
-                     for(const Position v : surface.triangles()[t].vertices)
-                       visit(Vertex_index(v), static_cast<Number>(t));
-                 }),
+      triangulation_(triangulation),
+      outgoing_(surface.number_of_vertices(), no_index),
+      flipped_edges_(surface.number_of_vertices(),
+                     [&](const auto& visit) {
+                       for(const auto& e : triangulation.flipped_edges())
+                       {
+                         visit(Vertex_index(e.source), End{e.target, e.length});
+                         visit(Vertex_index(e.target), End{e.source, e.length});
+                       }
+                     }),
       distances_(surface.number_of_vertices(), std::numeric_limits<double>::infinity()),
+      origins_(surface.number_of_vertices(), no_position),
       is_final_(surface.number_of_vertices(), false)
   {
-    for(Position v = 0; v != surface.number_of_vertices(); ++v)
-      if(is_source[v])
-        reach(v, 0);
-    march();
+    for(Halfedge h = 0; h != triangulation.number_of_halfedges(); ++h)
+    {
+      Halfedge& outgoing = outgoing_[triangulation.source(h)];
+      if(outgoing == no_index || triangulation.opposite(h) == no_index)
+        outgoing = h;
+    }
   }
 
-  // The distances for the points divided by surface.scale().
-  const std::vector<double>& distances() const { return distances_; }
-
-private:
-  typedef std::pair<double, Position> Entry;
-
-  void march()
+  // The distances from the sources, for the points divided by surface.scale(): infinite where there is no source.
+  std::vector<double> operator()(const std::vector<bool>& is_source, const Stage_progress& progress)
   {
-    while(!queue_.empty())
+    for(Position v = 0; v != surface_.number_of_vertices(); ++v)
+      if(is_source[v])
+        reach(v, 0, v);
+    for(std::size_t step = 0; !queue_.empty();)
     {
       const Position v = queue_.top().second;
       queue_.pop();
       if(is_final_[v])
         continue;
+      progress.report_step(step++, surface_.number_of_vertices());
       is_final_[v] = true;
-      for(const Number t : triangles_[Vertex_index(v)])
-        cross_triangle(surface_.triangles()[t], v);
+      leave(v);
     }
+    return std::move(distances_);
   }
 
-  // Reaches the other corners of a triangle from one that has just got its distance.
-  void cross_triangle(const Indexed_triangle& triangle, Position v)
+private:
+  typedef Intrinsic_triangulation::Halfedge Halfedge;
+  typedef std::pair<double, Position> Entry;
+
+  struct End
   {
-    const auto& corners = triangle.vertices;
-    const std::size_t i = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
-    const Position a = corners[(i + 1) % 3], b = corners[(i + 2) % 3];
-    for(const auto& [from, to] : {std::make_pair(a, b), std::make_pair(b, a)})
+    Position vertex;
+    double length;
+  };
+
+  // Reaches the neighbors of a vertex that has just got its distance.
+  void leave(Position v)
+  {
+    for(const End& end : flipped_edges_[Vertex_index(v)])
+      reach(end.vertex, distances_[v] + end.length, v);
+    // counterclockwise, at a border vertex from border to border
+    const Halfedge first = outgoing_[v];
+    for(Halfedge h = first; h != no_index;)
     {
-      reach(to, distances_[v] + surface_.edge_length(v, to));
-      if(is_final_[from])
-        reach(to, distance_through(v, from, to));
+      cross_triangle(h);
+      h = triangulation_.opposite(triangulation_.previous(h));
+      if(h == first)
+        break;
     }
   }
 
-  void reach(Position v, double distance)
+  // Reaches the other corners of a triangle from the source of one of its halfedges.
+  void cross_triangle(Halfedge h)
+  {
+    const Halfedge next = triangulation_.next(h), previous = triangulation_.previous(h);
+    const Position v = triangulation_.source(h), a = triangulation_.source(next), b = triangulation_.source(previous);
+    const double va = triangulation_.length(h), ab = triangulation_.length(next), bv = triangulation_.length(previous);
+    reach(a, distances_[v] + va, v);
+    reach(b, distances_[v] + bv, v);
+    if(is_final_[a] && !is_final_[b])
+      reach_through(v, a, va, b, bv, ab);
+    if(is_final_[b] && !is_final_[a])
+      reach_through(v, b, bv, a, va, ab);
+  }
+
+  // Reaches c through the edge from v, the last vertex with a distance, to a: straight from the one point in the plane
+  // of the triangle, beyond the edge, that has the right distances from both, if there is one.
+  void reach_through(Position v, Position a, double va, Position c, double vc, double ac)
+  {
+    const Position origin_of_v = origins_[a] == v ? v : origins_[v], origin_of_a = origins_[v] == a ? a : origins_[a];
+    const Position origin = common_origin(origin_of_v, origin_of_a);
+    const double offset = origin == no_position ? 0 : distances_[origin];
+    const double from_v = distances_[v] - offset, from_a = distances_[a] - offset;
+    if(from_v + from_a < va)
+      return;
+    const auto [x_of_source, y_of_source] = place_above(va, from_v, from_a);
+    const auto [x, y] = place_above(va, vc, ac);
+    const double crossing = x_of_source + (x - x_of_source) * (y_of_source / (y_of_source + y));
+    if(!(crossing >= 0 && crossing <= va))
+      return;
+    // That point is too near where ways from both sides meet.
+    const double bound_of_v = bound(origin_of_v, c), bound_of_a = bound(origin_of_a, c);
+    const double distance = offset + std::hypot(x - x_of_source, y + y_of_source);
+    reach(c, (std::max)({distance, (std::min)(bound_of_v, bound_of_a), distances_[v]}),
+          origin != no_position ? origin : (bound_of_v < bound_of_a ? origin_of_v : origin_of_a));
+  }
+
+  // The origin that two of them have in common, if one is the other one's, or no_position.
+  Position common_origin(Position a, Position b) const
+  {
+    if(a == b || origins_[a] == b)
+      return b;
+    return origins_[b] == a ? a : no_position;
+  }
+
+  // The length of no way by an origin is less.
+  double bound(Position origin, Position v) const
+  {
+    return distances_[origin] + length(surface_.point(v) - surface_.point(origin));
+  }
+
+  void reach(Position v, double distance, Position origin)
   {
     if(is_final_[v] || !(distance < distances_[v]))
       return;
     distances_[v] = distance;
+    origins_[v] = origin;
     queue_.push({distance, v});
   }
 
-  // The distance of c through the edge from a to b, of one source of their distances that lies in the plane of the
-  // triangle beyond the edge: infinite if there is none, or if the way misses the edge.
-  double distance_through(Position a, Position b, Position c) const
-  {
-    const double ab = surface_.edge_length(a, b), ac = surface_.edge_length(a, c), bc = surface_.edge_length(b, c);
-    const auto [x_of_source, y_of_source] = place(ab, distances_[a], distances_[b]);
-    const auto [x, y] = place(ab, ac, bc);
-    const double crossing = x_of_source + (x - x_of_source) * (y_of_source / (y_of_source + y));
-    return crossing >= 0 && crossing <= ab ? std::hypot(x - x_of_source, y + y_of_source)
-                                           : std::numeric_limits<double>::infinity();
-  }
-
-  // The point, above the x-axis, at these distances from the origin and from the point (base, 0).
-  static std::pair<double, double> place(double base, double from_origin, double from_end)
-  {
-    const double x = (base + (from_origin - from_end) * ((from_origin + from_end) / base)) / 2;
-    return {x, std::sqrt((std::max)((from_origin - x) * (from_origin + x), 0.))};
-  }
-
   const Indexed_surface& surface_;
-  const Buckets<Vertex_index, Number> triangles_; // of each vertex
+  const Intrinsic_triangulation& triangulation_;
+  std::vector<Halfedge> outgoing_; // of each vertex, at a border vertex from which all others come counterclockwise
+  const Buckets<Vertex_index, End> flipped_edges_;
   std::vector<double> distances_;
+  std::vector<Position> origins_;
   std::vector<bool> is_final_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
-};
-
-// The distances of the heat method, and those of marching on the components where it fails. It knows distances up to a
-// constant for each component, and depends on there being no isolated vertex. So each component is copied to a mesh of
-// its own, which knows the positions of its vertices.
-class Geodesic_distances
-{
-public:
-  Geodesic_distances(const std::vector<bool>& is_source, std::vector<double> marched_distances)
-    : is_source_(is_source),
-      distances_(std::move(marched_distances))
-  {}
-
-  template <class FaceListGraph, class Surface>
-  void run(const FaceListGraph& mesh,
-           const Surface& surface,
-           const std::vector<Position>& component_of_vertex,
-           const Progress& progress)
-  {
-    Copy copy(
-      mesh, [&](const auto v) { return surface.position(v); },
-      [&](const auto f) { return component_of_vertex[surface.position(target(halfedge(f, mesh), mesh))]; });
-    for(const auto v : copy.mesh.vertices())
-      copy.mesh.point(v) = ORIGIN + surface.point(copy.positions[v]);
-    std::vector<std::size_t> components;
-    for(const auto f : copy.mesh.faces())
-      components.push_back(copy.components[f]);
-    std::sort(components.begin(), components.end());
-    components.erase(std::unique(components.begin(), components.end()), components.end());
-    number_of_components_ = components.size();
-    if(!components.empty())
-      run_on_components(copy, components, progress);
-  }
-
-  // The distances for the points divided by Indexed_surface::scale().
-  const std::vector<double>& distances() const { return distances_; }
-
-  std::size_t number_of_marched_components() const { return number_of_marched_components_; }
-
-private:
-  typedef CGAL::Surface_mesh<Simple_cartesian<double>::Point_3> Mesh;
-  typedef Mesh::Property_map<Mesh::Vertex_index, double> Distance_map;
-
-  // A copy of the faces of a mesh.
-  struct Copy
-  {
-    template <class Graph, class PositionOf, class ComponentOf>
-    Copy(const Graph& graph, const PositionOf& position_of, const ComponentOf& component_of)
-      : mesh(), // NOLINT(readability-redundant-member-init): clang asks for it before the maps
-        positions(mesh.add_property_map<Mesh::Vertex_index, Position>("v:position", no_position).first),
-        components(mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first)
-    {
-      copy_face_graph(
-        graph, mesh,
-        parameters::vertex_to_vertex_output_iterator(boost::make_function_output_iterator([&](const auto& pair) {
-          positions[pair.second] = position_of(pair.first);
-        }))
-          .face_to_face_output_iterator(boost::make_function_output_iterator(
-            [&](const auto& pair) { components[pair.second] = component_of(pair.first); })));
-      for(const auto v : mesh.vertices())
-        if(mesh.is_isolated(v))
-          mesh.remove_vertex(v);
-      mesh.collect_garbage();
-    }
-
-    Mesh mesh;
-    Mesh::Property_map<Mesh::Vertex_index, Position> positions;
-    Mesh::Property_map<Mesh::Face_index, std::size_t> components;
-  };
-
-  // Splits the components into halves, as to take one after the other from all of them would be quadratic.
-  void run_on_components(Copy& copy, const std::vector<std::size_t>& components, const Progress& progress)
-  {
-    if(components.size() == 1)
-    {
-      run_on_component(copy);
-      ++number_of_finished_components_;
-      progress.report(
-        0.1 + 0.8 * static_cast<double>(number_of_finished_components_) / static_cast<double>(number_of_components_));
-      return;
-    }
-    const auto middle = components.begin() + static_cast<std::ptrdiff_t>(components.size() / 2);
-    for(const auto& half :
-        {std::vector<std::size_t>(components.begin(), middle), std::vector<std::size_t>(middle, components.end())})
-    {
-      const Face_filtered_graph<Mesh> faces_of_half(copy.mesh, half, copy.components);
-      Copy copy_of_half(
-        faces_of_half, [&](const auto v) { return copy.positions[v]; },
-        [&](const auto f) { return copy.components[f]; });
-      run_on_components(copy_of_half, half, progress);
-    }
-  }
-
-  void run_on_component(Copy& component)
-  {
-    auto distance_map = component.mesh.add_property_map<Mesh::Vertex_index, double>("v:distance", 0).first;
-    if(is_fit_for_heat_method(component.mesh) && run_heat_method(component, distance_map)
-       && is_plausible(component, distance_map))
-      for(const auto v : component.mesh.vertices())
-        distances_[component.positions[v]] = distance_map[v];
-    else
-      ++number_of_marched_components_;
-  }
-
-  // Whether all triangles are wide enough for the edge flips of CGAL's intrinsic Delaunay triangulation, which computes
-  // lengths from lengths. It does not end, or crashes, for some that are narrower, or of very different sizes.
-  static bool is_fit_for_heat_method(const Mesh& mesh)
-  {
-    constexpr double least_slack = 1e-14, largest_ratio = 1e7;
-    double shortest = std::numeric_limits<double>::infinity(), longest = 0;
-    for(const auto f : mesh.faces())
-    {
-      std::vector<double> sides;
-      for(const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
-        sides.push_back(std::sqrt(squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)))));
-      std::sort(sides.begin(), sides.end());
-      if(!(sides[0] - (sides[2] - sides[1]) > least_slack * sides[2]))
-        return false;
-      shortest = (std::min)(shortest, sides[0]);
-      longest = (std::max)(longest, sides[2]);
-    }
-    return longest < largest_ratio * shortest;
-  }
-
-  // Returns whether the heat method finds a solution of its equations.
-  bool run_heat_method(const Copy& component, const Distance_map& distance_map) const
-  {
-    typedef Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Heat_method_3::Intrinsic_Delaunay> Heat_method;
-    try
-    {
-      Heat_method heat_method(component.mesh);
-      for(const auto v : component.mesh.vertices())
-        if(is_source_[component.positions[v]])
-          heat_method.add_source(v);
-      heat_method.estimate_geodesic_distances(distance_map);
-      return true;
-    }
-    catch(const Failure_exception&)
-    {
-      return false;
-    }
-  }
-
-  // Whether no distance of the heat method is off by more than half of the largest marched one. Where it divides zero
-  // by zero, as on some tetrahedra and some thousand edges away from the sources, it gives NaN or the largest number.
-  bool is_plausible(const Copy& component, const Distance_map& distance_map) const
-  {
-    double largest = 0;
-    for(const auto v : component.mesh.vertices())
-      largest = (std::max)(largest, distances_[component.positions[v]]);
-    return std::all_of(component.mesh.vertices().begin(), component.mesh.vertices().end(), [&](const auto v) {
-      return std::abs(distance_map[v] - distances_[component.positions[v]]) <= largest / 2;
-    });
-  }
-
-  const std::vector<bool>& is_source_;
-  std::vector<double> distances_;
-  std::size_t number_of_components_ = 0, number_of_finished_components_ = 0, number_of_marched_components_ = 0;
 };
 
 } // namespace CGAL::Reeb_graph::internal::scalar_fields
