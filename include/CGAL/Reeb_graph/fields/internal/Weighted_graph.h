@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
