@@ -259,8 +259,8 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
   progress.report(0.2);
 
   visitor.begin_stage(Stage::CLASSIFY);
-  auto [complex, critical_vertices] =
-    stages::check_and_classify_vertices<ConcurrencyTag>(std::move(unchecked_complex), order);
+  using stages::check_and_classify_vertices; // That for soups may come later.
+  auto [complex, critical_vertices] = check_and_classify_vertices<ConcurrencyTag>(std::move(unchecked_complex), order);
   visitor.critical_vertices(stages::count_critical_vertices(critical_vertices));
   visitor.end_stage(Stage::CLASSIFY);
   progress.report(0.3);

@@ -9,13 +9,13 @@
 #ifndef CGAL_REEB_GRAPH_CURVES_HARMONIC_PANTS_DECOMPOSITION_H
 #define CGAL_REEB_GRAPH_CURVES_HARMONIC_PANTS_DECOMPOSITION_H
 
+#include <CGAL/Reeb_graph/curves/internal/requirements.h>
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/requirements.h>
 
 #include <CGAL/boost/graph/properties.h>
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/fields/Field_report.h>
+#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
@@ -34,10 +35,6 @@
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal::scalar_fields {
-
-// The position of a vertex in vertices(mesh).
-typedef Number Position;
-inline constexpr Position no_position = no_index;
 
 typedef Simple_cartesian<double>::Vector_3 Vector;
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/handles/Handle_loop.h>
+#include <CGAL/Reeb_graph/handles/Handle_removal.h>
 #include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/handles/internal/Loop_cut.h>
@@ -138,7 +138,8 @@ private:
     {
       representatives_.resize(size);
       for(std::size_t h = closing.number_of_halfedges(); h != 0; --h)
-        representatives_[component_of(static_cast<Index>(h - 1), found)] = closing.halfedge_of(static_cast<Index>(h - 1));
+        representatives_[component_of(static_cast<Index>(h - 1), found)] =
+          closing.halfedge_of(static_cast<Index>(h - 1));
     }
     std::vector<std::size_t> result(size, 0);
     for(std::size_t i = 0; i != size; ++i)
