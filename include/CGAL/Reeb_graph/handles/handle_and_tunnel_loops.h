@@ -75,7 +75,7 @@ public:
   ///
   /// \param halfedges consecutive halfedges of the mesh, a range; may pass anything more than once
   ///
-  /// \exception Open_loop_error if the halfedges are not a closed walk
+  /// \exception Open_loop_error if the halfedges are not a closed walk of the mesh
   template <class HalfedgeRange>
   bool is_handle(const HalfedgeRange& halfedges) const
   {
@@ -86,7 +86,7 @@ public:
   ///
   /// \param halfedges as above
   ///
-  /// \exception Open_loop_error if the halfedges are not a closed walk
+  /// \exception Open_loop_error if the halfedges are not a closed walk of the mesh
   template <class HalfedgeRange>
   bool is_tunnel(const HalfedgeRange& halfedges) const
   {
@@ -116,7 +116,11 @@ private:
   {
     internal::Halfedge_walk result;
     for(const halfedge_descriptor h : halfedges)
+    {
       result.push_back(closing_->number(h));
+      if(result.back() == internal::no_index)
+        throw Open_loop_error(result.size() - 1);
+    }
     const auto& surface = found_->surface();
     for(std::size_t i = 0; i != result.size(); ++i)
     {

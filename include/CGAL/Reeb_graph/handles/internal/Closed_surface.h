@@ -212,7 +212,7 @@ public:
   Index number(halfedge_descriptor h) const
   {
     const Halfedge_index found = find_halfedge(mesh_, *flat_mesh_, h);
-    return found == no_index ? Index(no_index) : numbers_[found];
+    return numbers_.contains(found) ? numbers_[found] : Index(no_index);
   }
 
 private:

@@ -156,7 +156,8 @@ std::vector<Point> read_points(const FaceListGraph& mesh, const PointMap& point_
   return points;
 }
 
-// Looks for a halfedge or its opposite around a vertex. Returns whether it has been found, or is not there.
+// Looks for a halfedge or its opposite around a vertex, which may be unknown. Returns whether it has been found, or is
+// not there.
 template <class FaceListGraph, class HalfedgeDescriptor>
 bool find_around(const FaceListGraph& mesh,
                  const Flat_mesh<FaceListGraph>& flat_mesh,
@@ -165,6 +166,8 @@ bool find_around(const FaceListGraph& mesh,
                  std::size_t most_steps,
                  Halfedge_index& found)
 {
+  if(v.number() >= flat_mesh.complex.number_of_vertices())
+    return true;
   std::size_t number_of_steps = 0;
   flat_mesh.complex.visit_edges_around(v, [&](Vertex_index, Halfedge_index number) {
     const HalfedgeDescriptor around = flat_mesh.numbers.halfedges(mesh, number);
@@ -175,7 +178,7 @@ bool find_around(const FaceListGraph& mesh,
   return number_of_steps != most_steps;
 }
 
-// The number of a halfedge, no_index if it is none of the mesh. Its ends have to be vertices of the mesh.
+// The number of a halfedge, no_index if the mesh has none such, which a Surface_mesh tells of removed ones only.
 template <class FaceListGraph, class HalfedgeDescriptor>
 Halfedge_index find_halfedge(const FaceListGraph& mesh,
                              const Flat_mesh<FaceListGraph>& flat_mesh,
