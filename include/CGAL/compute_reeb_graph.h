@@ -39,7 +39,8 @@ template <class FaceListGraph, class Scalar>
 struct Checked_surface
 {
   Checked_complex<Complex_of_t<FaceListGraph>> complex;
-  const Field_by_numbers<FaceListGraph, Scalar>& field;
+  const Mesh_numbers<FaceListGraph>& numbers;
+  const Indexed_vector<Vertex_index, Scalar>& values;
 };
 
 // The mesh and its field, as the pipeline takes them.
@@ -56,13 +57,14 @@ struct Mesh_with_field
     typedef typename Traits::Scalar Scalar;
     if constexpr(Is_flat_field<ScalarMap, Scalar>::value)
     {
-      const Flat_surface<FaceListGraph, Scalar>& surface = *scalar_map.flat_surface(mesh); // which the map holds
-      return Checked_surface<FaceListGraph, Scalar>{{surface.complex}, surface.field};
+      const auto& flat_values = *scalar_map.flat_values(mesh); // which the map holds
+      return Checked_surface<FaceListGraph, Scalar>{
+        {flat_values.mesh->complex}, flat_values.mesh->numbers, flat_values.values};
     }
     else
     {
       auto surface = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
-      surface.field.numbers = nullptr; // They take memory, and nobody asks for them.
+      surface.numbers.number_of = nullptr; // They take memory, and nobody asks for them.
       return surface;
     }
   }
@@ -251,14 +253,14 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
 
   progress.report(0);
   visitor.begin_stage(Stage::FLATTEN);
-  auto [unchecked_complex, field] = input.template flatten<ConcurrencyTag>(traits);
-  const stages::Vertex_order order(field.values, traits.less_scalar_object());
+  auto [unchecked_complex, numbers, values] = input.template flatten<ConcurrencyTag>(traits);
+  const stages::Vertex_order order(values, traits.less_scalar_object());
   visitor.end_stage(Stage::FLATTEN);
   progress.report(0.2);
 
   visitor.begin_stage(Stage::CLASSIFY);
-  auto [complex, critical_vertices] =
-    stages::check_and_classify_vertices<ConcurrencyTag>(std::move(unchecked_complex), order);
+  using stages::check_and_classify_vertices; // That for soups may come later.
+  auto [complex, critical_vertices] = check_and_classify_vertices<ConcurrencyTag>(std::move(unchecked_complex), order);
   visitor.critical_vertices(stages::count_critical_vertices(critical_vertices));
   visitor.end_stage(Stage::CLASSIFY);
   progress.report(0.3);
@@ -282,8 +284,8 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
 
   // Not written aside and swapped: to swap graphs of Boost copies them.
   visitor.begin_stage(Stage::WRITE);
-  stages::write_graph<ConcurrencyTag>(input.mesh_of(complex), complex, field, order, flat_graph, graph);
-  places.write(field.vertices);
+  stages::write_graph<ConcurrencyTag>(input.mesh_of(complex), complex, numbers, values, order, flat_graph, graph);
+  places.write(numbers.vertices);
   visitor.end_stage(Stage::WRITE);
   progress.report_end();
 }
@@ -292,8 +294,9 @@ namespace Reeb_graph::internal {
 
 #define CGAL_REEB_GRAPH_WRITE_GRAPH(PREFIX, TAG, POINT, SCALAR)                                                        \
   PREFIX template void write_graph<TAG>(const Surface_mesh<POINT>&, const Surface_mesh_complex<POINT>&,                \
-                                        const Field_by_numbers<Surface_mesh<POINT>, SCALAR>&,                          \
-                                        const Natural_order<SCALAR>&, const Flat_graph&, Surface_graph<SCALAR>&);
+                                        const Mesh_numbers<Surface_mesh<POINT>>&,                                      \
+                                        const Indexed_vector<Vertex_index, SCALAR>&, const Natural_order<SCALAR>&,     \
+                                        const Flat_graph&, Surface_graph<SCALAR>&);
 CGAL_REEB_GRAPH_FOR_POINTS(CGAL_REEB_GRAPH_WRITE_GRAPH)
 
 } // namespace Reeb_graph::internal

@@ -15,6 +15,7 @@
 #include "random_meshes.h"
 #include "shuffle.h"
 
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/Contour_trees_engine.h>
 
@@ -196,10 +197,10 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
   const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
   const auto surface =
     stages::flatten<CGAL::Sequential_tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
-  const Order order(surface.field.values, traits.less_scalar_object());
-  const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.complex, order);
+  const Order order(surface.values, traits.less_scalar_object());
+  const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.mesh->complex, order);
   const auto& ascending = critical_vertices.ascending();
-  const stages::Slab slab(surface.complex, critical_vertices);
+  const stages::Slab slab(surface.mesh->complex, critical_vertices);
 
   stages::Merge_tree_sweep<Complex, Order, stages::Side::LOWER> upwards(slab, order);
   upwards.find_path_ends<CGAL::Sequential_tag>();
@@ -219,7 +220,7 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
         critical, [&](stages::Slab_node sublevel_class, const auto& crossed, bool has_border) {
           downwards.cut(critical, sublevel_class, crossed, has_border);
           number_of_cuts_at_multi_saddles += critical_vertices.number_of_lower_sectors(critical) > 2 ? 1 : 0;
-          is_longest_contour_cut |= is_longest_lower_contour(surface.complex, order, critical_vertices, critical,
+          is_longest_contour_cut |= is_longest_lower_contour(surface.mesh->complex, order, critical_vertices, critical,
                                                              upwards.tree().classes, sublevel_class, crossed.size());
         });
   });
@@ -228,7 +229,7 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
   const stages::Merge_tree& tree = downwards.tree();
   return {cuts.size(),
           counting_order.number_of_calls(),
-          are_several_cuts_on_an_edge(surface.complex, order, critical_vertices, cuts),
+          are_several_cuts_on_an_edge(surface.mesh->complex, order, critical_vertices, cuts),
           number_of_cuts_at_multi_saddles,
           is_longest_contour_cut,
           downwards.number_of_steps(),
@@ -391,12 +392,13 @@ BOOST_AUTO_TEST_CASE(critical_vertices_tell_the_euler_characteristic)
     const auto values = noise(mesh, seed);
     const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values),
                                                                Traits(), CGAL::parameters::default_values());
-    const Order order(surface.field.values, Traits().less_scalar_object());
+    const Order order(surface.values, Traits().less_scalar_object());
     const auto characteristic = static_cast<std::ptrdiff_t>(mesh.number_of_vertices() + mesh.number_of_faces())
                               - static_cast<std::ptrdiff_t>(mesh.number_of_edges());
     BOOST_TEST_CONTEXT("seed " << seed)
-    BOOST_TEST(stages::euler_characteristic(stages::classify_vertices<CGAL::Sequential_tag>(surface.complex, order))
-               == characteristic);
+    BOOST_TEST(
+      stages::euler_characteristic(stages::classify_vertices<CGAL::Sequential_tag>(surface.mesh->complex, order))
+      == characteristic);
   }
 }
 
@@ -414,21 +416,21 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(vertices_that_a_sweep_sees_to_be_regular_are, Mesh
     const CGAL::Reeb_graph_traits<Mesh, graph_checks::Scalar_map_of<Mesh>> traits;
     const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values),
                                                                traits, CGAL::parameters::default_values());
-    const stages::Vertex_order order(surface.field.values, traits.less_scalar_object());
-    const stages::Regular_vertices<CGAL::Sequential_tag> regular_vertices(surface.complex, order);
-    for(const stages::Vertex_index v : surface.complex.vertices())
+    const stages::Vertex_order order(surface.values, traits.less_scalar_object());
+    const stages::Regular_vertices<CGAL::Sequential_tag> regular_vertices(surface.mesh->complex, order);
+    for(const stages::Vertex_index v : surface.mesh->complex.vertices())
     {
       if(regular_vertices.number_of_corners(v) == 0)
         continue;
       ++number_of_regular_vertices;
       std::size_t number_of_corners = 0;
-      surface.complex.for_each_halfedge_around(v, [&](stages::Halfedge_index) { ++number_of_corners; });
+      surface.mesh->complex.for_each_halfedge_around(v, [&](stages::Halfedge_index) { ++number_of_corners; });
       BOOST_TEST_CONTEXT("seed " << seed)
       {
         BOOST_TEST(regular_vertices.number_of_corners(v) == number_of_corners);
-        BOOST_TEST((surface.complex.target(surface.complex.kept_halfedge(v)) == v));
-        BOOST_TEST(!surface.complex.is_on_border(v));
-        BOOST_TEST(stages::find_link(surface.complex, order, v).summary.number_of_sectors == 2u);
+        BOOST_TEST((surface.mesh->complex.target(surface.mesh->complex.kept_halfedge(v)) == v));
+        BOOST_TEST(!surface.mesh->complex.is_on_border(v));
+        BOOST_TEST(stages::find_link(surface.mesh->complex, order, v).summary.number_of_sectors == 2u);
       }
     }
   }
@@ -454,7 +456,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_sweep_does_not_see_vertices_with_two_fans_to_be_
     const auto is_seen_to_be_regular = [&] {
       const auto surface =
         stages::flatten_unchecked<CGAL::Sequential_tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
-      const stages::Vertex_order order(surface.field.values, traits.less_scalar_object());
+      const stages::Vertex_order order(surface.values, traits.less_scalar_object());
       return stages::Regular_vertices<CGAL::Sequential_tag>(surface.complex.at_set_fans(), order)
                .number_of_corners(stages::Vertex_index(kept))
           != 0;

@@ -159,9 +159,8 @@ void test_given_graph(const Field_sample& sample, Ties ties_of_graph, Ties ties)
   std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, std::size_t> places;
   const auto place_map = boost::make_assoc_property_map(places);
   graph_checks::Graph_of<Mesh> graph;
-  CGAL::compute_reeb_graph(mesh, scalar_map, graph,
-                           parameters::vertex_place_map(place_map, parameters::ties(ties_of_graph)));
-  const auto np = parameters::vertex_place_map(place_map, parameters::ties(ties));
+  CGAL::compute_reeb_graph(mesh, scalar_map, graph, parameters::vertex_place_map(place_map).ties(ties_of_graph));
+  const auto np = parameters::vertex_place_map(place_map).ties(ties);
   const double expected =
     CGAL::Reeb_graph::simplify_field(mesh, scalar_map, sample.threshold, expected_map, parameters::ties(ties));
   BOOST_TEST(CGAL::Reeb_graph::simplify_field(mesh, scalar_map, graph, sample.threshold, result_map, np) == expected);

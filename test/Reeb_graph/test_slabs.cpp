@@ -11,6 +11,8 @@
 #include "computed_graphs.h"
 #include "known_meshes.h"
 
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
+
 #include <boost/mpl/list.hpp>
 
 #include <algorithm>
@@ -153,10 +155,10 @@ BOOST_AUTO_TEST_CASE(as_many_slabs_as_vertices_of_noise)
 
   const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, noise),
                                                              Traits(), CGAL::parameters::default_values());
-  const stages::Vertex_order order(surface.field.values, Traits().less_scalar_object());
-  const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.complex, order);
+  const stages::Vertex_order order(surface.values, Traits().less_scalar_object());
+  const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.mesh->complex, order);
   const auto number_of_slabs = [&](std::size_t wanted) {
-    return stages::Slicing(CGAL::Sequential_tag(), surface.complex, order, critical_vertices,
+    return stages::Slicing(CGAL::Sequential_tag(), surface.mesh->complex, order, critical_vertices,
                            static_cast<stages::Number>(wanted))
       .number_of_slabs();
   };

@@ -15,7 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/complex/flatten.h>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -80,8 +80,8 @@ public:
       counts_(internal::count_elements(mesh))
   {
     if constexpr(Is_field<ScalarMap, NamedParameters>::value)
-      surface_ =
-        std::make_shared<Flat_surface>(internal::flatten<Sequential_tag>(mesh, scalar_map, traits<ScalarMap>(np), np));
+      flat_values_ =
+        std::make_shared<Flat_values>(internal::flatten<Sequential_tag>(mesh, scalar_map, traits<ScalarMap>(np), np));
   }
 
   /// replaces the values. Only they are read, and checked.
@@ -99,10 +99,13 @@ public:
     if constexpr(Is_field<ScalarMap, NamedParameters>::value)
     {
       check_mesh(*mesh_);
-      auto values = internal::read_values<Sequential_tag>(surface_->field.vertices, scalar_map, traits<ScalarMap>(np));
-      if(surface_.use_count() != 1) // What shares it keeps its values.
-        surface_ = std::make_shared<Flat_surface>(*surface_);
-      surface_->field.values = std::move(values);
+      const auto& flat_mesh = flat_values_->mesh;
+      auto values =
+        internal::read_values<Sequential_tag>(flat_mesh->numbers.vertices, scalar_map, traits<ScalarMap>(np));
+      if(flat_values_.use_count() == 1)
+        flat_values_->values = std::move(values);
+      else // What shares them keeps its values.
+        flat_values_ = std::make_shared<Flat_values>(Flat_values{flat_mesh, std::move(values)});
     }
   }
 
@@ -115,13 +118,13 @@ public:
   friend reference get(const Flat_field& field, const key_type& vertex) { return field.value(vertex); }
 
 #ifndef DOXYGEN_RUNNING
-  typedef internal::Flat_surface<FaceListGraph, Scalar> Flat_surface;
+  typedef internal::Flat_values<FaceListGraph, Scalar> Flat_values;
 
   // What all functions share that take the field as scalar map of `mesh`.
-  std::shared_ptr<const Flat_surface> flat_surface(const FaceListGraph& mesh) const
+  std::shared_ptr<const Flat_values> flat_values(const FaceListGraph& mesh) const
   {
     check_mesh(mesh);
-    return surface_;
+    return flat_values_;
   }
 #endif
 
@@ -150,15 +153,15 @@ private:
 
   reference value(const key_type& vertex) const
   {
-    const internal::Vertex_index number = surface_->field.numbers(vertex);
-    if(number.number() >= surface_->field.values.size())
+    const internal::Vertex_index number = flat_values_->mesh->numbers.number_of(vertex);
+    if(number.number() >= flat_values_->values.size())
       throw Unknown_vertex_error();
-    return surface_->field.values[number];
+    return flat_values_->values[number];
   }
 
   const FaceListGraph* mesh_;
   internal::Element_counts counts_;
-  std::shared_ptr<Flat_surface> surface_;
+  std::shared_ptr<Flat_values> flat_values_;
 };
 
 template <class FaceListGraph, class ScalarMap, class NamedParameters = parameters::Default_named_parameters>
@@ -166,6 +169,20 @@ Flat_field(const FaceListGraph&, const ScalarMap&, const NamedParameters& = para
   -> Flat_field<FaceListGraph,
                 typename internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters>::Scalar>;
 
+namespace internal {
+
+// A scalar map as Flat_field, which it may be already.
+template <class FaceListGraph, class ScalarMap, class NamedParameters>
+auto make_flat_field(const FaceListGraph& mesh, const ScalarMap& scalar_map, const NamedParameters& np)
+{
+  typedef typename Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters>::Scalar Scalar;
+  if constexpr(Is_flat_field<ScalarMap, Scalar>::value)
+    return scalar_map;
+  else
+    return Flat_field<FaceListGraph, Scalar>(mesh, scalar_map, np);
+}
+
+} // namespace internal
 } // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_FLAT_FIELD_H

@@ -169,6 +169,16 @@ public:
   {}
 };
 
+/// \brief thrown by scalar fields and handles for a point with a coordinate that is infinite or NaN.
+class Non_finite_point_error : public Vertex_error
+{
+public:
+  /// constructs the exception for the vertex at position `vertex`.
+  explicit Non_finite_point_error(std::size_t vertex)
+    : Vertex_error(vertex, message("the point of vertex ", vertex, " is not finite"))
+  {}
+};
+
 /// \brief thrown for a range of scalar values that is not as long as the range of vertices.
 class Scalar_count_error : public Error
 {

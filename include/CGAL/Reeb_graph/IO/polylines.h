@@ -9,6 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_IO_POLYLINES_H
 #define CGAL_REEB_GRAPH_IO_POLYLINES_H
 
+#include <CGAL/Reeb_graph/Soup_contour.h>
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>

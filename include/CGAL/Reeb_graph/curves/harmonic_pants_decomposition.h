@@ -9,18 +9,15 @@
 #ifndef CGAL_REEB_GRAPH_CURVES_HARMONIC_PANTS_DECOMPOSITION_H
 #define CGAL_REEB_GRAPH_CURVES_HARMONIC_PANTS_DECOMPOSITION_H
 
+#include <CGAL/Reeb_graph/curves/internal/requirements.h>
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/requirements.h>
 
 #include <CGAL/boost/graph/properties.h>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 namespace CGAL::Reeb_graph {
 
@@ -50,10 +47,9 @@ OutputIterator harmonic_pants_decomposition(MutableFaceGraph& mesh,
 {
   if constexpr(internal::Refinable_mesh<MutableFaceGraph>::value)
   {
-    typedef typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor vertex_descriptor;
     const internal::Progress progress(np);
     progress.report(0);
-    internal::check_input(mesh, boost::static_property_map<double, vertex_descriptor>(0), parameters::default_values());
+    internal::check_mesh(mesh);
     internal::check_negative_euler_characteristics(mesh);
     const auto field_map = get(dynamic_vertex_property_t<double>(), mesh);
     const internal::Stage_progress field_progress(progress, 0.05, 0.9);

@@ -20,18 +20,6 @@ namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown by scalar fields for a point with a coordinate that is infinite or NaN.
-class Non_finite_point_error : public Vertex_error
-{
-public:
-  /// constructs the exception for the vertex at position `vertex`.
-  explicit Non_finite_point_error(std::size_t vertex)
-    : Vertex_error(vertex, "the point of vertex " + std::to_string(vertex) + " is not finite")
-  {}
-};
-
-/// \ingroup PkgReebGraphExceptions
-///
 /// \brief thrown for a vector of a face that is infinite or NaN, one that is given or a gradient.
 class Non_finite_vector_error : public Face_error
 {

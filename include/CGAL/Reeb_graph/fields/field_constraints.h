@@ -19,6 +19,7 @@
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 

@@ -89,8 +89,12 @@ Field_report compute_gradient(const FaceListGraph& mesh,
         throw Non_finite_vector_error(t);
     }
     progress.report(0.9);
-    for(std::size_t t = 0; t != gradients.size(); ++t)
-      put(gradient_map, surface.face_handle(t), Vector_3(gradients[t].x(), gradients[t].y(), gradients[t].z()));
+    auto gradient = gradients.begin();
+    for(const auto f : CGAL::make_range(faces(mesh)))
+    {
+      put(gradient_map, f, Vector_3(gradient->x(), gradient->y(), gradient->z()));
+      ++gradient;
+    }
     progress.report_end();
   }
   return report;
@@ -148,11 +152,11 @@ Field_report compute_divergence(const FaceListGraph& mesh,
     report = fields::make_triangles_proper(surface);
     progress.report(0.5);
     std::vector<fields::Vector> vectors;
-    vectors.reserve(surface.face_handles().size());
-    for(const auto f : surface.face_handles())
+    vectors.reserve(surface.triangles().size());
+    for(const auto f : CGAL::make_range(faces(mesh)))
     {
-      const auto& x = get(vector_map, f);
-      vectors.emplace_back(CGAL::to_double(x.x()), CGAL::to_double(x.y()), CGAL::to_double(x.z()));
+      const auto [x, y, z] = internal::coordinates_of(get(vector_map, f));
+      vectors.emplace_back(x, y, z);
       if(!fields::is_finite(vectors.back()))
         throw Non_finite_vector_error(vectors.size() - 1);
     }

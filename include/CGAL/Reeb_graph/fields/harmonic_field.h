@@ -21,6 +21,7 @@
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 
 #include <boost/graph/graph_traits.hpp>
 

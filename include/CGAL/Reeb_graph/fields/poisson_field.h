@@ -23,6 +23,7 @@
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 
 #include <cstddef>
 #include <utility>

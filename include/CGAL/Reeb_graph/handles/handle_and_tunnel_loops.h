@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/Flat_field.h>
 #include <CGAL/Reeb_graph/handles/Handle_loop.h>
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/handles/internal/make_loops.h>
@@ -74,7 +75,7 @@ public:
   ///
   /// \param halfedges consecutive halfedges of the mesh, a range; may pass anything more than once
   ///
-  /// \exception Open_loop_error if the halfedges are not a closed walk
+  /// \exception Open_loop_error if the halfedges are not a closed walk of the mesh
   template <class HalfedgeRange>
   bool is_handle(const HalfedgeRange& halfedges) const
   {
@@ -85,7 +86,7 @@ public:
   ///
   /// \param halfedges as above
   ///
-  /// \exception Open_loop_error if the halfedges are not a closed walk
+  /// \exception Open_loop_error if the halfedges are not a closed walk of the mesh
   template <class HalfedgeRange>
   bool is_tunnel(const HalfedgeRange& halfedges) const
   {
@@ -104,7 +105,7 @@ public:
       walks_.push_back(loop.halfedges);
       loops_.push_back({loop.kind, {}, loop.partner, loop.length, loop.persistence, loop.component, loop.is_simple});
       for(const internal::Index h : loop.halfedges)
-        loops_.back().halfedges.push_back(closing_->halfedges()[h]);
+        loops_.back().halfedges.push_back(closing_->halfedge_of(h));
     }
   }
 #endif
@@ -115,7 +116,11 @@ private:
   {
     internal::Halfedge_walk result;
     for(const halfedge_descriptor h : halfedges)
+    {
       result.push_back(closing_->number(h));
+      if(result.back() == internal::no_index)
+        throw Open_loop_error(result.size() - 1);
+    }
     const auto& surface = found_->surface();
     for(std::size_t i = 0; i != result.size(); ++i)
     {
@@ -209,10 +214,11 @@ Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGra
   const internal::Progress progress(np);
   progress.report(0);
   const auto traits = internal::choose_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>>(np);
+  const auto flat_field = internal::make_flat_field(mesh, scalar_map, parameters::geom_traits(traits));
   const auto reeb_loops =
-    internal::find_reeb_loops(mesh, scalar_map, traits, internal::Stage_progress(progress, 0, 0.1));
-  const auto closing =
-    std::make_shared<internal::Surface_closing<FaceListGraph>>(mesh, internal::choose_point_map(mesh, np));
+    internal::find_reeb_loops(mesh, flat_field, traits, internal::Stage_progress(progress, 0, 0.1));
+  const auto closing = std::make_shared<internal::Surface_closing<FaceListGraph>>(
+    mesh, flat_field.flat_values(mesh)->mesh, internal::choose_point_map(mesh, np));
   const std::shared_ptr<internal::Loop_finder> found =
     internal::make_loop_finder(std::move(closing->surface()), internal::Stage_progress(progress, 0.1, 0.2));
   if(choose_parameter(get_parameter(np, internal::check_self_intersections), true))

@@ -12,19 +12,16 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
-#include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
-#include <CGAL/Reeb_graph/handles/Handle_loop.h>
+#include <CGAL/Reeb_graph/curves/internal/requirements.h>
+#include <CGAL/Reeb_graph/handles/Handle_removal.h>
 #include <CGAL/Reeb_graph/handles/internal/Handle_remover.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/base/requirements.h>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <limits>
@@ -97,12 +94,11 @@ std::vector<Handle_removal> remove_handles(MutableFaceGraph& mesh,
   using parameters::get_parameter;
   if constexpr(internal::Refinable_mesh<MutableFaceGraph>::value)
   {
-    typedef typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor vertex_descriptor;
     if(!(size >= 0))
       throw Threshold_error("size of handles");
     const internal::Progress progress(np);
     progress.report(0);
-    internal::check_input(mesh, boost::static_property_map<double, vertex_descriptor>(0), parameters::default_values());
+    internal::check_mesh(mesh);
     const auto point_map =
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, mesh));
     auto visitor_parameter =

@@ -33,15 +33,10 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-template <class Scalar, class = void>
-struct Has_mean : std::false_type
-{
-};
 template <class Scalar>
-struct Has_mean<Scalar, std::void_t<decltype(Scalar((std::declval<Scalar>() - std::declval<Scalar>()) / Scalar(2)))>>
-  : std::true_type
-{
-};
+using Half_of_difference = decltype(Scalar((std::declval<Scalar>() - std::declval<Scalar>()) / Scalar(2)));
+template <class Scalar>
+inline constexpr bool has_mean = Has<Half_of_difference, Scalar>::value;
 
 // The value that is asked for, or the next to it that there is for certain between the two.
 template <class Scalar>
@@ -66,7 +61,7 @@ Scalar candidate_between(const Scalar& lower, const Scalar& upper, double wish)
     return wish < static_cast<double>(last) ? (std::min)((std::max)(static_cast<Scalar>(std::floor(wish)), first), last)
                                             : last;
   }
-  else if constexpr(Has_mean<Scalar>::value)
+  else if constexpr(has_mean<Scalar>)
     return (lower + upper) / Scalar(2);
   else
     return lower;
@@ -76,7 +71,7 @@ Scalar candidate_between(const Scalar& lower, const Scalar& upper, double wish)
 template <class Scalar>
 Scalar value_near(const Scalar& value, const Scalar& other)
 {
-  if constexpr(Has_mean<Scalar>::value && !std::is_arithmetic_v<Scalar>)
+  if constexpr(has_mean<Scalar> && !std::is_arithmetic_v<Scalar>)
     return value + (other - value) / Scalar(1 << 30);
   else
     return other;
@@ -120,13 +115,10 @@ struct Has_room_for_added_vertices<CGAL::internal::Dynamic_with_index<Key, Value
 
 // Whether the field is written at vertices that are added.
 template <class ScalarMap, class Traits>
-struct Is_field_written
-  : std::bool_constant<
-      Has_room_for_added_vertices<ScalarMap>::value
-      && (std::is_constructible_v<typename Traits::Scalar, double> || Has<Scalar_from_double, Traits>::value)
-      && std::is_convertible_v<typename Traits::Scalar, typename boost::property_traits<ScalarMap>::value_type>>
-{
-};
+inline constexpr bool is_field_written =
+  Has_room_for_added_vertices<ScalarMap>::value
+  && (std::is_constructible_v<typename Traits::Scalar, double> || Has<Scalar_from_double, Traits>::value)
+  && std::is_convertible_v<typename Traits::Scalar, typename boost::property_traits<ScalarMap>::value_type>;
 
 // The field at the vertices that a refinement adds: values in the order of the ranks and of the contours, as far as
 // there are numbers, so that the Reeb graph stays the same.
@@ -137,7 +129,7 @@ class Refined_field
   typedef typename RankedMesh::vertex_descriptor vertex_descriptor;
   typedef typename RankedMesh::halfedge_descriptor halfedge_descriptor;
   typedef Contour_to_cut<halfedge_descriptor> Contour;
-  static constexpr bool is_written = Is_field_written<ScalarMap, Traits>::value;
+  static constexpr bool is_written = is_field_written<ScalarMap, Traits>;
 
 public:
   Refined_field(const RankedMesh& ranked, const ScalarMap& scalar_map, const Traits& traits)

@@ -16,13 +16,13 @@
 #include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
+#include <CGAL/Reeb_graph/curves/internal/requirements.h>
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 #include <CGAL/Reeb_graph/simplification/internal/Leaf_pruning.h>
@@ -436,7 +436,7 @@ OutputIterator cut_along_chosen_contours(Mesh& mesh,
       put(level_map, v, get(scalar_map, v));
     make_borders_level(mesh, level_map, np.callback(progress.part(0, 0.2).callback()));
     const OutputIterator end = cut(level_map, progress.part(0.2, 1));
-    if constexpr(Is_field_written<ScalarMap, Traits>::value)
+    if constexpr(is_field_written<ScalarMap, Traits>)
     {
       ScalarMap written = scalar_map;
       for(const auto v : vertices(mesh))

@@ -15,7 +15,7 @@
 #include <CGAL/Reeb_graph/curves/internal/Ranked_mesh.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/complex/flatten.h>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph_traits.h>
 #include <CGAL/compute_reeb_graph.h>
 
@@ -160,7 +160,10 @@ void check_input(const Mesh& mesh, const ScalarMap& scalar_map, const NamedParam
 {
   typedef Chosen_traits<Reeb_graph_traits<Mesh, ScalarMap>, NamedParameters> Traits;
   if constexpr(Scalar_field<Mesh, ScalarMap, Traits>::value)
-    flatten<Sequential_tag>(mesh, scalar_map, choose_traits<Traits>(np), parameters::default_values());
+  {
+    read_values<Sequential_tag>(Vertex_list<Mesh>(mesh), scalar_map, choose_traits<Traits>(np));
+    check_mesh(mesh);
+  }
 }
 
 template <class Mesh>

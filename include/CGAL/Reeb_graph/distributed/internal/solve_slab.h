@@ -18,8 +18,11 @@
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/Unchecked_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
+#include <CGAL/Reeb_graph/internal/engine/Contour_search.h>
+#include <CGAL/Reeb_graph/internal/engine/Contours_of_sectors.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/classify_vertices_of_complex.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 
 #include <algorithm>

@@ -11,43 +11,30 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/fields/Field_report.h>
-#include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/complex/descriptor_lists.h>
-#include <CGAL/Reeb_graph/internal/complex/flatten.h>
-#include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
-#include <CGAL/Reeb_graph_traits.h>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Origin.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
-#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal::scalar_fields {
-
-// The position of a vertex in vertices(mesh).
-typedef Number Position;
-inline constexpr Position no_position = no_index;
 
 typedef Simple_cartesian<double>::Vector_3 Vector;
 
@@ -90,17 +77,14 @@ public:
 protected:
   Indexed_surface() = default;
 
+  // They are finite.
   void set_points(std::vector<Vector> points)
   {
     points_ = std::move(points);
     double largest = 0;
-    for(std::size_t v = 0; v != points_.size(); ++v)
+    for(const Vector& p : points_)
       for(int i = 0; i != 3; ++i)
-      {
-        if(!std::isfinite(points_[v][i]))
-          throw Non_finite_point_error(v);
-        largest = (std::max)(largest, std::abs(points_[v][i]));
-      }
+        largest = (std::max)(largest, std::abs(p[i]));
     if(largest > 0)
       scale_ = std::ldexp(1., (std::max)(std::ilogb(largest), -1000));
     for(Vector& p : points_)
@@ -262,83 +246,47 @@ inline Field_report make_triangles_proper(Indexed_surface& surface)
   return report;
 }
 
-// The surface of a mesh, checked as that of a Reeb graph is, and the way from positions to descriptors and back.
+// The surface of a mesh, checked as that of a Reeb graph is, and the way from positions to vertices and back.
 template <class FaceListGraph>
 class Indexed_mesh : public Indexed_surface
 {
 public:
   typedef FaceListGraph Mesh;
   typedef typename Descriptors<Mesh>::vertex_descriptor vertex_descriptor;
-  typedef typename Descriptors<Mesh>::halfedge_descriptor halfedge_descriptor;
-  typedef typename Descriptors<Mesh>::face_descriptor face_descriptor;
   typedef Indexed_vector<Vertex_index, vertex_descriptor> Vertex_handles;
-  typedef Indexed_vector<Face_index, face_descriptor> Face_handles;
 
   template <class NamedParameters>
   Indexed_mesh(const FaceListGraph& mesh, const NamedParameters& np)
-    : vertices_(vertices(mesh).first, vertices(mesh).second),
-      faces_(faces(mesh).first, faces(mesh).second),
-      positions_(make_vertex_positions(mesh, vertices_, parameters::default_values()))
+    : vertices_(vertices(mesh).first, vertices(mesh).second)
   {
-    checked_index(vertices_.size());
-    const auto point_map = choose_point_map(mesh, np);
-    std::vector<Vector> points;
-    points.reserve(vertices_.size());
-    for(const vertex_descriptor v : vertices_)
-    {
-      const auto& p = get(point_map, v);
-      points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    }
-    set_points(std::move(points));
-    check(mesh);
-    for(const face_descriptor f : faces_)
-      read_triangle(mesh, f, halfedge(f, mesh));
+    set_points(read_points<Vector>(mesh, choose_point_map(mesh, np)));
+    flat_mesh_ = make_flat_mesh(mesh);
+    positions_ = list_positions(*flat_mesh_);
+    const auto& complex = flat_mesh_->complex;
+    for_each_face(mesh, *flat_mesh_, [&](Halfedge_index a) {
+      const Halfedge_index b = complex.next(a), c = complex.previous(a);
+      add_triangle({positions_[complex.source(a)], positions_[complex.source(b)], positions_[complex.source(c)]},
+                   {complex.is_on_border_edge(a), complex.is_on_border_edge(b), complex.is_on_border_edge(c)});
+    });
   }
 
   vertex_descriptor vertex_handle(std::size_t v) const { return vertices_[Vertex_index(v)]; }
   const Vertex_handles& vertex_handles() const { return vertices_; }
-  face_descriptor face_handle(std::size_t triangle) const { return faces_[Face_index(triangle)]; }
-  const Face_handles& face_handles() const { return faces_; }
 
   // The position of a vertex, no_position if it is not one of the mesh.
   Position position(vertex_descriptor v) const
   {
     if(v == boost::graph_traits<Mesh>::null_vertex())
       return no_position;
-    const Vertex_index position = positions_(v);
-    return vertices_.contains(position) && vertices_[position] == v ? position.number() : no_position;
+    const Vertex_index number = flat_mesh_->numbers.number_of(v);
+    const Position position = positions_.contains(number) ? positions_[number] : no_position;
+    return position != no_position && vertex_handle(position) == v ? position : no_position;
   }
 
 private:
-  // Any field will do.
-  void check(const FaceListGraph& mesh) const
-  {
-    const auto heights = boost::make_function_property_map<vertex_descriptor>(
-      [&](vertex_descriptor v) { return point(positions_(v).number()).z(); });
-    const Reeb_graph_traits<FaceListGraph, std::decay_t<decltype(heights)>> traits;
-    flatten<Sequential_tag>(mesh, heights, traits, parameters::default_values());
-  }
-
-  // A Surface_mesh is checked by its halfedges. They need not be those that its faces have.
-  void read_triangle(const FaceListGraph& mesh, face_descriptor f, halfedge_descriptor a)
-  {
-    const halfedge_descriptor b = next(a, mesh), c = prev(a, mesh);
-    const auto position_of = [&](halfedge_descriptor h) { return positions_(source(h, mesh)).number(); };
-    const auto is_on_border_edge = [&](halfedge_descriptor h) { return is_border(opposite(h, mesh), mesh); };
-    if(face(a, mesh) != f)
-    {
-      check_faces(mesh);
-      throw Non_manifold_vertex_error(position_of(a));
-    }
-    add_triangle({position_of(a), position_of(b), position_of(c)},
-                 {is_on_border_edge(a), is_on_border_edge(b), is_on_border_edge(c)});
-  }
-
   Vertex_handles vertices_;
-  Face_handles faces_;
-  decltype(make_vertex_positions(std::declval<const FaceListGraph&>(),
-                                 std::declval<const Vertex_handles&>(),
-                                 parameters::default_values())) positions_;
+  std::shared_ptr<const Flat_mesh<FaceListGraph>> flat_mesh_;
+  Indexed_vector<Vertex_index, Position> positions_; // by number
 };
 
 } // namespace CGAL::Reeb_graph::internal::scalar_fields

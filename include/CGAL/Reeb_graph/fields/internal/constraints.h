@@ -20,6 +20,7 @@
 #include <CGAL/Reeb_graph/internal/complex/border_cycles.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
 #include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
+#include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Weights/mixed_voronoi_region_weights.h>

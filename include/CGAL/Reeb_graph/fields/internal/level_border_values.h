@@ -15,8 +15,8 @@
 #include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/border_cycles.h>
-#include <CGAL/Reeb_graph/internal/complex/flatten.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -250,13 +250,13 @@ Changes write_level_borders(const Mesh& mesh,
                             const Progress& progress)
 {
   progress.report(0);
-  const auto surface = share_flat<Sequential_tag>(mesh, scalar_map, traits, parameters::default_values());
-  const auto& [complex, field] = *surface;
+  const auto flat = share_flat<Sequential_tag>(mesh, scalar_map, traits, parameters::default_values());
+  const auto& numbers = flat->mesh->numbers;
   const auto less = traits.less_scalar_object();
   progress.report(0.2);
-  const std::vector<typename Traits::Scalar> values(field.values.begin(), field.values.end());
-  const auto borders = vertices_of_borders(mesh, field.numbers);
-  const auto graph = edge_graph(complex);
+  const std::vector<typename Traits::Scalar> values(flat->values.begin(), flat->values.end());
+  const auto borders = vertices_of_borders(mesh, numbers.number_of);
+  const auto graph = edge_graph(flat->mesh->complex);
   progress.report(0.9);
   const auto new_values = level_border_values(graph, borders, values, traits, wish, collar_width);
   progress.report(0.95); // the last one before the field changes
@@ -273,7 +273,7 @@ Changes write_level_borders(const Mesh& mesh,
     ++changes.number_of_changed_vertices;
     changes.largest_change =
       (std::max)(changes.largest_change, distance_of_values(conversion, values[v], new_values[v]));
-    put(scalar_map, field.vertices[Vertex_index(v)], new_values[v]);
+    put(scalar_map, numbers.vertices[Vertex_index(v)], new_values[v]);
   }
   progress.report_end();
   return changes;

@@ -11,14 +11,13 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/handles/Handle_loop.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 
-#include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -29,6 +28,7 @@
 #include <deque>
 #include <memory>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
@@ -101,6 +101,27 @@ struct Closed_surface
   bool is_apex(Index v) const { return v >= number_of_given_vertices; }
   bool is_given(Index h) const { return h < number_of_given_halfedges; }
 
+  // Makes the surface of points, targets, and next halfedges, which those along the border have none of.
+  void close()
+  {
+    number_of_given_vertices = checked_index(points.size());
+    number_of_given_halfedges = checked_index(target.size());
+    std::vector<Index> border(points.size(), no_index); // the halfedge along the border that leaves a vertex
+    for(Index h = 0; h != number_of_given_halfedges; ++h)
+      if(next[h] == no_index)
+        border[source(h)] = h;
+    for(Index h = 0; h != number_of_given_halfedges; ++h)
+      if(next[h] == no_index)
+        fill(h, border);
+    number_faces();
+    lengths.reserve(next.size() / 2);
+    for(Index h = 0; h != next.size(); h += 2)
+    {
+      const Point p = way(source(h), target[h]);
+      lengths.push_back(std::hypot(p[0], p[1], p[2]));
+    }
+  }
+
   double length(Index h) const { return lengths[h / 2]; }
   double length(const Halfedge_walk& walk) const
   {
@@ -109,132 +130,109 @@ struct Closed_surface
       sum += length(h);
     return sum;
   }
-};
-
-// Makes the closed surface of a mesh that has been checked, and keeps the descriptors of its halfedges.
-template <class Mesh>
-class Surface_closing
-{
-  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
-  typedef typename boost::property_map<Mesh, dynamic_halfedge_property_t<Index>>::const_type Number_map;
-
-public:
-  template <class PointMap>
-  Surface_closing(const Mesh& mesh, const PointMap& point_map)
-    : mesh_(mesh),
-      number_map_(get(dynamic_halfedge_property_t<Index>(), mesh))
-  {
-    halfedges_.reserve(2 * num_edges(mesh));
-    for(const auto e : edges(mesh))
-      for(const halfedge_descriptor h : {halfedge(e, mesh), opposite(halfedge(e, mesh), mesh)})
-      {
-        put(number_map_, h, static_cast<Index>(halfedges_.size()));
-        halfedges_.push_back(h);
-      }
-    surface_.number_of_given_halfedges = checked_index(halfedges_.size());
-    checked_index(2 * halfedges_.size());
-    read(point_map);
-    close();
-    number_faces();
-    measure_edges();
-  }
-
-  Closed_surface& surface() { return surface_; }
-  const std::vector<halfedge_descriptor>& halfedges() const { return halfedges_; } // those given
-  Index number(halfedge_descriptor h) const { return get(number_map_, h); }
 
 private:
-  template <class PointMap>
-  void read(const PointMap& point_map)
-  {
-    const auto vertex_number_map = get(dynamic_vertex_property_t<Index>(), mesh_);
-    surface_.points.reserve(num_vertices(mesh_));
-    for(const auto v : vertices(mesh_))
-    {
-      put(vertex_number_map, v, static_cast<Index>(surface_.points.size()));
-      const auto& point = get(point_map, v);
-      surface_.points.push_back({CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())});
-      for(const double coordinate : surface_.points.back())
-        if(!std::isfinite(coordinate))
-          throw Non_finite_point_error(surface_.points.size() - 1);
-    }
-    surface_.number_of_given_vertices = checked_index(surface_.points.size());
-    surface_.target.reserve(halfedges_.size());
-    surface_.next.reserve(halfedges_.size());
-    for(const halfedge_descriptor h : halfedges_)
-    {
-      surface_.target.push_back(get(vertex_number_map, target(h, mesh_)));
-      surface_.next.push_back(number(next(h, mesh_)));
-    }
-  }
-
-  void close()
-  {
-    std::vector<bool> is_closed(halfedges_.size(), false);
-    for(Index h = 0; h != surface_.number_of_given_halfedges; ++h)
-    {
-      if(!is_closed[h] && is_border(halfedges_[h], mesh_))
-        fill(h, is_closed);
-    }
-  }
-
   // Fills the hole that a border halfedge belongs to.
-  void fill(Index first, std::vector<bool>& is_closed)
+  void fill(Index first, const std::vector<Index>& border)
   {
-    Halfedge_walk cycle;
-    for(Index h = first; !is_closed[h]; h = surface_.next[h])
-    {
-      is_closed[h] = true;
+    Halfedge_walk cycle = {first};
+    for(Index h = border[target[first]]; h != first; h = border[target[h]])
       cycle.push_back(h);
-    }
-    const Index apex = static_cast<Index>(surface_.points.size());
-    surface_.points.push_back(surface_.points[surface_.target[first]]);
-    const Index first_spoke = static_cast<Index>(surface_.next.size()), size = static_cast<Index>(cycle.size());
+    const Index apex = static_cast<Index>(points.size());
+    points.push_back(points[target[first]]);
+    const Index first_spoke = static_cast<Index>(next.size()), size = static_cast<Index>(cycle.size());
     for(Index i = 0; i != size; ++i)
     {
-      surface_.target.push_back(apex);
-      surface_.target.push_back(surface_.source(cycle[i]));
-      surface_.next.push_back(no_index); // set by the face before
-      surface_.next.push_back(cycle[i]);
+      target.push_back(apex);
+      target.push_back(source(cycle[i]));
+      next.push_back(no_index); // set by the face before
+      next.push_back(cycle[i]);
     }
     for(Index i = 0; i != size; ++i)
     {
       const Index next_to_apex = first_spoke + 2 * ((i + 1) % size);
-      surface_.next[cycle[i]] = next_to_apex;
-      surface_.next[next_to_apex] = first_spoke + 2 * i + 1;
+      next[cycle[i]] = next_to_apex;
+      next[next_to_apex] = first_spoke + 2 * i + 1;
     }
-    surface_.border_cycles.push_back(reversed(cycle));
+    border_cycles.push_back(reversed(cycle));
   }
 
   void number_faces()
   {
-    surface_.halfedge.reserve(surface_.next.size() / 3);
-    surface_.face.assign(surface_.next.size(), no_index);
-    surface_.outgoing.assign(surface_.points.size(), no_index);
-    for(Index h = 0; h != surface_.next.size(); ++h)
+    halfedge.reserve(next.size() / 3);
+    face.assign(next.size(), no_index);
+    outgoing.assign(points.size(), no_index);
+    for(Index h = 0; h != next.size(); ++h)
     {
-      surface_.outgoing[surface_.source(h)] = h;
-      if(surface_.face[h] != no_index)
+      outgoing[source(h)] = h;
+      if(face[h] != no_index)
         continue;
-      const Index face = static_cast<Index>(surface_.halfedge.size());
-      surface_.halfedge.push_back(h);
-      surface_.face[h] = surface_.face[surface_.next[h]] = surface_.face[surface_.previous(h)] = face;
+      face[h] = face[next[h]] = face[previous(h)] = static_cast<Index>(halfedge.size());
+      halfedge.push_back(h);
     }
   }
+};
 
-  void measure_edges()
+// The closed surface of a flat mesh, and the way from its halfedges to those of the mesh and back. Edges are numbered in
+// the order of edges(mesh).
+template <class Mesh>
+class Surface_closing
+{
+  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+
+public:
+  template <class PointMap>
+  Surface_closing(const Mesh& mesh, std::shared_ptr<const Flat_mesh<Mesh>> flat_mesh, const PointMap& point_map)
+    : mesh_(mesh),
+      flat_mesh_(std::move(flat_mesh))
   {
-    surface_.lengths.reserve(surface_.next.size() / 2);
-    for(Index h = 0; h != surface_.next.size(); h += 2)
+    flat_halfedges_.reserve(2 * num_edges(mesh));
+    numbers_.resize(flat_mesh_->complex.number_of_halfedges());
+    for(const auto e : CGAL::make_range(edges(mesh)))
     {
-      const Closed_surface::Point way = surface_.way(surface_.source(h), surface_.target[h]);
-      surface_.lengths.push_back(std::hypot(way[0], way[1], way[2]));
+      const Halfedge_index first = find_halfedge(mesh, *flat_mesh_, halfedge(e, mesh));
+      for(const Halfedge_index h : {first, opposite_of(first)})
+      {
+        numbers_[h] = static_cast<Index>(flat_halfedges_.size());
+        flat_halfedges_.push_back(h);
+      }
+    }
+    checked_index(2 * flat_halfedges_.size());
+    surface_.points = read_points<Closed_surface::Point>(mesh, point_map);
+    copy_halfedges();
+    surface_.close();
+  }
+
+  Closed_surface& surface() { return surface_; }
+  std::size_t number_of_halfedges() const { return flat_halfedges_.size(); } // those given
+
+  halfedge_descriptor halfedge_of(Index h) const { return flat_mesh_->numbers.halfedges(mesh_, flat_halfedges_[h]); }
+
+  // no_index if the mesh has no such halfedge.
+  Index number(halfedge_descriptor h) const
+  {
+    const Halfedge_index found = find_halfedge(mesh_, *flat_mesh_, h);
+    return numbers_.contains(found) ? numbers_[found] : Index(no_index);
+  }
+
+private:
+  void copy_halfedges()
+  {
+    const auto& complex = flat_mesh_->complex;
+    const auto positions = list_positions(*flat_mesh_);
+    surface_.target.reserve(flat_halfedges_.size());
+    surface_.next.reserve(flat_halfedges_.size());
+    for(const Halfedge_index h : flat_halfedges_)
+    {
+      surface_.target.push_back(positions[complex.target(h)]);
+      surface_.next.push_back(complex.has_triangle(h) ? numbers_[complex.next(h)] : Index(no_index));
     }
   }
 
   const Mesh& mesh_;
-  Number_map number_map_;
-  std::vector<halfedge_descriptor> halfedges_;
+  std::shared_ptr<const Flat_mesh<Mesh>> flat_mesh_;
+  std::vector<Halfedge_index> flat_halfedges_;
+  Indexed_vector<Halfedge_index, Index> numbers_;
   Closed_surface surface_;
 };
 

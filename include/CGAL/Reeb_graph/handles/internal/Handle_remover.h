@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/handles/Handle_loop.h>
+#include <CGAL/Reeb_graph/handles/Handle_removal.h>
 #include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/handles/internal/Loop_cut.h>
@@ -86,7 +86,7 @@ private:
   void plan(double size, std::size_t number, bool are_checked, const Stage_progress& progress)
   {
     plans_.clear();
-    Surface_closing<Mesh> closing(mesh_, point_map_);
+    Surface_closing<Mesh> closing(mesh_, make_flat_mesh(mesh_), point_map_);
     const auto found = make_loop_finder(std::move(closing.surface()), progress.part(0, 0.2));
     const std::vector<std::size_t> components = number_components(closing, *found);
     if(are_checked)
@@ -116,7 +116,7 @@ private:
         break;
       std::vector<halfedge_descriptor> halfedges;
       for(const Index h : loop->halfedges)
-        halfedges.push_back(closing.halfedges()[h]);
+        halfedges.push_back(closing.halfedge_of(h));
       add_plan(*loop, components[loop->component], std::move(halfedges));
     }
     components_.clear();
@@ -137,8 +137,9 @@ private:
     if(representatives_.empty())
     {
       representatives_.resize(size);
-      for(std::size_t h = closing.halfedges().size(); h != 0; --h)
-        representatives_[component_of(static_cast<Index>(h - 1), found)] = closing.halfedges()[h - 1];
+      for(std::size_t h = closing.number_of_halfedges(); h != 0; --h)
+        representatives_[component_of(static_cast<Index>(h - 1), found)] =
+          closing.halfedge_of(static_cast<Index>(h - 1));
     }
     std::vector<std::size_t> result(size, 0);
     for(std::size_t i = 0; i != size; ++i)

@@ -94,18 +94,6 @@ struct Descriptors<Mesh, false>
   typedef std::size_t vertex_descriptor, halfedge_descriptor, face_descriptor;
 };
 
-template <class Mesh>
-struct Mesh_can_be_refined : Has<Added_edge, Mesh>
-{
-  static_assert(Mesh_can_be_refined::value, "The mesh is no MutableFaceGraph of CGAL: no edge can be added to it.");
-};
-
-template <class Mesh>
-struct Refinable_mesh
-  : Then<Then<Mesh_is_not_const<Mesh>::value, Mesh_is_face_list_graph<Mesh>>::value, Mesh_can_be_refined<Mesh>>
-{
-};
-
 // ---- Property maps
 
 template <class Map>
@@ -236,26 +224,9 @@ struct Field_of_numbers : Then<Scalar_field<Mesh, ScalarMap, Traits>::value, Sca
 {
 };
 
-// What the functions that refine a mesh take.
-template <class Mesh, class ScalarMap, class Traits>
-struct Refinable_mesh_with_field : Then<Refinable_mesh<Mesh>::value, Field_of_numbers<Mesh, ScalarMap, Traits>>
-{
-};
-
 template <class Mesh, class ScalarMap, class Traits, class VertexMap>
 struct Field_of_numbers_and_map
   : Then<Field_of_numbers<Mesh, ScalarMap, Traits>::value, Writable_vertex_map<VertexMap, Mesh>>
-{
-};
-
-template <class Mesh, class ScalarMap, class Traits, class VertexMap>
-struct Refinable_mesh_with_field_and_map
-  : Then<Refinable_mesh<Mesh>::value, Field_of_numbers_and_map<Mesh, ScalarMap, Traits, VertexMap>>
-{
-};
-
-template <class Mesh, class FacePatchMap>
-struct Refinable_mesh_with_patches : Then<Refinable_mesh<Mesh>::value, Writable_face_map<FacePatchMap, Mesh>>
 {
 };
 

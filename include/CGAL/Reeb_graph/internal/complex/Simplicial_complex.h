@@ -13,50 +13,16 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Made_on_demand.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <mutex>
 #include <utility>
 
 namespace CGAL::Reeb_graph::internal {
-
-// A part of a constant object that is made when it is asked for first, by whichever thread that is.
-template <class T>
-class Made_on_demand
-{
-public:
-  // make() is called by the first call only.
-  template <class Make>
-  const T& operator()(const Make& make) const
-  {
-    if(!part_->is_made.load(std::memory_order_acquire))
-    {
-      const std::lock_guard<std::mutex> lock(part_->mutex);
-      if(!part_->is_made.load(std::memory_order_relaxed))
-      {
-        part_->value = make();
-        part_->is_made.store(true, std::memory_order_release);
-      }
-    }
-    return part_->value;
-  }
-
-private:
-  struct Part
-  {
-    std::atomic<bool> is_made{false};
-    std::mutex mutex;
-    T value;
-  };
-
-  std::unique_ptr<Part> part_ = std::make_unique<Part>(); // so that the object can be moved
-};
 
 // The triangles of a complex, each once and with ascending vertices, in lexicographic order.
 struct Triangle_list

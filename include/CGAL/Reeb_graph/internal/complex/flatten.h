@@ -17,9 +17,7 @@
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
-#include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
 #include <CGAL/Reeb_graph/internal/complex/Unchecked_complex.h>
-#include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/complex/descriptor_lists.h>
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
 
@@ -30,33 +28,23 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <type_traits>
 #include <utility>
 
 namespace CGAL::Reeb_graph::internal {
-
-template <class FaceListGraph>
-struct Read_halfedges
-{
-  Halfedge_arrays arrays;
-  Indexed_vector<Edge_index, typename boost::graph_traits<FaceListGraph>::halfedge_descriptor> even_halfedges;
-  // The halfedges of each face, from the one that the mesh gives on.
-  Indexed_vector<Face_index, std::array<Halfedge_index, 3>> halfedges_of_faces;
-};
 
 // What a model of EdgeListGraph has, which a FaceListGraph need not be.
 template <class FaceListGraph>
 using Edge_list =
   decltype(edges(std::declval<const FaceListGraph&>()), num_edges(std::declval<const FaceListGraph&>()));
 
-// Numbers the edges as they are met, face by face.
+// Copies the faces of a mesh. Numbers the edges as they are met, face by face.
 template <class FaceListGraph, class FaceList, class VertexPositions, class FacePositions>
-Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
-                                             const FaceList& face_list,
-                                             std::size_t number_of_vertices,
-                                             const VertexPositions& vertex_positions,
-                                             const FacePositions& face_positions)
+std::pair<Triangle_complex, Halfedge_list<FaceListGraph>> read_halfedges(const FaceListGraph& mesh,
+                                                                         const FaceList& face_list,
+                                                                         std::size_t number_of_vertices,
+                                                                         const VertexPositions& vertex_positions,
+                                                                         const FacePositions& face_positions)
 {
   typedef boost::graph_traits<FaceListGraph> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
@@ -66,7 +54,7 @@ Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
   arrays.halfedges.reserve(3 * face_list.size()); // as many as a surface without border has
   Indexed_vector<Edge_index, halfedge_descriptor> even_halfedges;
   even_halfedges.reserve(arrays.halfedges.capacity() / 2);
-  Indexed_vector<Face_index, std::array<Halfedge_index, 3>> halfedges_of_faces;
+  Indexed_vector<Face_index, std::array<Halfedge_index, 3>> halfedges_of_faces; // from the one that the mesh gives on
   halfedges_of_faces.reserve(face_list.size());
 
   const auto add_edge_of = [&](halfedge_descriptor h) {
@@ -99,7 +87,8 @@ Read_halfedges<FaceListGraph> read_halfedges(const FaceListGraph& mesh,
     if(num_edges(mesh) != even_halfedges.size()) // It may count removed ones, too.
       check_edges(mesh);
   }
-  return {std::move(arrays), std::move(even_halfedges), std::move(halfedges_of_faces)};
+  return {Triangle_complex(std::move(arrays), face_list.size()),
+          Halfedge_list<FaceListGraph>(std::move(even_halfedges))};
 }
 
 // The stages see a mesh of any type as a copy, but a Surface_mesh as it is.
@@ -118,30 +107,28 @@ struct Complex_of<Surface_mesh<Point>>
 template <class FaceListGraph>
 using Complex_of_t = typename Complex_of<FaceListGraph>::type;
 
-// A field by the numbers of vertices, and the way from numbers to the mesh and back. The numbers of vertices can outlive
-// the mesh if its index map can.
-template <class FaceListGraph, class Scalar>
-struct Field_by_numbers
+// The way from numbers of vertices and halfedges to the mesh, and from its vertices to their numbers. Those of the
+// vertices can outlive the mesh if its index map can.
+template <class FaceListGraph>
+struct Mesh_numbers
 {
-  Indexed_vector<Vertex_index, Scalar> values;
   Vertex_list<FaceListGraph> vertices;
   Halfedge_list<FaceListGraph> halfedges;
-  std::function<Vertex_index(typename Vertex_list<FaceListGraph>::vertex_descriptor)> numbers;
+  std::function<Vertex_index(typename Vertex_list<FaceListGraph>::vertex_descriptor)> number_of;
 };
 
-// A mesh with its field by numbers.
+// A mesh with its field by numbers, as the pipeline takes it.
 template <class Complex, class FaceListGraph, class Scalar>
 struct Complex_with_field
 {
   Complex complex;
-  Field_by_numbers<FaceListGraph, Scalar> field;
+  Mesh_numbers<FaceListGraph> numbers;
+  Indexed_vector<Vertex_index, Scalar> values;
 };
 
-// Those before the mesh has been checked, and afterwards.
+// That before the mesh has been checked.
 template <class FaceListGraph, class Scalar>
 using Unchecked_surface = Complex_with_field<Unchecked_complex<Complex_of_t<FaceListGraph>>, FaceListGraph, Scalar>;
-template <class FaceListGraph, class Scalar>
-using Flat_surface = Complex_with_field<Complex_of_t<FaceListGraph>, FaceListGraph, Scalar>;
 
 // The values of all vertices. Only plain numbers are read in parallel: copies of others may share parts.
 template <class ConcurrencyTag, class VertexList, class ScalarMap, class Traits>
@@ -237,6 +224,33 @@ void check_index_maps(const FaceListGraph& mesh, const NamedParameters& np)
   }
 }
 
+// The vertices have been listed before, so that values can be read first.
+template <class FaceListGraph, class NamedParameters>
+std::pair<Unchecked_complex<Complex_of_t<FaceListGraph>>, Mesh_numbers<FaceListGraph>> number_mesh(
+  const FaceListGraph& mesh,
+  Vertex_list<FaceListGraph> vertex_list,
+  const NamedParameters& np)
+{
+  const auto face_range = faces(mesh);
+  typedef typename boost::graph_traits<FaceListGraph>::face_descriptor face_descriptor;
+  const Indexed_vector<Face_index, face_descriptor> face_list(face_range.first, face_range.second);
+  auto positions = make_vertex_positions(mesh, vertex_list, np);
+  auto [complex, halfedges] =
+    read_halfedges(mesh, face_list, vertex_list.size(), positions, make_face_positions(mesh, face_list, np));
+  return {Unchecked_complex(std::move(complex)), {std::move(vertex_list), std::move(halfedges), std::move(positions)}};
+}
+
+template <class Point, class NamedParameters>
+std::pair<Unchecked_complex<Surface_mesh_complex<Point>>, Mesh_numbers<Surface_mesh<Point>>> number_mesh(
+  const Surface_mesh<Point>& mesh,
+  Vertex_list<Surface_mesh<Point>> vertex_list,
+  const NamedParameters& np)
+{
+  check_index_maps(mesh, np);
+  return {Unchecked_complex(Surface_mesh_complex<Point>(mesh)),
+          {std::move(vertex_list), {}, [](auto v) { return Vertex_index(v); }}};
+}
+
 template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
 Unchecked_surface<FaceListGraph, typename Traits::Scalar> flatten_unchecked(const FaceListGraph& mesh,
                                                                             const ScalarMap& scalar_map,
@@ -245,49 +259,8 @@ Unchecked_surface<FaceListGraph, typename Traits::Scalar> flatten_unchecked(cons
 {
   Vertex_list<FaceListGraph> vertex_list(mesh);
   auto values = read_values<ConcurrencyTag>(vertex_list, scalar_map, traits);
-  const auto face_range = faces(mesh);
-  typedef typename boost::graph_traits<FaceListGraph>::face_descriptor face_descriptor;
-  const Indexed_vector<Face_index, face_descriptor> face_list(face_range.first, face_range.second);
-  auto positions = make_vertex_positions(mesh, vertex_list, np);
-  auto read = read_halfedges(mesh, face_list, vertex_list.size(), positions, make_face_positions(mesh, face_list, np));
-  return {Unchecked_complex(Triangle_complex(std::move(read.arrays), face_list.size())),
-          {std::move(values), std::move(vertex_list), Halfedge_list<FaceListGraph>(std::move(read.even_halfedges)),
-           std::move(positions)}};
-}
-
-template <class ConcurrencyTag, class Point, class ScalarMap, class Traits, class NamedParameters>
-Unchecked_surface<Surface_mesh<Point>, typename Traits::Scalar> flatten_unchecked(const Surface_mesh<Point>& mesh,
-                                                                                  const ScalarMap& scalar_map,
-                                                                                  const Traits& traits,
-                                                                                  const NamedParameters& np)
-{
-  Vertex_list<Surface_mesh<Point>> vertex_list(mesh);
-  auto values = read_values<ConcurrencyTag>(vertex_list, scalar_map, traits);
-  check_index_maps(mesh, np);
-  return {Unchecked_complex(Surface_mesh_complex<Point>(mesh)),
-          {std::move(values), std::move(vertex_list), {}, [](auto v) { return Vertex_index(v); }}};
-}
-
-// Sets the fans of all vertices, and checks the complex. Any order of the vertices will do.
-template <class ConcurrencyTag, class Complex, class Order>
-Complex check_complex(Unchecked_complex<Complex> unchecked, const Order& order)
-{
-  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), order);
-  const auto set_fans = [&](std::size_t begin, std::size_t end, Fan_counts& counts) {
-    No_visitor_of_fan visitor;
-    for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
-    {
-      const Number number_of_corners = regular_vertices.number_of_corners(v);
-      if(number_of_corners == 0)
-      {
-        unchecked.set_fan(v, counts, visitor);
-        continue;
-      }
-      unchecked.set_closed_fan(v);
-      counts.corners += number_of_corners;
-    }
-  };
-  return std::move(unchecked).check(sum_of_parts<ConcurrencyTag, Fan_counts>(unchecked.number_of_vertices(), set_fans));
+  auto [complex, numbers] = number_mesh(mesh, std::move(vertex_list), np);
+  return {std::move(complex), std::move(numbers), std::move(values)};
 }
 
 // Whether a scalar map is a public Flat_field with values of the wanted type. It is told by what it has, as it stands
@@ -297,37 +270,10 @@ struct Is_flat_field : std::false_type
 {
 };
 template <class ScalarMap, class Scalar>
-struct Is_flat_field<ScalarMap, Scalar, std::void_t<typename ScalarMap::Flat_surface>>
+struct Is_flat_field<ScalarMap, Scalar, std::void_t<typename ScalarMap::Flat_values>>
   : std::is_same<typename ScalarMap::value_type, Scalar>
 {
 };
-
-// The mesh with its field by numbers, after it has been checked.
-template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
-Flat_surface<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph& mesh,
-                                                             const ScalarMap& scalar_map,
-                                                             const Traits& traits,
-                                                             const NamedParameters& np)
-{
-  auto [unchecked, field] = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
-  auto complex =
-    check_complex<ConcurrencyTag>(std::move(unchecked), Vertex_order(field.values, traits.less_scalar_object()));
-  return {std::move(complex), std::move(field)};
-}
-
-// The same, to be shared; that of a Flat_field is there already.
-template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
-std::shared_ptr<const Flat_surface<FaceListGraph, typename Traits::Scalar>> share_flat(const FaceListGraph& mesh,
-                                                                                       const ScalarMap& scalar_map,
-                                                                                       const Traits& traits,
-                                                                                       const NamedParameters& np)
-{
-  if constexpr(Is_flat_field<ScalarMap, typename Traits::Scalar>::value)
-    return scalar_map.flat_surface(mesh);
-  else
-    return std::make_shared<const Flat_surface<FaceListGraph, typename Traits::Scalar>>(
-      flatten<ConcurrencyTag>(mesh, scalar_map, traits, np));
-}
 
 } // namespace CGAL::Reeb_graph::internal
 

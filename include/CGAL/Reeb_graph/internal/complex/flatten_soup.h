@@ -221,24 +221,28 @@ public:
   }
 };
 
+template <>
+struct Complex_of<Simplicial_complex>
+{
+  typedef Simplicial_complex type;
+};
+
 // A soup, or the faces of tetrahedra, with its field by numbers.
 template <class Scalar>
 using Flat_soup = Complex_with_field<Simplicial_complex, Simplicial_complex, Scalar>;
 
 // The values of the vertices, one for each in a random access range.
 template <class ConcurrencyTag, class Scalars, class Traits>
-Field_by_numbers<Simplicial_complex, typename Traits::Scalar> flatten_scalars(std::size_t number_of_vertices,
-                                                                              const Scalars& scalars,
-                                                                              const Traits& traits)
+Indexed_vector<Vertex_index, typename Traits::Scalar> read_scalars(std::size_t number_of_vertices,
+                                                                   const Scalars& scalars,
+                                                                   const Traits& traits)
 {
   const std::size_t number_of_scalars = static_cast<std::size_t>(std::end(scalars) - std::begin(scalars));
   if(number_of_scalars != number_of_vertices)
     throw Scalar_count_error(number_of_scalars, number_of_vertices);
-  const Vertex_list<Simplicial_complex> vertices(number_of_vertices);
   const auto map =
     boost::make_iterator_property_map(std::begin(scalars), boost::typed_identity_property_map<std::size_t>());
-  const auto number = [=](std::size_t v) { return v < number_of_vertices ? Vertex_index(v) : Vertex_index(no_index); };
-  return {read_values<ConcurrencyTag>(vertices, map, traits), vertices, {}, number};
+  return read_values<ConcurrencyTag>(Vertex_list<Simplicial_complex>(number_of_vertices), map, traits);
 }
 
 // The complex of triangles or of tetrahedra, by their number of vertices, and of the edges of a named parameter, with
@@ -258,8 +262,11 @@ Flat_soup<typename Traits::Scalar> flatten_cells(const PointsOrNumber& points,
 {
   auto edges = parameters::choose_parameter<std::array<std::array<std::size_t, 2>, 0>>(edges_parameter);
   const std::size_t size = count_vertices(points);
-  auto field = flatten_scalars<ConcurrencyTag>(size, scalars, traits);
-  return {read_cells<vertices_per_cell>(size, cells, unwrap_reference(edges)), std::move(field)};
+  auto values = read_scalars<ConcurrencyTag>(size, scalars, traits);
+  const auto number_of = [=](std::size_t v) { return v < size ? Vertex_index(v) : Vertex_index(no_index); };
+  return {read_cells<vertices_per_cell>(size, cells, unwrap_reference(edges)),
+          {Vertex_list<Simplicial_complex>(size), {}, number_of},
+          std::move(values)};
 }
 
 } // namespace CGAL::Reeb_graph::internal

@@ -13,9 +13,6 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
-#include <CGAL/Reeb_graph/internal/engine/Contour_search.h>
-#include <CGAL/Reeb_graph/internal/engine/Contours_of_sectors.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
 #include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
@@ -29,6 +26,10 @@
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
+
+// What complexes need that may be no surface; who has one includes them.
+class Components_of_complex;
+class Contour_search;
 
 // Finds contours along which the domain has to be cut so that its Reeb graph becomes a tree: at each vertex where
 // several lower contours meet, one of each sublevel component stays, the others close loops. On a surface, contours are
@@ -287,7 +288,8 @@ private:
   std::vector<Lower_contour> contours_of_vertex_; // of the last one
 
   // Of a complex that may be no surface:
-  std::optional<Components_of_complex> components_;           // if there are many vertices to ask about
+  std::optional<std::conditional_t<Complex::is_surface, std::tuple<>, Components_of_complex>>
+    components_;                                              // if there are many vertices to ask about
   Indexed_vector<Edge_index, Number> last_vertices_at_edges_; // whose fans have been turned around; from 1 on
   Indexed_vector<Sector_index, Number> contours_; // by lower sector; no_index where none has been looked for
   std::size_t number_of_lost_steps_ = 0;          // of searches that have closed no loop

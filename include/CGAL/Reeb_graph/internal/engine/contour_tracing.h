@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
-#include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 
 #include <algorithm>
 #include <array>
@@ -123,55 +122,6 @@ bool trace_oriented_contour(const Complex& complex,
   crossed.push_back(start);
   std::rotate(crossed.begin(), crossed.begin() + number_of_forward_edges, crossed.end());
   return walk.is_closed();
-}
-
-// The other edge that the level crosses of a triangle at a crossed edge.
-template <class IsBelow>
-Edge_index crossed_edge_beside(const Simplicial_complex& complex,
-                               Edge_index crossed_edge,
-                               Triangle_index triangle,
-                               const IsBelow& is_below)
-{
-  // The edges of a triangle are those of its vertices 0 and 1, 0 and 2, 1 and 2.
-  constexpr std::array<std::array<std::size_t, 2>, 3> other_edges = {{{1, 2}, {0, 2}, {0, 1}}};
-  const std::array<Edge_index, 3>& edges = complex.edges_of(triangle);
-  const std::size_t place = edges[0] == crossed_edge ? 0 : (edges[1] == crossed_edge ? 1 : 2);
-  // The first of the two other edges has the lower end of the crossed one; it is not crossed if the apex is on the side
-  // of that end.
-  const bool is_apex_with_end =
-    is_below(complex.vertices_of(triangle)[2 - place]) == is_below(complex.lower_end(crossed_edge));
-  return edges[other_edges[place][is_apex_with_end ? 1 : 0]];
-}
-
-// Calls visit(edge, triangle) for the other edge of each triangle at a crossed edge that the level crosses.
-template <class IsBelow, class Visit>
-void for_each_crossed_edge_beside(const Simplicial_complex& complex,
-                                  Edge_index crossed_edge,
-                                  const IsBelow& is_below,
-                                  const Visit& visit)
-{
-  for(const Triangle_index triangle : complex.triangles_of(crossed_edge))
-    visit(crossed_edge_beside(complex, crossed_edge, triangle, is_below), triangle);
-}
-
-// The same in a complex, where a contour is any connected graph.
-template <class IsBelow, class Visit>
-void trace_contour(const Simplicial_complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
-{
-  std::unordered_set<Number> found = {edge_of(start).number()};
-  Plain_vector<Edge_index> pending = {edge_of(start)};
-  visit(start);
-  while(!pending.empty())
-  {
-    const Edge_index edge = pending.back();
-    pending.pop_back();
-    for_each_crossed_edge_beside(complex, edge, is_below, [&](Edge_index beside, Triangle_index) {
-      if(!found.insert(beside.number()).second)
-        return;
-      visit(even_halfedge(beside));
-      pending.push_back(beside);
-    });
-  }
 }
 
 // Finds contours of one level in steps by turns, so that the longest one costs no more than the next one. There is a

@@ -112,9 +112,9 @@ Flat_chains find_arc_chains(const Complex& complex, const Order& order, const Fl
 CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_FIND_ARC_CHAINS)
 
 // The halfedges of the mesh in the chains.
-template <class ConcurrencyTag, class FaceListGraph, class Scalar>
+template <class ConcurrencyTag, class FaceListGraph>
 auto chain_halfedges(const FaceListGraph& mesh,
-                     const Field_by_numbers<FaceListGraph, Scalar>& field,
+                     const Halfedge_list<FaceListGraph>& halfedge_list,
                      const Flat_chains& chains)
 {
   typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
@@ -122,7 +122,7 @@ auto chain_halfedges(const FaceListGraph& mesh,
   for_each_index<ConcurrencyTag>(chains.parts.size(), [&](std::size_t part) {
     std::transform(chains.parts[part].begin(), chains.parts[part].end(),
                    halfedges.begin() + chains.begins_of_parts[part],
-                   [&](Halfedge_index halfedge) { return field.halfedges(mesh, halfedge); });
+                   [&](Halfedge_index halfedge) { return halfedge_list(mesh, halfedge); });
   });
   return std::make_shared<const std::vector<halfedge_descriptor>>(std::move(halfedges));
 }
@@ -167,8 +167,11 @@ void prefetch_node(const Graph& graph, std::size_t node)
 }
 
 // Replaces the content of `graph` by the nodes, and by the arcs without their chains.
-template <class ConcurrencyTag, class Field, class ReebGraph>
-void write_nodes_and_arcs(const Field& field, const Flat_graph& flat_graph, ReebGraph& graph)
+template <class ConcurrencyTag, class VertexList, class Scalar, class ReebGraph>
+void write_nodes_and_arcs(const VertexList& vertex_list,
+                          const Indexed_vector<Vertex_index, Scalar>& values,
+                          const Flat_graph& flat_graph,
+                          ReebGraph& graph)
 {
   typedef typename boost::vertex_bundle_type<ReebGraph>::type Node;
   graph.clear();
@@ -178,11 +181,11 @@ void write_nodes_and_arcs(const Field& field, const Flat_graph& flat_graph, Reeb
   {
     const Node_index later(i.number() + ahead);
     if(flat_graph.nodes.contains(later))
-      prefetch_element(field.values, flat_graph.nodes[later].vertex);
+      prefetch_element(values, flat_graph.nodes[later].vertex);
     const Flat_node& flat_node = flat_graph.nodes[i];
     Node node;
-    node.vertex = field.vertices[flat_node.vertex];
-    node.value = field.values[flat_node.vertex];
+    node.vertex = vertex_list[flat_node.vertex];
+    node.value = values[flat_node.vertex];
     node.kind = flat_node.kind;
     add_vertex(std::move(node), graph);
   }
@@ -220,25 +223,26 @@ void write_chains(const std::shared_ptr<const std::vector<HalfedgeDescriptor>>& 
 template <class ConcurrencyTag, class FaceListGraph, class Complex, class Scalar, class Order, class ReebGraph>
 void write_graph(const FaceListGraph& mesh,
                  const Complex& complex,
-                 const Field_by_numbers<FaceListGraph, Scalar>& field,
+                 const Mesh_numbers<FaceListGraph>& numbers,
+                 const Indexed_vector<Vertex_index, Scalar>& values,
                  const Order& order,
                  const Flat_graph& flat_graph,
                  ReebGraph& graph)
 {
   Flat_chains chains;
-  decltype(chain_halfedges<ConcurrencyTag>(mesh, field, chains)) halfedges;
+  decltype(chain_halfedges<ConcurrencyTag>(mesh, numbers.halfedges, chains)) halfedges;
   bool is_graph_changed = false;
   try
   {
     invoke_both<ConcurrencyTag>(
       [&] {
         chains = find_arc_chains<ConcurrencyTag>(complex, order, flat_graph);
-        halfedges = chain_halfedges<ConcurrencyTag>(mesh, field, chains);
+        halfedges = chain_halfedges<ConcurrencyTag>(mesh, numbers.halfedges, chains);
         chains.parts.clear(); // The graph takes much memory.
       },
       [&] {
         is_graph_changed = true;
-        write_nodes_and_arcs<ConcurrencyTag>(field, flat_graph, graph);
+        write_nodes_and_arcs<ConcurrencyTag>(numbers.vertices, values, flat_graph, graph);
       });
   }
   catch(...) // Memory has run out, or the order of the user throws.

@@ -17,8 +17,8 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
-#include <CGAL/Reeb_graph/internal/complex/flatten.h>
 #include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
 #include <CGAL/Reeb_graph/internal/way_back/Vertex_places.h>
 
@@ -38,9 +38,9 @@ namespace CGAL::Reeb_graph::internal {
 // A graph and the complex that its nodes are on: the way from the descriptors of nodes, arcs and vertices to numbers
 // and back. The graph may be any whose nodes are vertices of the complex. It refers to the graph.
 //
-// `ComplexWithField` is a Complex_with_field. A derived class knows what a contour is: it has a type Contour,
+// `FaceListGraph` is what a Flat_mesh is of. A derived class knows what a contour is: it has a type Contour,
 // find_start(halfedge), and trace(arc, start, level).
-template <class ReebGraph, class Traits_, class VertexDescriptor, class ComplexWithField>
+template <class ReebGraph, class Traits_, class FaceListGraph>
 class Graph_on_complex
 {
 public:
@@ -48,8 +48,8 @@ public:
   typedef Traits_ Traits;
   typedef typename Traits::Scalar Scalar;
   typedef Vertex_order<Scalar, typename Traits::Less_scalar> Order;
-  typedef decltype(ComplexWithField::complex) Complex;
-  typedef VertexDescriptor vertex_descriptor;
+  typedef Complex_of_t<FaceListGraph> Complex;
+  typedef typename Vertex_list<FaceListGraph>::vertex_descriptor vertex_descriptor;
   typedef typename boost::graph_traits<ReebGraph>::vertex_descriptor node_descriptor;
   typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor;
 
@@ -58,27 +58,27 @@ public:
   Graph_on_complex& operator=(const Graph_on_complex&) = delete;
 
   const ReebGraph& graph() const { return graph_; }
-  const Complex& complex() const { return complex_->complex; }
+  const Complex& complex() const { return flat_values_->mesh->complex; }
   const Order& order() const { return order_; }
   auto arcs() const { return CGAL::make_range(edges(graph_)); }
   const auto& chain(arc_descriptor arc) const { return graph_[arc].chain; }
 
   // The numbers of vertices are less than that, but not all such numbers are those of vertices.
-  std::size_t end_of_vertices() const { return field().vertices.size(); }
-  const std::function<Vertex_index(vertex_descriptor)>& vertex_numbers() const { return field().numbers; }
-  Vertex_index number(vertex_descriptor v) const { return field().numbers(v); }
-  vertex_descriptor vertex(Vertex_index number) const { return field().vertices[number]; }
-  std::size_t position(Vertex_index number) const { return field().vertices.position(number); }
+  std::size_t end_of_vertices() const { return numbers().vertices.size(); }
+  const std::function<Vertex_index(vertex_descriptor)>& vertex_numbers() const { return numbers().number_of; }
+  Vertex_index number(vertex_descriptor v) const { return numbers().number_of(v); }
+  vertex_descriptor vertex(Vertex_index number) const { return numbers().vertices[number]; }
+  std::size_t position(Vertex_index number) const { return numbers().vertices.position(number); }
   bool is_vertex(Vertex_index number, vertex_descriptor v) const
   {
-    return number.number() < end_of_vertices() && field().vertices.contains(number) && vertex(number) == v;
+    return number.number() < end_of_vertices() && numbers().vertices.contains(number) && vertex(number) == v;
   }
 
   // What Vertex_lists needs. It can outlive this object and the mesh.
   auto list_vertices(const std::shared_ptr<const Vertex_places>& places, std::size_t number_of_places) const
   {
-    return [complex = complex_, order = order_, places, number_of_places] {
-      return sort_vertices_by_place(complex->field.vertices, order, *places, number_of_places);
+    return [flat_values = flat_values_, order = order_, places, number_of_places] {
+      return sort_vertices_by_place(flat_values->mesh->numbers.vertices, order, *places, number_of_places);
     };
   }
 
@@ -86,30 +86,31 @@ public:
   Vertex_index lower_vertex(arc_descriptor arc) const { return node_vertex(source(arc, graph_)); }
   Vertex_index upper_vertex(arc_descriptor arc) const { return node_vertex(target(arc, graph_)); }
 
-  const Scalar& scalar(Vertex_index number) const { return field().values[number]; }
+  const Scalar& scalar(Vertex_index number) const { return flat_values_->values[number]; }
   const Scalar_conversion<Traits>& conversion() const { return conversion_; }
   double value(Vertex_index number) const { return conversion_.to_double(scalar(number)); }
 
 protected:
-  // make_complex() returns a shared pointer, and takes most of the time.
-  template <class MakeComplex>
+  // make_flat_values() returns a shared pointer, and takes most of the time.
+  template <class MakeFlatValues>
   Graph_on_complex(const ReebGraph& graph,
                    const Traits& traits,
                    const Progress& progress,
-                   const MakeComplex& make_complex)
+                   const MakeFlatValues& make_flat_values)
     : graph_(graph),
-      complex_((progress.report(0), make_complex())),
-      order_(field().values, traits.less_scalar_object()),
+      flat_values_((progress.report(0), make_flat_values())),
+      order_(flat_values_->values, traits.less_scalar_object()),
       conversion_(traits)
   {
     progress.report(0.8);
   }
 
-  const decltype(ComplexWithField::field)& field() const { return complex_->field; }
+  const Flat_mesh<FaceListGraph>& flat_mesh() const { return *flat_values_->mesh; }
+  const Mesh_numbers<FaceListGraph>& numbers() const { return flat_mesh().numbers; }
 
 private:
   const ReebGraph& graph_;
-  const std::shared_ptr<const ComplexWithField> complex_;
+  const std::shared_ptr<const Flat_values<FaceListGraph, Scalar>> flat_values_;
   const Order order_;
   const Scalar_conversion<Traits> conversion_;
 };
@@ -125,14 +126,9 @@ double crossing_fraction(const GraphOnComplex& on_complex, const HalfedgeDescrip
 // graph may be any whose nodes are vertices and whose chains are halfedges of the mesh. It refers to both. Contours are
 // sequences of halfedges.
 template <class FaceListGraph, class ReebGraph, class Traits>
-class Graph_on_mesh : public Graph_on_complex<ReebGraph,
-                                              Traits,
-                                              typename boost::graph_traits<FaceListGraph>::vertex_descriptor,
-                                              Flat_surface<FaceListGraph, typename Traits::Scalar>>
+class Graph_on_mesh : public Graph_on_complex<ReebGraph, Traits, FaceListGraph>
 {
-  typedef Flat_surface<FaceListGraph, typename Traits::Scalar> Surface;
-  typedef Graph_on_complex<ReebGraph, Traits, typename boost::graph_traits<FaceListGraph>::vertex_descriptor, Surface>
-    Base;
+  typedef Graph_on_complex<ReebGraph, Traits, FaceListGraph> Base;
 
 public:
   typedef FaceListGraph Mesh;
@@ -165,23 +161,16 @@ public:
   Vertex_index source_of(halfedge_descriptor h) const { return number(source(h, mesh_)); }
   Vertex_index target_of(halfedge_descriptor h) const { return number(target(h, mesh_)); }
 
-  halfedge_descriptor halfedge(Halfedge_index h) const { return this->field().halfedges(mesh_, h); }
+  halfedge_descriptor halfedge(Halfedge_index h) const { return this->numbers().halfedges(mesh_, h); }
 
   // Where to trace the contour from that crosses h: the number of the opposite of h, or that of h if only h has a
   // triangle.
   Halfedge_index find_start(halfedge_descriptor h) const
   {
-    Halfedge_index found = this->field().halfedges.find(mesh_, h);
-    // Around the ends by turns, ever farther: the one of lower degree ends the search.
-    std::size_t most_steps = 8;
-    for(bool is_done = found != no_index; !is_done; most_steps *= 2)
-    {
-      const bool is_source_done = find_around(source_of(h), h, most_steps, found);
-      is_done = is_source_done || find_around(target_of(h), h, most_steps, found);
-    }
+    const Halfedge_index found = find_halfedge(mesh_, this->flat_mesh(), h);
     if(found == no_index)
       throw Graph_mismatch_error();
-    const Halfedge_index across = halfedge(found) == h ? opposite_of(found) : found;
+    const Halfedge_index across = opposite_of(found);
     return complex().has_triangle(across) ? across : opposite_of(across);
   }
 
@@ -244,19 +233,6 @@ private:
       h = next(h, mesh_);
     } while(h != first);
     return loop;
-  }
-
-  // Looks for a halfedge or its opposite around a vertex. Returns whether it has been found, or is not there.
-  bool find_around(Vertex_index v, halfedge_descriptor h, std::size_t most_steps, Halfedge_index& found) const
-  {
-    std::size_t number_of_steps = 0;
-    complex().visit_edges_around(v, [&](Vertex_index, Halfedge_index halfedge_number) {
-      const halfedge_descriptor around = halfedge(halfedge_number);
-      if(around == h || around == opposite(h, mesh_))
-        found = halfedge_number;
-      return found != no_index || ++number_of_steps == most_steps;
-    });
-    return number_of_steps != most_steps;
   }
 
   const FaceListGraph& mesh_;

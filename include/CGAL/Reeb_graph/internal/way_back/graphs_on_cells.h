@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Contour.h>
+#include <CGAL/Reeb_graph/Soup_contour.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
@@ -19,7 +20,7 @@
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten_soup.h>
-#include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
+#include <CGAL/Reeb_graph/internal/engine/Contour_search.h>
 #include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
 #include <CGAL/Reeb_graph/internal/way_back/cells.h>
 
@@ -121,9 +122,9 @@ inline void find_polylines(const Level_set_component& component,
 // A graph and the complex that its nodes and chains are on, whose vertices are numbers for the user, too. `CellList`
 // holds the triangles or tetrahedra as the user lists them. A derived class traces the contours.
 template <class ReebGraph, class Traits, class CellList, template <class> class ContourOfArc>
-class Graph_on_soup : public Graph_on_complex<ReebGraph, Traits, std::size_t, Flat_soup<typename Traits::Scalar>>
+class Graph_on_soup : public Graph_on_complex<ReebGraph, Traits, Simplicial_complex>
 {
-  typedef Graph_on_complex<ReebGraph, Traits, std::size_t, Flat_soup<typename Traits::Scalar>> Base;
+  typedef Graph_on_complex<ReebGraph, Traits, Simplicial_complex> Base;
 
 public:
   typedef Simplicial_complex Mesh;
@@ -146,9 +147,10 @@ public:
            traits,
            progress,
            [&] {
-             return std::make_shared<const Flat_soup<typename Traits::Scalar>>(
-               flatten_cells<Sequential_tag, CellList::vertices_per_cell>(
-                 points, cells, parameters::get_parameter(np, edges_of_soup), scalars, traits));
+             return std::make_shared<const Flat_values<Simplicial_complex, typename Traits::Scalar>>(
+               keep_flat<Simplicial_complex, typename Traits::Scalar>(
+                 flatten_cells<Sequential_tag, CellList::vertices_per_cell>(
+                   points, cells, parameters::get_parameter(np, edges_of_soup), scalars, traits)));
            }),
       cells_(this->end_of_vertices(), points, cells)
   {}

@@ -19,7 +19,7 @@
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
-#include <CGAL/Reeb_graph/internal/complex/flatten.h>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 #include <CGAL/Reeb_graph/simplification/internal/Moved_pieces.h>
@@ -138,13 +138,13 @@ std::vector<Scalar> spread_ties(const Complex& complex,
 }
 
 // By node, the number of its vertex.
-template <class Field, class ReebGraph>
-std::vector<Index> vertices_of_nodes(const Field& field, const ReebGraph& graph)
+template <class MeshNumbers, class ReebGraph>
+std::vector<Index> vertices_of_nodes(const MeshNumbers& numbers, const ReebGraph& graph)
 {
   std::vector<Index> result;
   result.reserve(num_vertices(graph));
   for(const auto node : CGAL::make_range(vertices(graph)))
-    result.push_back(field.numbers(graph[node].vertex).number());
+    result.push_back(numbers.number_of(graph[node].vertex).number());
   return result;
 }
 
@@ -251,10 +251,11 @@ std::vector<Index> compute_with_places(const FlatField& flat_field,
                                        const NamedParameters& np,
                                        const Stage_progress& progress)
 {
-  const auto& field = flat_field.flat_surface(flat_field.mesh())->field;
-  std::vector<Index> places(field.values.size(), no_index);
+  const auto flat_mesh = flat_field.flat_values(flat_field.mesh())->mesh;
+  const auto& numbers = flat_mesh->numbers;
+  std::vector<Index> places(flat_mesh->complex.number_of_vertices(), no_index);
   const auto place_map = boost::make_function_property_map<typename FlatField::key_type, Index&>(
-    [&](const auto& v) -> Index& { return places[field.numbers(v).number()]; });
+    [&](const auto& v) -> Index& { return places[numbers.number_of(v).number()]; });
   const auto np_of_graph = np.callback(progress.callback());
   compute_reeb_graph(
     flat_field.mesh(), flat_field, graph,
@@ -267,13 +268,13 @@ template <class FlatField, class Graph, class PlaceMap>
 std::vector<Index> read_places(const FlatField& flat_field, const Graph& graph, const PlaceMap& place_map)
 {
   using boost::get; // for a pointer, whatever has been included before
-  const auto surface = flat_field.flat_surface(flat_field.mesh());
-  std::vector<Index> places(surface->field.values.size(), no_index);
-  for(const Vertex_index number : surface->complex.vertices())
+  const auto flat_mesh = flat_field.flat_values(flat_field.mesh())->mesh;
+  std::vector<Index> places(flat_mesh->complex.number_of_vertices(), no_index);
+  for(const Vertex_index number : flat_mesh->complex.vertices())
   {
-    if(!surface->complex.has_vertex(number))
+    if(!flat_mesh->complex.has_vertex(number))
       continue;
-    const auto place = static_cast<std::size_t>(get(place_map, surface->field.vertices[number]));
+    const auto place = static_cast<std::size_t>(get(place_map, flat_mesh->numbers.vertices[number]));
     if(place >= num_vertices(graph) + num_edges(graph))
       throw Graph_mismatch_error();
     places[number.number()] = static_cast<Index>(place);
@@ -293,28 +294,29 @@ auto simplified_values(FlatField& flat_field,
 {
   typedef typename FlatField::value_type Scalar;
   const auto& mesh = flat_field.mesh();
-  const auto& flat = *flat_field.flat_surface(mesh); // It stays, as long as nobody else has it.
-  const auto& complex = flat.complex;
-  const auto& field = flat.field;
+  const auto flat_mesh = flat_field.flat_values(mesh)->mesh;
+  const auto& numbers = flat_mesh->numbers;
   const Leaf_pruning pruned = prune_graph<Branch>(graph, threshold, np);
   const std::vector<Index> saddles_of_places = pruned.find_saddles();
   std::vector<Index> saddles;
   saddles.reserve(places.size());
   for(const Index place : places)
     saddles.push_back(place == no_index ? no_index : saddles_of_places[place]);
-  std::vector<Scalar> values(field.values.begin(), field.values.end());
+  const auto& given_values = flat_field.flat_values(mesh)->values;
+  std::vector<Scalar> values(given_values.begin(), given_values.end());
   if(parameters::choose_parameter(parameters::get_parameter(np, ties), Ties::PERTURB) == Ties::CONTRACT)
     return contracted_values(graph, saddles, std::move(values));
   if constexpr(std::is_floating_point_v<Scalar>)
   {
     Graph simplified, graph_of_moved;
     const auto simplification = write_simplified_graph(graph, pruned, simplified);
-    values = perturbed_values(complex, vertices_of_nodes(field, graph), std::move(saddles), values, threshold);
+    values =
+      perturbed_values(flat_mesh->complex, vertices_of_nodes(numbers, graph), std::move(saddles), values, threshold);
     progress(0.75);
     flat_field.set_values(boost::make_function_property_map<typename FlatField::key_type>(
-      [&](const auto& v) { return values[field.numbers(v).number()]; }));
+      [&](const auto& v) { return values[numbers.number_of(v).number()]; }));
     compute_reeb_graph(mesh, flat_field, graph_of_moved, parameters::callback(progress.part(0.75, 1).callback()));
-    const std::vector<Index> nodes = vertices_of_nodes(flat_field.flat_surface(mesh)->field, graph_of_moved);
+    const std::vector<Index> nodes = vertices_of_nodes(numbers, graph_of_moved);
     const auto place_of_node = [&](std::size_t node) {
       const Index place = places[nodes[node]];
       return place < num_vertices(graph) ? simplification.index_of_node(place)
@@ -340,24 +342,19 @@ double write_simplified_field(const Mesh& mesh,
 {
   const Progress progress(np);
   progress.report(0);
-  auto flat_field = [&] {
-    if constexpr(Is_flat_field<ScalarMap, typename Traits::Scalar>::value)
-      return scalar_map;
-    else
-      return Flat_field<Mesh, typename Traits::Scalar>(mesh, scalar_map, np);
-  }();
+  auto flat_field = make_flat_field(mesh, scalar_map, np);
   const auto given = find_graph(flat_field, Stage_progress(progress, 0.1, 0.6));
   typedef std::decay_t<decltype(given.first)> Graph;
   typedef Branch<typename boost::graph_traits<Graph>::vertex_descriptor> Branch;
   const auto values =
     simplified_values<Branch>(flat_field, given.first, given.second, threshold, np, Stage_progress(progress, 0, 0.98));
   double largest_difference = 0;
-  const auto surface = flat_field.flat_surface(mesh);
-  for(const Vertex_index number : surface->complex.vertices())
+  const auto flat_mesh = flat_field.flat_values(mesh)->mesh;
+  for(const Vertex_index number : flat_mesh->complex.vertices())
   {
-    if(!surface->complex.has_vertex(number))
+    if(!flat_mesh->complex.has_vertex(number))
       continue;
-    const auto v = surface->field.vertices[number];
+    const auto v = flat_mesh->numbers.vertices[number];
     const auto& value = values[number.number()];
     largest_difference =
       (std::max)(largest_difference, persistence(CGAL::to_double(get(scalar_map, v)), CGAL::to_double(value)));

@@ -1,0 +1,54 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_BASE_MADE_ON_DEMAND_H
+#define CGAL_REEB_GRAPH_INTERNAL_BASE_MADE_ON_DEMAND_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+
+namespace CGAL::Reeb_graph::internal {
+
+// A part of a constant object that is made when it is asked for first, by whichever thread that is.
+template <class T>
+class Made_on_demand
+{
+public:
+  // make() is called by the first call only.
+  template <class Make>
+  const T& operator()(const Make& make) const
+  {
+    if(!part_->is_made.load(std::memory_order_acquire))
+    {
+      const std::lock_guard<std::mutex> lock(part_->mutex);
+      if(!part_->is_made.load(std::memory_order_relaxed))
+      {
+        part_->value = make();
+        part_->is_made.store(true, std::memory_order_release);
+      }
+    }
+    return part_->value;
+  }
+
+private:
+  struct Part
+  {
+    std::atomic<bool> is_made{false};
+    std::mutex mutex;
+    T value;
+  };
+
+  std::unique_ptr<Part> part_ = std::make_unique<Part>(); // so that the object can be moved
+};
+
+} // namespace CGAL::Reeb_graph::internal
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_BASE_MADE_ON_DEMAND_H

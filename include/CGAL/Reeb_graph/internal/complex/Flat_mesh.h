@@ -1,0 +1,216 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_COMPLEX_FLAT_MESH_H
+#define CGAL_REEB_GRAPH_INTERNAL_COMPLEX_FLAT_MESH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
+#include <CGAL/Reeb_graph/internal/complex/Unchecked_complex.h>
+#include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
+#include <CGAL/Reeb_graph/internal/complex/flatten.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Reeb_graph::internal {
+
+// A mesh that has been checked, by numbers, without points and without values: what graphs, fields and handles are
+// computed from. It is shared, and never changes.
+template <class FaceListGraph>
+struct Flat_mesh
+{
+  Complex_of_t<FaceListGraph> complex;
+  Mesh_numbers<FaceListGraph> numbers;
+};
+
+// A field on a flat mesh.
+template <class FaceListGraph, class Scalar>
+struct Flat_values
+{
+  std::shared_ptr<const Flat_mesh<FaceListGraph>> mesh;
+  Indexed_vector<Vertex_index, Scalar> values;
+};
+
+// Makes them of what has been checked.
+template <class FaceListGraph, class Scalar>
+Flat_values<FaceListGraph, Scalar> keep_flat(
+  Complex_with_field<Complex_of_t<FaceListGraph>, FaceListGraph, Scalar> checked)
+{
+  return {std::make_shared<const Flat_mesh<FaceListGraph>>(
+            Flat_mesh<FaceListGraph>{std::move(checked.complex), std::move(checked.numbers)}),
+          std::move(checked.values)};
+}
+
+// Sets the fans of all vertices, and checks the complex. Vertices that are known to be regular need no turn.
+template <class ConcurrencyTag, class Complex>
+Complex check_complex(Unchecked_complex<Complex> unchecked,
+                      const Regular_vertices<ConcurrencyTag>& regular_vertices = Regular_vertices<ConcurrencyTag>())
+{
+  const auto set_fans = [&](std::size_t begin, std::size_t end, Fan_counts& counts) {
+    No_visitor_of_fan visitor;
+    for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
+    {
+      const Number number_of_corners = regular_vertices.number_of_corners(v);
+      if(number_of_corners == 0)
+      {
+        unchecked.set_fan(v, counts, visitor);
+        continue;
+      }
+      unchecked.set_closed_fan(v);
+      counts.corners += number_of_corners;
+    }
+  };
+  return std::move(unchecked).check(sum_of_parts<ConcurrencyTag, Fan_counts>(unchecked.number_of_vertices(), set_fans));
+}
+
+// Checks a mesh, and numbers it.
+template <class FaceListGraph>
+std::shared_ptr<const Flat_mesh<FaceListGraph>> make_flat_mesh(const FaceListGraph& mesh)
+{
+  auto [complex, numbers] = number_mesh(mesh, Vertex_list<FaceListGraph>(mesh), parameters::default_values());
+  return std::make_shared<const Flat_mesh<FaceListGraph>>(
+    Flat_mesh<FaceListGraph>{check_complex<Sequential_tag>(std::move(complex)), std::move(numbers)});
+}
+
+// Throws what compute_reeb_graph() throws for a mesh that has no Reeb graph.
+template <class FaceListGraph>
+void check_mesh(const FaceListGraph& mesh)
+{
+  make_flat_mesh(mesh);
+}
+
+// Checks the mesh and the field, and numbers them.
+template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
+Flat_values<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph& mesh,
+                                                            const ScalarMap& scalar_map,
+                                                            const Traits& traits,
+                                                            const NamedParameters& np)
+{
+  auto [unchecked, numbers, values] = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
+  const auto regular_vertices =
+    find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), Vertex_order(values, traits.less_scalar_object()));
+  return keep_flat<FaceListGraph, typename Traits::Scalar>(
+    {check_complex(std::move(unchecked), regular_vertices), std::move(numbers), std::move(values)});
+}
+
+// The same, to be shared; that of a Flat_field is there already.
+template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
+std::shared_ptr<const Flat_values<FaceListGraph, typename Traits::Scalar>> share_flat(const FaceListGraph& mesh,
+                                                                                      const ScalarMap& scalar_map,
+                                                                                      const Traits& traits,
+                                                                                      const NamedParameters& np)
+{
+  if constexpr(Is_flat_field<ScalarMap, typename Traits::Scalar>::value)
+    return scalar_map.flat_values(mesh);
+  else
+    return std::make_shared<const Flat_values<FaceListGraph, typename Traits::Scalar>>(
+      flatten<ConcurrencyTag>(mesh, scalar_map, traits, np));
+}
+
+// The positions in vertices(mesh) by number, no_index for those of removed vertices.
+template <class FaceListGraph>
+Indexed_vector<Vertex_index, Number> list_positions(const Flat_mesh<FaceListGraph>& flat_mesh)
+{
+  Indexed_vector<Vertex_index, Number> positions;
+  positions.reserve(flat_mesh.complex.number_of_vertices());
+  Number position = 0;
+  for(const Vertex_index v : flat_mesh.complex.vertices())
+    positions.push_back(flat_mesh.complex.has_vertex(v) ? position++ : Number(no_index));
+  return positions;
+}
+
+// The coordinates of the vertices, as a type that is made from three, by position.
+template <class Point, class FaceListGraph, class PointMap>
+std::vector<Point> read_points(const FaceListGraph& mesh, const PointMap& point_map)
+{
+  std::vector<Point> points;
+  points.reserve(num_vertices(mesh));
+  for(const auto v : CGAL::make_range(vertices(mesh)))
+  {
+    const Coordinates c = coordinates_of(get(point_map, v));
+    if(!std::isfinite(c[0]) || !std::isfinite(c[1]) || !std::isfinite(c[2]))
+      throw Non_finite_point_error(points.size());
+    points.push_back(Point{c[0], c[1], c[2]});
+  }
+  return points;
+}
+
+// Looks for a halfedge or its opposite around a vertex, which may be unknown. Returns whether it has been found, or is
+// not there.
+template <class FaceListGraph, class HalfedgeDescriptor>
+bool find_around(const FaceListGraph& mesh,
+                 const Flat_mesh<FaceListGraph>& flat_mesh,
+                 Vertex_index v,
+                 const HalfedgeDescriptor& h,
+                 std::size_t most_steps,
+                 Halfedge_index& found)
+{
+  if(v.number() >= flat_mesh.complex.number_of_vertices())
+    return true;
+  std::size_t number_of_steps = 0;
+  flat_mesh.complex.visit_edges_around(v, [&](Vertex_index, Halfedge_index number) {
+    const HalfedgeDescriptor around = flat_mesh.numbers.halfedges(mesh, number);
+    if(around == h || around == opposite(h, mesh))
+      found = around == h ? number : opposite_of(number);
+    return found != no_index || ++number_of_steps == most_steps;
+  });
+  return number_of_steps != most_steps;
+}
+
+// The number of a halfedge, no_index if the mesh has none such, which a Surface_mesh tells of removed ones only.
+template <class FaceListGraph, class HalfedgeDescriptor>
+Halfedge_index find_halfedge(const FaceListGraph& mesh,
+                             const Flat_mesh<FaceListGraph>& flat_mesh,
+                             const HalfedgeDescriptor& h)
+{
+  Halfedge_index found = flat_mesh.numbers.halfedges.find(mesh, h);
+  // Around the ends by turns, ever farther: the one of lower degree ends the search.
+  std::size_t most_steps = 8;
+  for(bool is_done = found != no_index; !is_done; most_steps *= 2)
+    for(const auto v : {source(h, mesh), target(h, mesh)})
+      is_done = is_done || find_around(mesh, flat_mesh, flat_mesh.numbers.number_of(v), h, most_steps, found);
+  return found;
+}
+
+// Calls visit(halfedge) for each face of the mesh, with the number of the halfedge that the mesh gives for it. A
+// Surface_mesh is checked by its halfedges, which need not be those that its faces have.
+template <class FaceListGraph, class Visit>
+void for_each_face(const FaceListGraph& mesh, const Flat_mesh<FaceListGraph>& flat_mesh, const Visit& visit)
+{
+  for(const auto f : CGAL::make_range(faces(mesh)))
+  {
+    const auto h = halfedge(f, mesh);
+    if(face(h, mesh) != f)
+    {
+      check_faces(mesh);
+      throw Non_manifold_vertex_error(
+        flat_mesh.numbers.vertices.position(flat_mesh.numbers.number_of(source(h, mesh))));
+    }
+    visit(find_halfedge(mesh, flat_mesh, h));
+  }
+}
+
+} // namespace CGAL::Reeb_graph::internal
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_FLAT_MESH_H

@@ -1,0 +1,202 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_ENGINE_CLASSIFY_VERTICES_OF_COMPLEX_H
+#define CGAL_REEB_GRAPH_INTERNAL_ENGINE_CLASSIFY_VERTICES_OF_COMPLEX_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/base/union_find.h>
+#include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
+#include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+namespace CGAL::Reeb_graph::internal {
+
+// The link sectors of the vertices of any complex. The link of a vertex is a graph: its points are the edges at the
+// vertex, and the triangles there join them. So a sector is a set of edges that lead from the vertex upwards, or
+// downwards, and a triangle joins two edges at its lowest vertex and two at its highest one: each edge is in one set at
+// either end.
+template <class Order>
+class Link_forests
+{
+public:
+  Link_forests(const Simplicial_complex& complex, const Order& order)
+    : complex_(complex),
+      order_(order),
+      sets_(
+        {Disjoint_sets<Edge_index>(complex.number_of_edges()), Disjoint_sets<Edge_index>(complex.number_of_edges())}),
+      numbers_of_sectors_(complex.number_of_vertices(), {0, 0}),
+      sector_at_root_(complex.number_of_edges(), 0)
+  {
+    for(const Edge_index edge : complex.edges())
+    {
+      const Vertex_index u = complex.lower_end(edge), v = complex.higher_end(edge);
+      const bool is_ascending = order(u, v);
+      ++numbers_of_sectors_[u][side_of(is_ascending)];
+      ++numbers_of_sectors_[v][side_of(!is_ascending)];
+    }
+    for(const Triangle_index triangle : complex.triangles())
+      join_edges(triangle);
+  }
+
+  By_side<Number> numbers_of_sectors(Vertex_index vertex) const { return numbers_of_sectors_[vertex]; }
+
+  // A lower and a higher neighbor.
+  Monotone_neighbors neighbors(Vertex_index vertex) const
+  {
+    Monotone_neighbors result = {no_index, no_index};
+    complex_.for_each_edge_around(
+      vertex, [&](Vertex_index neighbor, Halfedge_index) { result[side_of(order_(vertex, neighbor))] = neighbor; });
+    return result;
+  }
+
+  // Writes the sectors of a vertex to the two places, in the order of their first edges.
+  void write(Vertex_index vertex, const By_side<Link_sector*>& places)
+  {
+    for(const Side side : both_sides)
+      roots_[side].clear();
+    complex_.for_each_edge_around(vertex, [&](Vertex_index neighbor, Halfedge_index halfedge) {
+      const Side side = side_of(order_(vertex, neighbor));
+      const Edge_index root = sets_[side].find(edge_of(halfedge));
+      // What is found there may be left from another vertex.
+      const Number sector = sector_at_root_[root];
+      if(sector < roots_[side].size() && roots_[side][sector] == root)
+        return add_to_sector(places[side][sector], order_, side, neighbor, halfedge);
+      if(roots_[side].size() == numbers_of_sectors_[vertex][side])
+        complex_.throw_contradiction_near(vertex);
+      sector_at_root_[root] = static_cast<Number>(roots_[side].size());
+      places[side][roots_[side].size()] = {neighbor, halfedge};
+      roots_[side].push_back(root);
+    });
+    for(const Side side : both_sides)
+    {
+      if(roots_[side].size() != numbers_of_sectors_[vertex][side])
+        complex_.throw_contradiction_near(vertex);
+    }
+  }
+
+private:
+  void join_edges(Triangle_index triangle)
+  {
+    const std::array<Vertex_index, 3>& v = complex_.vertices_of(triangle);
+    const std::array<Edge_index, 3>& edges = complex_.edges_of(triangle);
+    const bool is_01 = order_(v[0], v[1]), is_02 = order_(v[0], v[2]), is_12 = order_(v[1], v[2]);
+    // The place of the vertex that is below, or above, both other ones.
+    const std::size_t lowest = is_01 ? (is_02 ? 0 : 2) : (is_12 ? 1 : 2);
+    const std::size_t highest = is_01 ? (is_12 ? 2 : 1) : (is_02 ? 2 : 0);
+    if(lowest == highest)
+      complex_.throw_contradiction_near(v[lowest]);
+    join(Side::UPPER, v[lowest], edges[lowest == 2], edges[lowest == 0 ? 1 : 2]);
+    join(Side::LOWER, v[highest], edges[highest == 2], edges[highest == 0 ? 1 : 2]);
+  }
+
+  void join(Side side, Vertex_index vertex, Edge_index a, Edge_index b)
+  {
+    const Edge_index root_of_a = sets_[side].find(a), root_of_b = sets_[side].find(b);
+    if(root_of_a == root_of_b)
+      return;
+    sets_[side].link(root_of_a, root_of_b);
+    --numbers_of_sectors_[vertex][side];
+  }
+
+  const Simplicial_complex& complex_;
+  const Order& order_;
+  By_side<Disjoint_sets<Edge_index>> sets_; // by their upper, and by their lower end
+  Indexed_vector<Vertex_index, By_side<Number>> numbers_of_sectors_;
+  Indexed_vector<Edge_index, Number> sector_at_root_; // of the vertex of the last call
+  By_side<Plain_vector<Edge_index>> roots_;           // by sector of that vertex
+};
+
+// What is done above for surfaces, for any complex: finds the vertices that is_wanted(vertex, its numbers of
+// lower and upper sectors) takes. Both sides count, as they do not alternate around a vertex. Two sweeps on one
+// thread; only sorting uses more.
+template <class ConcurrencyTag, class Order, class IsWanted>
+Swept_vertices find_vertices_of_complex(const Simplicial_complex& complex,
+                                        const Order& order,
+                                        const IsWanted& is_wanted)
+{
+  Link_forests<Order> forests(complex, order);
+  Plain_vector<Vertex_index> wanted;
+  Sector_counts numbers_of_sectors = {0, 0};
+  auto kept_neighbors = std::make_shared<Kept_neighbors>(complex.number_of_vertices());
+  Kept_neighbors::Block neighbors = {};
+  for(std::size_t begin = 0; begin < complex.number_of_vertices(); begin += neighbors.size())
+  {
+    const std::size_t end = (std::min)(begin + neighbors.size(), std::size_t(complex.number_of_vertices()));
+    const std::size_t number_of_earlier = wanted.size();
+    for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
+    {
+      const By_side<Number> numbers = forests.numbers_of_sectors(v);
+      if(!is_wanted(v, numbers))
+        continue;
+      wanted.push_back(v);
+      for(const Side side : both_sides)
+        numbers_of_sectors[side] += numbers[side];
+    }
+    if(!Kept_neighbors::are_worth_keeping(wanted.size() - number_of_earlier, end - begin))
+      continue;
+    for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
+      neighbors[v.number() - begin] = forests.neighbors(v);
+    kept_neighbors->keep(neighbors, begin, end);
+  }
+
+  Swept_vertices result;
+  result.resize(wanted.size(), numbers_of_sectors);
+  Sector_counts first_sectors = {0, 0};
+  Swept_index i(0);
+  for(const Vertex_index v : wanted)
+  {
+    forests.write(v, result.set(i, v, false, complex.is_on_border(v), first_sectors));
+    ++i;
+    for(const Side side : both_sides)
+      first_sectors[side] += forests.numbers_of_sectors(v)[side];
+  }
+  result.template sort<ConcurrencyTag>(order);
+  result.set_kept_neighbors(std::move(kept_neighbors));
+  return result;
+}
+
+inline bool has_critical_numbers_of_sectors(const By_side<Number>& numbers_of_sectors)
+{
+  return numbers_of_sectors[Side::LOWER] != 1 || numbers_of_sectors[Side::UPPER] != 1;
+}
+
+template <class ConcurrencyTag, class Order>
+Swept_vertices classify_vertices(const Simplicial_complex& complex, const Order& order)
+{
+  return find_vertices_of_complex<ConcurrencyTag>(complex, order, [](Vertex_index, const By_side<Number>& numbers) {
+    return has_critical_numbers_of_sectors(numbers);
+  });
+}
+
+// There is nothing left to check of a complex.
+template <class ConcurrencyTag, class Order>
+Classified_complex<Simplicial_complex> check_and_classify_vertices(Simplicial_complex complex, const Order& order)
+{
+  Swept_vertices critical_vertices = classify_vertices<ConcurrencyTag>(complex, order);
+  return {std::move(complex), std::move(critical_vertices)};
+}
+
+#define CGAL_REEB_GRAPH_CLASSIFY_VERTICES_OF_SOUP(PREFIX, TAG, COMPLEX, SCALAR)                                        \
+  PREFIX template Classified_complex<COMPLEX> check_and_classify_vertices<TAG>(COMPLEX, const Natural_order<SCALAR>&);
+CGAL_REEB_GRAPH_FOR_SOUPS(CGAL_REEB_GRAPH_CLASSIFY_VERTICES_OF_SOUP)
+
+} // namespace CGAL::Reeb_graph::internal
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_CLASSIFY_VERTICES_OF_COMPLEX_H
