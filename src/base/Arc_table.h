@@ -11,7 +11,7 @@
 
 #include "base/surface.h"
 
-#include <CGAL/Reeb_graph/Attribute.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <cstddef>
 #include <cstdint>
