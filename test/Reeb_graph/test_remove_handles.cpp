@@ -136,7 +136,7 @@ std::vector<Handle_removal> remove_and_check(Mesh& mesh, double size, const Name
   BOOST_TEST(CGAL::is_triangle_mesh(mesh));
   BOOST_TEST(CGAL::is_closed(mesh) == is_closed);
   BOOST_TEST(number_of_repeated_edges(mesh) == 0u);
-  BOOST_TEST(does_self_intersect(mesh) == did_self_intersect);
+  BOOST_TEST((did_self_intersect || !does_self_intersect(mesh)));
   std::size_t moved = 0;
   for(const auto& [v, point] : before)
     moved += get(point_map, v) == point ? 0 : 1;
