@@ -184,14 +184,14 @@ private:
   // Keeps the places of the vertices, if they are wanted.
   Any_graph compute(bool are_places_wanted, Report& report) const
   {
-    return compute_and_time(kind_.named_parameters(options_), report, [&](const auto& np) {
-      if(!are_places_wanted)
-        return kind_.compute(np);
-      std::vector<std::size_t> places(kind_.end_of_vertices());
-      Any_graph graph = kind_.compute(np.vertex_place_map(CGAL::make_property_map(places)));
-      *given_places_ = std::move(places);
-      return graph;
-    });
+    const auto compute = [&](const auto& np) { return kind_.compute(np); };
+    const auto np = kind_.named_parameters(options_);
+    if(!are_places_wanted)
+      return compute_and_time(np, report, compute);
+    std::vector<std::size_t> places(kind_.end_of_vertices());
+    Any_graph graph = compute_and_time(np.vertex_place_map(CGAL::make_property_map(places)), report, compute);
+    *given_places_ = std::move(places);
+    return graph;
   }
 
   Contour convert(const typename Any_augmentation::Contour& contour)

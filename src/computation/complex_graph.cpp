@@ -67,9 +67,6 @@ public:
   auto points() const { return CGAL::make_range(mesh_.surface.points().begin(), mesh_.surface.points().end()); }
   boost::typed_identity_property_map<std::size_t> vertex_numbers() const { return {}; }
 
-  // Before it is used, as its type is that of what it returns.
-  auto points() const { return CGAL::make_range(mesh_.surface.points().begin(), mesh_.surface.points().end()); }
-
   template <class Any_augmentation, class NamedParameters>
   auto embed(const Any_augmentation& augmentation, const NamedParameters& np) const
   {

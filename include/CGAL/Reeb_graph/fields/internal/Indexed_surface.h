@@ -272,6 +272,7 @@ public:
 
   vertex_descriptor vertex_handle(std::size_t v) const { return vertices_[Vertex_index(v)]; }
   const Vertex_handles& vertex_handles() const { return vertices_; }
+  const Flat_mesh<FaceListGraph>& flat_mesh() const { return *flat_mesh_; }
 
   // The position of a vertex, no_position if it is not one of the mesh.
   Position position(vertex_descriptor v) const

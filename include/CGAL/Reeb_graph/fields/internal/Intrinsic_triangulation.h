@@ -14,12 +14,7 @@
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/complex/descriptor_lists.h>
-
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/helpers.h>
-
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -191,23 +186,20 @@ template <class FaceListGraph>
 std::vector<Intrinsic_triangulation::Halfedge> find_opposites(const FaceListGraph& mesh,
                                                               const Indexed_mesh<FaceListGraph>& surface)
 {
-  const auto& handles = surface.face_handles();
-  const auto positions = make_face_positions(mesh, handles, parameters::default_values());
-  std::vector<Intrinsic_triangulation::Halfedge> opposites;
-  opposites.reserve(3 * handles.size());
-  const auto number = [&](const auto h) {
-    const auto f = face(h, mesh);
-    if(f == boost::graph_traits<FaceListGraph>::null_face())
-      return Number(no_index);
-    const auto first = halfedge(f, mesh);
-    return 3 * positions(f).number() + (h == first ? 0 : h == next(first, mesh) ? 1 : 2);
+  typedef Intrinsic_triangulation::Halfedge Halfedge;
+  const auto& complex = surface.flat_mesh().complex;
+  const auto for_each_side = [&](const auto& visit) {
+    for_each_face(mesh, surface.flat_mesh(), [&](Halfedge_index a) {
+      for(const Halfedge_index side : {a, complex.next(a), complex.previous(a)})
+        visit(side);
+    });
   };
-  for(const auto f : handles)
-  {
-    const auto h = halfedge(f, mesh);
-    for(const auto side : {h, next(h, mesh), prev(h, mesh)})
-      opposites.push_back(number(opposite(side, mesh)));
-  }
+  Indexed_vector<Halfedge_index, Halfedge> numbers(complex.number_of_halfedges(), no_index);
+  Halfedge number_of_sides = 0;
+  for_each_side([&](Halfedge_index side) { numbers[side] = number_of_sides++; });
+  std::vector<Halfedge> opposites;
+  opposites.reserve(number_of_sides);
+  for_each_side([&](Halfedge_index side) { opposites.push_back(numbers[opposite_of(side)]); });
   return opposites;
 }
 
