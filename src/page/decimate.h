@@ -12,26 +12,26 @@
 #include "base/surface.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace reeb_graph_program {
-typedef Surface::Property_map<Surface::Vertex_index, Surface::Vertex_index> Origin_map;
-
-// A surface whose vertices are some of those of another one.
-struct Decimated_surface
+// The faces that a page shows.
+struct Shown_faces
 {
-  Surface surface; // without garbage; faces have the patches of the map that has been given
-  Origin_map origin_map;
-  std::optional<Patch_map> patch_map;
+  std::vector<std::uint32_t> corners; // three indices of vertices of the surface for each face
+  std::optional<std::vector<std::int32_t>> patches;
 };
 
+Shown_faces all_faces(const Surface& surface, const std::optional<Patch_map>& patch_map);
+
 // Collapses edges into one of their ends, those first that change the shape least, until few enough faces are left. The
-// vertices that are named, and those on borders and between patches, stay.
-Decimated_surface decimate(const Surface& surface,
-                           std::size_t number_of_faces,
-                           const std::vector<Surface::Vertex_index>& vertices_to_keep,
-                           const std::optional<Patch_map>& patch_map);
+// vertices that are named, and those on borders and between patches, stay. Patches come one after the other.
+Shown_faces decimate(const Surface& surface,
+                     std::size_t number_of_faces,
+                     const std::vector<Surface::Vertex_index>& vertices_to_keep,
+                     const std::optional<Patch_map>& patch_map);
 
 } // namespace reeb_graph_program
 

@@ -16,7 +16,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace reeb_graph_program {
 namespace {
@@ -32,33 +34,29 @@ std::int32_t page_place(std::size_t place, std::size_t number_of_nodes)
                                  : static_cast<std::int32_t>(place - number_of_nodes);
 }
 
-// Shows a surface, each vertex of which stands for one of the given surface.
-template <class OriginMap>
-Display_surface show(const Page_subject& subject,
-                     const Page_frame& frame,
-                     const Surface& surface,
-                     OriginMap origin,
-                     const std::optional<Patch_map>& patch_map)
+// Shows these faces with their corners, and the isolated vertices.
+Display_surface show(const Page_subject& subject, const Page_frame& frame, Shown_faces faces)
 {
+  const Surface& surface = subject.surface();
   Display_surface result;
-  result.new_numbers.resize(surface.number_of_vertices() + surface.number_of_removed_vertices());
+  constexpr std::uint32_t left_out = (std::numeric_limits<std::uint32_t>::max)();
+  result.new_numbers.assign(surface.number_of_vertices() + surface.number_of_removed_vertices(), left_out);
+  for(const std::uint32_t corner : faces.corners)
+    result.new_numbers[corner] = 0;
   for(const Surface::Vertex_index v : surface.vertices())
   {
+    if(result.new_numbers[v.idx()] == left_out && !surface.is_isolated(v))
+      continue;
     result.new_numbers[v.idx()] = static_cast<std::uint32_t>(result.values.size());
     for(int i = 0; i != 3; ++i)
       result.positions.push_back(static_cast<float>(surface.point(v)[i] - frame.origin[i]));
-    result.values.push_back(subject.scalar_map[origin(v)]);
-    result.vertex_arcs.push_back(page_place(subject.places[origin(v).idx()], num_vertices(subject.graph())));
+    result.values.push_back(subject.scalar_map[v]);
+    result.vertex_arcs.push_back(page_place(subject.places[v.idx()], num_vertices(subject.graph())));
   }
-  for(const Surface::Face_index f : surface.faces())
-    for(const Surface::Vertex_index v : surface.vertices_around_face(surface.halfedge(f)))
-      result.triangles.push_back(result.new_numbers[v.idx()]);
-  if(patch_map)
-  {
-    result.face_patches.emplace();
-    for(const Surface::Face_index f : surface.faces())
-      result.face_patches->push_back((*patch_map)[f]);
-  }
+  for(std::uint32_t& corner : faces.corners)
+    corner = result.new_numbers[corner];
+  result.triangles = std::move(faces.corners);
+  result.face_patches = std::move(faces.patches);
   return result;
 }
 
@@ -102,15 +100,12 @@ Display_surface display_surface(const Page_subject& subject, const Page_frame& f
   constexpr std::size_t largest_number_of_faces = 200000;
   const Surface& surface = subject.surface();
   if(surface.number_of_faces() <= largest_number_of_faces)
-    return show(
-      subject, frame, surface, [](const Surface::Vertex_index v) { return v; }, subject.patch_map);
+    return show(subject, frame, all_faces(surface, subject.patch_map));
   std::vector<Surface::Vertex_index> node_vertices;
   for(const auto node : CGAL::make_range(vertices(subject.graph())))
     node_vertices.push_back(subject.graph()[node].vertex);
-  const Decimated_surface decimated = decimate(surface, largest_number_of_faces, node_vertices, subject.patch_map);
-  Display_surface result = show(
-    subject, frame, decimated.surface, [&](const Surface::Vertex_index v) { return decimated.origin_map[v]; },
-    decimated.patch_map);
+  Display_surface result =
+    show(subject, frame, decimate(surface, largest_number_of_faces, node_vertices, subject.patch_map));
   result.is_decimated = true;
   result.new_numbers.clear();
   return result;
