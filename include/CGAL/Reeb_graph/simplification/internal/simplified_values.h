@@ -25,6 +25,7 @@
 #include <CGAL/Reeb_graph/simplification/internal/Moved_pieces.h>
 #include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 #include <CGAL/Reeb_graph/simplification/internal/prune_graph.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <CGAL/Named_function_parameters.h>
