@@ -39,6 +39,7 @@ using reeb_graph_program::add_graph_options;
 using reeb_graph_program::add_input_options;
 using reeb_graph_program::add_json_option;
 using reeb_graph_program::add_list_of_fields;
+using reeb_graph_program::add_mesh_file;
 using reeb_graph_program::add_page_options;
 using reeb_graph_program::add_real_number;
 using reeb_graph_program::add_simplification_options;
@@ -58,6 +59,7 @@ using reeb_graph_program::Field_options;
 using reeb_graph_program::Handles_options;
 using reeb_graph_program::parse_real_number;
 using reeb_graph_program::Point;
+using reeb_graph_program::Repair_command_options;
 using reeb_graph_program::run_with_threads;
 using reeb_graph_program::write_completion;
 
@@ -99,9 +101,10 @@ void add_contour_command(CLI::App& app, Contour_options& options)
     ->type_name("FLOAT")
     ->expected(3);
   begin_group(*command, "Output");
-  add_file(*command, "--output", options.output_path,
-           "Write the contours to this file: .polylines.txt, or .off in tetrahedra; .vtp, .obj, and .json also have "
-           "the arc, value, and length of each, and whether it is closed")
+  add_file(
+    *command, "--output", options.output_path,
+    "Write the contours to this file: .polylines.txt, or .off in tetrahedra; .vtp, .obj, .json, and .csv also have "
+    "the arc, value, and length of each, and whether it is closed")
     ->required();
   add_json_option(*command, options.is_report_json);
   add_example(*command, "reeb_graph contour scan.ply --field geodesic --simplify auto --t 0.5 --output contours.vtp");
@@ -146,16 +149,17 @@ void add_curves_command(CLI::App& app, Curves_options& options)
                     "Cut even if the cut mesh has more than 50 times as many triangles, as for noise on many handles; "
                     "their number is printed first");
   begin_group(*command, "Output");
-  add_file(*command, "--curves", options.curves_path, "Write the curves to this file, .polylines.txt");
-  add_file(*command, "--cut-mesh", options.cut_mesh_path,
-           "Write the cut mesh to this file, .off or .ply. PLY has the patch of each face, also as its color, and "
-           "keeps the properties of vertices of a PLY input");
+  add_file(*command, "--curves", options.curves_path, "Write the curves to this file, .polylines.txt or .csv");
+  add_file(
+    *command, "--cut-mesh", options.cut_mesh_path,
+    "Write the cut mesh to this file, .off, .ply, .obj, .stl, or .vtp. PLY and VTP have the patch of each face, also "
+    "as its color, and keep the fields of the vertices of such a file, or of another one of VTK");
   add_file(*command, "--patches", options.patches_path,
            "Write the number of the patch of each face of the cut mesh to this file, one per line");
   add_graph_file(*command, options.graph_path);
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_file(*command, "--mesh-out", options.mesh_path,
-           "Write the cut mesh to this file, .ply or .vtp, as --cut-mesh does, but with the value, the arc, and the "
+           "Write the cut mesh to this file as --cut-mesh does, but with the value, the arc, and the "
            "node of each vertex in the place of other properties");
   add_json_option(*command, options.is_report_json);
   add_example(*command, "reeb_graph curves scan.ply --type pants --html page.html");
@@ -194,12 +198,45 @@ void add_handles_command(CLI::App& app, Handles_options& options)
            "Write the loops, after the removal, to this file, .vtp, .obj, or .polylines.txt");
   command->add_flag_callback(
     "--no-shortening", [&options] { options.are_loops_shortened = false; }, "Do not shorten the loops");
-  add_file(*command, "--output", options.mesh_path, "Write the mesh after the removal to this file, .off or .ply");
+  add_file(*command, "--output", options.mesh_path,
+           "Write the mesh after the removal to this file, .off, .ply, .obj, .stl, or .vtp");
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
   add_example(*command, "reeb_graph handles scan.ply --remove-below 0.5 --output clean.ply");
   command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_handles(options); }); });
+}
+
+void add_repair_command(CLI::App& app, Repair_command_options& options)
+{
+  CLI::App* command = app.add_subcommand("repair", "Merge points of a mesh, orient, and split it");
+  begin_group(*command, "Input");
+  add_mesh_file(*command, options.mesh_path, options.are_faces_triangulated);
+  begin_group(*command, "Repair");
+  CLI::Option* merge =
+    command->add_flag("--merge", options.repair.are_coinciding_points_merged,
+                      "Merge points of border edges that coincide, as MeshLab's Merge Close Vertices with 0, trimesh's "
+                      "merge_vertices, and ParaView's Clean do");
+  add_real_number(*command, "--merge-within", options.repair.distance,
+                  "Merge points of border edges that are at most so far from each other, in units of length, as "
+                  "MeshLab's Merge Close Vertices and admesh's --tolerance do: each joins the nearest one before it in "
+                  "the file that has joined none")
+    ->excludes(merge);
+  command->add_flag("--orient", options.repair.are_faces_oriented, "Reverse faces so that neighbors agree");
+  command->add_flag("--split", options.repair.is_split,
+                    "Cut the mesh open at edges with more than two faces, at vertices whose faces form several fans, "
+                    "and where no orientation agrees");
+  command->add_flag("--largest", options.repair.is_largest_kept, "Keep the component with the most faces only");
+  begin_group(*command, "Output");
+  add_file(*command, "--output", options.output_path,
+           "Write the mesh to this file, .off, .ply, .obj, .stl, or .vtp. PLY and VTP keep the fields of the vertices; "
+           "a merged vertex has those of the one with the lowest number")
+    ->required();
+  add_file(*command, "--map", options.map_path,
+           "Write the new number of each vertex of MESH to this file, one per line, -1 if it is left out");
+  add_json_option(*command, options.is_report_json);
+  add_example(*command, "reeb_graph repair scan.stl --merge-within 1e-8 --output closed.ply");
+  command->callback([&options] { run_with_threads(0, [&options] { run_repair(options); }); });
 }
 
 void add_demo_command(CLI::App& app, Demo_options& options)
@@ -247,6 +284,7 @@ int main(int argc, char** argv)
   Curves_options curves_options;
   Field_options field_options;
   Handles_options handles_options;
+  Repair_command_options repair_options;
   Demo_options demo_options;
   app
     .add_option_function<std::string>(
@@ -265,6 +303,7 @@ int main(int argc, char** argv)
   add_curves_command(app, curves_options);
   add_field_command(app, field_options);
   add_handles_command(app, handles_options);
+  add_repair_command(app, repair_options);
   add_demo_command(app, demo_options);
   try
   {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -140,6 +140,55 @@ def make_borders_level(
     That is what functions that cut need, which do it by default. The points play no role.
     """
     return _field(LEVEL_BORDERS, _arrays.take(triangles, points), threads, progress, scalars)
+
+
+class Repaired(NamedTuple):
+    """What `repair` makes of a mesh: triangles, points, and in `map` the new number of each given point, -1 for none."""
+
+    triangles: np.ndarray
+    points: np.ndarray
+    map: np.ndarray
+
+
+def repair(
+    triangles: Any, points: Any = None, *, merge: bool = False, merge_within: float | None = None, orient: bool = False,
+    split: bool = False, largest: bool = False, threads: int | None = None, progress: Progress = None,
+) -> Repaired:
+    """Leave out triangles with a repeated corner and repeated ones, and do more if asked to.
+
+    Parameters
+    ----------
+    triangles : (m, 3) array of integers, or a mesh
+    points : (n, 3) array
+    merge : bool
+        Whether points of border edges that coincide become one, as by `merge_vertices` of trimesh.
+    merge_within : float, optional
+        Points of border edges that are at most so far apart become one: each joins the nearest one before it that has
+        joined none, never in chains. The one with the lowest number stays.
+    orient : bool
+        Whether triangles are reversed so that neighbors agree.
+    split : bool
+        Whether the mesh is cut open at edges with more than two triangles, vertices with several fans, and where no
+        orientation agrees. Points that are added come last.
+    largest : bool
+        Whether only the component with the most triangles stays.
+    threads, progress
+        As for `compute`.
+
+    Returns
+    -------
+    Repaired
+        Its `map` brings what is known of old points to new ones: `new[map[map >= 0]] = old[map >= 0]`.
+    """
+    mesh = _arrays.take(triangles, points)
+    if mesh.points is None:
+        raise ValueError("repair needs points: they come behind the triangles")
+    if merge and merge_within is not None:
+        raise ValueError("merge and merge_within do not go together")
+    distance = None if merge_within is None else float(merge_within)
+    options = _core.RepairOptions(bool(merge), distance, bool(orient), bool(split), bool(largest))
+    result = run(_core.repair, mesh.checked(len(mesh.points)), len(mesh.points), options, threads=threads, progress=progress, name="repair")
+    return Repaired(*result)
 
 
 @dataclass(frozen=True, repr=False)

@@ -18,6 +18,7 @@
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/mesh_input.h"
+#include "input/repair_soup.h"
 #include "input/threshold_input.h"
 #include "output/report_output.h"
 
@@ -303,6 +304,27 @@ py::object cut(const Mesh_arrays& arrays,
     std::make_tuple(points_of(mesh.surface), triangles_of(mesh), patches, result.polylines, values_of(map), columns));
 }
 
+// Triangles, points, and the new number of each given one, -1 for none.
+py::object repair(const Mesh_arrays& arrays, std::size_t number_of_points, const Repair_options& options, Run& run)
+{
+  Polygon_soup soup = copy_arrays(arrays, number_of_points, true);
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::int64_t> map;
+  run([&] {
+    Input_findings unused;
+    leave_out_degenerate_faces(soup.polygons, unused);
+    leave_out_repeated_faces(soup.polygons, unused);
+    for(const std::size_t v : repair_soup(soup, options).new_vertices)
+      map.push_back(v == no_vertex ? -1 : static_cast<std::int64_t>(v));
+    for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+    {
+      const Corner* const v = soup.polygons[i].begin();
+      triangles.push_back({v[0], v[1], v[2]});
+    }
+  });
+  return to_object(std::make_tuple(triangles, soup.points, map));
+}
+
 void add_functions(py::module_& module)
 {
   using CGAL::Reeb_graph::Borders;
@@ -321,6 +343,8 @@ void add_functions(py::module_& module)
     .value("cutting_system", Curves_type::CUTTING_SYSTEM)
     .value("pants", Curves_type::PANTS)
     .value("branches", Curves_type::BRANCH);
+  py::class_<Repair_options>(module, "RepairOptions").def(py::init<bool, std::optional<double>, bool, bool, bool>());
+  module.def("repair", &repair);
   module.def("field", &field);
   module.def("cut", &cut);
 }

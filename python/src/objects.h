@@ -87,7 +87,11 @@ inline void translate(std::exception_ptr error)
   }
 }
 
-inline void copy_indices(const Index_array& array, const char* item, std::size_t number_of_vertices, Corner* out)
+inline void copy_indices(const Index_array& array,
+                         const char* item,
+                         std::size_t number_of_vertices,
+                         Corner* out,
+                         bool may_repeat_corners = false)
 {
   const py::ssize_t rows = array.shape(0), columns = array.shape(1);
   const volatile std::int64_t* in = array.data(); // each is read once only: another thread may change it
@@ -101,7 +105,7 @@ inline void copy_indices(const Index_array& array, const char* item, std::size_t
                + " vertices, numbered from 0");
       out[j] = static_cast<Corner>(v);
       for(py::ssize_t k = 0; k < j; ++k)
-        if(out[k] == out[j])
+        if(out[k] == out[j] && !may_repeat_corners)
           fail(item, i, "has vertex " + std::to_string(v) + " at two of its corners");
     }
 }
@@ -120,7 +124,9 @@ inline void copy_points(const Value_array& array, std::vector<Point>& points)
 
 // Copies what the arrays hold, which other threads may change, and checks the copy. Throws MeshError. Without points, all
 // are the origin.
-inline Polygon_soup copy_arrays(const Mesh_arrays& arrays, std::size_t number_of_vertices)
+inline Polygon_soup copy_arrays(const Mesh_arrays& arrays,
+                                std::size_t number_of_vertices,
+                                bool may_repeat_corners = false)
 {
   const auto& [triangles, points, edges, tetrahedra] = arrays;
   Polygon_soup soup;
@@ -128,7 +134,8 @@ inline Polygon_soup copy_arrays(const Mesh_arrays& arrays, std::size_t number_of
   if(points)
     copy_points(*points, soup.points);
   if(triangles)
-    copy_indices(*triangles, "triangle", number_of_vertices, soup.polygons.make_triangles(triangles->shape(0)));
+    copy_indices(*triangles, "triangle", number_of_vertices, soup.polygons.make_triangles(triangles->shape(0)),
+                 may_repeat_corners);
   if(edges)
   {
     soup.edges.resize(edges->shape(0));

@@ -94,3 +94,28 @@ def test_pants():
     with pytest.raises(ValueError, match="more than are wanted"):
         reeb_graph.pants(TRIANGLES[holes], POINTS[:, 0], POINTS, max_triangles=1)
     assert len(reeb_graph.pants(TRIANGLES[holes], POINTS[:, 0], POINTS, cut_open=True).points) > len(cut.points)
+
+
+def test_repair(tmp_path):
+    corners = POINTS[TRIANGLES].reshape(-1, 3)
+    repaired = reeb_graph.repair(np.arange(len(corners)).reshape(-1, 3), corners, merge=True)
+    assert len(repaired.points) == len(POINTS) and np.array_equal(repaired.points[repaired.map], corners)
+    assert np.array_equal(repaired.points[repaired.triangles], POINTS[TRIANGLES])
+    noise = np.random.default_rng(1).uniform(-1e-10, 1e-10, corners.shape)
+    triangles, points, numbers = reeb_graph.repair(np.arange(len(corners)).reshape(-1, 3), corners + noise, merge_within=1e-9)
+    assert len(points) == len(POINTS) and np.array_equal(numbers, repaired.map)
+    meshes.write_off(tmp_path / "soup.off", np.arange(len(corners)).reshape(-1, 3), corners)
+    meshes.run("repair", tmp_path / "soup.off", "--merge", "--output", tmp_path / "merged.off", "--map", tmp_path / "map.txt")
+    assert np.array_equal(repaired.map, np.loadtxt(tmp_path / "map.txt", dtype=int))
+
+    book = [[0, 1, 2], [1, 0, 3], [0, 1, 4], [0, 1, 1], [0, 1, 4]]
+    triangles, points, numbers = reeb_graph.repair(book, POINTS[:5], split=True, largest=True)
+    assert len(triangles) == 1 and len(points) == 3 and list(numbers).count(-1) == 2
+    assert len(reeb_graph.repair(book, POINTS[:5]).triangles) == 3
+    turned = reeb_graph.repair([[0, 1, 2], [0, 1, 3]], POINTS[:4], orient=True).triangles
+    assert sorted(turned[1]) == [0, 1, 3] and list(turned[1]) != [0, 1, 3]
+    for wrong in ({"merge_within": 0}, {"merge_within": -1}, {"merge_within": np.nan}, {"merge": True, "merge_within": 1}):
+        with pytest.raises(ValueError):
+            reeb_graph.repair(TRIANGLES, POINTS, **wrong)
+    with pytest.raises(ValueError, match="needs points"):
+        reeb_graph.repair(TRIANGLES)

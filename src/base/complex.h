@@ -9,6 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_COMPLEX_H
 #define CGAL_REEB_GRAPH_SRC_COMPLEX_H
 
+#include "base/input_findings.h"
 #include "base/surface.h"
 
 #include <CGAL/Reeb_graph_soup_traits.h>
@@ -43,6 +44,7 @@ struct Mesh
   Surface surface;
   std::optional<Complex> complex;
   std::vector<std::string> notes = {}; // on what was left out when it was read
+  Input_findings findings = {};
 };
 
 } // namespace reeb_graph_program

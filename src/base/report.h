@@ -10,6 +10,7 @@
 #define CGAL_REEB_GRAPH_SRC_REPORT_H
 
 #include "base/Arc_table.h"
+#include "base/input_findings.h"
 
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
@@ -103,6 +104,7 @@ struct Fixed_values
 // What the field took, and each step of the work.
 struct Work_report
 {
+  std::optional<Input_findings> input;                 // of a mesh that has been read from a file
   std::optional<CGAL::Reeb_graph::Field_report> field; // of a field that depends on the geometry of faces
   std::optional<Fixed_values> fixed_values;            // of a field that solves equations, or of distances
   std::vector<std::string> notes;                      // on the input, and on what the user may not expect
@@ -184,6 +186,15 @@ struct Removal_row
   std::size_t component = 0;
   bool is_removed = true;
   std::string reason; // why not
+};
+
+// How the file was made another one.
+struct Repair_report : Work_report
+{
+  Repair_counts counts;
+  std::size_t lines_left_out = 0;       // of the file
+  std::vector<Merged_field> fields;     // that have been written
+  std::vector<std::string> lost_fields; // for which the format has no room
 };
 
 struct Handles_report : Work_report

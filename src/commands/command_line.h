@@ -23,12 +23,16 @@
 
 // The options that commands and programs share.
 namespace reeb_graph_program {
+inline void add_mesh_file(CLI::App& command, std::string& path, bool& are_faces_triangulated)
+{
+  add_file(command, "MESH", path, "The mesh: an OFF, OBJ, PLY, STL, TS, MESH, VTK, VTU, or VTP file")->required();
+  command.add_flag("--triangulate", are_faces_triangulated, "Cut faces that are not triangles into triangles");
+}
+
 inline void add_input_options(CLI::App& command, Input_options& options)
 {
   begin_group(command, "Input");
-  add_file(command, "MESH", options.mesh_path, "The mesh: an OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file")
-    ->required();
-  command.add_flag("--triangulate", options.are_faces_triangulated, "Cut faces that are not triangles into triangles");
+  add_mesh_file(command, options.mesh_path, options.are_faces_triangulated);
   begin_group(command, "Field");
   add_file(command, "--scalars", options.scalars_path,
            "A file with the field: one number per line, in the vertex order of the mesh file, or CSV, or NumPy's .npy");
@@ -165,7 +169,7 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
     ->check(CLI::IsMember({"centroids", "on-surface", "straight"}));
   add_file(*command, "--mesh-out", options.mesh_path,
            "Write the mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex, "
-           "and colors");
+           "and colors; .off has the colors alone, .obj and .stl have none");
   add_file(*command, "--vertex-arcs", options.vertex_arcs_path,
            "Write the arc or node of each vertex to this file, one per line; in .npy, the number of the node, or the "
            "number of nodes plus that of the arc");

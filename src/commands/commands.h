@@ -13,6 +13,7 @@
 #include "base/options.h"
 #include "base/report.h"
 #include "computation/Mesh_graph.h"
+#include "input/repair_soup.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -90,6 +91,15 @@ struct Handles_options
   std::size_t number_of_threads = 0; // 0: one per core
 };
 
+struct Repair_command_options
+{
+  std::string mesh_path;
+  bool are_faces_triangulated = false;
+  Repair_options repair;
+  std::string output_path, map_path; // the map is empty if it is not written
+  bool is_report_json = false;
+};
+
 struct Demo_options
 {
   std::filesystem::path folder = "reeb_graph_demo";
@@ -119,6 +129,7 @@ void run_contour(const Contour_options& options);
 void run_curves(Curves_options options);
 void run_field(const Field_options& options);
 void run_handles(const Handles_options& options);
+void run_repair(const Repair_command_options& options);
 void run_demo(const Demo_options& options);
 
 } // namespace reeb_graph_program

@@ -37,8 +37,6 @@
 
 namespace reeb_graph_program {
 namespace {
-void check_cut_mesh_format(const std::filesystem::path& path) { ending_of(path, "a cut mesh", {".off", ".ply"}); }
-
 void check_thresholds(const Cut_options& options)
 {
   for(const auto& [name, threshold] :
@@ -56,7 +54,7 @@ void check_formats(const Curves_options& options)
   if(!options.curves_path.empty())
     check_polylines_format(options.curves_path);
   if(!options.cut_mesh_path.empty())
-    check_cut_mesh_format(options.cut_mesh_path);
+    check_mesh_format(options.cut_mesh_path);
   if(!options.graph_path.empty())
     check_graph_format(options.graph_path);
   if(!options.mesh_path.empty())
@@ -72,14 +70,6 @@ std::vector<std::filesystem::path> output_files(const Curves_options& options)
   return paths;
 }
 
-void write_cut_mesh(const std::filesystem::path& path, const Surface& surface, Patch_map patch_map)
-{
-  if(path.extension() == ".ply")
-    write_surface_with_patches(path, surface, patch_map);
-  else
-    write_surface(path, surface);
-}
-
 void write_patches(const std::filesystem::path& path, const Surface& surface, Patch_map patch_map)
 {
   write_file(path, [&](std::ostream& stream) {
@@ -93,7 +83,7 @@ void write_files(const Curves_options& options, const Surface& surface, const Cu
   if(!options.curves_path.empty())
     write_polylines(options.curves_path, result.polylines);
   if(!options.cut_mesh_path.empty())
-    write_cut_mesh(options.cut_mesh_path, surface, result.patch_map);
+    write_surface_with_patches(options.cut_mesh_path, surface, result.patch_map);
   if(!options.patches_path.empty())
     write_patches(options.patches_path, surface, result.patch_map);
 }
@@ -230,7 +220,8 @@ void run_curves(Curves_options options)
   const std::vector<std::filesystem::path> outputs = output_files(options);
   check_outputs(outputs, input_files(options.input));
   Curves_report report;
-  Mesh mesh = {read(options.input, report), std::nullopt};
+  Mesh mesh;
+  mesh.surface = read(options.input, report);
   Surface& surface = mesh.surface;
   const Scalar_map scalar_map = add_field(options.input, surface, report);
   if(options.simplification.is_anything_removed())

@@ -50,8 +50,8 @@ void run_demo(const Demo_options& options)
 
   Report report;
   const Stopwatch stopwatch;
-  Mesh mesh = {generated_surfaces::make_mesh<Surface>(generated_surfaces::standing_figure(number_of_vertices)),
-               std::nullopt};
+  Mesh mesh;
+  mesh.surface = generated_surfaces::make_mesh<Surface>(generated_surfaces::standing_figure(number_of_vertices));
   Surface& surface = mesh.surface;
   const Scalar_map scalar_map = add_height(surface);
   report.seconds.emplace_back("generate", stopwatch.seconds());

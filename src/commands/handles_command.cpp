@@ -50,7 +50,7 @@ std::vector<std::filesystem::path> check_options(const Handles_options& options)
     throw std::runtime_error("--remove-below must not be negative or NaN");
   const bool is_any_removed = options.size_to_remove || options.number_to_remove;
   if(!options.mesh_path.empty())
-    ending_of(options.mesh_path, "a mesh", {".off", ".ply"});
+    check_mesh_format(options.mesh_path);
   if(is_any_removed == options.mesh_path.empty())
     throw std::runtime_error(is_any_removed ? "--remove-below and --remove go with --output"
                                             : "--output goes with --remove-below or --remove");
@@ -97,7 +97,8 @@ void run_handles(const Handles_options& options)
   Input_options input = options.input;
   if(input.field.empty() && input.scalars_path.empty())
     input.field = "z"; // until the mesh is known
-  Mesh mesh = {read_surface(input, report), std::nullopt};
+  Mesh mesh;
+  mesh.surface = read_surface(input, report);
   Surface& surface = mesh.surface;
   const Stopwatch field_stopwatch;
   const Scalar_map scalar_map = add_field_or_height(options.input, surface, report);

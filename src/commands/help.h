@@ -51,7 +51,7 @@ inline const std::string computed_fields =
     "  geodesic                  the distance from the vertices --source, or from a tip\n"
     "  unit-gradient             follows --scalars, or else harmonic, with gradients of length 1\n";
 inline const std::string fields_of_files =
-  "  NAME                      a property of the vertices of a PLY, VTK, or VTU file\n";
+  "  NAME                      a property of the vertices of a PLY, VTK, VTU, or VTP file\n";
 
 // Both stand behind the options, in this order.
 inline void add_list_of_fields(CLI::App& command, const std::string& option, const std::string& fields)

@@ -108,14 +108,22 @@ inline void add_strip(const std::vector<Corner>& strip, Polygons& polygons)
   }
 }
 
+// Numbers of the vertices, of a type as VTK's XML files name it.
+struct Vertex_field
+{
+  std::string name, type;
+  std::vector<double> numbers;
+};
+
 struct Polygon_soup
 {
   std::vector<Point> points;
   Polygons polygons;
   std::vector<std::array<Corner, 2>> edges; // besides those of the polygons
   std::vector<std::array<Corner, 4>> tetrahedra;
-  std::vector<double> scalars;    // the property of the points that was asked for; empty if none was
-  std::vector<std::string> notes; // on what was left out
+  std::vector<double> scalars;      // the property of the points that was asked for; empty if none was
+  std::vector<Vertex_field> fields; // all of them, if they were asked for
+  std::vector<std::string> notes;   // on what was left out
 };
 
 // Makes the polygons of the parts those of the soup, one behind the other.

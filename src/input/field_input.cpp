@@ -55,6 +55,19 @@ Scalar_map add_given_field(const Input_options& options, Surface& surface, Work_
   return scalar_map;
 }
 
+// What repair can do so that the mesh is a surface, as the end of a message.
+std::string way_out(const Mesh& mesh)
+{
+  const Complex& complex = *mesh.complex;
+  if(mesh.findings.points.is_any())
+    return "; " + std::to_string(mesh.findings.points.coinciding + mesh.findings.points.close)
+         + " points of borders coincide with others, or nearly: " + suggested_repair(mesh.findings.points)
+         + " merges them";
+  return complex.tetrahedra.empty() && complex.edges.empty() && complex.duplicate_faces == 0
+         ? "; reeb_graph repair --split cuts the mesh open there"
+         : "";
+}
+
 } // namespace
 
 Mesh read_mesh(const Input_options& options, Work_report& report)
@@ -64,9 +77,10 @@ Mesh read_mesh(const Input_options& options, Work_report& report)
   Mesh mesh = read_mesh(options.mesh_path, options.are_faces_triangulated, vertex_property(options));
   report.add_seconds("read", stopwatch.seconds());
   report.notes.insert(report.notes.end(), mesh.notes.begin(), mesh.notes.end());
+  report.input = mesh.findings;
   if(mesh.complex && is_computed(options.field) && options.field != "height" && options.field != "geodesic")
     throw Input_error(options.mesh_path, "the field " + options.field + " needs an oriented manifold surface; "
-                                           + describe_obstacle(*mesh.complex));
+                                           + describe_obstacle(*mesh.complex) + way_out(mesh));
   return mesh;
 }
 
@@ -75,7 +89,7 @@ Surface read_surface(const Input_options& options, Work_report& report)
   Mesh mesh = read_mesh(options, report);
   if(mesh.complex)
     throw Input_error(options.mesh_path,
-                      "the mesh is no oriented manifold surface; " + describe_obstacle(*mesh.complex));
+                      "the mesh is no oriented manifold surface; " + describe_obstacle(*mesh.complex) + way_out(mesh));
   return std::move(mesh.surface);
 }
 

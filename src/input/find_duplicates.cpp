@@ -48,10 +48,11 @@ Duplicates find_duplicates(const Polygons& polygons, bool have_same_orientation)
   Duplicates duplicates;
   for(std::size_t k = 1; k < order.size(); ++k)
     if(!is_less(order[k - 1], order[k]))
-    {
-      ++duplicates.number;
-      duplicates.first = std::min(duplicates.first.value_or(order[k]), order[k]);
-    }
+      duplicates.numbers.push_back(order[k]);
+  std::sort(duplicates.numbers.begin(), duplicates.numbers.end());
+  duplicates.number = duplicates.numbers.size();
+  if(duplicates.number > 0)
+    duplicates.first = duplicates.numbers.front();
   return duplicates;
 }
 

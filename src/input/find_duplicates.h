@@ -13,12 +13,14 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace reeb_graph_program {
 // Polygons that repeat an earlier one.
 struct Duplicates
 {
   std::size_t number = 0;
+  std::vector<std::size_t> numbers; // of all of them, in ascending order
   std::optional<std::size_t> first;
 };
 

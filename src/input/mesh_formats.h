@@ -31,7 +31,10 @@ Polygon_soup read_ply(const std::string& path, const std::string& vertex_propert
 // from it. The field, which is named scalar, is none of them.
 std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& path, Surface& surface);
 
-// The same if this file and the one that is going to be written are PLY files; or else none.
+// The same of a PLY or VTK file, none for others.
+std::vector<Any_vertex_property> read_vertex_properties(const std::string& path, Surface& surface);
+
+// The same if the file that is going to be written has room for them, .ply or .vtp; or else none.
 std::vector<Any_vertex_property> properties_to_keep(const std::string& path,
                                                     const std::filesystem::path& output,
                                                     Surface& surface);
@@ -43,11 +46,12 @@ Polygon_soup read_ts(const std::string& path);
 // MESH of Medit, ASCII, as CGAL::IO::write_MEDIT() writes it: vertices, edges, triangles, quadrilaterals, and
 // tetrahedra.
 Polygon_soup read_medit(const std::string& path);
-// VTK's legacy format, ASCII: the cells of an unstructured grid, or the polygons and lines of polygonal data.
-// `vertex_property` is the name of numbers of the points that become Polygon_soup::scalars, or empty.
+// VTK's legacy format, ASCII or binary, or its XML format, with numbers as text, in base64 code, or appended, that may be
+// compressed by zlib: unstructured grids of cells of the types 1 to 10, and polygonal data. `vertex_property` is the name
+// of numbers of the points that become Polygon_soup::scalars, or empty.
 Polygon_soup read_vtk(const std::string& path, const std::string& vertex_property);
-// VTK's XML format of unstructured grids: numbers as text, in base64 code, or appended, that are not compressed.
-Polygon_soup read_vtu(const std::string& path, const std::string& vertex_property);
+// All arrays of one number for each point.
+std::vector<Vertex_field> read_vtk_fields(const std::string& path);
 
 } // namespace reeb_graph_program
 

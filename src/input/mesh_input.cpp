@@ -10,9 +10,12 @@
 
 #include "computation/complex_counts.h"
 #include "input/assemble_surface.h"
+#include "input/close_points.h"
 #include "input/find_duplicates.h"
 #include "input/input_error.h"
 #include "input/mesh_formats.h"
+#include "input/refused_formats.h"
+#include "input/repair_soup.h"
 #include "input/text_input.h"
 #include "input/triangulate_faces.h"
 
@@ -38,14 +41,12 @@ Polygon_soup read_soup(const std::string& path, const std::string& vertex_proper
   const std::string extension = lower_case_extension(path);
   if(extension == ".ply")
     return read_ply(path, vertex_property);
-  if(extension == ".vtk")
+  if(extension == ".vtk" || extension == ".vtu" || extension == ".vtp")
     return read_vtk(path, vertex_property);
-  if(extension == ".vtu")
-    return read_vtu(path, vertex_property);
   if(!vertex_property.empty())
     throw Input_error(path, "there is no field " + quote(vertex_property)
                               + ": fields are x, y, z, height, harmonic, harmonic-between-borders, poisson, geodesic, "
-                                "unit-gradient, and the properties of the vertices of PLY, VTK, and VTU files");
+                                "unit-gradient, and the properties of the vertices of PLY, VTK, VTU, and VTP files");
   if(extension == ".off")
     return read_off(path);
   if(extension == ".obj")
@@ -56,7 +57,7 @@ Polygon_soup read_soup(const std::string& path, const std::string& vertex_proper
     return read_ts(path);
   if(extension == ".mesh")
     return read_medit(path);
-  throw Input_error(path, "the extension of a mesh file is .off, .obj, .ply, .stl, .ts, .mesh, .vtk, or .vtu");
+  throw Input_error(path, refused_format(path));
 }
 
 void check_points(const std::string& path, const std::vector<Point>& points)
@@ -66,28 +67,11 @@ void check_points(const std::string& path, const std::vector<Point>& points)
       throw Input_error(path, "vertex " + std::to_string(i) + " has a coordinate that is not a finite number");
 }
 
-// The first vertex at two corners, none if there is none.
-std::optional<Corner> find_repeated_vertex(Polygons::Polygon polygon, std::vector<Corner>& sorted)
-{
-  if(polygon.size() == 3)
-  {
-    const Corner* const v = polygon.begin();
-    return v[0] == v[1] || v[0] == v[2] ? std::make_optional(v[0])
-         : v[1] == v[2]                 ? std::make_optional(v[1])
-                                        : std::nullopt;
-  }
-  sorted.assign(polygon.begin(), polygon.end());
-  std::sort(sorted.begin(), sorted.end());
-  const auto repeated = std::adjacent_find(sorted.begin(), sorted.end());
-  return repeated == sorted.end() ? std::nullopt : std::make_optional(*repeated);
-}
-
 void check_polygons(const std::string& path, const Polygon_soup& soup, bool are_faces_triangulated)
 {
   const auto fail = [&](std::size_t i, const std::string& message) {
     throw Input_error(path, "face " + std::to_string(i) + message);
   };
-  std::vector<Corner> sorted;
   for(std::size_t i = 0; i < soup.polygons.size(); ++i)
   {
     const Polygons::Polygon polygon = soup.polygons[i];
@@ -99,8 +83,6 @@ void check_polygons(const std::string& path, const Polygon_soup& soup, bool are_
     if(polygon.size() > 3 && !are_faces_triangulated)
       fail(i, " has " + std::to_string(polygon.size())
                 + " vertices and is not a triangle; --triangulate cuts such faces into triangles");
-    if(const auto repeated = find_repeated_vertex(polygon, sorted))
-      fail(i, " has vertex " + std::to_string(*repeated) + " at two of its corners");
   }
 }
 
@@ -235,6 +217,18 @@ void make_vertices(const std::vector<Point>& points, Surface& surface)
     surface.add_vertex(point);
 }
 
+// The vertices of edges with one face.
+std::vector<Corner> border_points(const Polygon_soup& soup, const Mesh& mesh)
+{
+  std::vector<Corner> points;
+  if(mesh.complex)
+    return soup.tetrahedra.empty() ? border_points(soup.polygons) : points;
+  for(const Surface::Vertex_index v : mesh.surface.vertices())
+    if(!mesh.surface.is_isolated(v) && mesh.surface.is_border(v, false))
+      points.push_back(v);
+  return points;
+}
+
 } // namespace
 
 Mesh make_mesh(const Polygon_soup& soup, const std::string& path)
@@ -252,14 +246,43 @@ Mesh make_mesh(const Polygon_soup& soup, const std::string& path)
 
 bool is_ply_file(const std::string& path) { return lower_case_extension(path) == ".ply"; }
 
-Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property)
+Polygon_soup read_checked_soup(const std::string& path,
+                               bool are_faces_triangulated,
+                               const std::string& vertex_property,
+                               Input_findings& findings)
 {
   Polygon_soup soup = read_soup(path, vertex_property);
   check_points(path, soup.points);
   check_polygons(path, soup, are_faces_triangulated);
+  leave_out_degenerate_faces(soup.polygons, findings);
   check_simplices(path, "edge", soup.edges, soup.points.size());
   check_simplices(path, "tetrahedron", soup.tetrahedra, soup.points.size());
+  return soup;
+}
+
+void triangulate_faces(Polygon_soup& soup, const std::string& path)
+{
+  if(soup.polygons.are_triangles())
+    return;
+  const auto triangles = triangles_of(path, soup);
+  Corner* corners = soup.polygons.make_triangles(triangles.size());
+  for(const auto& triangle : triangles)
+    corners = std::copy(triangle.begin(), triangle.end(), corners);
+}
+
+Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property)
+{
+  Input_findings findings;
+  Polygon_soup soup = read_checked_soup(path, are_faces_triangulated, vertex_property, findings);
   Mesh mesh = make_mesh(soup, path);
+  if(mesh.complex) // else no face is repeated
+  {
+    leave_out_repeated_faces(soup.polygons, findings);
+    if(findings.repeated_faces > 0)
+      mesh = make_mesh(soup, path);
+  }
+  findings.points = count_close_points(soup.points, border_points(soup, mesh));
+  mesh.findings = findings;
   if(!vertex_property.empty())
   {
     const Scalar_map scalar_map = mesh.surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;

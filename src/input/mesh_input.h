@@ -16,11 +16,20 @@
 #include <string>
 
 namespace reeb_graph_program {
-// Reads an OFF, OBJ, PLY, STL, TS, MESH, VTK, or VTU file. Vertex i of the surface is vertex i of the file, isolated
-// ones included. Faces are oriented consistently if need be; what is no oriented manifold surface then becomes a
-// complex. The property of the vertices that is asked for, if any, becomes the property map v:scalar. Throws
+// Reads an OFF, OBJ, PLY, STL, TS, MESH, VTK, VTU, or VTP file. Vertex i of the surface is vertex i of the file, isolated
+// ones included. Faces with a repeated corner, and those that repeat an earlier one in the same orientation, are left out.
+// Faces are oriented consistently if need be; what is no oriented manifold surface then becomes a complex. The property of the vertices that is asked for, if any, becomes the property map v:scalar. Throws
 // Input_error.
 Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property);
+
+// What is in the file, in its order, but for faces with a repeated corner; all numbers of vertices are those of points.
+Polygon_soup read_checked_soup(const std::string& path,
+                               bool are_faces_triangulated,
+                               const std::string& vertex_property,
+                               Input_findings& findings);
+
+// Cuts the faces of such a soup that are not triangles into triangles.
+void triangulate_faces(Polygon_soup& soup, const std::string& path);
 
 // The same of a soup that has been checked: a surface, or what is none. Messages begin with the path.
 Mesh make_mesh(const Polygon_soup& soup, const std::string& path);

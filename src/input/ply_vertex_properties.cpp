@@ -6,14 +6,18 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "base/vertex_properties.h"
 #include "input/File_contents.h"
 #include "input/mesh_formats.h"
-#include "input/mesh_input.h"
 #include "input/ply_data.h"
 #include "input/ply_header.h"
 #include "input/text_input.h"
+#include "input/vtk_numbers.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -40,13 +44,45 @@ Any_vertex_property add_property(Surface& surface, const Property& property)
   });
 }
 
+// Names of what is read otherwise, and those that the surface has for other types, or for its field.
+std::set<std::string> other_names(const Surface& surface)
+{
+  std::set<std::string> names = {"x", "y", "z", "point", "connectivity", "removed", "normal", "color"};
+  if(find_vertex_property<double>(surface, "v:scalar"))
+    names.insert("scalar");
+  return names;
+}
+
+// PLY has no whole numbers of 64 bits. They become those of 32 bits if they fit.
+Any_vertex_property add_property(Surface& surface, const Vertex_field& field)
+{
+  const auto add = [&](auto number) -> Any_vertex_property {
+    const auto map = add_property<decltype(number)>(surface, field.name);
+    for(const Surface::Vertex_index v : surface.vertices())
+      map[v] = static_cast<decltype(number)>(field.numbers[v]);
+    return map;
+  };
+  Any_vertex_property property;
+  call_with_vtk_type(field.type, [&](auto number) {
+    if constexpr(std::is_integral_v<decltype(number)> && sizeof number == 8)
+    {
+      const bool do_fit = std::all_of(field.numbers.begin(), field.numbers.end(), [](double n) {
+        return n >= std::numeric_limits<std::int32_t>::min() && n <= std::numeric_limits<std::int32_t>::max();
+      });
+      property = do_fit ? add(std::int32_t()) : add(double());
+    }
+    else
+      property = add(number);
+  });
+  return property;
+}
+
 void read_vertex_properties(const Element& element,
                             Data& data,
                             Surface& surface,
                             std::vector<Any_vertex_property>& result)
 {
-  // those that are read otherwise, and names that the surface has for other types
-  std::set<std::string> names = {"x", "y", "z", "scalar", "point", "connectivity", "removed", "normal", "color"};
+  std::set<std::string> names = other_names(surface);
   std::vector<std::optional<Any_vertex_property>> maps;
   for(const Property& property : element.properties)
   {
@@ -91,12 +127,27 @@ std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& p
   return properties;
 }
 
+std::vector<Any_vertex_property> read_vertex_properties(const std::string& path, Surface& surface)
+{
+  const std::string extension = lower_case_extension(path);
+  if(extension == ".ply")
+    return read_ply_vertex_properties(path, surface);
+  std::vector<Any_vertex_property> properties;
+  if(extension != ".vtk" && extension != ".vtu" && extension != ".vtp")
+    return properties;
+  std::set<std::string> names = other_names(surface);
+  for(const Vertex_field& field : read_vtk_fields(path))
+    if(names.insert(field.name).second)
+      properties.push_back(add_property(surface, field));
+  return properties;
+}
+
 std::vector<Any_vertex_property> properties_to_keep(const std::string& path,
                                                     const std::filesystem::path& output,
                                                     Surface& surface)
 {
-  const bool is_any_kept = output.extension() == ".ply" && is_ply_file(path);
-  return is_any_kept ? read_ply_vertex_properties(path, surface) : std::vector<Any_vertex_property>();
+  const bool is_any_kept = output.extension() == ".ply" || output.extension() == ".vtp";
+  return is_any_kept ? read_vertex_properties(path, surface) : std::vector<Any_vertex_property>();
 }
 
 } // namespace reeb_graph_program

@@ -135,6 +135,26 @@ public:
     return word;
   }
 
+  // Whether this is how the word that is read next begins.
+  bool is_next(std::string_view begin_of_word) const
+  {
+    std::string_view text = next_word_of_line();
+    if(text.empty())
+      text = rest_.substr(std::min(rest_.find_first_not_of(" \t\r\v\f\n"), rest_.size()));
+    return text.substr(0, begin_of_word.size()) == begin_of_word;
+  }
+
+  // Takes bytes behind this line, which are no text.
+  std::string_view take_bytes(std::size_t size)
+  {
+    finish_line();
+    if(size > rest_.size())
+      fail("the file ends too early");
+    const std::string_view bytes = rest_.substr(0, size);
+    rest_.remove_prefix(size);
+    return bytes;
+  }
+
   template <class Number>
   Number number(std::string_view word) const
   {

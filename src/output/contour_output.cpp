@@ -115,6 +115,18 @@ void write_json(std::ostream& stream, const std::vector<Contour_line>& lines)
   stream << "\n]\n}\n";
 }
 
+// A row for each point.
+void write_csv(std::ostream& stream, const std::vector<Contour_line>& lines)
+{
+  CGAL::Reeb_graph::internal::Text_output text(stream);
+  text << "contour,arc,value,length,closed,x,y,z\n";
+  for(std::size_t i = 0; i < lines.size(); ++i)
+    for(const Point& p : lines[i].points)
+      text << i << ',' << lines[i].arc << ',' << lines[i].value << ',' << lines[i].length << ','
+           << (lines[i].is_closed ? 1 : 0) << ',' << p.x() << ',' << p.y() << ',' << p.z() << '\n';
+  text.flush();
+}
+
 // A line of one point, of an edge without triangles, is a vertex for VTK, whose cells come before all lines.
 void write_vtp(std::ostream& stream, const std::vector<Contour_line>& lines)
 {
@@ -159,7 +171,7 @@ std::vector<Polyline> polylines_of(const std::vector<Contour_line>& lines)
 
 void check_contour_format(const std::string& path)
 {
-  ending_of(path, "contours", {".polylines.txt", ".vtp", ".obj", ".json", ".off"});
+  ending_of(path, "contours", {".polylines.txt", ".vtp", ".obj", ".json", ".csv", ".off"});
 }
 
 void check_contour_format(const std::string& path, bool are_contours_surfaces)
@@ -167,7 +179,7 @@ void check_contour_format(const std::string& path, bool are_contours_surfaces)
   if(are_contours_surfaces)
     ending_of(path, "contours in tetrahedra, which are surfaces,", {".off"});
   else
-    ending_of(path, "contours", {".polylines.txt", ".vtp", ".obj", ".json"});
+    ending_of(path, "contours", {".polylines.txt", ".vtp", ".obj", ".json", ".csv"});
 }
 
 void write_contours(const std::string& path, const std::vector<Contour>& contours, bool are_contours_surfaces)
@@ -176,13 +188,15 @@ void write_contours(const std::string& path, const std::vector<Contour>& contour
     if(are_contours_surfaces)
       return write_off(stream, contours);
     const std::vector<Contour_line> lines = lines_of(contours);
-    const std::string ending = ending_of(path, "contours", {".polylines.txt", ".vtp", ".obj", ".json"});
+    const std::string ending = ending_of(path, "contours", {".polylines.txt", ".vtp", ".obj", ".json", ".csv"});
     if(ending == ".vtp")
       write_vtp(stream, lines);
     else if(ending == ".obj")
       write_obj(stream, lines);
     else if(ending == ".json")
       write_json(stream, lines);
+    else if(ending == ".csv")
+      write_csv(stream, lines);
     else
       CGAL::Reeb_graph::write_polylines(stream, polylines_of(lines));
   });

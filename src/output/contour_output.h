@@ -14,7 +14,7 @@
 #include <string>
 
 namespace reeb_graph_program {
-// Throws std::runtime_error if the file name has none of the endings .polylines.txt, .vtp, .obj, .json and, for
+// Throws std::runtime_error if the file name has none of the endings .polylines.txt, .vtp, .obj, .json, .csv and, for
 // contours in tetrahedra, .off.
 void check_contour_format(const std::string& path);
 

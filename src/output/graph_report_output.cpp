@@ -290,8 +290,10 @@ void write_text(std::ostream& out, const Report& report)
     write_counts(out, *report.complex);
   else
     write_counts(out, report.surface);
-  out << "\nfield    " << count(critical_vertices.minima, "minimum", "minima") << ", "
-      << count_saddles(critical_vertices) << ", " << count(critical_vertices.maxima, "maximum", "maxima");
+  out << '\n';
+  write_input_text(out, report);
+  out << "field    " << count(critical_vertices.minima, "minimum", "minima") << ", " << count_saddles(critical_vertices)
+      << ", " << count(critical_vertices.maxima, "maximum", "maxima");
   if(critical_vertices.border_saddles > 0)
     out << ", " << count(critical_vertices.border_saddles, "saddle") << " on the border";
   if(critical_vertices.isolated > 0)

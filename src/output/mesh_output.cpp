@@ -8,6 +8,7 @@
 
 #include "output/mesh_output.h"
 
+#include "base/vertex_properties.h"
 #include "output/npy_output.h"
 #include "output/output_file.h"
 
@@ -16,6 +17,8 @@
 #include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/boost/graph/IO/OBJ.h>
+#include <CGAL/boost/graph/IO/STL.h>
 
 #include <algorithm>
 #include <array>
@@ -23,11 +26,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace reeb_graph_program {
 namespace {
+constexpr int all_digits_of_meshes = std::numeric_limits<double>::max_digits10;
+
 typedef Surface::Property_map<Surface::Vertex_index, CGAL::IO::Color> Vertex_color_map;
 typedef Surface::Property_map<Surface::Face_index, CGAL::IO::Color> Face_color_map;
 
@@ -153,23 +160,29 @@ Surface::Property_map<Key, Number> add_column(Surface& surface,
   return map;
 }
 
-// A surface for writers only, whose faces have the vertices of the triangles, and no neighbors.
+template <class Vertices>
+void add_unconnected_face(const Vertices& vertices, Surface& surface)
+{
+  const Surface::Face_index f = surface.add_face();
+  std::vector<Surface::Halfedge_index> halfedges;
+  Surface::Vertex_index previous(*(vertices.end() - 1));
+  for(const auto number : vertices)
+  {
+    const Surface::Vertex_index v(number);
+    halfedges.push_back(surface.add_edge(previous, v));
+    surface.set_face(halfedges.back(), f);
+    previous = v;
+  }
+  for(std::size_t i = 0; i < halfedges.size(); ++i)
+    surface.set_next(halfedges[i], halfedges[(i + 1) % halfedges.size()]);
+  surface.set_halfedge(f, halfedges.front()); // leads to the first vertex
+}
+
 Surface unconnected_surface(const Mesh& mesh)
 {
   Surface surface = mesh.surface;
   for(const auto& triangle : mesh.complex->triangles)
-  {
-    const Surface::Face_index f = surface.add_face();
-    std::array<Surface::Halfedge_index, 3> halfedges;
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      halfedges[i] = surface.add_edge(Surface::Vertex_index(triangle[(i + 2) % 3]), Surface::Vertex_index(triangle[i]));
-      surface.set_face(halfedges[i], f);
-    }
-    for(std::size_t i = 0; i < 3; ++i)
-      surface.set_next(halfedges[i], halfedges[(i + 1) % 3]);
-    surface.set_halfedge(f, halfedges[2]);
-  }
+    add_unconnected_face(triangle, surface);
   return surface;
 }
 
@@ -178,15 +191,64 @@ CGAL::Reeb_graph::Attribute attribute(const std::string& name, const std::vector
   return {name, std::vector<std::int64_t>(numbers.begin(), numbers.end())};
 }
 
+const std::vector<std::string> formats_of_meshes = {".off", ".ply", ".obj", ".stl", ".vtp"};
+
+// The numbers of the vertices that files have.
+std::vector<CGAL::Reeb_graph::Attribute> vertex_attributes(const Surface& surface)
+{
+  std::vector<CGAL::Reeb_graph::Attribute> attributes;
+  visit_vertex_properties(surface, [&](const std::string& name, const auto& map) {
+    typedef typename std::decay_t<decltype(map)>::value_type Number;
+    if constexpr(std::is_floating_point_v<Number>)
+      attributes.push_back({name, std::vector<double>(map.begin(), map.end())});
+    else
+      attributes.push_back({name, std::vector<std::int64_t>(map.begin(), map.end())});
+  });
+  return attributes;
+}
+
+void write_stl(const std::filesystem::path& path, const Surface& surface)
+{
+  for(const Surface::Face_index f : surface.faces())
+    if(surface.degree(f) != 3)
+      throw std::runtime_error(path.string() + ": STL has triangles only, and face " + std::to_string(f.idx())
+                               + " is none: --triangulate cuts faces into triangles");
+  write_file(path, [&](std::ostream& stream) {
+    CGAL::IO::set_ascii_mode(stream); // binary STL has half of the digits
+    CGAL::IO::write_STL(stream, surface, CGAL::parameters::stream_precision(all_digits_of_meshes));
+  });
+}
+
 } // namespace
+
+void check_mesh_format(const std::filesystem::path& path) { ending_of(path, "a mesh", formats_of_meshes); }
+
+Surface unconnected_surface(const std::vector<Point>& points, const Polygons& polygons)
+{
+  Surface surface;
+  for(const Point& point : points)
+    surface.add_vertex(point);
+  for(std::size_t i = 0; i < polygons.size(); ++i)
+    add_unconnected_face(polygons[i], surface);
+  return surface;
+}
 
 void write_surface(const std::filesystem::path& path, const Surface& surface)
 {
-  if(path.extension() == ".ply")
+  const std::string format = ending_of(path, "a mesh", formats_of_meshes);
+  if(format == ".ply")
     return write_binary_ply(path, surface);
+  if(format == ".stl")
+    return write_stl(path, surface);
   write_file(path, [&](std::ostream& stream) {
-    const int precision = std::numeric_limits<double>::max_digits10;
-    CGAL::IO::write_OFF(stream, surface, CGAL::parameters::stream_precision(precision));
+    const auto np = CGAL::parameters::stream_precision(all_digits_of_meshes);
+    if(format == ".vtp")
+      CGAL::Reeb_graph::write_mesh_vtp(stream, surface,
+                                       CGAL::parameters::vertex_attributes(vertex_attributes(surface)));
+    else if(format == ".obj")
+      CGAL::IO::write_OBJ(stream, surface, np);
+    else
+      CGAL::IO::write_OFF(stream, surface, np);
   });
 }
 
@@ -202,8 +264,6 @@ void write_scalars(const std::filesystem::path& path, const Surface& surface, Sc
   });
 }
 
-void check_mesh_format(const std::filesystem::path& path) { ending_of(path, "a mesh with results", {".ply", ".vtp"}); }
-
 void write_mesh(const std::filesystem::path& path, const Surface& surface, const Mesh_results& results)
 {
   namespace parameters = CGAL::parameters;
@@ -216,7 +276,11 @@ void write_mesh(const std::filesystem::path& path, const Surface& surface, const
   if(results.patch_map)
     face_colours =
       add_face_colours(mesh, add_column<Surface::Face_index>(mesh, mesh.faces(), "f:patch", columns.patches));
-  if(path.extension() != ".vtp")
+  // of a pipe, a device, or standard output the first one
+  const std::string format = ending_of(path, "a mesh with results", {".ply", ".vtp", ".off", ".obj", ".stl"});
+  if(format == ".off" || format == ".obj" || format == ".stl")
+    return write_surface(path, mesh);
+  if(format == ".ply")
   {
     add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:arc", columns.arcs);
     add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:node", columns.nodes);
@@ -251,8 +315,19 @@ void write_coloured_surface(const std::filesystem::path& path, Surface surface, 
 
 void write_surface_with_patches(const std::filesystem::path& path, Surface surface, Patch_map patch_map)
 {
-  add_face_colours(surface, patch_map);
-  write_binary_ply(path, surface);
+  const std::string format = ending_of(path, "a mesh", formats_of_meshes);
+  if(format != ".vtp" && format != ".ply")
+    return write_surface(path, surface);
+  const Face_color_map face_colours = add_face_colours(surface, patch_map);
+  if(format == ".ply")
+    return write_binary_ply(path, surface);
+  const std::vector<int> patches(patch_map.begin(), patch_map.end());
+  write_file(path, [&](std::ostream& stream) {
+    CGAL::Reeb_graph::write_mesh_vtp(stream, surface,
+                                     CGAL::parameters::vertex_attributes(vertex_attributes(surface))
+                                       .face_attributes({attribute("patch", patches)})
+                                       .face_color_map(face_colours));
+  });
 }
 
 } // namespace reeb_graph_program

@@ -11,6 +11,7 @@
 
 #include "base/complex.h"
 #include "base/surface.h"
+#include "input/Polygon_soup.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -18,14 +19,18 @@
 #include <vector>
 
 namespace reeb_graph_program {
-// The mesh in the OFF format, with all digits of the coordinates, or with its properties if the file is a .ply one.
+// Throws std::runtime_error unless the file name has an ending of a mesh: .off, .ply, .obj, .stl, or .vtp.
+void check_mesh_format(const std::filesystem::path& path);
+
+// The mesh with all digits of the coordinates: .off, .obj, or .stl, which is text and has triangles only; or with the
+// numbers of its vertices, .ply or .vtp.
 void write_surface(const std::filesystem::path& path, const Surface& surface);
 
 // One number per line in the order of the vertices, with all digits; .npy as NumPy has it.
 void write_scalars(const std::filesystem::path& path, const Surface& surface, Scalar_map scalar_map);
 
-// Throws std::runtime_error unless the file name ends in .ply or .vtp.
-void check_mesh_format(const std::filesystem::path& path);
+// A surface for writers only, whose faces have the vertices of the polygons, and no neighbors.
+Surface unconnected_surface(const std::vector<Point>& points, const Polygons& polygons);
 
 // What is known of a mesh, to be written with it.
 struct Mesh_results
@@ -37,7 +42,8 @@ struct Mesh_results
 };
 
 // The mesh with the value, the arc, and the node of each vertex, where one of arc and node is -1; and the patch of each
-// face. Patches are coloured, or else vertices by their values: .ply or .vtp, with all digits.
+// face. Patches are coloured, or else vertices by their values: .ply or .vtp, with all digits; .off has the colours alone,
+// .obj and .stl have none.
 void write_mesh(const std::filesystem::path& path, const Surface& surface, const Mesh_results& results);
 
 // A complex is written as its triangles.
@@ -46,7 +52,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Mesh_
 // The mesh in the PLY format, with vertices coloured from dark blue, the lowest, to yellow, the highest.
 void write_coloured_surface(const std::filesystem::path& path, Surface surface, Scalar_map scalar_map);
 
-// The mesh in the PLY format, with the patch of each face as a property, and a colour for each patch.
+// The mesh in any format: .ply and .vtp have the patch of each face as a number, and a colour for each patch.
 void write_surface_with_patches(const std::filesystem::path& path, Surface surface, Patch_map patch_map);
 
 } // namespace reeb_graph_program

@@ -15,10 +15,11 @@
 #include <vector>
 
 namespace reeb_graph_program {
-// Throws std::runtime_error if the file name does not end in .polylines.txt.
+// Throws std::runtime_error if the file name does not end in .polylines.txt or .csv.
 void check_polylines_format(const std::string& path);
 
-// The polylines format of CGAL: for each on a line, the number of points, and their coordinates.
+// The polylines format of CGAL: for each on a line, the number of points, and their coordinates. In .csv, each point is a
+// row, with the number of its curve.
 void write_polylines(const std::string& path, const std::vector<Polyline>& polylines);
 
 } // namespace reeb_graph_program

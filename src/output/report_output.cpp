@@ -30,6 +30,28 @@ nlohmann::ordered_json json_of(const std::vector<Fixed_values::Place>& places)
   return json;
 }
 
+nlohmann::ordered_json json_of(const Input_findings& input)
+{
+  nlohmann::ordered_json json;
+  json["faces"] = input.faces;
+  json["kept_faces"] = input.kept_faces();
+  json["faces_with_repeated_corner"] = input.degenerate_faces.size();
+  json["first_face_with_repeated_corner"] = nullptr;
+  if(!input.degenerate_faces.empty())
+    json["first_face_with_repeated_corner"] = input.degenerate_faces.front();
+  json["repeated_faces"] = input.repeated_faces;
+  json["first_repeated_face"] = nullptr;
+  if(input.first_repeated_face)
+    json["first_repeated_face"] = *input.first_repeated_face;
+  json["coinciding_border_points"] = input.points.coinciding;
+  json["close_border_points"] = input.points.close;
+  json["close_distance"] = json_number(input.points.largest_distance);
+  json["suggested_repair"] = nullptr;
+  if(input.points.is_any())
+    json["suggested_repair"] = suggested_repair(input.points);
+  return json;
+}
+
 // The vertices with this value, of which the first few are named.
 std::string names_of(const std::vector<Fixed_values::Place>& places,
                      double value,
@@ -68,6 +90,7 @@ void write_line(std::ostream& out, const nlohmann::ordered_json& json)
 
 void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report)
 {
+  json["input"] = report.input ? json_of(*report.input) : nlohmann::ordered_json();
   json["bad_faces"] = json["added_length"] = nullptr;
   if(report.field)
   {
@@ -82,6 +105,32 @@ void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report
   for(const auto& [step, seconds] : report.seconds)
     json["seconds"][step] = seconds;
   json["peak_memory_bytes"] = peak_memory_bytes();
+}
+
+void write_input_text(std::ostream& out, const Work_report& report)
+{
+  if(!report.input)
+    return;
+  const Input_findings& input = *report.input;
+  if(input.kept_faces() != input.faces)
+  {
+    out << "file     " << count(input.faces, "face") << ", of which " << input.kept_faces() << " are kept:";
+    if(const std::size_t number = input.degenerate_faces.size())
+      out << ' ' << number << " with a repeated corner, the first one, face " << input.degenerate_faces.front();
+    if(input.first_repeated_face)
+      out << (input.degenerate_faces.empty() ? " " : ", and ") << input.repeated_faces
+          << " that repeat earlier ones, the first one, face " << *input.first_repeated_face;
+    out << '\n';
+  }
+  const Close_points& points = input.points;
+  if(!points.is_any())
+    return;
+  out << "points   ";
+  if(points.coinciding > 0)
+    out << points.coinciding << " along borders coincide with others" << (points.close > 0 ? ", " : "");
+  if(points.close > 0)
+    out << points.close << " along borders are less than " << points.largest_distance << " from others";
+  out << ": '" << suggested_repair(points) << "' merges them\n";
 }
 
 void write_field_text(std::ostream& out, const Work_report& report)
@@ -106,6 +155,7 @@ void write_text(std::ostream& out, const Field_range& range, const Work_report& 
   if(range.number_of_values > 0)
     out << " from " << range.lowest << " to " << range.highest;
   out << '\n';
+  write_input_text(out, report);
   write_field_text(out, report);
 }
 
@@ -122,6 +172,7 @@ void write_json(std::ostream& out, const Field_range& range, const Work_report& 
 void write_text(std::ostream& out, const Contours_report& report)
 {
   out << count(report.contours, "contour") << '\n';
+  write_input_text(out, report);
   write_field_text(out, report);
 }
 
@@ -137,6 +188,7 @@ void write_text(std::ostream& out, const Curves_report& report)
 {
   out << report.curves << (report.curves == 1 ? " curve, " : " curves, ") << report.patches
       << (report.patches == 1 ? " patch\n" : " patches\n");
+  write_input_text(out, report);
   write_field_text(out, report);
 }
 
@@ -189,6 +241,7 @@ void write_text(std::ostream& out, const Handles_report& report)
   };
   out << "surface  " << count(number_of("handle"), "handle") << ", " << count(number_of("tunnel"), "tunnel") << ", "
       << count(number_of("hole"), "hole") << ", " << count(number_of("loop"), "loop") << " without inside\n";
+  write_input_text(out, report);
   out << "field    " << report.field << '\n';
   for(const std::string& note : report.notes)
     out << "         " << note << '\n';

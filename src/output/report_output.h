@@ -60,6 +60,13 @@ void write_json(std::ostream& out, const Handles_report& report);
 void write_text(std::ostream& out, const Field_range& range, const Work_report& report);
 void write_json(std::ostream& out, const Field_range& range, const Work_report& report);
 
+// A line of faces of the file that are left out, and one of points that repair merges, as far as they apply.
+void write_input_text(std::ostream& out, const Work_report& report);
+
+// The report of a repaired mesh.
+void write_text(std::ostream& out, const Repair_report& report);
+void write_json(std::ostream& out, const Repair_report& report);
+
 // Lines of where a field has its values from, and of what was done about bad faces, as far as they apply.
 void write_field_text(std::ostream& out, const Work_report& report);
 

@@ -38,6 +38,8 @@ commands.update({
                        "c.polylines.txt"], near_linear),
     "handles": (["handles", "{mesh}", "--scalars", "{values}", "--no-shortening", "--loops", "l.polylines.txt"],
                 near_linear),
+    "repair": (["repair", "{mesh}", "--merge-within", "1e-9", "--orient", "--split", "--largest", "--output", "out.ply"],
+               near_linear),
     "field height": (["field", "{mesh}", "--type", "height", "--output", "f.txt"], near_linear),
     "field geodesic": (["field", "{mesh}", "--type", "geodesic", "--output", "f.txt"], near_linear),
 })
@@ -66,7 +68,7 @@ def run(command, stem):
     best = math.inf
     for _ in range(2):
         with tempfile.TemporaryDirectory() as folder:
-            process = subprocess.Popen([program, *arguments, "--threads", "1"] if command[0] != "contour" else
+            process = subprocess.Popen([program, *arguments, "--threads", "1"] if command[0] not in ("contour", "repair") else
                                        [program, *arguments], cwd=folder, stdout=subprocess.DEVNULL)
             _, status, usage = os.wait4(process.pid, 0)
             if status != 0:

@@ -9,6 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_TEST_PROGRAM_MESH_FILES_H
 #define CGAL_REEB_GRAPH_TEST_PROGRAM_MESH_FILES_H
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -186,6 +188,40 @@ inline std::string vtk_5()
        + lines(triangles(), "", "") + "\nPOINT_DATA 6\nFIELD FieldData 1\nmass 1 6 double\n1 2 3 4 5 6\n";
 }
 
+inline void append_line(std::string& bytes, const std::string& line) { bytes += line + "\n"; }
+
+// Binary, whose numbers begin with their highest byte, as version 4.2 and 5.1 have cells.
+inline std::string binary_vtk(bool is_version_5)
+{
+  std::string content = "# vtk DataFile Version " + std::string(is_version_5 ? "5.1" : "4.2");
+  append_line(content, "\nan octahedron\nBINARY\nDATASET POLYDATA\nPOINTS 6 double");
+  for(const auto& row : points())
+    append<double>(content, row, true);
+  append_line(content,
+              is_version_5 ? "\nMETADATA\nINFORMATION 0\n\nPOLYGONS 9 24\nOFFSETS vtktypeint64" : "\nPOLYGONS 8 32");
+  if(is_version_5)
+  {
+    append<std::int64_t>(content, {0, 3, 6, 9, 12, 15, 18, 21, 24}, true);
+    append_line(content, "\nCONNECTIVITY vtktypeint64");
+  }
+  for(const auto& row : triangles())
+    if(is_version_5)
+      append<std::int64_t>(content, row, true);
+    else
+    {
+      append<std::int32_t>(content, {3}, true);
+      append<std::int32_t>(content, row, true);
+    }
+  append_line(content, "\nPOINT_DATA 6\nSCALARS mass float 1\nLOOKUP_TABLE default");
+  append<float>(content, {1, 2, 3, 4, 5, 6}, true);
+  append_line(content, "\nFIELD FieldData 2\nlong 2 6 long");
+  append<std::int64_t>(content, std::vector<double>(12, -1), true);
+  append_line(content, "\nname 1 1 string");
+  content += "\xc3"
+             "abc";
+  return content + "\n";
+}
+
 inline std::string vtu_begin(std::size_t number_of_cells)
 {
   return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\" "
@@ -289,6 +325,77 @@ inline std::vector<Mesh_file> all_scalar_files()
     {"npy", ".npy", npy("<f8")}, {"swapped_npy", ".npy", npy(">f4")}, {"text", ".txt", text}, {"csv", ".csv", csv}};
 }
 
+// Blocks that zlib has compressed, of so many bytes but for the last one, behind their sizes. The header is a code of its
+// own in base64.
+inline std::string compressed_block(const std::string& bytes, std::size_t size, bool is_base64)
+{
+  std::vector<double> header = {0, static_cast<double>(size), static_cast<double>(bytes.size() % size)};
+  std::string blocks;
+  for(std::size_t begin = 0; begin < bytes.size(); begin += size)
+  {
+    const std::string part = bytes.substr(begin, size);
+    uLongf length = compressBound(static_cast<uLong>(part.size()));
+    std::string block(length, '\0');
+    compress(reinterpret_cast<Bytef*>(&block[0]), &length, reinterpret_cast<const Bytef*>(part.data()),
+             static_cast<uLong>(part.size()));
+    blocks += block.substr(0, length);
+    ++header[0];
+    header.push_back(static_cast<double>(length));
+  }
+  std::string header_bytes;
+  append<std::uint64_t>(header_bytes, header);
+  return is_base64 ? base64_code(header_bytes) + base64_code(blocks) : header_bytes + blocks;
+}
+
+template <class Number>
+std::string bytes_of(const Rows& rows)
+{
+  std::string bytes;
+  for(const auto& row : rows)
+    append<Number>(bytes, row);
+  return bytes;
+}
+
+// Polygonal data, of which two triangles are a strip: inside in base64 code, or appended, raw or in base64 code.
+inline std::string compressed_vtp(bool is_appended, bool is_base64)
+{
+  std::string content =
+    "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+    "compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n<Piece NumberOfPoints=\"6\" NumberOfVerts=\"1\" "
+    "NumberOfLines=\"1\" NumberOfStrips=\"1\" NumberOfPolys=\"6\">\n";
+  std::string appended;
+  const auto add_array = [&](const std::string& name, const std::string& type, const std::string& bytes) {
+    const std::string block = compressed_block(bytes, 64, is_base64), offset = std::to_string(appended.size());
+    content += vtu_array(name, type,
+                         is_appended ? "format=\"appended\" offset=\"" + offset + "\"/>\n"
+                                     : "format=\"binary\">\n" + block + "\n</DataArray>\n");
+    appended += block;
+  };
+  const auto add_cells = [&](const std::string& section, const Rows& cells, const std::vector<double>& ends) {
+    content += "<" + section + ">\n";
+    add_array("connectivity", "Int64", bytes_of<std::int64_t>(cells));
+    add_array("offsets", "Int64", bytes_of<std::int64_t>({ends}));
+    content += "</" + section + ">\n";
+  };
+  content += "<PointData>\n";
+  add_array("mass &lt; 1", "Float64", bytes_of<double>({{1, 2, 3, 4, 5, 6}}));
+  content += "</PointData>\n<Points>\n";
+  add_array("Points", "Float32", bytes_of<float>(points()));
+  content += "</Points>\n";
+  Rows polygons = triangles();
+  polygons.erase(polygons.begin(), polygons.begin() + 2);
+  add_cells("Verts", {{4}}, {1});
+  add_cells("Lines", {{1, 0, 2}}, {3});
+  add_cells("Strips", {{1, 0, 2, 3}}, {4});
+  add_cells("Polys", polygons, {3, 6, 9, 12, 15, 18});
+  content += "</Piece>\n</PolyData>\n";
+  return content
+       + (is_appended ? "<AppendedData encoding=\"" + std::string(is_base64 ? "base64" : "raw") + "\">\n_" + appended
+                          + "\n</AppendedData>\n"
+                      : "")
+       + "</VTKFile>\n";
+}
+
 inline std::vector<Mesh_file> all_mesh_files()
 {
   const std::string off = "OFF\n# an octahedron\n6 8 12\n\n" + lines(points(), "", "") + lines(triangles(), "3 ", "");
@@ -325,6 +432,11 @@ inline std::vector<Mesh_file> all_mesh_files()
           {"vtk", ".vtk", vtk(triangles(), "5")},
           {"vtk_tetrahedra", ".vtk", vtk(tetrahedra(), "10")},
           {"vtk_5", ".vtk", vtk_5()},
+          {"binary_vtk", ".vtk", binary_vtk(false)},
+          {"binary_vtk_5", ".vtk", binary_vtk(true)},
+          {"compressed_vtp", ".vtp", compressed_vtp(false, true)},
+          {"appended_compressed_vtp", ".vtp", compressed_vtp(true, false)},
+          {"appended_base64_compressed_vtp", ".vtp", compressed_vtp(true, true)},
           {"ascii_vtu", ".vtu", ascii_vtu()},
           {"base64_vtu", ".vtu", binary_vtu(false)},
           {"appended_vtu", ".vtu", binary_vtu(true)}};

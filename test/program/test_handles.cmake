@@ -70,7 +70,7 @@ expect_success(handles same.off --remove-below 1e-9 --output again.off)
 expect_same_file(same.off again.off)
 expect_error("go with --output" handles surface.off --remove 1)
 expect_error("goes with --remove" handles surface.off --output clean.off)
-expect_error("ends in .off or .ply" handles surface.off --remove 1 --output clean.vtp)
+expect_error("ends in .off, .ply, .obj, .stl, or .vtp" handles surface.off --remove 1 --output clean.txt)
 expect_error("negative" handles surface.off --remove-below -1 --output clean.off)
 
 # a triangle, which has a hole

@@ -51,3 +51,13 @@ expect_json(7 vertices ARGUMENTS polygons.off --field x --triangulate)
 expect_json(1 euler_characteristic ARGUMENTS polygons.off --field x --triangulate)
 expect_success(compute mesh.off --field z --triangulate --graph triangulated.graphml)
 expect_same_file(triangulated.graphml off.graphml)
+
+# points extremely far from the origin, or close to it, are no end of the program
+foreach(scale 1e232 1e-232 1e300 1e-300)
+  file(WRITE ${FOLDER}/scale.off "OFF\n5 2 0\n0 0 0\n${scale} 0 ${scale}\n${scale} ${scale} 0\n0 ${scale} 0\n1 1 5\n4 0 1 2 3\n"
+       "4 0 4 2 1\n")
+  run(compute scale.off --field z --triangulate)
+  expect_match("${exit_code}" "^[01]$")
+  file(WRITE ${FOLDER}/scale.off "OFF\n4 1 0\n0 0 0\n${scale} 0 ${scale}\n${scale} ${scale} 0\n0 ${scale} 0\n4 0 1 2 3\n")
+  expect_json(2 faces ARGUMENTS scale.off --field z --triangulate)
+endforeach()

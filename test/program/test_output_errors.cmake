@@ -26,11 +26,11 @@ expect_error("" demo --out file/folder)
 
 # Each output there is: its command, the options without which there is none, its option, and its endings.
 set(outputs
-    "compute|--graph|.graphml .dot .svg .vtp .obj .polylines.txt .json" "compute|--mesh-out|.ply .vtp"
+    "compute|--graph|.graphml .dot .svg .vtp .obj .polylines.txt .json" "compute|--mesh-out|.ply .vtp .off .obj .stl"
     "compute|--vertex-arcs|.txt" "compute|--pairs|.csv .pers" "compute|--diagram|.svg"
-    "compute --leaves 2|--simplified-scalars|.txt" "contour --level 0.1|--output|.polylines.txt"
-    "curves --type pants|--curves|.polylines.txt" "curves --type pants|--cut-mesh|.off .ply"
-    "curves --type pants|--patches|.txt" "curves --type pants|--mesh-out|.ply .vtp" "field|--output|.txt")
+    "compute --leaves 2|--simplified-scalars|.txt" "contour --level 0.1|--output|.polylines.txt .csv"
+    "curves --type pants|--curves|.polylines.txt .csv" "curves --type pants|--cut-mesh|.off .ply .obj .stl .vtp"
+    "curves --type pants|--patches|.txt" "curves --type pants|--mesh-out|.ply .vtp .off .obj .stl" "field|--output|.txt")
 
 run(compute missing.off --field z --html page.html)
 if(NOT error MATCHES "without the page")
@@ -125,7 +125,7 @@ function(expect_replaced_input)
   endforeach()
 endfunction()
 
-foreach(ending .graphml .dot .svg .vtp .obj .polylines.txt .json .ply .txt .csv .pers .off .html)
+foreach(ending .graphml .dot .svg .vtp .obj .polylines.txt .json .ply .txt .csv .pers .off .stl .html)
   file(WRITE ${FOLDER}/mesh${ending} "from before")
   file(CREATE_LINK ${FOLDER}/mesh${ending} ${FOLDER}/hard_link${ending})
   file(CREATE_LINK mesh${ending} ${FOLDER}/symbolic_link${ending} SYMBOLIC)

@@ -1,0 +1,82 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_INPUT_FINDINGS_H
+#define CGAL_REEB_GRAPH_SRC_INPUT_FINDINGS_H
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reeb_graph_program {
+// Points of border edges that may be meant to be one.
+struct Close_points
+{
+  std::size_t coinciding = 0;  // with another one
+  std::size_t close = 0;       // to another one elsewhere
+  double largest_distance = 0; // that counts as close: a millionth of the diagonal of the box of all points
+  double needed_distance = 0;  // at which repair joins these, a power of ten; 0 if all coincide
+
+  bool is_any() const { return coinciding + close > 0; }
+};
+
+// What was seen when a mesh was read. Faces with a repeated corner, and those that repeat an earlier one in the same
+// orientation, are left out.
+struct Input_findings
+{
+  std::size_t faces = 0;                     // of the file
+  std::vector<std::size_t> degenerate_faces; // those with a repeated corner, by their numbers in the file
+  std::size_t repeated_faces = 0;
+  std::optional<std::size_t> first_repeated_face;
+  Close_points points;
+
+  std::size_t kept_faces() const { return faces - degenerate_faces.size() - repeated_faces; }
+};
+
+// The command that merges the points, empty if there are none.
+std::string suggested_repair(const Close_points& points);
+
+// How much a field of the vertices differs at points that have been merged.
+struct Merged_field
+{
+  std::string name;
+  std::size_t differing_points = 0;
+  double largest_difference = 0;
+};
+
+// What a file of faces has. Components, borders and fans are those of a complex: the faces of an edge are joined, however
+// many they are.
+struct Soup_counts
+{
+  std::size_t vertices = 0, edges = 0, faces = 0;
+  std::size_t components = 0; // isolated vertices included
+  std::size_t border_edges = 0;
+  std::size_t border_loops = 0; // components of the border edges
+  std::size_t edges_of_many_faces = 0, vertices_of_several_fans = 0;
+  std::size_t edges_without_orientation = 0; // of two faces that run along it in the same direction
+
+  long euler_characteristic() const { return static_cast<long>(vertices + faces) - static_cast<long>(edges); }
+  bool is_surface() const { return edges_of_many_faces + vertices_of_several_fans + edges_without_orientation == 0; }
+};
+
+// What a repair has done.
+struct Repair_counts
+{
+  std::size_t merged_points = 0;
+  std::size_t collapsed_faces = 0; // that a merged point is at two corners of
+  std::size_t faces_repeated_by_merging = 0;
+  std::size_t reversed_faces = 0;
+  std::size_t added_points = 0;      // by splitting
+  std::size_t other_faces = 0;       // than of the largest component
+  Soup_counts given, merged, result; // given: but for the faces that are left out
+};
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_INPUT_FINDINGS_H

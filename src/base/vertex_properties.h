@@ -1,0 +1,57 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_VERTEX_PROPERTIES_H
+#define CGAL_REEB_GRAPH_SRC_VERTEX_PROPERTIES_H
+
+#include "base/surface.h"
+
+#include <CGAL/version.h>
+
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace reeb_graph_program {
+template <class Number>
+std::optional<Vertex_property<Number>> find_vertex_property(const Surface& surface, const std::string& name)
+{
+  const auto found = surface.property_map<Surface::Vertex_index, Number>(name);
+#if CGAL_VERSION_NR >= 1060000000
+  return found;
+#else
+  return found.second ? std::make_optional(found.first) : std::nullopt;
+#endif
+}
+
+template <class Visit, class... Number>
+void visit_vertex_property(const Surface& surface,
+                           const std::string& name,
+                           const Visit& visit,
+                           const std::variant<Vertex_property<Number>...>*)
+{
+  const auto visit_if_found = [&](const auto& map) {
+    if(map)
+      visit(name.substr(2), *map);
+  };
+  (visit_if_found(find_vertex_property<Number>(surface, name)), ...);
+}
+
+// Calls visit(name, map) for the properties of numbers that a surface has: those that files have besides the points, whose
+// names begin with v: in the surface.
+template <class Visit>
+void visit_vertex_properties(const Surface& surface, const Visit& visit)
+{
+  for(const std::string& name : surface.properties<Surface::Vertex_index>())
+    if(name.compare(0, 2, "v:") == 0)
+      visit_vertex_property(surface, name, visit, static_cast<const Any_vertex_property*>(nullptr));
+}
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_VERTEX_PROPERTIES_H

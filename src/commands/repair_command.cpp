@@ -1,0 +1,128 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "base/stopwatch.h"
+#include "base/vertex_properties.h"
+#include "commands/commands.h"
+#include "input/close_points.h"
+#include "input/input_error.h"
+#include "input/mesh_formats.h"
+#include "input/mesh_input.h"
+#include "input/repair_soup.h"
+#include "output/mesh_output.h"
+#include "output/output_file.h"
+#include "output/report_output.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace reeb_graph_program {
+namespace {
+bool has_room_for_fields(const std::filesystem::path& path)
+{
+  return path.extension() == ".ply" || path.extension() == ".vtp";
+}
+
+// How much a field of the given vertices differs where they have become one.
+template <class Map>
+Merged_field compare(const std::string& name, const Map& field, const Repair_result& result)
+{
+  Merged_field merged;
+  merged.name = name;
+  for(std::size_t v = 0; v < result.new_vertices.size(); ++v)
+  {
+    if(result.new_vertices[v] == no_vertex)
+      continue;
+    const auto value = static_cast<double>(field[Surface::Vertex_index(static_cast<Surface::size_type>(v))]);
+    const std::size_t kept = result.old_vertices[result.new_vertices[v]];
+    const auto kept_value = static_cast<double>(field[Surface::Vertex_index(static_cast<Surface::size_type>(kept))]);
+    if(value == kept_value || (std::isnan(value) && std::isnan(kept_value)))
+      continue;
+    ++merged.differing_points;
+    merged.largest_difference = std::max(merged.largest_difference, std::abs(value - kept_value));
+  }
+  return merged;
+}
+
+// Gives the repaired surface the numbers that the file has for its vertices, if there is room for them.
+void add_fields(const Repair_command_options& options,
+                const Repair_result& result,
+                Surface& surface,
+                Repair_report& report)
+{
+  Surface given;
+  for(std::size_t i = 0; i < result.new_vertices.size(); ++i)
+    given.add_vertex(Point(0, 0, 0));
+  read_vertex_properties(options.mesh_path, given);
+  visit_vertex_properties(given, [&](const std::string& name, const auto& field) {
+    if(!has_room_for_fields(options.output_path))
+      return report.lost_fields.push_back(name);
+    typedef typename std::decay_t<decltype(field)>::value_type Number;
+    const auto map = surface.add_property_map<Surface::Vertex_index, Number>("v:" + name).first;
+    for(const Surface::Vertex_index v : surface.vertices())
+      map[v] = field[Surface::Vertex_index(static_cast<Surface::size_type>(result.old_vertices[v]))];
+    report.fields.push_back(compare(name, field, result));
+  });
+}
+
+void write_map(std::ostream& stream, const std::vector<std::size_t>& new_vertices)
+{
+  for(const std::size_t v : new_vertices)
+    if(v == no_vertex)
+      stream << "-1\n";
+    else
+      stream << v << '\n';
+}
+
+} // namespace
+
+void run_repair(const Repair_command_options& options)
+{
+  check_mesh_format(options.output_path);
+  const std::vector<std::filesystem::path> outputs = {options.output_path, options.map_path};
+  check_outputs(outputs, {options.mesh_path});
+  Repair_report report;
+  const Stopwatch stopwatch;
+  Input_findings findings;
+  Polygon_soup soup = read_checked_soup(options.mesh_path, true, "", findings);
+  if(!soup.tetrahedra.empty())
+    throw Input_error(options.mesh_path, "repair is for faces, and the mesh has tetrahedra");
+  leave_out_repeated_faces(soup.polygons, findings);
+  if(options.are_faces_triangulated)
+    triangulate_faces(soup, options.mesh_path);
+  findings.points = count_close_points(soup.points, border_points(soup.polygons));
+  report.input = findings;
+  report.notes = soup.notes;
+  report.lines_left_out = soup.edges.size();
+  report.add_seconds("read", stopwatch.seconds());
+  const Stopwatch repair_stopwatch;
+  const Repair_result result = repair_soup(soup, options.repair);
+  report.counts = result.counts;
+  Surface surface = unconnected_surface(soup.points, soup.polygons);
+  add_fields(options, result, surface, report);
+  report.add_seconds("repair", repair_stopwatch.seconds());
+  const Stopwatch output_stopwatch;
+  Output_group files;
+  write_surface(options.output_path, surface);
+  if(!options.map_path.empty())
+    write_file(options.map_path, [&](std::ostream& stream) { write_map(stream, result.new_vertices); });
+  files.put_in_place();
+  report.add_seconds("output", output_stopwatch.seconds());
+  if(options.is_report_json)
+    write_json(report_stream(outputs), report);
+  else
+    write_text(report_stream(outputs), report);
+}
+
+} // namespace reeb_graph_program

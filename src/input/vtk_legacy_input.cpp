@@ -1,0 +1,313 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "input/refused_formats.h"
+#include "input/text_input.h"
+#include "input/vtk_cells.h"
+#include "input/vtk_input.h"
+#include "input/vtk_numbers.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace reeb_graph_program {
+namespace {
+// Reads the sections of a file one after the other. In text, their numbers may be on any line. In a binary file, the
+// highest byte of a number is the first one.
+class Vtk_legacy_reader
+{
+public:
+  Vtk_legacy_reader(const std::string& path, std::string_view text, const Vtk_field_choice& choice)
+    : path_(path),
+      choice_(choice),
+      input_(path, text),
+      most_numbers_(8 * text.size() + 8)
+  {}
+
+  Polygon_soup read()
+  {
+    read_header();
+    for(std::string section = next_keyword(); !section.empty(); section = next_keyword())
+      read_section(section);
+    add_vtk_cells(path_, cells_, 0, soup_);
+    return std::move(soup_);
+  }
+
+private:
+  std::string next_word() { return std::string(input_.word_of_file()); }
+
+  std::string next_keyword()
+  {
+    std::string word = next_word();
+    std::transform(word.begin(), word.end(), word.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return word;
+  }
+
+  template <class Number = std::size_t>
+  Number next_number()
+  {
+    return input_.number<Number>(input_.word_of_file());
+  }
+
+  // The product of numbers that the file says, if so many numbers can be in it.
+  std::size_t product(std::size_t a, std::size_t b) const
+  {
+    if(a != 0 && b > most_numbers_ / a)
+      input_.fail("there are more numbers to be read than the file can have");
+    return a * b;
+  }
+
+  // So many numbers of a type of the file.
+  template <class Number>
+  std::vector<Number> read_numbers(const std::string& type, std::size_t size)
+  {
+    product(1, size);
+    std::vector<Number> numbers;
+    if(type == "string" || type == "utf8_string")
+      skip_strings(size);
+    else if(!is_binary_)
+      for(; size > 0; --size)
+        numbers.push_back(next_number<Number>());
+    else if(type == "bit")
+      input_.take_bytes((size + 7) / 8);
+    else if(!call_with_vtk_type(vtk_type_of_legacy_name(type), [&](auto number) {
+              numbers = decode_vtk_numbers<Number, decltype(number)>(input_.take_bytes(size * sizeof number),
+                                                                     !is_machine_big_endian());
+            }))
+      input_.fail(quote(type) + " is no type of numbers that is read");
+    return numbers;
+  }
+
+  // Strings are lines, or have their sizes in front: the first two bits say how many bytes the size has.
+  void skip_strings(std::size_t number)
+  {
+    for(input_.finish_line(); number > 0; --number)
+    {
+      if(!is_binary_)
+      {
+        if(!input_.next_line())
+          input_.fail("the file ends too early");
+        input_.finish_line();
+        continue;
+      }
+      const auto first = static_cast<unsigned char>(input_.take_bytes(1).front());
+      std::size_t size = first & 63U;
+      for(unsigned more = (1U << (3U - first / 64U)) - 1; more > 0; --more)
+        size = size << 8U | static_cast<unsigned char>(input_.take_bytes(1).front());
+      input_.take_bytes(size);
+    }
+  }
+
+  void read_header()
+  {
+    constexpr std::string_view begin = "# vtk DataFile Version";
+    if(!input_.next_line() || input_.line().substr(0, begin.size()) != begin)
+      input_.fail("the file does not begin as a VTK file");
+    input_.next_line(); // the title
+    input_.finish_line();
+    const std::string coding = next_keyword();
+    is_binary_ = coding == "BINARY";
+    if(!is_binary_ && coding != "ASCII")
+      input_.fail("'ASCII' or 'BINARY' is missing");
+    if(next_keyword() != "DATASET")
+      input_.fail("'DATASET' is missing");
+    const std::string type = next_keyword();
+    if(type != "UNSTRUCTURED_GRID" && type != "POLYDATA")
+      input_.fail(refused_vtk_type(type));
+  }
+
+  void read_section(const std::string& section)
+  {
+    if(section == "POINTS")
+      read_points();
+    else if(section == "CELLS")
+      read_cells();
+    else if(section == "CELL_TYPES")
+    {
+      const std::vector<std::size_t> types = read_numbers<std::size_t>("int", next_number());
+      check_vtk_types(path_, types);
+      cells_.types.insert(cells_.types.end(), types.begin(), types.end());
+    }
+    else if(section == "VERTICES" || section == "LINES" || section == "POLYGONS" || section == "TRIANGLE_STRIPS")
+    {
+      read_cells();
+      cells_.types.resize(cells_.vertices.size(), section == "VERTICES"   ? vtk_vertices
+                                                  : section == "LINES"    ? vtk_lines
+                                                  : section == "POLYGONS" ? vtk_polygons
+                                                                          : vtk_strips);
+    }
+    else if(section == "POINT_DATA" || section == "CELL_DATA")
+    {
+      is_point_data_ = section == "POINT_DATA";
+      is_cell_data_ = !is_point_data_;
+      number_of_entries_ = next_number();
+    }
+    else if(section == "METADATA")
+      skip_to_blank_line();
+    else
+      read_attribute(section);
+  }
+
+  void read_points()
+  {
+    const std::size_t size = next_number();
+    const std::string type = next_word();
+    const std::vector<double> numbers = read_numbers<double>(type, product(3, size));
+    soup_.points.reserve(size);
+    for(std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+      soup_.points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  }
+
+  // Cells with their sizes before them or, from version 5 on, where each begins and ends, and then all vertices.
+  void read_cells()
+  {
+    const std::size_t size = next_number(), number = next_number();
+    if(input_.is_next("OFFSETS"))
+      return read_cells_with_offsets(size, number);
+    const std::vector<std::size_t> numbers = read_numbers<std::size_t>("int", is_binary_ ? number : 0);
+    std::size_t sum = 0;
+    const auto next = [&] {
+      if(is_binary_ && sum == numbers.size())
+        input_.fail("the cells have more numbers than the " + std::to_string(number) + " it is said");
+      return is_binary_ ? numbers[sum++] : (++sum, next_number());
+    };
+    for(std::size_t i = 0; i < size; ++i)
+    {
+      for(std::size_t corners = next(); corners > 0; --corners)
+        cells_.vertices.add_corner(next());
+      cells_.vertices.end_polygon();
+    }
+    if(sum != number)
+      input_.fail("the cells have " + std::to_string(sum) + " numbers instead of " + std::to_string(number));
+  }
+
+  void read_cells_with_offsets(std::size_t size, std::size_t number)
+  {
+    next_word(); // OFFSETS
+    const std::string type_of_offsets = next_word();
+    std::vector<std::size_t> offsets = read_numbers<std::size_t>(type_of_offsets, size);
+    if(next_keyword() != "CONNECTIVITY")
+      input_.fail("'CONNECTIVITY' is missing");
+    const std::string type_of_corners = next_word();
+    const std::vector<std::size_t> corners = read_numbers<std::size_t>(type_of_corners, number);
+    if((offsets.empty() ? 0 : offsets.back()) != corners.size() || (!offsets.empty() && offsets.front() != 0))
+      input_.fail("the cells have another number of vertices than it is said");
+    if(!offsets.empty())
+      offsets.erase(offsets.begin());
+    add_vtk_vertices(path_, offsets, corners, cells_.vertices);
+  }
+
+  void read_attribute(const std::string& kind)
+  {
+    const std::string name = next_word();
+    if(kind == "FIELD")
+      return read_field_arrays(next_number());
+    if(kind == "LOOKUP_TABLE")
+      return read_array("", is_binary_ ? "unsigned_char" : "float", 4, next_number());
+    if(kind == "COLOR_SCALARS")
+      return read_array("", is_binary_ ? "unsigned_char" : "float", next_number(), number_of_entries_);
+    if(kind == "SCALARS")
+      return read_scalars(name);
+    const std::size_t components = kind == "VECTORS" || kind == "NORMALS"                                 ? 3
+                                 : kind == "TENSORS"                                                      ? 9
+                                 : kind == "TENSORS6"                                                     ? 6
+                                 : kind == "GLOBAL_IDS" || kind == "PEDIGREE_IDS" || kind == "EDGE_FLAGS" ? 1
+                                 : kind == "TEXTURE_COORDINATES" ? next_number()
+                                                                 : 0;
+    if(components == 0)
+      input_.fail(quote(kind) + " is no section that is read");
+    const std::string type = next_word();
+    read_array(name, type, components, number_of_entries_);
+  }
+
+  // The number of components may be left out, and a line for the lookup table as well.
+  void read_scalars(const std::string& name)
+  {
+    const std::string type = next_word();
+    const std::string_view components = input_.word_of_line();
+    const std::size_t number = components.empty() ? 1 : input_.number<std::size_t>(components);
+    if(input_.is_next("LOOKUP_TABLE"))
+    {
+      next_word();
+      next_word();
+    }
+    read_array(name, type, number, number_of_entries_);
+  }
+
+  void read_field_arrays(std::size_t number_of_arrays)
+  {
+    for(; number_of_arrays > 0; --number_of_arrays)
+    {
+      std::string name = next_word();
+      if(name == "METADATA")
+      {
+        skip_to_blank_line();
+        name = next_word();
+      }
+      const std::size_t components = next_number(), tuples = next_number();
+      const std::string type = next_word();
+      read_array(name, type, components, tuples);
+    }
+  }
+
+  void read_array(const std::string& name, const std::string& type, std::size_t components, std::size_t tuples)
+  {
+    std::vector<double> numbers = read_numbers<double>(type, product(components, tuples));
+    if(!name.empty() && (is_point_data_ || is_cell_data_))
+      choice_.names->add(is_cell_data_, decode_name(name), components);
+    if(is_point_data_ && components == 1 && numbers.size() == tuples)
+      choice_.add({decode_name(name), vtk_type_of_legacy_name(type), std::move(numbers)}, soup_);
+  }
+
+  // What is no letter, digit, or the like stands in names as its code.
+  static std::string decode_name(const std::string& name)
+  {
+    std::string decoded;
+    for(std::size_t i = 0; i < name.size(); ++i)
+    {
+      unsigned code = 0;
+      const bool is_code = name[i] == '%' && i + 2 < name.size()
+                        && std::from_chars(&name[i + 1], &name[i + 1] + 2, code, 16).ptr == &name[i + 1] + 2;
+      decoded += is_code ? static_cast<char>(code) : name[i];
+      i += is_code ? 2 : 0;
+    }
+    return decoded;
+  }
+
+  void skip_to_blank_line()
+  {
+    while(input_.next_line() && !input_.next_word_of_line().empty())
+      continue;
+    input_.finish_line();
+  }
+
+  std::string path_;
+  Vtk_field_choice choice_;
+  Text_input input_;
+  std::size_t most_numbers_; // that the file can have
+  Polygon_soup soup_;
+  Vtk_cells cells_;
+  bool is_binary_ = false, is_point_data_ = false, is_cell_data_ = false;
+  std::size_t number_of_entries_ = 0;
+};
+
+} // namespace
+
+Polygon_soup read_vtk_legacy(const std::string& path, std::string_view text, const Vtk_field_choice& choice)
+{
+  return Vtk_legacy_reader(path, text, choice).read();
+}
+
+} // namespace reeb_graph_program
