@@ -12,6 +12,8 @@ make_borders_level  changes scalars so that each border is a level
 cutting_system      cuts a surface to genus 0
 pants               cuts a surface into pieces with three borders each
 branches            cuts branches off a surface
+cut_along_levels    cuts a surface where the scalars have given values
+cut_to_disks        cuts a surface to disks, to flatten it
 mesh_arrays         takes the arrays of a mesh of trimesh, PyVista, or meshio
 
 Examples
@@ -37,12 +39,12 @@ except ImportError as error:
 from ._arrays import Mesh, mesh_arrays
 from ._errors import MeshError, NumberError, StoppedError
 from ._functions import Cut, branches, cutting_system, geodesic, harmonic, height, make_borders_level, pants, poisson
-from ._functions import unit_gradient
+from ._functions import cut_along_levels, cut_to_disks, unit_gradient
 from ._graph import ReebGraph, compute
 from ._results import Contour, CriticalSet, Embedding
 
 __version__ = _core.__version__
 # Without `Contour`, whose 2,000 inherited lines would be most of what `help(reeb_graph)` shows.
 __all__ = ["CriticalSet", "Cut", "Embedding", "Mesh", "MeshError", "NumberError", "ReebGraph", "StoppedError"]
-__all__ += ["branches", "compute", "cutting_system", "geodesic", "harmonic", "height", "make_borders_level"]
-__all__ += ["mesh_arrays", "pants", "poisson", "unit_gradient"]
+__all__ += ["branches", "compute", "cut_along_levels", "cut_to_disks", "cutting_system", "geodesic", "harmonic"]
+__all__ += ["height", "make_borders_level", "mesh_arrays", "pants", "poisson", "unit_gradient"]

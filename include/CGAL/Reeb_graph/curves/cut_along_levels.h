@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
+#include <CGAL/Reeb_graph/curves/Level_cut_report.h>
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/curves/internal/Level_cutting.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
@@ -30,19 +31,6 @@
 #include <vector>
 
 namespace CGAL::Reeb_graph {
-
-/// \ingroup PkgReebGraphCurves
-///
-/// \brief what `cut_along_levels()` has done to a mesh.
-struct Level_cut_report
-{
-  std::size_t number_of_levels = 0;         ///< the number of different levels
-  std::size_t number_of_added_vertices = 0; ///< the number of points at which edges have been split
-  std::size_t number_of_added_faces = 0;    ///< the number of faces that are there more than before
-  /// the number of faces at added vertices that are slivers: the height on the longest edge is less than a hundredth of
-  /// this edge. Some may have no area, where the point of a level is rounded to a vertex.
-  std::size_t number_of_slivers = 0;
-};
 
 namespace internal {
 
@@ -182,8 +170,8 @@ Level_cut_report cut_along_sorted_levels(Mesh& mesh,
 /// piece of its own. As for the contours of a value, the level lies above these vertices, so that such faces are in the
 /// band below.
 ///
-/// With `cut_open`, the mesh is cut along all these edges but those of the border, and but edges that are a curve by
-/// themselves and end at no other one and at no border: the two sides of such an edge would have the same ends.
+/// With `cut_open`, the mesh is cut along all these edges but those of the border. Shut stays an edge that is a curve by
+/// itself, and ends at no other one and at no border: the two sides of it would have the same ends.
 ///
 /// Handles of the mesh stay valid: an edge that is split keeps its upper part, a face that is split one of its parts.
 /// With \f$ n \f$ vertices and faces, \f$ k \f$ levels, and \f$ l \f$ added faces it takes \f$ O(n \log k + l) \f$ time.

@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
@@ -19,6 +18,9 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
@@ -59,11 +61,16 @@ public:
   Curve_opening(Mesh& mesh, const VertexPointMap& vertex_point_map, Visitor& visitor)
     : mesh_(mesh),
       vertex_point_map_(vertex_point_map),
-      visitor_(visitor),
-      number_of_edges_(get(dynamic_vertex_property_t<std::size_t>(), mesh)),
-      has_fan_(get(dynamic_vertex_property_t<bool>(), mesh)),
-      is_fan_done_(get(dynamic_halfedge_property_t<bool>(), mesh))
+      visitor_(visitor)
   {}
+
+  // Can be called once.
+  void operator()(Curve<halfedge_descriptor>& curve)
+  {
+    Curves curves = {std::move(curve)};
+    (*this)(curves);
+    curve = std::move(curves.front());
+  }
 
   void operator()(Curves& curves)
   {
@@ -75,43 +82,28 @@ public:
         add_edges(curve);
     }
     first_added_.push_back(added_.size());
-    for_each_border([&](halfedge_descriptor h) { link(h); });
-    for_each_border([&](halfedge_descriptor h) {
-      for(const halfedge_descriptor g : {h, prev(h, mesh_)})
-      {
-        put(has_fan_, target(g, mesh_), false);
-        put(is_fan_done_, g, false);
-      }
-    });
+    for(const auto* borders : {&kept_, &added_})
+      for(const halfedge_descriptor h : *borders)
+        link(h);
     part_fans(kept_, 0, kept_.size());
     for(std::size_t i = 0; i != curves.size(); ++i)
       part_fans(added_, first_added_[i], first_added_[i + 1]);
   }
 
 private:
-  // Calls visit(halfedge) for the halfedges that become border.
-  template <class Visit>
-  void for_each_border(const Visit& visit) const
-  {
-    for(const auto* borders : {&kept_, &added_})
-      for(const halfedge_descriptor h : *borders)
-        visit(h);
-  }
-
   // Counts the edges of curves at each of their vertices.
   void count_edges(const Curves& curves)
   {
-    for(const int step : {0, 1})
-      for(const auto& curve : curves)
-        for(const halfedge_descriptor h : curve.halfedges)
-          for(const vertex_descriptor v : {source(h, mesh_), target(h, mesh_)})
-            put(number_of_edges_, v, step == 0 ? 0 : get(number_of_edges_, v) + 1);
+    for(const auto& curve : curves)
+      for(const halfedge_descriptor h : curve.halfedges)
+        for(const vertex_descriptor v : {source(h, mesh_), target(h, mesh_)})
+          ++number_of_edges_[v];
   }
 
   bool is_alone(const Curve<halfedge_descriptor>& curve) const
   {
     const halfedge_descriptor h = curve.halfedges.front();
-    const auto is_end = [&](vertex_descriptor v) { return get(number_of_edges_, v) == 1 && !is_border(v, mesh_); };
+    const auto is_end = [&](vertex_descriptor v) { return number_of_edges_.at(v) == 1 && !is_border(v, mesh_); };
     return curve.halfedges.size() == 1 && is_end(source(h, mesh_)) && is_end(target(h, mesh_));
   }
 
@@ -163,13 +155,11 @@ private:
   // The fan is the one that the border enters: the first one keeps the vertex.
   void part_fan(halfedge_descriptor border)
   {
-    if(get(is_fan_done_, border))
+    if(!done_fans_.insert(border).second)
       return;
-    put(is_fan_done_, border, true);
     const vertex_descriptor old = target(border, mesh_);
-    if(!get(has_fan_, old))
+    if(kept_vertices_.insert(old).second)
     {
-      put(has_fan_, old, true);
       set_halfedge(old, border, mesh_);
       return;
     }
@@ -189,9 +179,9 @@ private:
   Mesh& mesh_;
   const VertexPointMap& vertex_point_map_;
   Visitor& visitor_;
-  typename boost::property_map<Mesh, dynamic_vertex_property_t<std::size_t>>::type number_of_edges_;
-  typename boost::property_map<Mesh, dynamic_vertex_property_t<bool>>::type has_fan_;       // that keeps the vertex
-  typename boost::property_map<Mesh, dynamic_halfedge_property_t<bool>>::type is_fan_done_; // of the border that enters
+  std::unordered_map<vertex_descriptor, std::size_t> number_of_edges_; // of curves
+  std::unordered_set<vertex_descriptor> kept_vertices_;                // by a fan
+  std::unordered_set<halfedge_descriptor> done_fans_;                  // by the border that enters the fan
   std::vector<halfedge_descriptor> kept_, added_; // border halfedges on the left and on the right of the curves
   std::vector<std::size_t> first_added_;          // positions in `added_`, by curve, and one more
 };
