@@ -18,11 +18,9 @@
 #include <CGAL/Reeb_graph/curves/internal/trace_edges.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/complex/flatten.h>
-#include <CGAL/Reeb_graph_traits.h>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 
 #include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,11 +38,9 @@ std::vector<typename boost::graph_traits<Mesh>::edge_descriptor> find_disk_cut(c
                                                                                const VertexPointMap& vertex_point_map,
                                                                                const Stage_progress& progress)
 {
-  typedef Constant_property_map<typename boost::graph_traits<Mesh>::vertex_descriptor, int> No_field;
-  const auto flat =
-    flatten<Sequential_tag>(mesh, No_field(0), Reeb_graph_traits<Mesh, No_field>(), parameters::default_values());
-  const auto& complex = flat.complex;
-  const auto halfedge_of = [&](Edge_index e) { return flat.field.halfedges(mesh, even_halfedge(e)); };
+  const auto flat_mesh = make_flat_mesh(mesh);
+  const auto& complex = flat_mesh->complex;
+  const auto halfedge_of = [&](Edge_index e) { return flat_mesh->numbers.halfedges(mesh, even_halfedge(e)); };
   Indexed_vector<Edge_index, double> lengths(complex.number_of_edges(), 0);
   for(const Edge_index e : lengths.keys())
   {
