@@ -16,9 +16,9 @@
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/curves/internal/Level_cutting.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
+#include <CGAL/Reeb_graph/curves/internal/requirements.h>
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/requirements.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -105,7 +105,7 @@ Level_cut_report cut_along_sorted_levels(Mesh& mesh,
                                          const NamedParameters& np,
                                          const Stage_progress& progress)
 {
-  constexpr bool is_written = Is_field_written<ScalarMap, Traits>::value;
+  constexpr bool is_written = is_field_written<ScalarMap, Traits>;
   const Scalar_conversion<Traits> conversion(traits);
   std::vector<double> numbers;
   for(const auto& level : levels)
