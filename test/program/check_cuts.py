@@ -55,7 +55,7 @@ def check(condition, fault):
 
 def check_levels():
     given, _ = read_off("surface.off")
-    levels = [-0.2, 0.1, 9]
+    levels = [-0.05, 0.1, 9]
     vertices, faces = read_ply("bands.ply")
     pieces = [int(line) for line in (folder / "pieces.txt").read_text().split()]
     cut_points, cut_faces = read_off("cut.off")
@@ -71,7 +71,7 @@ def check_levels():
         check(face["patch"] == piece, "other pieces")
         check(piece_bands.setdefault(piece, face["band"]) == face["band"], "a piece is in two bands")
     curves = json.loads((folder / "curves.json").read_text())["contours"]
-    check({curve["value"] for curve in curves} == {-0.2, 0.1}, "other levels")
+    check({curve["value"] for curve in curves} == {-0.05, 0.1}, "other levels")
     for curve in curves:
         check(all(point[2] == curve["value"] for point in curve["polyline"]), "a point of a curve is not at its level")
         check(curve["closed"] and curve["polyline"][0] == curve["polyline"][-1], "a curve of a closed surface is open")
@@ -86,7 +86,9 @@ def check_disks():
     points, faces = read_off("disks.off")
     originals = [int(line) for line in (folder / "map.txt").read_text().split()]
     check(points == [given[v] for v in originals], "a copy is elsewhere")
-    check([tuple(originals[v] for v in face) for face in faces] == given_faces, "a face has changed")
+    turned = [{face, face[1:] + face[:1], face[2:] + face[:2]} for face in given_faces]
+    check(all(tuple(originals[v] for v in face) in turns for face, turns in zip(faces, turned)), "a face has changed")
+    check(len(faces) == len(given_faces), "there are other faces")
     vertices, _ = read_ply("disks.ply")
     check([v["original"] for v in vertices] == originals, "the property original is another one")
     check("scalar" not in vertices[0], "there is a field")

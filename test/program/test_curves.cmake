@@ -229,7 +229,7 @@ expect_error("border component of vertex 0 does not lie in one level" curves tri
              --type cutting-system --borders level --cut-mesh triangle_cut.off)
 run(curves triangle.off --field z --type cutting-system)
 expect_equal("${exit_code} ${output}" "0 0 curves, 1 patch\n")
-expect_error("[.]off or [.]ply" curves ${tetrahedron} --type branch --cut-mesh cut.obj)
+expect_error("[.]off, [.]ply, or [.]obj" curves ${tetrahedron} --type branch --cut-mesh cut.stl)
 expect_error("[.]polylines[.]txt" curves ${tetrahedron} --type branch --curves curves.txt)
 expect_error("--type" curves ${tetrahedron})
 expect_error("--type" curves ${tetrahedron} --type other)

@@ -2,7 +2,7 @@
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
 configure_file(${genus_3} ${FOLDER}/surface.off COPYONLY)
-expect_success(curves surface.off --field z --type levels --level 0.1 --level -0.2 --level 0.1 --level 9
+expect_success(curves surface.off --field z --type levels --level 0.1 --level -0.05 --level 0.1 --level 9
                --curves curves.json --mesh-out bands.ply --patches pieces.txt --cut-mesh cut.off)
 expect_match("${output}" "^[0-9]+ curves, [0-9]+ patches\n.*the level 9 meets nothing: the field is from .* to .*\n")
 expect_match("${output}" " 3 levels, [0-9]+ triangles added, [0-9]+ slivers?\n")

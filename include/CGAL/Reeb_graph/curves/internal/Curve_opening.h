@@ -123,7 +123,8 @@ private:
       set_next(prev(old, mesh_), inner, mesh_);
       set_next(inner, next(old, mesh_), mesh_);
       set_face(inner, face(old, mesh_), mesh_);
-      set_halfedge(face(old, mesh_), inner, mesh_);
+      if(halfedge(face(old, mesh_), mesh_) == old) // so that faces begin where they did
+        set_halfedge(face(old, mesh_), inner, mesh_);
       set_face(old, Graph_traits::null_face(), mesh_);
       set_face(outer, Graph_traits::null_face(), mesh_);
       curve.lower_halfedges[i] = inner;
