@@ -112,9 +112,29 @@ void add_contour_command(CLI::App& app, Contour_options& options)
     [&options] { run_with_threads(options.choice.graph.number_of_threads, [&options] { run_contour(options); }); });
 }
 
+void add_level_options(CLI::App& command, reeb_graph_program::Level_choice& levels)
+{
+  const auto add_levels = [&levels](const std::vector<std::string>& texts) {
+    for(const std::string& text : texts)
+      levels.values.push_back(parse_real_number("--level", text));
+  };
+  command
+    .add_option_function<std::vector<std::string>>(
+      "--level", add_levels,
+      "For levels: cut where the field has this value; can be given several "
+      "times")
+    ->type_name("FLOAT")
+    ->allow_extra_args(false);
+  add_whole_number(command, "--levels", levels.number,
+                   "For levels: so many values, which cut the range of the field into equal steps", {1});
+  add_real_number(command, "--spacing", levels.spacing,
+                  "For levels: the multiples of this value inside of the range of the field");
+}
+
 void add_curves_command(CLI::App& app, Curves_options& options)
 {
-  CLI::App* command = app.add_subcommand("curves", "Cut a mesh to genus 0, into pairs of pants, or into branches");
+  CLI::App* command = app.add_subcommand(
+    "curves", "Cut a mesh to genus 0, into pairs of pants, into branches, along levels, or to disks");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input,
                    "; by default harmonic-between-borders if the mesh has borders, else harmonic");
@@ -128,11 +148,16 @@ void add_curves_command(CLI::App& app, Curves_options& options)
   const auto set_type = [&options](const std::string& name) {
     options.cut.type = name == "cutting-system" ? Curves_type::CUTTING_SYSTEM
                      : name == "pants"          ? Curves_type::PANTS
-                                                : Curves_type::BRANCH;
+                     : name == "branch"         ? Curves_type::BRANCH
+                     : name == "levels"         ? Curves_type::LEVELS
+                                                : Curves_type::DISKS;
   };
-  command->add_option_function<std::string>("--type", set_type, "Which curves: cutting-system, pants, or branch")
-    ->check(CLI::IsMember({"cutting-system", "pants", "branch"}))
+  command
+    ->add_option_function<std::string>("--type", set_type,
+                                       "Which curves: cutting-system, pants, branch, levels, or disks")
+    ->check(CLI::IsMember({"cutting-system", "pants", "branch", "levels", "disks"}))
     ->required();
+  add_level_options(*command, options.cut.levels);
   add_real_number(*command, "--persistence", options.cut.persistence,
                   "For branch: leave out branches that are less persistent than this");
   add_real_number(*command, "--area", options.cut.area, "For branch: leave out branches of less area than this");
@@ -149,13 +174,20 @@ void add_curves_command(CLI::App& app, Curves_options& options)
                     "Cut even if the cut mesh has more than 50 times as many triangles, as for noise on many handles; "
                     "their number is printed first");
   begin_group(*command, "Output");
-  add_file(*command, "--curves", options.curves_path, "Write the curves to this file, .polylines.txt or .csv");
+  add_file(
+    *command, "--curves", options.curves_path,
+    "Write the curves to this file, .polylines.txt or .csv; for levels also .vtp, .obj, and .json, which have the "
+    "arc, value, and length of each, and whether it is closed");
   add_file(
     *command, "--cut-mesh", options.cut_mesh_path,
     "Write the cut mesh to this file, .off, .ply, .obj, .stl, or .vtp. PLY and VTP have the patch of each face, also "
     "as its color, and keep the fields of the vertices of such a file, or of another one of VTK");
   add_file(*command, "--patches", options.patches_path,
            "Write the number of the patch of each face of the cut mesh to this file, one per line");
+  add_file(
+    *command, "--vertex-map", options.vertex_map_path,
+    "For disks: write the number, from 0, of the vertex of the input that each vertex of the cut mesh is a copy of "
+    "to this file, one per line; PLY has it as property original");
   add_graph_file(*command, options.graph_path);
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_file(*command, "--mesh-out", options.mesh_path,

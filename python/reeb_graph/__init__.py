@@ -13,6 +13,8 @@ cutting_system      cuts a surface to genus 0
 pants               cuts a surface into pieces with three borders each
 branches            cuts branches off a surface
 repair              merges points, orients and splits
+cut_along_levels    cuts a surface where the scalars have given values
+cut_to_disks        cuts a surface to disks, to flatten it
 mesh_arrays         takes the arrays of a mesh of trimesh, PyVista, or meshio
 
 Examples
@@ -38,13 +40,12 @@ except ImportError as error:
 from ._arrays import Mesh, mesh_arrays
 from ._errors import MeshError, NumberError, StoppedError
 from ._functions import Cut, branches, cutting_system, geodesic, harmonic, height, make_borders_level, pants, poisson
-from ._functions import Repaired, repair, unit_gradient
+from ._functions import Repaired, cut_along_levels, cut_to_disks, repair, unit_gradient
 from ._graph import ReebGraph, compute
 from ._results import Contour, CriticalSet, Embedding
 
 __version__ = _core.__version__
 # Without `Contour`, whose 2,000 inherited lines would be most of what `help(reeb_graph)` shows.
 __all__ = ["CriticalSet", "Cut", "Embedding", "Mesh", "MeshError", "NumberError", "ReebGraph", "Repaired"]
-__all__ += ["StoppedError"]
-__all__ += ["branches", "compute", "cutting_system", "geodesic", "harmonic", "height", "make_borders_level"]
-__all__ += ["mesh_arrays", "pants", "poisson", "repair", "unit_gradient"]
+__all__ += ["StoppedError", "branches", "compute", "cut_along_levels", "cut_to_disks", "cutting_system", "geodesic"]
+__all__ += ["harmonic", "height", "make_borders_level", "mesh_arrays", "pants", "poisson", "repair", "unit_gradient"]

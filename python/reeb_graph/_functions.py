@@ -208,6 +208,13 @@ class Cut:
         The field at each point.
     vertex_arrays : dict of arrays
         Those that were handed in, interpolated at points that have been added, in their dtype.
+    bands : (m,) array of int, or None
+        Of levels: how many of them are below the highest corner of each triangle.
+    curve_values, curve_arcs, curve_closed : arrays, one number for each curve, or None
+        Of levels: the value of each curve, the arc of `compute(cut.triangles, cut.scalars)` next to it, on the higher
+        side if there is one, or -1 inside of a plateau, and whether it is closed.
+    original : (n,) array of int, or None
+        Of disks: the point that was handed in of which each one is a copy.
     """
 
     points: np.ndarray
@@ -216,6 +223,11 @@ class Cut:
     curves: list[np.ndarray]
     scalars: np.ndarray
     vertex_arrays: dict[str, np.ndarray] = field(default_factory=dict)
+    bands: np.ndarray | None = None
+    curve_values: np.ndarray | None = None
+    curve_arcs: np.ndarray | None = None
+    curve_closed: np.ndarray | None = None
+    original: np.ndarray | None = None
 
     @property
     def n_patches(self) -> int:
@@ -239,6 +251,16 @@ def _of_columns(columns: list[np.ndarray], like: np.ndarray) -> np.ndarray:
     return (np.rint(table) if like.dtype.kind in "iub" else table).astype(like.dtype)
 
 
+def _take_columns(vertex_arrays: Any, number: int) -> tuple[dict[str, np.ndarray], dict[str, list[np.ndarray]]]:
+    given = {name: np.asarray(array) for name, array in (vertex_arrays or {}).items()}
+    return given, {name: _columns(array, name, number) for name, array in given.items()}
+
+
+def _give_columns(given: dict[str, np.ndarray], columns: dict[str, list[np.ndarray]], of_result: Any) -> dict[str, Any]:
+    rest = iter(of_result)
+    return {name: _of_columns([next(rest) for _ in columns[name]], array) for name, array in given.items()}
+
+
 def _cut(
     kind: Any, triangles: Any, scalars: Any, points: Any, vertex_arrays: Any, borders: str, cut_open: bool,
     max_triangles: int | None, threads: int | None, progress: Progress, *, persistence: Any = None, area: Any = None,
@@ -254,12 +276,10 @@ def _cut(
     values = _arrays.doubles(_arrays.scalars_of(mesh, scalars))
     for array in (vertex_arrays or {}).values():
         _arrays.refuse_mask(array, "vertex")
-    given = {name: np.asarray(array) for name, array in (vertex_arrays or {}).items()}
-    columns = {name: _columns(array, name, len(values)) for name, array in given.items()}
+    given, columns = _take_columns(vertex_arrays, len(values))
     arguments = mesh.checked(len(values)), values, sum(columns.values(), []), options, max_triangles or 2**62
     *found, of_result = run(_core.cut, *arguments, threads=threads, progress=progress, name="cut")
-    rest = iter(of_result)
-    return Cut(*found, {name: _of_columns([next(rest) for _ in columns[name]], array) for name, array in given.items()})
+    return Cut(*found, _give_columns(given, columns, of_result))
 
 
 def cutting_system(
@@ -321,3 +341,68 @@ def branches(
     """
     options = vertex_arrays, borders, cut_open, max_triangles, threads, progress
     return _cut(_core.Curves.branches, triangles, scalars, points, *options, persistence=persistence, area=area)
+
+
+def cut_along_levels(
+    triangles: Any, scalars: Any, points: Any = None, *, level: Any = None, levels: Any = None,
+    spacing: float | None = None, vertex_arrays: Mapping[str, Any] | None = None, cut_open: bool = False,
+    max_triangles: int | None = None, threads: int | None = None, progress: Progress = None,
+) -> Cut:
+    """Cut a surface where the scalars have given values: isolines as edges of it, and the bands between them.
+
+    One of `level`, `levels` and `spacing` is needed. Edges are split at the exact places, no point moves, and the scalars
+    are not changed. A level that no edge has is no error.
+
+    Parameters
+    ----------
+    level : float or sequence of float, optional
+        The values.
+    levels : int, optional
+        So many values, which cut the range of the scalars into equal steps.
+    spacing : float, optional
+        The multiples of this value inside of the range of the scalars.
+
+    The other parameters and the result are those of `cutting_system`; the result has `bands` and `curve_values`, too.
+    """
+    if levels is not None and np.ndim(levels) > 0:
+        raise TypeError("levels is their number: the values are given as level")
+    if sum(given is not None for given in (level, levels, spacing)) != 1:
+        raise ValueError("one of level, levels and spacing is needed")
+    if levels is not None and (int(levels) != levels or levels < 1):
+        raise ValueError(f"levels is a number from 1, not {levels}")
+    if max_triangles is not None and max_triangles < 1:
+        raise ValueError(f"max_triangles has to be positive, not {max_triangles}")
+    values = [] if level is None else np.atleast_1d(np.asarray(level, dtype=np.float64)).tolist()
+    choice = _core.LevelChoice(values, None if levels is None else int(levels), spacing)
+    mesh = _arrays.take(triangles, points)
+    if mesh.points is None:
+        raise ValueError("to cut a surface needs its points: they come behind the scalars")
+    field_values = _arrays.doubles(_arrays.scalars_of(mesh, scalars))
+    given, columns = _take_columns(vertex_arrays, len(field_values))
+    arguments = mesh.checked(len(field_values)), field_values, sum(columns.values(), []), choice, bool(cut_open)
+    *found, of_result, bands, curve_values, arcs, closed = run(
+        _core.cut_levels, *arguments, max_triangles or 2**62, threads=threads, progress=progress, name="cut")
+    return Cut(*found, _give_columns(given, columns, of_result), np.asarray(bands), np.asarray(curve_values),
+               np.asarray(arcs), np.asarray(closed, dtype=bool))
+
+
+def cut_to_disks(
+    triangles: Any, points: Any = None, *, vertex_arrays: Mapping[str, Any] | None = None, threads: int | None = None,
+    progress: Progress = None,
+) -> Cut:
+    """Cut each component of a surface to a disk along edges, as it is needed to flatten it.
+
+    No triangle changes; points of the cut are there several times, as the array `original` of the result says. A surface
+    of genus 0 without border is cut along two edges. The other parameters and the result are those of `cutting_system`;
+    `patches` are the disks, and `scalars` is empty.
+    """
+    mesh = _arrays.take(triangles, points)
+    if mesh.points is None:
+        raise ValueError("to cut a surface needs its points: they come behind the triangles")
+    number = len(mesh.points)
+    given, columns = _take_columns(vertex_arrays, number)
+    arguments = mesh.checked(number), number, sum(columns.values(), [])
+    cut_points, cut_triangles, disks, curves, of_result, original = run(
+        _core.cut_disks, *arguments, threads=threads, progress=progress, name="cut")
+    return Cut(cut_points, cut_triangles, disks, curves, np.empty(0), _give_columns(given, columns, of_result),
+               original=np.asarray(original))

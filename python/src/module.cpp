@@ -13,6 +13,7 @@
 #include "computation/complex_counts.h"
 #include "computation/curves.h"
 #include "computation/distances_along_edges.h"
+#include "computation/levels_and_disks.h"
 #include "computation/longest_loop.h"
 #include "computation/scalar_fields.h"
 #include "computation/simplification.h"
@@ -273,6 +274,92 @@ py::object field(const Mesh_arrays& arrays,
   return to_object(values);
 }
 
+std::vector<Any_vertex_property> add_vertex_arrays(Surface& surface, const std::vector<Value_array>& vertex_arrays)
+{
+  std::vector<Any_vertex_property> properties;
+  for(const Value_array& array : vertex_arrays)
+    properties.emplace_back(add_map(surface, "v:array" + std::to_string(properties.size()), &array));
+  return properties;
+}
+
+std::vector<std::vector<double>> columns_of(const std::vector<Any_vertex_property>& properties)
+{
+  std::vector<std::vector<double>> columns;
+  for(const Any_vertex_property& property : properties)
+    columns.push_back(values_of(std::get<Scalar_map>(property)));
+  return columns;
+}
+
+std::vector<int> numbers_of_faces(const Surface& surface, Patch_map map)
+{
+  std::vector<int> numbers;
+  for(const Surface::Face_index f : surface.faces())
+    numbers.push_back(map[f]);
+  return numbers;
+}
+
+// Points, triangles, their patches, curves, scalars, and vertex arrays of what has been cut along levels; the bands, and
+// value, arc, or -1, and whether it is closed, of each curve.
+py::object cut_levels(const Mesh_arrays& arrays,
+                      const Value_array& scalars,
+                      const std::vector<Value_array>& vertex_arrays,
+                      const Level_choice& choice,
+                      bool is_cut_open,
+                      std::size_t largest_number_of_faces,
+                      Run& run)
+{
+  const Polygon_soup soup = copy_arrays(arrays, scalars.size());
+  Mesh mesh;
+  Scalar_map map;
+  std::vector<Any_vertex_property> properties;
+  Cut_result result;
+  std::vector<double> values;
+  std::vector<std::int64_t> arcs;
+  std::vector<bool> are_closed;
+  run([&] {
+    mesh = make_surface(soup, "cutting");
+    map = add_map(mesh.surface, "v:scalar", &scalars);
+    properties = add_vertex_arrays(mesh.surface, vertex_arrays);
+    result = cut_along_levels(mesh.surface, map, properties, values_of_levels(choice, map), is_cut_open,
+                              [&](std::size_t number_of_faces) { return number_of_faces <= largest_number_of_faces; });
+    Report unused;
+    const auto graph = compute_mesh_graph(mesh, map, {}, {}, 0, unused);
+    for(const Contour& curve : contours_of_levels(result, map, *graph))
+    {
+      values.push_back(curve.value);
+      arcs.push_back(static_cast<std::int64_t>(curve.arc));
+      are_closed.push_back(curve.is_closed);
+    }
+  });
+  return to_object(std::make_tuple(points_of(mesh.surface), triangles_of(mesh),
+                                   numbers_of_faces(mesh.surface, result.patch_map), result.polylines, values_of(map),
+                                   columns_of(properties), numbers_of_faces(mesh.surface, *result.band_map), values,
+                                   arcs, std::vector<int>(are_closed.begin(), are_closed.end())));
+}
+
+// Points, triangles, their disks, curves, vertex arrays, and the vertex that each vertex is a copy of.
+py::object cut_disks(const Mesh_arrays& arrays,
+                     std::size_t number_of_vertices,
+                     const std::vector<Value_array>& vertex_arrays,
+                     Run& run)
+{
+  const Polygon_soup soup = copy_arrays(arrays, number_of_vertices);
+  Mesh mesh;
+  std::vector<Any_vertex_property> properties;
+  Cut_result result;
+  run([&] {
+    mesh = make_surface(soup, "cutting");
+    properties = add_vertex_arrays(mesh.surface, vertex_arrays);
+    result = cut_to_disks(mesh.surface, properties);
+  });
+  std::vector<int> originals;
+  for(const Surface::Vertex_index v : mesh.surface.vertices())
+    originals.push_back((*result.original_map)[v]);
+  return to_object(std::make_tuple(points_of(mesh.surface), triangles_of(mesh),
+                                   numbers_of_faces(mesh.surface, result.patch_map), result.polylines,
+                                   columns_of(properties), originals));
+}
+
 // Points, triangles, their patches, curves, scalars, and vertex arrays of what has been cut.
 py::object cut(const Mesh_arrays& arrays,
                const Value_array& scalars,
@@ -289,19 +376,13 @@ py::object cut(const Mesh_arrays& arrays,
   run([&] {
     mesh = make_surface(soup, "cutting");
     map = add_map(mesh.surface, "v:scalar", &scalars);
-    for(const Value_array& array : vertex_arrays)
-      properties.emplace_back(add_map(mesh.surface, "v:array" + std::to_string(properties.size()), &array));
+    properties = add_vertex_arrays(mesh.surface, vertex_arrays);
     result = cut_along_curves(mesh.surface, map, properties, options,
                               [&](std::size_t number_of_faces) { return number_of_faces <= largest_number_of_faces; });
   });
-  std::vector<int> patches;
-  for(const Surface::Face_index f : mesh.surface.faces())
-    patches.push_back(result.patch_map[f]);
-  std::vector<std::vector<double>> columns;
-  for(const Any_vertex_property& property : properties)
-    columns.push_back(values_of(std::get<Scalar_map>(property)));
-  return to_object(
-    std::make_tuple(points_of(mesh.surface), triangles_of(mesh), patches, result.polylines, values_of(map), columns));
+  return to_object(std::make_tuple(points_of(mesh.surface), triangles_of(mesh),
+                                   numbers_of_faces(mesh.surface, result.patch_map), result.polylines, values_of(map),
+                                   columns_of(properties)));
 }
 
 // Triangles, points, and the new number of each given one, -1 for none.
@@ -337,7 +418,12 @@ void add_functions(py::module_& module)
     .def_readwrite("sources", &Input_options::source_vertices)
     .def_readwrite("direction", &Input_options::direction);
   py::class_<Cut_options>(module, "CutOptions")
-    .def(py::init<Curves_type, std::optional<double>, std::optional<double>, bool, Borders>());
+    .def(py::init([](Curves_type type, std::optional<double> persistence, std::optional<double> area, bool is_cut_open,
+                     Borders borders) { return Cut_options{type, persistence, area, is_cut_open, borders, {}}; }));
+  py::class_<Level_choice>(module, "LevelChoice")
+    .def(py::init([](std::vector<double> values, std::optional<std::size_t> number, std::optional<double> spacing) {
+      return Level_choice{std::move(values), number, spacing};
+    }));
   py::enum_<Borders>(module, "Borders").value("make-level", Borders::MAKE_LEVEL).value("level", Borders::LEVEL);
   py::enum_<Curves_type>(module, "Curves")
     .value("cutting_system", Curves_type::CUTTING_SYSTEM)
@@ -347,6 +433,8 @@ void add_functions(py::module_& module)
   module.def("repair", &repair);
   module.def("field", &field);
   module.def("cut", &cut);
+  module.def("cut_levels", &cut_levels);
+  module.def("cut_disks", &cut_disks);
 }
 
 void add_graph(py::module_& module)

@@ -119,3 +119,40 @@ def test_repair(tmp_path):
             reeb_graph.repair(TRIANGLES, POINTS, **wrong)
     with pytest.raises(ValueError, match="needs points"):
         reeb_graph.repair(TRIANGLES)
+
+
+def test_levels(tmp_path, mesh_file):
+    scalars = POINTS[:, 0] + 0.3 * np.sin(5 * POINTS[:, 1])
+    level = [float(scalars[7]), 0.1, 50.0]
+    cut = reeb_graph.cut_along_levels(TRIANGLES, scalars, POINTS, level=level, vertex_arrays={"point": POINTS})
+    np.save(tmp_path / "scalars.npy", scalars)
+    meshes.run("curves", mesh_file, "--scalars", tmp_path / "scalars.npy", "--type", "levels", "--patches",
+               tmp_path / "patches.txt", *(word for value in level for word in ("--level", repr(value))))
+    assert np.array_equal(cut.patches, np.loadtxt(tmp_path / "patches.txt", dtype=int))
+    assert np.array_equal(cut.points[: len(POINTS)], POINTS) and np.array_equal(cut.scalars[: len(POINTS)], scalars)
+    assert set(cut.scalars[len(POINTS):]) <= set(level) and set(cut.curve_values) <= set(level[:2])
+    assert np.array_equal(cut.bands, (np.sort(level) < cut.scalars[cut.triangles].max(axis=1)[:, None]).sum(axis=1))
+    assert len(cut.curves) == len(cut.curve_values) == len(cut.curve_arcs) == len(cut.curve_closed)
+    assert cut.curve_closed.all() and np.allclose(cut.vertex_arrays["point"], cut.points)
+    graph = reeb_graph.compute(cut.triangles, cut.scalars)
+    for value in set(cut.curve_values):
+        expected = sorted(contour.arc for contour in graph.contours(level=value))
+        assert sorted(set(cut.curve_arcs[cut.curve_values == value])) == expected
+    assert len(reeb_graph.cut_along_levels(TRIANGLES, scalars, POINTS, levels=3).curve_values) >= 3
+    spaced = reeb_graph.cut_along_levels(TRIANGLES, scalars, POINTS, spacing=0.25, cut_open=True)
+    assert np.array_equal(spaced.curve_values, np.round(spaced.curve_values * 4) / 4)
+    with pytest.raises(ValueError, match="is needed"):
+        reeb_graph.cut_along_levels(TRIANGLES, scalars, POINTS)
+    with pytest.raises(TypeError, match="given as level"):
+        reeb_graph.cut_along_levels(TRIANGLES, scalars, POINTS, levels=[0.1])
+    with pytest.raises(ValueError, match="more than are wanted"):
+        reeb_graph.cut_along_levels(TRIANGLES, scalars, POINTS, level=0.1, max_triangles=1)
+
+
+def test_disks():
+    cut = reeb_graph.cut_to_disks(TRIANGLES, POINTS, vertex_arrays={"number": np.arange(len(POINTS))})
+    assert np.array_equal(cut.points, POINTS[cut.original]) and np.array_equal(cut.original[cut.triangles], TRIANGLES)
+    assert np.array_equal(cut.vertex_arrays["number"], cut.original) and cut.n_patches == 1
+    edges = np.sort(cut.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    assert len(cut.points) - len(np.unique(edges, axis=0)) + len(cut.triangles) == 1
+    assert len(reeb_graph.cut_to_disks(cut.triangles, cut.points).curves) == 0

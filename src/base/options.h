@@ -57,7 +57,17 @@ enum class Curves_type
 {
   CUTTING_SYSTEM,
   PANTS,
-  BRANCH
+  BRANCH,
+  LEVELS,
+  DISKS
+};
+
+// Values of a field: some, or so many that cut its range into equal steps, or the multiples of a distance.
+struct Level_choice
+{
+  std::vector<double> values;
+  std::optional<std::size_t> number;
+  std::optional<double> spacing;
 };
 
 // Which curves the mesh is cut along.
@@ -66,7 +76,8 @@ struct Cut_options
   Curves_type type = Curves_type::PANTS;
   std::optional<double> persistence, area; // thresholds of branches
   bool is_cut_open = false;
-  CGAL::Reeb_graph::Borders borders = CGAL::Reeb_graph::Borders::MAKE_LEVEL;
+  std::optional<CGAL::Reeb_graph::Borders> borders; // by default, they are made levels
+  Level_choice levels;
 };
 
 // A threshold of the persistence of branches and loops, in units of the field or in percent of its range, or the one

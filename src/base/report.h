@@ -12,6 +12,7 @@
 #include "base/Arc_table.h"
 #include "base/input_findings.h"
 
+#include <CGAL/Reeb_graph/curves/Level_cut_report.h>
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/options.h>
@@ -171,6 +172,7 @@ struct Report : Work_report
 // What the mesh was cut into.
 struct Curves_report : Work_report
 {
+  std::optional<CGAL::Reeb_graph::Level_cut_report> levels; // of curves of levels
   std::string field_name;
   std::size_t curves = 0;
   std::size_t patches = 0;

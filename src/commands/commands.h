@@ -61,6 +61,7 @@ struct Curves_options
   std::string curves_path; // empty if they are not written
   std::string cut_mesh_path;
   std::string patches_path;
+  std::string vertex_map_path; // of disks
   std::string graph_path;
   std::string mesh_path;
   std::string page_path;

@@ -11,11 +11,13 @@
 #include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
 #include "computation/curves.h"
+#include "computation/levels_and_disks.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/field_input.h"
 #include "input/mesh_formats.h"
 #include "input/mesh_input.h"
+#include "output/contour_output.h"
 #include "output/graph_output.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
@@ -37,6 +39,8 @@
 
 namespace reeb_graph_program {
 namespace {
+constexpr const char* polylines_ending = ".polylines.txt";
+
 void check_thresholds(const Cut_options& options)
 {
   for(const auto& [name, threshold] :
@@ -49,9 +53,26 @@ void check_thresholds(const Cut_options& options)
   }
 }
 
+void check_levels_and_disks(const Curves_options& options)
+{
+  const Level_choice& levels = options.cut.levels;
+  const int number = int(!levels.values.empty()) + int(levels.number.has_value()) + int(levels.spacing.has_value());
+  const bool are_levels = options.cut.type == Curves_type::LEVELS, are_disks = options.cut.type == Curves_type::DISKS;
+  if(are_levels && number != 1)
+    throw std::runtime_error("one of --level, --levels, and --spacing is needed for the type levels");
+  if(!are_levels && number != 0)
+    throw std::runtime_error("--level, --levels, and --spacing go with the type levels only");
+  if((are_levels || are_disks) && options.cut.borders)
+    throw std::runtime_error("--borders does not go with the types levels and disks, which never change the field");
+  if(!are_disks && !options.vertex_map_path.empty())
+    throw std::runtime_error("--vertex-map goes with the type disks only");
+}
+
 void check_formats(const Curves_options& options)
 {
-  if(!options.curves_path.empty())
+  if(!options.curves_path.empty() && options.cut.type == Curves_type::LEVELS)
+    check_contour_format(options.curves_path, false);
+  else if(!options.curves_path.empty())
     check_polylines_format(options.curves_path);
   if(!options.cut_mesh_path.empty())
     check_mesh_format(options.cut_mesh_path);
@@ -65,8 +86,8 @@ void check_formats(const Curves_options& options)
 std::vector<std::filesystem::path> output_files(const Curves_options& options)
 {
   std::vector<std::filesystem::path> paths = graph_files(options.graph_path);
-  paths.insert(paths.end(), {options.curves_path, options.cut_mesh_path, options.patches_path, options.mesh_path,
-                             options.page_path});
+  paths.insert(paths.end(), {options.curves_path, options.cut_mesh_path, options.patches_path, options.vertex_map_path,
+                             options.mesh_path, options.page_path});
   return paths;
 }
 
@@ -78,9 +99,41 @@ void write_patches(const std::filesystem::path& path, const Surface& surface, Pa
   });
 }
 
+void write_vertex_map(const std::filesystem::path& path,
+                      const Surface& surface,
+                      const Vertex_property<std::int32_t>& original_map)
+{
+  write_file(path, [&](std::ostream& stream) {
+    for(const Surface::Vertex_index v : surface.vertices())
+      stream << original_map[v] << '\n';
+  });
+}
+
+// Whether curves are written with the arcs that they belong to.
+bool are_arcs_written(const Curves_options& options)
+{
+  return options.cut.type == Curves_type::LEVELS && !options.curves_path.empty()
+      && ending_of(options.curves_path, "curves", {polylines_ending, ".csv", ".vtp", ".obj", ".json"})
+           != polylines_ending;
+}
+
+bool is_graph_written(const Curves_options& options)
+{
+  return !options.graph_path.empty() || !options.mesh_path.empty() || !options.page_path.empty();
+}
+
+// Disks need no field, unless something is asked for that shows it.
+bool is_field_needed(const Curves_options& options)
+{
+  return options.cut.type != Curves_type::DISKS || is_graph_written(options) || !options.input.field.empty()
+      || !options.input.scalars_path.empty() || options.simplification.is_anything_removed();
+}
+
 void write_files(const Curves_options& options, const Surface& surface, const Cut_result& result)
 {
-  if(!options.curves_path.empty())
+  if(!options.vertex_map_path.empty())
+    write_vertex_map(options.vertex_map_path, surface, *result.original_map);
+  if(!options.curves_path.empty() && !are_arcs_written(options))
     write_polylines(options.curves_path, result.polylines);
   if(!options.cut_mesh_path.empty())
     write_surface_with_patches(options.cut_mesh_path, surface, result.patch_map);
@@ -110,7 +163,7 @@ void write_files_of_graph(const Curves_options& options,
                           const Cut_result& result,
                           Curves_report& report)
 {
-  if(options.graph_path.empty() && options.mesh_path.empty() && options.page_path.empty())
+  if(!is_graph_written(options) && !are_arcs_written(options))
     return;
   const Stopwatch graph_stopwatch;
   Report unused;
@@ -120,12 +173,15 @@ void write_files_of_graph(const Curves_options& options,
   const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, {}, 0, unused);
   if(!options.graph_path.empty())
     write_graph_file(options, *graph);
+  if(are_arcs_written(options))
+    write_contours(options.curves_path, contours_of_levels(result, scalar_map, *graph), false);
   report.add_seconds("graph", graph_stopwatch.seconds());
   if(!options.mesh_path.empty())
   {
     const Stopwatch stopwatch;
     write_mesh(options.mesh_path, mesh.surface,
-               {scalar_map, graph->places(), num_vertices(graph->result()), result.patch_map});
+               {scalar_map, graph->places(), num_vertices(graph->result()), result.patch_map, result.band_map,
+                result.original_map});
     report.add_seconds("mesh", stopwatch.seconds());
   }
   if(!options.page_path.empty())
@@ -141,9 +197,16 @@ void write_files_of_graph(const Curves_options& options,
   }
 }
 
-// The mesh, and the field, which is harmonic if none is asked for: between the borders if there are any.
-Surface read(Input_options& input, Curves_report& report)
+// The mesh, and the field, which is harmonic if none is asked for: between the borders if there are any. Disks need
+// none.
+Surface read(Input_options& input, bool is_field_needed, Curves_report& report)
 {
+  if(!is_field_needed)
+  {
+    Input_options without_field = input;
+    without_field.field = "z"; // which needs nothing of the file
+    return read_surface(without_field, report);
+  }
   const bool is_default = input.field.empty() && input.scalars_path.empty();
   if(is_default)
     input.field = "harmonic";
@@ -177,8 +240,16 @@ void simplify(const Mesh& mesh, Scalar_map scalar_map, const Simplification_opti
   report.add_seconds("simplified field", stopwatch.seconds());
 }
 
-Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& options, bool are_ties_contracted)
+Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& options, Curves_report& report)
 {
+  std::vector<Any_vertex_property> properties =
+    properties_to_keep(options.input.mesh_path, options.cut_mesh_path, surface);
+  if(options.cut.type == Curves_type::DISKS)
+  {
+    if(is_field_needed(options))
+      properties.emplace_back(scalar_map);
+    return cut_to_disks(surface, properties);
+  }
   const std::size_t given = surface.number_of_faces();
   const auto is_size_accepted = [&](std::size_t number_of_triangles) {
     if(options.is_large_accepted)
@@ -187,13 +258,18 @@ Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& op
     return options.is_large_accepted || number_of_triangles <= 50 * given;
   };
   Cut_options cut = options.cut;
-  if(are_ties_contracted && !cut.persistence) // a branch of no height is none
+  if(report.are_ties_contracted && !cut.persistence) // a branch of no height is none
     cut.persistence = std::numeric_limits<double>::denorm_min();
   try
   {
-    return cut_along_curves(surface, scalar_map,
-                            properties_to_keep(options.input.mesh_path, options.cut_mesh_path, surface), cut,
-                            is_size_accepted);
+    if(options.cut.type != Curves_type::LEVELS)
+      return cut_along_curves(surface, scalar_map, properties, cut, is_size_accepted);
+    const std::vector<double> levels = values_of_levels(cut.levels, scalar_map);
+    const Cut_result result =
+      cut_along_levels(surface, scalar_map, properties, levels, cut.is_cut_open, is_size_accepted);
+    for(const std::string& note : notes_on_levels(levels, result, scalar_map))
+      report.notes.push_back(note);
+    return result;
   }
   catch(const CGAL::Reeb_graph::Face_count_error& error)
   {
@@ -214,20 +290,22 @@ Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& op
 void run_curves(Curves_options options)
 {
   check_thresholds(options.cut);
+  check_levels_and_disks(options);
   check_formats(options);
   check_simplification_options(options.simplification);
   check_simplification_of_field(options.simplification);
   const std::vector<std::filesystem::path> outputs = output_files(options);
   check_outputs(outputs, input_files(options.input));
   Curves_report report;
+  const bool has_field = is_field_needed(options);
   Mesh mesh;
-  mesh.surface = read(options.input, report);
+  mesh.surface = read(options.input, has_field, report);
   Surface& surface = mesh.surface;
-  const Scalar_map scalar_map = add_field(options.input, surface, report);
+  const Scalar_map scalar_map = has_field ? add_field(options.input, surface, report) : Scalar_map();
   if(options.simplification.is_anything_removed())
     simplify(mesh, scalar_map, options.simplification, report);
   const Stopwatch cut_stopwatch;
-  const Cut_result result = cut(surface, scalar_map, options, report.are_ties_contracted);
+  const Cut_result result = cut(surface, scalar_map, options, report);
   report.add_seconds("cut", cut_stopwatch.seconds());
   const Stopwatch output_stopwatch;
   Output_group files;
@@ -238,6 +316,7 @@ void run_curves(Curves_options options)
   report.curves = result.polylines.size();
   report.patches = result.number_of_patches;
   report.border_changes = result.border_changes;
+  report.levels = result.level_report;
   write_border_changes(std::cerr, report.border_changes);
   if(options.is_report_json)
     write_json(report_stream(outputs), report);

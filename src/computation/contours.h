@@ -35,7 +35,9 @@ struct Contour_choice
 // its higher vertex.
 struct Contour
 {
-  std::size_t arc = 0;    // by its number
+  static constexpr std::size_t no_arc = static_cast<std::size_t>(-1);
+
+  std::size_t arc = 0;    // by its number; no_arc for a curve in a plateau
   double value = 0;       // of the level
   bool is_closed = false; // whether it is one closed line
   std::vector<std::array<std::size_t, 2>> edges;

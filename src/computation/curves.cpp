@@ -59,6 +59,7 @@ std::vector<Curve> find_curves(Surface& surface,
       surface, scalar_map, std::back_inserter(curves),
       with_maps(own.persistence_threshold(options.persistence.value_or(0))).area_threshold(options.area.value_or(0)));
     break;
+  default: break; // They are no curves of the graph.
   }
   return curves;
 }
@@ -72,7 +73,7 @@ Cut_result cut_along_curves(Surface& surface,
                             const std::function<bool(std::size_t)>& face_count_callback)
 {
   Cut_result result;
-  if(options.borders == CGAL::Reeb_graph::Borders::MAKE_LEVEL)
+  if(options.borders.value_or(CGAL::Reeb_graph::Borders::MAKE_LEVEL) == CGAL::Reeb_graph::Borders::MAKE_LEVEL)
   {
     Progress_bar progress_bar("borders");
     result.border_changes =

@@ -12,19 +12,40 @@
 #include "base/options.h"
 #include "base/surface.h"
 
+#include <CGAL/Reeb_graph/curves/Level_cut_report.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace reeb_graph_program {
+// A curve of a level.
+struct Level_curve
+{
+  double value = 0;
+  bool is_closed = false;
+  // An edge beside it that the contour crosses which is next to it, from its lower to its higher vertex. A curve inside
+  // of a plateau has none.
+  std::optional<std::array<std::size_t, 2>> crossed_edge;
+  bool is_above = true; // whether this contour is above the level
+};
+
 struct Cut_result
 {
   std::vector<Polyline> polylines; // of the curves
   Patch_map patch_map;
   std::size_t number_of_patches = 0;
   CGAL::Reeb_graph::Border_level_changes border_changes; // of the field
+  // Of levels.
+  std::vector<Level_curve> level_curves; // in the order of the polylines
+  std::optional<Patch_map> band_map;
+  std::optional<CGAL::Reeb_graph::Level_cut_report> level_report;
+  // Of disks: the vertex that each vertex was.
+  std::optional<Vertex_property<std::int32_t>> original_map;
 };
 
 // Makes the borders levels of the field if that is asked for, refines the surface, and finds the curves and the patches

@@ -33,7 +33,7 @@ constexpr int all_digits = std::numeric_limits<double>::max_digits10;
 struct Contour_line
 {
   Polyline points;
-  std::size_t arc = 0;
+  std::int64_t arc = 0; // -1 for none
   double value = 0;
   double length = 0;
   bool is_closed = false;
@@ -45,7 +45,11 @@ std::vector<Contour_line> lines_of(const std::vector<Contour>& contours)
   for(const Contour& contour : contours)
     for(const std::vector<std::size_t>& numbers : contour.polylines)
     {
-      Contour_line line = {{}, contour.arc, contour.value, 0, numbers.size() > 1 && numbers.front() == numbers.back()};
+      Contour_line line = {{},
+                           static_cast<std::int64_t>(contour.arc),
+                           contour.value,
+                           0,
+                           numbers.size() > 1 && numbers.front() == numbers.back()};
       for(const std::size_t i : numbers)
       {
         if(!line.points.empty())
@@ -143,7 +147,7 @@ void write_vtp(std::ostream& stream, const std::vector<Contour_line>& lines)
       cells.end_cell();
       for(std::size_t i = 0; i < number_of_points(line); ++i)
         CGAL::Reeb_graph::internal::add_coordinates(line.points[i], coordinates);
-      arcs.push_back(static_cast<std::int64_t>(line.arc));
+      arcs.push_back(line.arc);
       values.push_back(line.value);
       lengths.push_back(line.length);
       closed.push_back(line.is_closed ? 1 : 0);

@@ -137,14 +137,21 @@ struct Mesh_columns
       values.push_back(results.scalar_map[v]);
       arcs.push_back(is_node ? -1 : static_cast<int>(place - results.number_of_nodes));
       nodes.push_back(is_node ? static_cast<int>(place) : -1);
+      if(results.original_map)
+        originals.push_back((*results.original_map)[v]);
     }
     for(const Surface::Face_index f : surface.faces())
+    {
       if(results.patch_map)
         patches.push_back((*results.patch_map)[f]);
+      if(results.band_map)
+        bands.push_back((*results.band_map)[f]);
+    }
   }
 
   std::vector<double> values;
   std::vector<int> arcs, nodes, patches;
+  std::vector<int> originals, bands; // of a mesh that has them
 };
 
 template <class Key, class Range, class Number>
@@ -284,16 +291,25 @@ void write_mesh(const std::filesystem::path& path, const Surface& surface, const
   {
     add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:arc", columns.arcs);
     add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:node", columns.nodes);
+    if(results.original_map)
+      add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:original", columns.originals);
+    if(results.band_map)
+      add_column<Surface::Face_index>(mesh, mesh.faces(), "f:band", columns.bands);
     return write_binary_ply(path, mesh);
   }
-  const auto np = parameters::vertex_attributes(
-    {{"value", columns.values}, attribute("arc", columns.arcs), attribute("node", columns.nodes)});
+  std::vector<CGAL::Reeb_graph::Attribute> vertex_attributes = {
+    {"value", columns.values}, attribute("arc", columns.arcs), attribute("node", columns.nodes)};
+  if(results.original_map)
+    vertex_attributes.push_back(attribute("original", columns.originals));
+  std::vector<CGAL::Reeb_graph::Attribute> face_attributes = {attribute("patch", columns.patches)};
+  if(results.band_map)
+    face_attributes.push_back(attribute("band", columns.bands));
+  const auto np = parameters::vertex_attributes(vertex_attributes);
   write_file(path, [&](std::ostream& stream) {
     if(results.patch_map)
-      CGAL::Reeb_graph::write_mesh_vtp(stream, mesh,
-                                       np.face_attributes({attribute("patch", columns.patches)})
-                                         .vertex_color_map(vertex_colours)
-                                         .face_color_map(face_colours));
+      CGAL::Reeb_graph::write_mesh_vtp(
+        stream, mesh,
+        np.face_attributes(face_attributes).vertex_color_map(vertex_colours).face_color_map(face_colours));
     else
       CGAL::Reeb_graph::write_mesh_vtp(stream, mesh, np.vertex_color_map(vertex_colours));
   });

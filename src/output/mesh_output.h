@@ -14,6 +14,7 @@
 #include "input/Polygon_soup.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -36,9 +37,11 @@ Surface unconnected_surface(const std::vector<Point>& points, const Polygons& po
 struct Mesh_results
 {
   Scalar_map scalar_map;
-  const std::vector<std::size_t>& places; // of the vertices, by their indices
-  std::size_t number_of_nodes = 0;        // of the graph
-  std::optional<Patch_map> patch_map;     // of a mesh that has been cut
+  const std::vector<std::size_t>& places;                                   // of the vertices, by their indices
+  std::size_t number_of_nodes = 0;                                          // of the graph
+  std::optional<Patch_map> patch_map;                                       // of a mesh that has been cut
+  std::optional<Patch_map> band_map = std::nullopt;                         // of one that has been cut along levels
+  std::optional<Vertex_property<std::int32_t>> original_map = std::nullopt; // of one that has been cut to disks
 };
 
 // The mesh with the value, the arc, and the node of each vertex, where one of arc and node is -1; and the patch of each

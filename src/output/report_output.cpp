@@ -188,6 +188,10 @@ void write_text(std::ostream& out, const Curves_report& report)
 {
   out << report.curves << (report.curves == 1 ? " curve, " : " curves, ") << report.patches
       << (report.patches == 1 ? " patch\n" : " patches\n");
+  if(report.levels)
+    out << "         " << count(report.levels->number_of_levels, "level") << ", "
+        << count(report.levels->number_of_added_faces, "triangle") << " added, "
+        << count(report.levels->number_of_slivers, "sliver") << '\n';
   write_input_text(out, report);
   write_field_text(out, report);
 }
@@ -202,7 +206,13 @@ void write_json(std::ostream& out, const Curves_report& report)
   json["vertices_changed"] = report.border_changes.number_of_changed_vertices;
   json["largest_change"] = json_number(report.border_changes.largest_change);
   json["ties_contracted"] = report.are_ties_contracted;
-  json["field"] = report.field_name;
+  json["field"] = report.field_name.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(report.field_name);
+  json["levels"] = json["slivers"] = nullptr;
+  if(report.levels)
+  {
+    json["levels"] = report.levels->number_of_levels;
+    json["slivers"] = report.levels->number_of_slivers;
+  }
   add_field_and_costs(json, report);
   write_line(out, json);
 }

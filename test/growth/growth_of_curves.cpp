@@ -12,6 +12,8 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/cut_along_contours.h>
+#include <CGAL/Reeb_graph/curves/cut_along_levels.h>
+#include <CGAL/Reeb_graph/curves/cut_to_disks.h>
 #include <CGAL/Reeb_graph/curves/cutting_system.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/curves/segmentation.h>
@@ -19,6 +21,7 @@
 #include <CGAL/compute_reeb_graph.h>
 #include <CGAL/iterator.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -69,6 +72,14 @@ std::vector<Function<Subject>> functions_on_any_surface()
              const auto contours = augmentation.contours_at_value(graph[num_vertices(graph) / 2].value);
              cut_along_contours(mesh, field, contours, CGAL::Emptyset_iterator());
            }),
+    curves("cut_along_levels",
+           [](Mesh& mesh, Scalar_map field) {
+             std::vector<double> levels(field.begin(), field.end());
+             std::sort(levels.begin(), levels.end());
+             levels = {levels.front(), levels[levels.size() / 3], levels[levels.size() / 2], levels.back()};
+             cut_along_levels(mesh, field, levels, CGAL::Emptyset_iterator());
+           }),
+    curves("cut_to_disks", [](Mesh& mesh, Scalar_map) { cut_to_disks(mesh, CGAL::Emptyset_iterator()); }),
     curves("unfold_multi_saddles",
            [](Mesh& mesh, Scalar_map field) {
              unfold_multi_saddles(mesh, field, mesh.add_property_map<Mesh::Vertex_index, std::size_t>("v:rank").first);

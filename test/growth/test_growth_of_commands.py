@@ -48,6 +48,10 @@ for field in ("harmonic", "poisson", "unit-gradient"):
 for kind in ("cutting-system", "branch", "pants"):
     commands[f"curves {kind}"] = (["curves", "{mesh}", "--scalars", "{values}", "--type", kind, "--curves",
                                    "c.polylines.txt", "--cut-mesh", "cut.off"], near_linear)
+commands["curves levels"] = (["curves", "{mesh}", "--scalars", "{values}", "--type", "levels", "--level", "{level}",
+                              "--curves", "c.vtp", "--cut-mesh", "cut.off"], near_linear)
+commands["curves disks"] = (["curves", "{mesh}", "--type", "disks", "--vertex-map", "map.txt", "--cut-mesh", "cut.off"],
+                            near_linear)
 
 
 def is_meant(surface, command):

@@ -93,6 +93,23 @@ private:
   std::size_t contour_;
 };
 
+/// \brief thrown for a level that the order does not place, such as NaN.
+class Unordered_level_error : public Error
+{
+public:
+  /// constructs the exception for the level at position `level`.
+  explicit Unordered_level_error(std::size_t level)
+    : Error(message("level ", level, " is not a number (NaN)")),
+      level_(level)
+  {}
+
+  /// the position of the level in its range.
+  std::size_t level() const { return level_; }
+
+private:
+  std::size_t level_;
+};
+
 /// \brief thrown if the named parameter `face_count_callback` returns `false`.
 class Face_count_error : public Error
 {

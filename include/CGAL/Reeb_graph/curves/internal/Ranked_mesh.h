@@ -97,6 +97,13 @@ public:
     return distance_between(get(vertex_point_map_, u), get(vertex_point_map_, w));
   }
 
+  double area(vertex_descriptor u, vertex_descriptor v, vertex_descriptor w) const
+  {
+    const auto& p = get(vertex_point_map_, u);
+    const auto uv = get(vertex_point_map_, v) - p, uw = get(vertex_point_map_, w) - p;
+    return std::sqrt(CGAL::to_double(CGAL::cross_product(uv, uw).squared_length())) / 2;
+  }
+
   // Splits the edge of `h` by a vertex at the fraction `t` of the way from `u` to `w`, the ends of the edge of which
   // that of `h` is a part. Returns the new halfedge that ends at it; `h` starts there then.
   halfedge_descriptor split_edge(halfedge_descriptor h, vertex_descriptor u, vertex_descriptor w, double t) const
@@ -229,8 +236,7 @@ private:
     const auto& p = get(vertex_point_map_, u);
     const auto uv = get(vertex_point_map_, v) - p, uw = get(vertex_point_map_, w) - p;
     const double lengths = CGAL::to_double(uv.squared_length() + uw.squared_length() + (uw - uv).squared_length());
-    const double area = std::sqrt(CGAL::to_double(CGAL::cross_product(uv, uw).squared_length())) / 2;
-    return lengths > 0 ? area / lengths : 0;
+    return lengths > 0 ? area(u, v, w) / lengths : 0;
   }
 
   Mesh& mesh_;

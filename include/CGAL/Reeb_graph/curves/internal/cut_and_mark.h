@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/curves/internal/Contour_cutting.h>
+#include <CGAL/Reeb_graph/curves/internal/Curve_opening.h>
 #include <CGAL/Reeb_graph/curves/internal/Refined_field.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
@@ -148,23 +149,45 @@ std::size_t number_patches(const Mesh& mesh,
                                                        parameters::edge_is_constrained_map(is_curve_edge));
 }
 
-// Tells the named parameter `face_count_callback` the number of faces that cutting along the contours is going to make.
-// A triangle with k new vertices on its edges becomes k + 1 triangles, and a contour has two of them in each triangle
-// that it crosses.
-template <class RankedMesh, class NamedParameters>
-void check_face_count(const RankedMesh& ranked,
-                      const std::vector<Contour_to_cut<typename RankedMesh::halfedge_descriptor>>& contours,
-                      const NamedParameters& np)
+// Tells the named parameter `face_count_callback` the number of faces that cutting is going to make.
+template <class NamedParameters>
+void check_face_count(std::size_t number, const NamedParameters& np)
 {
   using parameters::get_parameter;
   if constexpr(is_given<decltype(get_parameter(np, face_count_callback))>)
   {
-    std::size_t number = faces(ranked.mesh()).size();
-    for(const auto& contour : contours)
-      number += 2 * (contour.halfedges.size() - (contour.is_closed ? 0 : 1));
     auto callback = get_parameter(np, face_count_callback);
     if(!callback(number))
       throw Face_count_error(number);
+  }
+}
+
+// Their number for contours. A triangle with k new vertices on its edges becomes k + 1 triangles, and a contour has two
+// of them in each triangle that it crosses.
+template <class Mesh, class HalfedgeDescriptor>
+std::size_t number_of_faces_cut_along(const Mesh& mesh, const std::vector<Contour_to_cut<HalfedgeDescriptor>>& contours)
+{
+  std::size_t number = faces(mesh).size();
+  for(const auto& contour : contours)
+    number += 2 * (contour.halfedges.size() - (contour.is_closed ? 0 : 1));
+  return number;
+}
+
+// Writes the edges of curves and the pieces between them to the property maps that have been asked for.
+template <class Mesh, class HalfedgeDescriptor, class NamedParameters>
+void mark_edges_and_pieces(const Mesh& mesh,
+                           const std::vector<Curve<HalfedgeDescriptor>>& curves,
+                           const NamedParameters& np)
+{
+  using parameters::get_parameter;
+  mark_edges(mesh, curves, np);
+  if constexpr(is_given<decltype(get_parameter(np, internal_np::face_patch))>)
+  {
+    auto face_patch_map = get_parameter(np, internal_np::face_patch);
+    const auto patch_map = get(dynamic_face_property_t<std::size_t>(), mesh);
+    number_patches(mesh, curves, patch_map);
+    for(const auto f : faces(mesh))
+      put(face_patch_map, f, get(patch_map, f));
   }
 }
 
@@ -182,7 +205,7 @@ std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
   using parameters::choose_parameter;
   using parameters::get_parameter;
   auto& mesh = ranked.mesh();
-  check_face_count(ranked, contours, np);
+  check_face_count(number_of_faces_cut_along(mesh, contours), np);
   Refined_field<RankedMesh, ScalarMap, Traits> field(ranked, scalar_map, traits);
   field.write_ranked_vertices();
   field.place_contours(contours);
@@ -194,20 +217,11 @@ std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
   if(choose_parameter(get_parameter(np, cut_open), false))
   {
     Curve_opening open(mesh, ranked.vertex_point_map(), ranked.visitor());
-    for(auto& curve : curves)
-      open(curve);
+    open(curves);
   }
   progress.tell(0.9);
   field.write_curves(curves);
-  mark_edges(mesh, curves, np);
-  if constexpr(is_given<decltype(get_parameter(np, internal_np::face_patch))>)
-  {
-    auto face_patch_map = get_parameter(np, internal_np::face_patch);
-    const auto patch_map = get(dynamic_face_property_t<std::size_t>(), mesh);
-    number_patches(mesh, curves, patch_map);
-    for(const auto f : faces(mesh))
-      put(face_patch_map, f, get(patch_map, f));
-  }
+  mark_edges_and_pieces(mesh, curves, np);
   return curves;
 }
 

@@ -12,7 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
-#include <CGAL/Reeb_graph/curves/internal/Contour_cutting.h>
+#include <CGAL/Reeb_graph/curves/internal/Curve_opening.h>
 #include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
 #include <CGAL/Reeb_graph/handles/internal/triangle_intersections.h>
 

@@ -1,0 +1,241 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_CURVES_CUT_ALONG_LEVELS_H
+#define CGAL_REEB_GRAPH_CURVES_CUT_ALONG_LEVELS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/curves/Curve.h>
+#include <CGAL/Reeb_graph/curves/Level_cut_report.h>
+#include <CGAL/Reeb_graph/curves/exceptions.h>
+#include <CGAL/Reeb_graph/curves/internal/Level_cutting.h>
+#include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
+#include <CGAL/Reeb_graph/curves/internal/requirements.h>
+#include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Reeb_graph {
+
+namespace internal {
+
+// The levels in ascending order, each once.
+template <class LevelRange, class Traits>
+std::vector<typename Traits::Scalar> sorted_levels(const LevelRange& given, const Traits& traits)
+{
+  const auto less = traits.less_scalar_object();
+  const auto is_ordered_object = traits.is_ordered_object();
+  std::vector<typename Traits::Scalar> levels;
+  for(const auto& level : given)
+  {
+    levels.emplace_back(level);
+    if(!internal::is_ordered(level) || !is_ordered_object(levels.back()))
+      throw Unordered_level_error(levels.size() - 1);
+  }
+  std::sort(levels.begin(), levels.end(), less);
+  const auto is_same = [&](const auto& a, const auto& b) { return !less(a, b); };
+  levels.erase(std::unique(levels.begin(), levels.end(), is_same), levels.end());
+  return levels;
+}
+
+// The number of faces at added vertices whose heights on their longest edges are less than a hundredth of these.
+template <class RankedMesh, class AddedVertices>
+std::size_t count_slivers(const RankedMesh& ranked, const AddedVertices& added_vertices)
+{
+  auto& mesh = ranked.mesh();
+  const auto is_added = get(dynamic_vertex_property_t<bool>(), mesh);
+  for(const auto v : vertices(mesh))
+    put(is_added, v, false);
+  for(const auto& added : added_vertices)
+    put(is_added, added.vertex, true);
+  std::size_t number = 0;
+  for(const auto f : faces(mesh))
+  {
+    const auto h = halfedge(f, mesh);
+    const auto u = source(h, mesh), v = target(h, mesh), w = target(next(h, mesh), mesh);
+    if(!get(is_added, u) && !get(is_added, v) && !get(is_added, w))
+      continue;
+    const double longest = (std::max)({ranked.distance(u, v), ranked.distance(v, w), ranked.distance(w, u)});
+    number += 2 * ranked.area(u, v, w) < 0.01 * longest * longest || longest == 0 ? 1 : 0;
+  }
+  return number;
+}
+
+// The band of a face is the number of levels below its highest vertex.
+template <class RankedMesh, class NamedParameters>
+void write_bands(const RankedMesh& ranked, const NamedParameters& np)
+{
+  using parameters::get_parameter;
+  if constexpr(is_given<decltype(get_parameter(np, face_band_map))>)
+  {
+    auto map = get_parameter(np, face_band_map);
+    const auto& mesh = ranked.mesh();
+    for(const auto f : faces(mesh))
+    {
+      Rank highest = 0;
+      for(const auto v : vertices_around_face(halfedge(f, mesh), mesh))
+        highest = (std::max)(highest, ranked.rank(v));
+      put(map, f, static_cast<std::size_t>(highest / 2));
+    }
+  }
+}
+
+// The same, where the mesh has been checked, and the levels are in their order.
+template <class Mesh, class ScalarMap, class Traits, class OutputIterator, class NamedParameters>
+Level_cut_report cut_along_sorted_levels(Mesh& mesh,
+                                         ScalarMap scalar_map,
+                                         const Traits& traits,
+                                         const std::vector<typename Traits::Scalar>& levels,
+                                         OutputIterator& output,
+                                         const NamedParameters& np,
+                                         const Stage_progress& progress)
+{
+  constexpr bool is_written = is_field_written<ScalarMap, Traits>;
+  const Scalar_conversion<Traits> conversion(traits);
+  std::vector<double> numbers;
+  for(const auto& level : levels)
+    numbers.push_back(conversion.to_double(level));
+  auto visitor_parameter = choose_refinement_visitor(mesh, np);
+  auto& visitor = unwrap_reference(visitor_parameter);
+  const auto ranked = make_ranked_mesh(mesh, visitor, np);
+  for(const auto v : vertices(mesh))
+  {
+    const typename Traits::Scalar value = get(scalar_map, v);
+    ranked.place(v, rank_among_levels(levels, value, traits.less_scalar_object()), conversion.to_double(value));
+  }
+  Level_cutting cut(ranked, numbers);
+  Level_cut_report report = {levels.size(), 0, cut.number_of_added_faces(), 0};
+  check_face_count(faces(mesh).size() + report.number_of_added_faces, np);
+  if constexpr(!is_given<decltype(parameters::get_parameter(np, internal_np::callback))>)
+    ranked.keep_splits(); // There may be many, and to remember them takes memory.
+  const auto added_vertices = cut(progress.part(0.1, 0.8));
+  progress(0.8);
+  ranked.keep_splits();
+  report.number_of_added_vertices = added_vertices.size();
+  report.number_of_slivers = count_slivers(ranked, added_vertices);
+  if constexpr(is_written)
+    for(const auto& added : added_vertices)
+      put(scalar_map, added.vertex, levels[added.level]);
+  auto curves = curves_of_levels(ranked, numbers);
+  write_bands(ranked, np);
+  if(parameters::choose_parameter(parameters::get_parameter(np, cut_open), false))
+  {
+    const auto copy_value = [&](auto old, auto created) {
+      if constexpr(is_written)
+        put(scalar_map, created, static_cast<typename Traits::Scalar>(get(scalar_map, old)));
+    };
+    Opening_visitor<decltype(copy_value), std::decay_t<decltype(visitor)>> opening_visitor = {copy_value, visitor};
+    Curve_opening open(mesh, ranked.vertex_point_map(), opening_visitor);
+    open(curves);
+  }
+  mark_edges_and_pieces(mesh, curves, np);
+  output = std::copy(curves.begin(), curves.end(), output);
+  return report;
+}
+
+} // namespace internal
+
+/// \ingroup PkgReebGraphCurves
+///
+/// \brief refines a mesh so that the level sets of a field at given values become paths of edges: isolines, and the
+/// bands between them.
+///
+/// Each edge whose ends are below and above a level is split at the place where linear interpolation has its value, and
+/// the faces between. Vertices whose value is a level are vertices of its curves, and an edge between two of them
+/// belongs to a curve. No vertex moves, and the field is not changed: there is nothing to be done with borders. Unlike
+/// `cut_along_contours()`, which keeps points away from vertices so that all faces keep a good shape, this makes slivers
+/// where levels pass close to vertices or to each other, and counts them.
+///
+/// The curves are the longest paths of the edges at a level through vertices at which two of these meet. At all others,
+/// curves end or branch: at the border, at saddles that are in the level, at ends of ridges and in plateaus. A vertex
+/// that is the only one of a level near it is no curve. Those of a lower level come first. Of two sides, the higher one
+/// is on the left, where there is one; on the border, `halfedges` or `lower_halfedges` has no face.
+///
+/// Faces in a level: of a face whose three vertices have the value of a level, all edges belong to curves, so that it is a
+/// piece of its own. As for the contours of a value, the level lies above these vertices, so that such faces are in the
+/// band below.
+///
+/// With `cut_open`, the mesh is cut along all these edges but those of the border. Shut stays an edge that is a curve by
+/// itself, and ends at no other one and at no border: the two sides of it would have the same ends.
+///
+/// Handles of the mesh stay valid: an edge that is split keeps its upper part, a face that is split one of its parts.
+/// With \f$ n \f$ vertices and faces, \f$ k \f$ levels, and \f$ l \f$ added faces it takes \f$ O(n \log k + l) \f$ time.
+///
+/// \reebGraphRefinedMeshAndField
+/// \tparam LevelRange a range of values of the field, or of what can be converted to such
+/// \tparam OutputIterator a model of `OutputIterator` for `Reeb_graph::Curve`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the mesh, which is changed. To keep it, pass a copy made by `CGAL::copy_face_graph()`.
+/// \param scalar_map the scalar field
+/// \param levels the values, in any order; one that is there twice counts once, and one that no edge has is no error
+/// \param curves the output
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{face_band_map}
+///     \cgalParamDescription{is set to the number of the band of each face: how many levels are below its highest
+///                           vertex. Band 0 is below all levels.}
+///     \cgalParamType{a model of `WritablePropertyMap` with the face descriptors as key type and an integer type as
+///                    value type}
+///     \cgalParamDefault{none}
+///     \cgalParamExtra{use the functions `parameters::face_band_map()`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \copydetails PkgReebGraphCuttingParameters
+///
+/// \copydetails PkgReebGraphRefinementParameters
+///
+/// Here, added vertices have exactly the values of their levels.
+///
+/// \returns how many levels there are, and what has been added.
+///
+/// \exception Reeb_graph::Unordered_level_error if a level is NaN
+///
+/// and the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
+template <class MutableFaceGraph,
+          class ScalarMap,
+          class LevelRange,
+          class OutputIterator,
+          class NamedParameters = parameters::Default_named_parameters>
+Level_cut_report cut_along_levels(MutableFaceGraph& mesh,
+                                  ScalarMap scalar_map,
+                                  const LevelRange& levels,
+                                  OutputIterator curves,
+                                  const NamedParameters& np = parameters::default_values())
+{
+  typedef internal::Chosen_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>, NamedParameters> Traits;
+  Level_cut_report report;
+  if constexpr(internal::Refinable_mesh_with_field<MutableFaceGraph, ScalarMap, Traits>::value)
+  {
+    const internal::Progress progress(np);
+    progress.report(0);
+    const auto traits = internal::choose_traits<Traits>(np);
+    const auto sorted = internal::sorted_levels(levels, traits);
+    internal::check_input(mesh, scalar_map, np);
+    report = internal::cut_along_sorted_levels(mesh, scalar_map, traits, sorted, curves, np,
+                                               internal::Stage_progress(progress, 0.1, 1));
+    progress.report_end();
+  }
+  return report;
+}
+
+} // namespace CGAL::Reeb_graph
+
+#endif // CGAL_REEB_GRAPH_CURVES_CUT_ALONG_LEVELS_H
