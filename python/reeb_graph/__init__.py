@@ -13,6 +13,7 @@ cutting_system      cuts a surface to genus 0
 pants               cuts a surface into pieces with three borders each
 branches            cuts branches off a surface
 repair              merges points, orients and splits
+skeleton            lines inside of a surface, with radii: a `Skeleton`
 mesh_arrays         takes the arrays of a mesh of trimesh, PyVista, or meshio
 
 Examples
@@ -41,10 +42,11 @@ from ._functions import Cut, branches, cutting_system, geodesic, harmonic, heigh
 from ._functions import Repaired, repair, unit_gradient
 from ._graph import ReebGraph, compute
 from ._results import Contour, CriticalSet, Embedding
+from ._skeleton import Skeleton, skeleton
 
 __version__ = _core.__version__
 # Without `Contour`, whose 2,000 inherited lines would be most of what `help(reeb_graph)` shows.
 __all__ = ["CriticalSet", "Cut", "Embedding", "Mesh", "MeshError", "NumberError", "ReebGraph", "Repaired"]
-__all__ += ["StoppedError"]
+__all__ += ["Skeleton", "StoppedError"]
 __all__ += ["branches", "compute", "cutting_system", "geodesic", "harmonic", "height", "make_borders_level"]
-__all__ += ["mesh_arrays", "pants", "poisson", "repair", "unit_gradient"]
+__all__ += ["mesh_arrays", "pants", "poisson", "repair", "skeleton", "unit_gradient"]
