@@ -61,6 +61,7 @@ using reeb_graph_program::parse_real_number;
 using reeb_graph_program::Point;
 using reeb_graph_program::Repair_command_options;
 using reeb_graph_program::run_with_threads;
+using reeb_graph_program::Skeleton_command_options;
 using reeb_graph_program::write_completion;
 
 void add_contour_command(CLI::App& app, Contour_options& options)
@@ -271,6 +272,38 @@ void add_repair_command(CLI::App& app, Repair_command_options& options)
   command->callback([&options] { run_with_threads(0, [&options] { run_repair(options); }); });
 }
 
+void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)
+{
+  CLI::App* command = app.add_subcommand(
+    "skeleton", "Extract curve skeletons: lines inside of a surface, with a loop for each handle, and radii");
+  add_input_options(*command, options.input);
+  add_field_option(*command, options.input, "; by default the distance from a tip of each component");
+  begin_group(*command, "Skeleton");
+  add_real_number(
+    *command, "--prune", options.settings.pruning_ratio,
+    "Remove branches that stand out from the trunk by less than this share of its radius, 0.5 by default; "
+    "those that lead to borders stay, but for small holes in a wall");
+  add_real_number(*command, "--step", options.settings.sampling_ratio,
+                  "The distance between points, as a share of the radius, 0.5 by default");
+  command->add_flag_callback(
+    "--fill-borders", [&options] { options.settings.are_borders_ends = false; },
+    "Treat borders as if they were filled, so that they are no ends, as for a scan with holes");
+  begin_group(*command, "Output");
+  const auto add_path = [&options](const std::vector<std::string>& paths) { options.output_paths = paths; };
+  command
+    ->add_option_function<std::vector<std::string>>(
+      "--output", add_path,
+      "Write the skeleton to this file, .swc (trees, in which each loop is cut once), .vtp, .polylines.txt, or "
+      ".graphml; can be given several times")
+    ->type_name("FILE")
+    ->allow_extra_args(false);
+  add_page_options(*command, options.page_path, options.unit, options.up);
+  add_threads_option(*command, options.number_of_threads);
+  add_json_option(*command, options.is_report_json);
+  add_example(*command, "reeb_graph skeleton neuron.ply --output neuron.swc");
+  command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_skeleton(options); }); });
+}
+
 void add_demo_command(CLI::App& app, Demo_options& options)
 {
   CLI::App* command = app.add_subcommand("demo", "Show a Reeb graph of a generated surface; needs no input");
@@ -317,6 +350,7 @@ int main(int argc, char** argv)
   Field_options field_options;
   Handles_options handles_options;
   Repair_command_options repair_options;
+  Skeleton_command_options skeleton_options;
   Demo_options demo_options;
   app
     .add_option_function<std::string>(
@@ -336,6 +370,7 @@ int main(int argc, char** argv)
   add_field_command(app, field_options);
   add_handles_command(app, handles_options);
   add_repair_command(app, repair_options);
+  add_skeleton_command(app, skeleton_options);
   add_demo_command(app, demo_options);
   try
   {

@@ -435,6 +435,90 @@ def draw_false_handles(name):
     picture.write(name)
 
 
+def write_tubes(name, limbs, cell, smoothness=0.03, cuts=()):
+    """The smooth union of tubes, each from a point of a radius to another one, open where a ball of `cuts` is."""
+    def distance(p):
+        total = numpy.zeros(len(p))
+        for start, end, at_start, at_end in limbs:
+            along = numpy.subtract(end, start)
+            t = numpy.clip((p - start) @ along / (along @ along), 0, 1)
+            away = numpy.linalg.norm(p - start - t[:, None] * along, axis=1) - (1 - t) * at_start - t * at_end
+            total += numpy.exp(-numpy.maximum(away, -40 * smoothness) / smoothness)
+        return -smoothness * numpy.log(numpy.maximum(total, 1e-300))
+
+    ends = numpy.array([limb[:2] for limb in limbs]).reshape(-1, 3)
+    margin = max(max(limb[2:]) for limb in limbs) + 3 * cell
+    points, faces = surface_below(distance, ends.min(axis=0) - margin, ends.max(axis=0) + margin, cell)
+    for center, radius in cuts:
+        faces = faces[(numpy.linalg.norm(points[faces].mean(axis=1) - center, axis=1) > radius)]
+    for _ in range(3):  # no vertex keeps two fans
+        sides = numpy.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+        unique, counts = numpy.unique(sides, axis=0, return_counts=True)
+        at_border = numpy.bincount(unique[counts == 1].ravel(), minlength=len(points))
+        faces = faces[(at_border[faces] <= 2).all(axis=1)]
+    used, numbers = numpy.unique(faces, return_inverse=True)
+    write_off(name, points[used], numbers.reshape(-1, 3))
+
+
+def make_vessel():
+    """A trunk that forks, with a loop of two branches; its five ends are open."""
+    limbs = [((0, 0, -3), (0.1, 0, -1), .42, .4), ((.1, 0, -1), (0, 0.1, .6), .4, .38),
+             ((0, .1, .6), (-.9, 0, 1.5), .28, .26), ((-.9, 0, 1.5), (-.8, 0, 2.6), .26, .24),
+             ((0, .1, .6), (.9, .1, 1.4), .28, .26), ((.9, .1, 1.4), (.7, 0, 2.5), .26, .24),
+             ((.7, 0, 2.5), (-.8, 0, 2.6), .22, .2), ((-.8, 0, 2.6), (-1.3, .1, 3.9), .22, .18),
+             ((.7, 0, 2.5), (1.2, -.1, 3.8), .22, .18), ((.1, 0, -1), (1.6, .2, -.3), .26, .2),
+             ((.05, 0, -2), (-1.5, 0, -1.2), .26, .2)]
+    cuts = [((0, 0, -3.1), .55), ((-1.35, .1, 4), .32), ((1.25, -.1, 3.9), .32), ((1.7, .2, -.27), .33), ((-1.6, 0, -1.15), .33)]
+    write_tubes("vessel.off", limbs, 0.07, cuts=cuts)
+
+
+def make_animal():
+    """A trunk with four legs, a tail, and a head with two ears."""
+    limbs = [((-1, 0, 0), (1, 0, .1), .42, .48), ((1, 0, .1), (1.6, 0, .8), .3, .24), ((1.6, 0, .85), (2.1, 0, .75), .27, .15),
+             ((1.5, .15, 1), (1.4, .3, 1.4), .1, .05), ((1.5, -.15, 1), (1.4, -.3, 1.4), .1, .05),
+             ((-1.2, 0, .1), (-1.9, 0, .6), .14, .1), ((-1.9, 0, .6), (-2.3, 0, 1.2), .1, .06)]
+    for x, y in itertools.product((-1, 1), (-.3, .3)):
+        limbs += [((x, y, -.1), (x + .1, y * 1.2, -.9), .2, .14), ((x + .1, y * 1.2, -.9), (x, y * 1.2, -1.7), .14, .11)]
+    write_tubes("animal.off", limbs, 0.055)
+
+
+def draw_skeleton(picture, mesh, offset=0):
+    """A pale surface, and its skeleton in front of it, with nodes as dots."""
+    run("skeleton", mesh, "--output", "skeleton.polylines.txt")
+    points, faces = read_off(files / mesh)
+    picture.draw_surface(points + offset, faces, numpy.full((len(faces), 3), 205.0), 0.75)
+    for line in read_polylines("skeleton.polylines.txt"):
+        picture.draw_line(line + offset, (200, 30, 30), 2, numpy.inf)
+        for end in (line[:1], line[-1:]):
+            picture.draw_line(numpy.concatenate([end, end]) + offset, (20, 60, 140), 5, numpy.inf)
+
+
+def draw_skeletons(name):
+    """A vessel, the neuron of the examples, and an animal, side by side; or the vessel alone."""
+    make_vessel()
+    if name == "skeleton.png":
+        picture = Picture(read_off(files / "vessel.off")[0], (260, 420))
+        draw_skeleton(picture, "vessel.off")
+        return picture.write(name)
+    make_animal()
+    (files / "neuron.off").write_bytes((data / "neuron.off").read_bytes())
+    meshes = {"vessel.off": (-7.2, 2.6, 0), "neuron.off": (0, 0, .5), "animal.off": (7.4, -2.6, .4)}
+    places = [read_off(files / mesh)[0] + offset for mesh, offset in meshes.items()]
+    picture = Picture(numpy.concatenate(places), (760, 290))
+    for mesh, offset in meshes.items():
+        draw_skeleton(picture, mesh, numpy.array(offset))
+    picture.write(name)
+
+
+def draw_bad_skeleton(name):
+    """A plate."""
+    write_tubes("plate.off", [((x, 0, z), (x, 0, z + .1), .25, .25) for x in numpy.arange(-1, 1.05, .25)
+                              for z in numpy.arange(-.8, .85, .25)], 0.07)
+    picture = Picture(read_off(files / "plate.off")[0], (360, 300))
+    draw_skeleton(picture, "plate.off")
+    picture.write(name)
+
+
 def draw_python(name):
     """What an example in Python draws."""
     picture = name[len("python_"):]
@@ -479,8 +563,9 @@ figures = {
     "own_field.png": draw_own_field, "simplified.svg": draw_simplified, "drawing.svg": draw_drawing,
     "cutting_system.png": draw_cutting_system,
     "pants_decomposition.png": draw_pants_decomposition, "handles_of_a_knot.png": draw_handles_of_a_knot,
-    "false_handles.png": draw_false_handles, "page_arcs.png": draw_page, "page_contour.png": draw_page}
+    "false_handles.png": draw_false_handles, "skeletons.png": draw_skeletons, "skeleton.png": draw_skeletons,
+    "bad_skeleton.png": draw_bad_skeleton, "page_arcs.png": draw_page, "page_contour.png": draw_page}
 figures |= {f"python_{picture}.svg": draw_python for picture in (
-    "torus", "segment_scan", "handles", "compare_shapes", "pants", "tetrahedra")}
+    "torus", "segment_scan", "handles", "compare_shapes", "pants", "neuron", "tetrahedra")}
 for figure in wanted or figures:
     figures[figure](figure)

@@ -15,6 +15,7 @@ branches            cuts branches off a surface
 repair              merges points, orients and splits
 cut_along_levels    cuts a surface where the scalars have given values
 cut_to_disks        cuts a surface to disks, to flatten it
+skeleton            lines inside of a surface, with radii: a `Skeleton`
 mesh_arrays         takes the arrays of a mesh of trimesh, PyVista, or meshio
 
 Examples
@@ -43,9 +44,11 @@ from ._functions import Cut, branches, cutting_system, geodesic, harmonic, heigh
 from ._functions import Repaired, cut_along_levels, cut_to_disks, repair, unit_gradient
 from ._graph import ReebGraph, compute
 from ._results import Contour, CriticalSet, Embedding
+from ._skeleton import Skeleton, skeleton
 
 __version__ = _core.__version__
 # Without `Contour`, whose 2,000 inherited lines would be most of what `help(reeb_graph)` shows.
 __all__ = ["CriticalSet", "Cut", "Embedding", "Mesh", "MeshError", "NumberError", "ReebGraph", "Repaired"]
-__all__ += ["StoppedError", "branches", "compute", "cut_along_levels", "cut_to_disks", "cutting_system", "geodesic"]
-__all__ += ["harmonic", "height", "make_borders_level", "mesh_arrays", "pants", "poisson", "repair", "unit_gradient"]
+__all__ += ["Skeleton", "StoppedError", "branches", "compute", "cut_along_levels", "cut_to_disks", "cutting_system"]
+__all__ += ["geodesic", "harmonic", "height", "make_borders_level", "mesh_arrays", "pants", "poisson", "repair"]
+__all__ += ["skeleton", "unit_gradient"]

@@ -18,10 +18,12 @@
 #include "computation/scalar_fields.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
+#include "computation/skeleton.h"
 #include "input/mesh_input.h"
 #include "input/repair_soup.h"
 #include "input/threshold_input.h"
 #include "output/report_output.h"
+#include "output/skeleton_output.h"
 
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
@@ -30,7 +32,10 @@
 
 #include <pybind11/stl/filesystem.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <sstream>
@@ -406,6 +411,58 @@ py::object repair(const Mesh_arrays& arrays, std::size_t number_of_points, const
   return to_object(std::make_tuple(triangles, soup.points, map));
 }
 
+// Points, radii, inscribed radii, arcs, the point of each vertex or -1, and the numbers that certify them.
+py::object skeleton(const Mesh_arrays& arrays,
+                    std::size_t number_of_vertices,
+                    const std::optional<Value_array>& scalars,
+                    const Skeleton_settings& settings,
+                    Run& run)
+{
+  const Polygon_soup soup = copy_arrays(arrays, number_of_vertices);
+  const Value_array* const given = scalars ? &*scalars : nullptr;
+  Skeleton result;
+  run([&] {
+    Mesh mesh = make_surface(soup, "a skeleton");
+    std::optional<Scalar_map> map;
+    if(given)
+      map = add_map(mesh.surface, "v:scalar", given);
+    result = extract_skeleton(mesh.surface, map, settings);
+  });
+  const auto& known = result.certificate;
+  std::vector<std::int64_t> vertex_map;
+  for(const std::size_t v : result.vertex_map)
+    vertex_map.push_back(v == Skeleton::none ? -1 : static_cast<std::int64_t>(v));
+  const std::map<std::string, std::size_t> numbers = {
+    {"components", known.number_of_components},
+    {"genus", known.genus},
+    {"arcs", known.number_of_arcs},
+    {"ends", known.number_of_ends},
+    {"border_ends", known.number_of_border_ends},
+    {"junctions", known.number_of_junctions},
+    {"loops", known.number_of_loops},
+    {"hidden_handles", known.number_of_hidden_handles},
+    {"vertices_outside", known.number_of_vertices_outside},
+    {"crossing_edges", known.number_of_crossing_edges},
+    {"self_intersecting_components", known.number_of_crossing_components}};
+  return py::make_tuple(to_object(result.points), to_object(result.radii), to_object(result.inscribed_radii),
+                        to_object(result.arcs), to_object(vertex_map), py::cast(numbers));
+}
+
+void write_skeleton_file(const std::filesystem::path& path,
+                         const Value_array& points,
+                         const std::vector<double>& radii,
+                         const std::vector<double>& inscribed_radii,
+                         const std::vector<Numbers>& arcs)
+{
+  Skeleton skeleton;
+  skeleton.points.resize(radii.size());
+  copy_points(points, skeleton.points);
+  skeleton.radii = radii;
+  skeleton.inscribed_radii = inscribed_radii;
+  skeleton.arcs = arcs;
+  write_skeleton(path, skeleton);
+}
+
 void add_functions(py::module_& module)
 {
   using CGAL::Reeb_graph::Borders;
@@ -435,6 +492,9 @@ void add_functions(py::module_& module)
   module.def("cut", &cut);
   module.def("cut_levels", &cut_levels);
   module.def("cut_disks", &cut_disks);
+  py::class_<Skeleton_settings>(module, "SkeletonSettings").def(py::init<double, double, bool>());
+  module.def("skeleton", &skeleton);
+  module.def("write_skeleton", &write_skeleton_file);
 }
 
 void add_graph(py::module_& module)

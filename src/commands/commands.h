@@ -14,11 +14,13 @@
 #include "base/report.h"
 #include "computation/Mesh_graph.h"
 #include "input/repair_soup.h"
+#include "computation/skeleton.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace reeb_graph_program {
 struct Compute_options
@@ -101,6 +103,16 @@ struct Repair_command_options
   bool is_report_json = false;
 };
 
+struct Skeleton_command_options
+{
+  Input_options input;
+  Skeleton_settings settings;
+  std::vector<std::string> output_paths;
+  std::string page_path, unit, up; // the page is not written if its path is empty
+  bool is_report_json = false;
+  std::size_t number_of_threads = 0; // 0: one per core
+};
+
 struct Demo_options
 {
   std::filesystem::path folder = "reeb_graph_demo";
@@ -131,6 +143,7 @@ void run_curves(Curves_options options);
 void run_field(const Field_options& options);
 void run_handles(const Handles_options& options);
 void run_repair(const Repair_command_options& options);
+void run_skeleton(const Skeleton_command_options& options);
 void run_demo(const Demo_options& options);
 
 } // namespace reeb_graph_program

@@ -111,6 +111,7 @@ void measure_graphs(Table& table);
 void measure_fields(Table& table);
 void measure_curves(Table& table);
 void measure_handles(Table& table);
+void measure_skeletons(Table& table);
 void measure_complexes(Table& table);
 
 } // namespace growth

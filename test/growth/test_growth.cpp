@@ -55,6 +55,7 @@ int main(int argc, char* argv[])
     growth::measure_complexes(table);
     growth::measure_curves(table);
     growth::measure_handles(table);
+    growth::measure_skeletons(table);
 #ifdef CGAL_EIGEN3_ENABLED
     growth::measure_fields(table);
 #endif

@@ -40,6 +40,7 @@ commands.update({
                 near_linear),
     "repair": (["repair", "{mesh}", "--merge-within", "1e-9", "--orient", "--split", "--largest", "--output", "out.ply"],
                near_linear),
+    "skeleton": (["skeleton", "{mesh}", "--output", "s.swc", "--output", "s.vtp"], near_linear),
     "field height": (["field", "{mesh}", "--type", "height", "--output", "f.txt"], near_linear),
     "field geodesic": (["field", "{mesh}", "--type", "geodesic", "--output", "f.txt"], near_linear),
 })
@@ -61,7 +62,7 @@ def is_meant(surface, command):
         return "genus k^2" not in surface
     if command.startswith("curves"):
         return "noise" not in surface and ("genus k^2" in surface or "pants" not in command)
-    return not command.startswith("field") or "noise" not in surface
+    return not command.startswith(("field", "skeleton")) or "noise" not in surface
 
 
 def run(command, stem):

@@ -5,7 +5,7 @@ cmake_minimum_required(VERSION 3.21)
 # Each room, from the ground up, and what it may include besides itself. `words` are small public headers, which include
 # none but each other; `core` is what else is public and belongs to no room on top, and the door of `way_back`: these two
 # include each other.
-set(rooms words base complex engine io core way_back fields simplification drawing curves handles distributed)
+set(rooms words base complex engine io core way_back fields simplification drawing curves handles skeleton distributed)
 set(below_words)
 set(below_base words)
 set(below_complex words base)
@@ -18,6 +18,7 @@ set(below_simplification words base complex core fields)
 set(below_drawing words base io core simplification)
 set(below_curves words base complex core fields simplification)
 set(below_handles words base complex core fields simplification curves)
+set(below_skeleton words base complex core fields)
 set(below_distributed words base complex engine core)
 
 set(words exceptions.h options.h visitor.h)

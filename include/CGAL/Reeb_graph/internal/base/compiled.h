@@ -76,6 +76,9 @@ typedef std::uint64_t Rank;
 #ifndef CGAL_REEB_GRAPH_LOOPS
 #define CGAL_REEB_GRAPH_LOOPS extern
 #endif
+#ifndef CGAL_REEB_GRAPH_SKELETONS
+#define CGAL_REEB_GRAPH_SKELETONS extern
+#endif
 #ifndef CGAL_REEB_GRAPH_SOLVERS
 #define CGAL_REEB_GRAPH_SOLVERS extern
 #endif
@@ -129,6 +132,15 @@ typedef std::uint64_t Rank;
 #endif
 #else
 #define CGAL_REEB_GRAPH_FOR_LOOPS(M)
+#endif
+// Functions of skeletons, in the same way.
+#ifdef CGAL_REEB_GRAPH_COMPILED
+#define CGAL_REEB_GRAPH_FOR_SKELETONS(M) M(CGAL_REEB_GRAPH_SKELETONS)
+#ifndef CGAL_REEB_GRAPH_DEFINE_SKELETONS
+#define CGAL_REEB_GRAPH_ARE_SKELETONS_COMPILED
+#endif
+#else
+#define CGAL_REEB_GRAPH_FOR_SKELETONS(M)
 #endif
 // Functions that need Eigen, on both sides. They have no parameters but M(PREFIX); only the library sees their definition.
 #if defined(CGAL_REEB_GRAPH_COMPILED) && defined(CGAL_REEB_GRAPH_COMPILED_SOLVERS) && defined(CGAL_EIGEN3_ENABLED)

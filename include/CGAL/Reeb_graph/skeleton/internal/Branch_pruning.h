@@ -1,0 +1,265 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SKELETON_INTERNAL_BRANCH_PRUNING_H
+#define CGAL_REEB_GRAPH_SKELETON_INTERNAL_BRANCH_PRUNING_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Sampled_graph.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Reeb_graph::internal::skeleton {
+
+// Takes branches off a graph, the least persistent ones first: paths from a leaf to the node where they leave the trunk,
+// or, if the rest is a loop, where they leave that. A branch goes if its persistence is below a share of the radius of
+// the trunk there, or if it protrudes from the trunk by less. One to a border goes only if the border is a hole in the
+// wall: if the branch does not protrude, and the border is smaller than that, too.
+class Branch_pruning
+{
+public:
+  Branch_pruning(const Sampled_graph& graph,
+                 const Surface_tree& tree,
+                 double ratio,
+                 bool are_values_distances,
+                 const std::vector<double>& hole_radii)
+    : graph_(graph),
+      tree_(tree),
+      ratio_(ratio),
+      are_values_distances_(are_values_distances),
+      hole_radii_(hole_radii),
+      is_alive_(graph.number_of_arcs(), true),
+      degrees_(graph.number_of_nodes()),
+      redirections_(graph.number_of_nodes(), no_index),
+      branches_(graph.number_of_nodes()),
+      waiting_(graph.number_of_nodes())
+  {
+    for(Index node = 0; node != graph.number_of_nodes(); ++node)
+      degrees_[node] = static_cast<Index>(graph.arcs_of(node).size());
+    for(Index node = 0; node != graph.number_of_nodes(); ++node)
+    {
+      if(degrees_[node] != 1)
+        continue;
+      branches_[node].end = node;
+      grow(node);
+    }
+    run();
+  }
+
+  bool is_alive(Index arc) const { return is_alive_[arc]; }
+  Index degree(Index node) const { return degrees_[node]; }
+
+  // Takes off the branches of some tips that are still there, and what goes then.
+  void remove_all(const std::vector<Index>& tips)
+  {
+    for(const Index tip : tips)
+      if(degrees_[tip] == 1 && degrees_[branches_[tip].end] > 2)
+        remove(tip);
+    run();
+  }
+
+  // Where the branch with a node, or arc, has left what is still there.
+  Index trunk_of(Index node)
+  {
+    Index root = node;
+    while(redirections_[root] != no_index)
+      root = redirections_[root];
+    while(redirections_[node] != no_index)
+      node = std::exchange(redirections_[node], root);
+    return root;
+  }
+
+private:
+  struct Branch
+  {
+    Index end = no_index;
+    double persistence = 0;
+    std::vector<Index> arcs; // from the tip
+  };
+  typedef std::pair<double, Index> Entry; // of a tip
+
+  // Goes on with the branch of a tip through nodes with two arcs, and queues it if it ends at one with more.
+  void grow(Index tip)
+  {
+    if(degrees_[tip] == 0) // It has been removed.
+      return;
+    Branch& branch = branches_[tip];
+    while(degrees_[branch.end] == 2 || branch.arcs.empty())
+    {
+      Index next = no_index;
+      for(const Index arc : graph_.arcs_of(branch.end))
+        if(is_alive_[arc] && (branch.arcs.empty() || arc != branch.arcs.back()))
+          next = arc;
+      branch.arcs.push_back(next);
+      branch.end = graph_.other_end(next, branch.end);
+      branch.persistence = (std::max)(branch.persistence, height(tip, branch.end));
+    }
+    if(degrees_[branch.end] > 2)
+      queue_.push({branch.persistence, tip});
+  }
+
+  // That of a tip over a node: for values that are no distances, how far it is away.
+  double height(Index tip, Index node) const
+  {
+    return are_values_distances_ ? std::abs(graph_.value(tip) - graph_.value(node))
+                                 : distance(graph_.point(tip), graph_.point(node));
+  }
+
+  void run()
+  {
+    while(!queue_.empty())
+    {
+      const Index tip = queue_.top().second;
+      queue_.pop();
+      const Index end = branches_[tip].end;
+      if(degrees_[end] == 2) // A branch that ended there has gone.
+        grow(tip);
+      else if(is_to_go(branches_[tip], tip))
+        remove(tip);
+      else
+        waiting_[end].push_back(tip);
+    }
+  }
+
+  // Compares with the trunk: the contours of the other arcs where the branch ends, and what lies between two of them.
+  // The tip protrudes from the one that hides it best.
+  bool is_to_go(const Branch& branch, Index tip) const
+  {
+    if(!(ratio_ > 0))
+      return false;
+    const Point& top = graph_.point(tip);
+    double radius = 0, protrusion = std::numeric_limits<double>::infinity();
+    std::vector<Contour_sample> samples, farther;
+    const auto compare = [&](const Point& center, const Point& hint) {
+      const double inscribed = tree_.distance_from(center, hint);
+      radius = (std::max)(radius, inscribed); // Fronts about to meet have a contour that folds around the tube.
+      protrusion = (std::min)(protrusion, distance(top, center) - inscribed);
+    };
+    for(const Index arc : graph_.arcs_of(branch.end))
+    {
+      if(!is_alive_[arc] || arc == branch.arcs.back())
+        continue;
+      samples.push_back(graph_.sample_beside(arc, branch.end));
+      radius = (std::max)(radius, samples.back().shape.radius());
+      compare(samples.back().shape.centroid, samples.back().on_surface);
+      farther.push_back(sample_farther(arc, branch.end, radius));
+    }
+    for(std::size_t i = 1; i < samples.size(); ++i)
+      for(const Point& middle : middles(samples[i - 1], farther[i - 1], samples[i], farther[i]))
+        compare(middle, samples[i].on_surface);
+    const double least = ratio_ * radius;
+    if(hole_radii_[tip] >= 0)
+      return protrusion < least && hole_radii_[tip] < least;
+    return branch.persistence < least || protrusion < least || is_bump(tip, branch.persistence);
+  }
+
+  // A contour on the way from a node along an arc, and on through nodes with two arcs, about a distance away.
+  Contour_sample sample_farther(Index arc, Index node, double distance) const
+  {
+    double passed = 0;
+    while(true)
+    {
+      const double size = std::abs(graph_.value(graph_.ends(arc)[1]) - graph_.value(graph_.ends(arc)[0]));
+      const bool is_upwards = graph_.ends(arc)[0] == node;
+      const Index next = graph_.other_end(arc, node);
+      if(passed + size >= distance || degrees_[next] != 2)
+      {
+        const double t = size > 0 ? (std::min)((distance - passed) / size, 0.5) : 0.5;
+        return graph_.sample(arc, is_upwards ? t : 1 - t);
+      }
+      passed += size;
+      node = next;
+      Index other = arc;
+      for(const Index candidate : graph_.arcs_of(next))
+        if(is_alive_[candidate] && candidate != arc)
+          other = candidate;
+      arc = other;
+    }
+  }
+
+  // The middle between two contours, straight, and on a curve that goes on as the trunk does.
+  static std::vector<Point> middles(const Contour_sample& a,
+                                    const Contour_sample& behind_a,
+                                    const Contour_sample& b,
+                                    const Contour_sample& behind_b)
+  {
+    const Point &p = a.shape.centroid, &q = b.shape.centroid;
+    const Vector from_p = p - behind_a.shape.centroid, from_q = q - behind_b.shape.centroid;
+    std::vector<Point> result = {CGAL::midpoint(p, q)};
+    if(length(from_p) > 0 && length(from_q) > 0)
+      result.push_back(result[0] + distance(p, q) / 8 * (from_p / length(from_p) + from_q / length(from_q)));
+    return result;
+  }
+
+  // Whether a tip hardly protrudes from a ball beneath it that is larger than the branch, as those do that the front
+  // leaves on a large body, where contours between limbs are small.
+  bool is_bump(Index tip, double persistence) const
+  {
+    const auto inwards = tree_.inward_direction(graph_.vertex(tip));
+    const double depth = tree_.depth_beneath(graph_.point(tip), inwards);
+    const int number_of_steps = 8;
+    for(int i = 1; i != number_of_steps; ++i)
+    {
+      const double step = depth * i / number_of_steps;
+      const Point center = graph_.point(tip) + step * inwards;
+      const double inscribed = tree_.distance_from(center, graph_.point(tip));
+      if(step - inscribed < ratio_ / 2 * inscribed && persistence < 2 * ratio_ * inscribed)
+        return true;
+    }
+    return false;
+  }
+
+  void remove(Index tip)
+  {
+    Branch& branch = branches_[tip];
+    const Index end = branch.end;
+    for(const Index arc : branch.arcs)
+    {
+      is_alive_[arc] = false;
+      for(const Index node : graph_.ends(arc))
+        if(node != end)
+        {
+          redirections_[node] = end;
+          degrees_[node] = 0;
+        }
+    }
+    branch.arcs.clear();
+    if(--degrees_[end] != 2)
+      return;
+    const std::vector<Index> waiting = std::exchange(waiting_[end], {});
+    for(const Index other : waiting)
+      grow(other);
+  }
+
+  const Sampled_graph& graph_;
+  const Surface_tree& tree_;
+  const double ratio_;
+  const bool are_values_distances_;
+  const std::vector<double>& hole_radii_; // by node, of those that are borders; negative for others
+  std::vector<bool> is_alive_;            // by arc
+  std::vector<Index> degrees_;
+  std::vector<Index> redirections_;         // of nodes that have gone
+  std::vector<Branch> branches_;            // of tips
+  std::vector<std::vector<Index>> waiting_; // the tips whose branches end at a node, and stay
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
+};
+
+} // namespace CGAL::Reeb_graph::internal::skeleton
+
+#endif // CGAL_REEB_GRAPH_SKELETON_INTERNAL_BRANCH_PRUNING_H

@@ -1,0 +1,130 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SKELETON_INTERNAL_SAMPLED_GRAPH_H
+#define CGAL_REEB_GRAPH_SKELETON_INTERNAL_SAMPLED_GRAPH_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/Flat_field.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+#include <CGAL/Reeb_graph/skeleton/internal/component_field.h>
+#include <CGAL/compute_reeb_graph.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace CGAL::Reeb_graph::internal::skeleton {
+
+// A contour of an arc, by what is measured of it.
+struct Contour_sample
+{
+  Contour_shape shape;
+  Point on_surface; // one of its points
+};
+
+// The Reeb graph of a field on a component by numbers, with samples of its contours, and the place of each vertex.
+class Sampled_graph
+{
+public:
+  struct Arc
+  {
+    std::array<Index, 2> ends; // the lower one, and the upper one
+  };
+
+  Sampled_graph(const Mesh& mesh, Field field, const Stage_progress& progress)
+    : flat_(mesh, field),
+      places_(mesh.num_vertices()),
+      augmentation_(mesh, flat_, compute(mesh, progress))
+  {
+    for(const auto arc : CGAL::make_range(edges(graph_)))
+    {
+      descriptors_.push_back(arc);
+      arcs_.push_back({{Index(source(arc, graph_)), Index(target(arc, graph_))}});
+    }
+    arcs_of_nodes_.resize(num_vertices(graph_));
+    for(Index arc = 0; arc != arcs_.size(); ++arc)
+      for(const Index node : arcs_[arc].ends)
+        arcs_of_nodes_[node].push_back(arc);
+  }
+
+  const Mesh& mesh() const { return augmentation_.mesh(); }
+  Index number_of_nodes() const { return static_cast<Index>(arcs_of_nodes_.size()); }
+  Index number_of_arcs() const { return static_cast<Index>(arcs_.size()); }
+  const std::array<Index, 2>& ends(Index arc) const { return arcs_[arc].ends; }
+  Index other_end(Index arc, Index node) const { return ends(arc)[ends(arc)[0] == node ? 1 : 0]; }
+  const std::vector<Index>& arcs_of(Index node) const { return arcs_of_nodes_[node]; }
+  double value(Index node) const { return graph_[node].value; }
+  double value(Mesh::Vertex_index v) const { return get(flat_, v); }
+  Mesh::Vertex_index vertex(Index node) const { return graph_[node].vertex; }
+  const Point& point(Index node) const { return mesh().point(vertex(node)); }
+
+  // That of a node, or, after those, of an arc.
+  Index place(Mesh::Vertex_index v) const { return places_[v.idx()]; }
+
+  // The contour at a place of an arc, 0 at the lower end and 1 at the upper one, not quite at the ends.
+  Contour_sample sample(Index arc, double t) const
+  {
+    return measured(augmentation_.contour(descriptors_[arc], (std::min)((std::max)(t, 1e-6), 1 - 1e-6)));
+  }
+
+  // The contour of an arc right beside one of its nodes.
+  Contour_sample sample_beside(Index arc, Index node) const
+  {
+    const bool is_lower = ends(arc)[0] == node;
+    return measured(is_lower ? augmentation_.contour_above(descriptors_[arc], vertex(node))
+                             : augmentation_.contour_below(descriptors_[arc], vertex(node)));
+  }
+
+  // The number of edges that have been crossed by contours.
+  std::size_t number_of_crossings() const { return number_of_crossings_; }
+
+private:
+  typedef Flat_field<Mesh, double> Flat;
+  typedef Reeb_graph_traits<Mesh, Flat>::Graph Graph;
+  typedef Augmentation<Mesh, Flat, Graph> Way_back;
+
+  const Graph& compute(const Mesh& mesh, const Stage_progress& progress)
+  {
+    const auto place_map =
+      boost::make_iterator_property_map(places_.begin(), get(boost::vertex_index, mesh), places_.front());
+    compute_reeb_graph(mesh, flat_, graph_,
+                       parameters::vertex_place_map(place_map).callback(progress.part(0, 0.9).callback()));
+    return graph_;
+  }
+
+  Contour_sample measured(const Way_back::Contour& contour) const
+  {
+    points_.clear();
+    augmentation_.points_of_contour(contour, std::back_inserter(points_));
+    number_of_crossings_ += points_.size();
+    return {measure(points_), points_.front()};
+  }
+
+  Flat flat_;
+  std::vector<Index> places_;
+  Graph graph_;
+  Way_back augmentation_;
+  std::vector<boost::graph_traits<Graph>::edge_descriptor> descriptors_;
+  std::vector<Arc> arcs_;
+  std::vector<std::vector<Index>> arcs_of_nodes_;
+  mutable std::vector<Point> points_;
+  mutable std::size_t number_of_crossings_ = 0;
+};
+
+} // namespace CGAL::Reeb_graph::internal::skeleton
+
+#endif // CGAL_REEB_GRAPH_SKELETON_INTERNAL_SAMPLED_GRAPH_H

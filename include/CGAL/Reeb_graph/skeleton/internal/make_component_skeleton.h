@@ -1,0 +1,200 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SKELETON_INTERNAL_MAKE_COMPONENT_SKELETON_H
+#define CGAL_REEB_GRAPH_SKELETON_INTERNAL_MAKE_COMPONENT_SKELETON_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Component_skeleton.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Graph_chains.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Inside_lines.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Sampled_graph.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
+#include <CGAL/Reeb_graph/skeleton/internal/component_field.h>
+
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Reeb_graph::internal::skeleton {
+
+// Puts the lines, and the vertices that their points stand for, into the result.
+class Skeleton_writing
+{
+public:
+  Skeleton_writing(const Filled_component& component,
+                   Graph_chains& chains,
+                   Skeleton_lines& lines,
+                   Component_skeleton& result)
+    : component_(component),
+      chains_(chains),
+      lines_(lines),
+      result_(result)
+  {
+    for(const auto& [index, node] : lines.nodes())
+      add_node(index, node);
+    for(Index chain = 0; chain != lines.lines().size(); ++chain)
+      add_arc(chain);
+    map_vertices();
+  }
+
+private:
+  void add_node(Index index, const Skeleton_lines::Node& node)
+  {
+    numbers_[index] = static_cast<Index>(result_.vertices.size());
+    result_.vertices.push_back({node.point.point, node.point.radius, node.point.inscribed_radius, no_index, 0});
+    if(node.kind == Line_end::JUNCTION)
+      result_.number_of_junctions += degree(index) > 2 ? 1 : 0;
+    else
+      ++result_.number_of_ends;
+    result_.number_of_border_ends += node.kind == Line_end::BORDER ? 1 : 0;
+  }
+
+  std::size_t degree(Index index) const
+  {
+    std::size_t result = 0;
+    for(const auto& chain : chains_.chains())
+      for(const Index end : chain.ends)
+        result += end == index ? 1 : 0;
+    return result;
+  }
+
+  void add_arc(Index chain)
+  {
+    const auto& ends = chains_.chains()[chain].ends;
+    std::vector<Index> arc = {numbers_.at(ends[0])};
+    for(const Line_point& point : lines_.lines()[chain])
+    {
+      arc.push_back(static_cast<Index>(result_.vertices.size()));
+      result_.vertices.push_back({point.point, point.radius, point.inscribed_radius, chain, 0});
+    }
+    arc.push_back(numbers_.at(ends[1]));
+    set_places(arc);
+    result_.arcs.push_back(std::move(arc));
+  }
+
+  // Places by lengths, from 0 to 1.
+  void set_places(const std::vector<Index>& arc)
+  {
+    std::vector<double> lengths = {0};
+    for(std::size_t i = 1; i != arc.size(); ++i)
+      lengths.push_back(lengths.back() + distance(result_.vertices[arc[i - 1]].point, result_.vertices[arc[i]].point));
+    for(std::size_t i = 1; i + 1 < arc.size(); ++i)
+      result_.vertices[arc[i]].place = lengths.back() > 0 ? lengths[i] / lengths.back() : 0.5;
+  }
+
+  // A vertex belongs to the point of its chain that is next in place.
+  void map_vertices()
+  {
+    std::vector<std::vector<double>> places(result_.arcs.size());
+    for(Index chain = 0; chain != places.size(); ++chain)
+    {
+      places[chain].push_back(0);
+      for(const Line_point& point : lines_.lines()[chain])
+        places[chain].push_back((std::max)(places[chain].back(), point.place));
+      places[chain].push_back(chains_.chains()[chain].length);
+    }
+    for(std::size_t i = 0; i != component_.given.size(); ++i)
+    {
+      Index node = no_index;
+      const auto [chain, place] = chains_.place_of(Mesh::Vertex_index(static_cast<Mesh::size_type>(i)), node);
+      if(chain == no_index)
+      {
+        result_.vertex_map.push_back(numbers_.at(node));
+        continue;
+      }
+      const auto& all = places[chain];
+      const auto after =
+        static_cast<std::size_t>(std::lower_bound(all.begin() + 1, all.end() - 1, place) - all.begin());
+      result_.vertex_map.push_back(
+        result_.arcs[chain][place - all[after - 1] < all[after] - place ? after - 1 : after]);
+    }
+  }
+
+  const Filled_component& component_;
+  Graph_chains& chains_;
+  Skeleton_lines& lines_;
+  Component_skeleton& result_;
+  std::map<Index, Index> numbers_; // of the nodes of the graph
+};
+
+// Takes branches off that the lines of other ones make needless.
+inline void remove_covered_tips(const Sampled_graph& graph,
+                                const Surface_tree& tree,
+                                const Filled_component& component,
+                                const Skeleton_options& options,
+                                Branch_pruning& pruning)
+{
+  while(options.pruning_ratio > 0)
+  {
+    const Graph_chains chains(graph, pruning);
+    const Skeleton_lines lines(graph, chains, component, options.sampling_ratio, component.values.empty());
+    const std::vector<Index> tips = lines.covered_tips(tree, options.pruning_ratio);
+    if(tips.empty())
+      return;
+    pruning.remove_all(tips);
+  }
+}
+
+template <class Component>
+Component_skeleton make_component_skeleton(Component component,
+                                           const Skeleton_options& options,
+                                           const Stage_progress& progress)
+{
+  const Mesh& mesh = component.mesh;
+  Component_skeleton result;
+  const bool are_distances = component.values.empty();
+  const Field field = component.mesh.template add_property_map<Mesh::Vertex_index, double>("v:value", 0).first;
+  if(are_distances)
+    write_distances(component, options.are_borders_ends, field, progress.part(0, 0.5));
+  else
+    write_values(component, options.are_borders_ends, field);
+  const Sampled_graph graph(mesh, field, progress.part(0.5, 0.6));
+  const std::size_t edges_less_vertices = mesh.num_edges() - mesh.num_vertices();
+  result.genus = (2 + edges_less_vertices - mesh.num_faces()) / 2;
+  result.number_of_loops = std::size_t(graph.number_of_arcs()) + 1 - graph.number_of_nodes();
+  const Surface_tree tree(mesh);
+  progress(0.7);
+  std::vector<double> hole_radii(graph.number_of_nodes(), -1);
+  for(Index node = 0; node != graph.number_of_nodes(); ++node)
+    if(component.is_apex(graph.vertex(node)))
+      hole_radii[node] = component.borders[graph.vertex(node).idx() - component.given.size()].radius;
+  Branch_pruning pruning(graph, tree, options.pruning_ratio, are_distances, hole_radii);
+  progress(0.8);
+  remove_covered_tips(graph, tree, component, options, pruning);
+  Graph_chains chains(graph, pruning);
+  Skeleton_lines lines(graph, chains, component, options.sampling_ratio, are_distances);
+  const Inside_lines inside(graph, chains, tree, lines);
+  result.number_outside = inside.number_outside();
+  result.number_of_crossings = inside.number_of_crossings();
+  progress(0.9);
+  result.is_self_intersecting = Polygon_mesh_processing::does_self_intersect(mesh);
+  const Skeleton_writing writing(component, chains, lines, result);
+  return result;
+}
+
+#define CGAL_REEB_GRAPH_MAKE_COMPONENT_SKELETON(PREFIX)                                                                \
+  PREFIX template Component_skeleton make_component_skeleton<Filled_component>(                                        \
+    Filled_component, const Skeleton_options&, const Stage_progress&);
+CGAL_REEB_GRAPH_FOR_SKELETONS(CGAL_REEB_GRAPH_MAKE_COMPONENT_SKELETON)
+
+} // namespace CGAL::Reeb_graph::internal::skeleton
+
+#endif // CGAL_REEB_GRAPH_SKELETON_INTERNAL_MAKE_COMPONENT_SKELETON_H

@@ -1,0 +1,122 @@
+"""Curve skeletons."""
+
+from __future__ import annotations
+
+import math
+import os
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from . import _arrays, _core
+from ._results import count
+from ._run import Progress, run
+
+
+@dataclass(frozen=True, repr=False)
+class Skeleton:
+    """A curve skeleton: lines inside of a surface, with radii.
+
+    Attributes
+    ----------
+    points : (n, 3) array of float
+    edges : (m, 2) array of int
+        The points at the ends of each edge, those of one arc after the other.
+    radii : (n,) array of float
+        The radius of a circle of the area of the contour at each point.
+    inscribed_radii : (n,) array of float
+        The distance of each point from the surface; 0 at the ends of tubes.
+    arcs : list of arrays of int
+        The points of each arc, from node to node.
+    vertex_map : (number of vertices,) array of int
+        The point that stands for each vertex of the mesh, -1 for those without triangles.
+    counts : dict from str to int
+        Components, genus, arcs, ends, junctions, loops and hidden handles, and what certifies the lines: vertices outside
+        of the surface, edges that cross it, and components that intersect themselves.
+    """
+
+    points: np.ndarray
+    edges: np.ndarray
+    radii: np.ndarray
+    inscribed_radii: np.ndarray
+    arcs: list[np.ndarray]
+    vertex_map: np.ndarray
+    counts: dict[str, int]
+
+    @property
+    def n_loops(self) -> int:
+        return self.counts["loops"]
+
+    def to_networkx(self) -> Any:
+        """Return a `networkx.MultiGraph` with a node for each point.
+
+        Nodes have the attributes `pos`, `radius`, and `inscribed_radius`, edges have `arc` and `length`.
+        """
+        import networkx  # type: ignore[import-untyped]
+
+        graph = networkx.MultiGraph()
+        columns = zip(self.points.tolist(), self.radii.tolist(), self.inscribed_radii.tolist())
+        for number, (point, radius, inscribed) in enumerate(columns):
+            graph.add_node(number, pos=tuple(point), radius=radius, inscribed_radius=inscribed)
+        for number, arc in enumerate(self.arcs):
+            for a, b in zip(arc[:-1].tolist(), arc[1:].tolist()):
+                graph.add_edge(a, b, arc=number, length=math.dist(self.points[a], self.points[b]))
+        return graph
+
+    def write(self, *files: str | os.PathLike[str]) -> None:
+        """Write the skeleton to files: `.swc`, `.vtp`, `.polylines.txt`, or `.graphml`.
+
+        In SWC, a loop is cut once: a comment `# CYCLE_BREAK reconnect DUPLICATE ORIGINAL` names the copy of a point.
+        """
+        for file in files:
+            arrays = self.radii.tolist(), self.inscribed_radii.tolist(), [arc.tolist() for arc in self.arcs]
+            _core.write_skeleton(os.fspath(file), np.require(self.points, np.float64, ["C", "ALIGNED"]), *arrays)
+
+    def __repr__(self) -> str:
+        size = f"{count(len(self.points), 'point')}, {count(len(self.arcs), 'arc')}"
+        return f"<Skeleton: {size}, {count(self.counts['ends'], 'end')}, {count(self.n_loops, 'loop')}>"
+
+
+def skeleton(
+    triangles: Any, points: Any = None, scalars: Any = None, *, pruning_ratio: float = 0.5, sampling_ratio: float = 0.5,
+    ends_at_borders: bool = True, threads: int | None = None, progress: Progress = None,
+) -> Skeleton:
+    """Extract a curve skeleton: lines inside of a surface, with a loop for each handle, and radii.
+
+    Parameters
+    ----------
+    triangles : (m, 3) array of integers, or a mesh
+        An oriented manifold surface.
+    points : (n, 3) array
+    scalars : (n,) array, or the name of data of the mesh, optional
+        A field whose contours give the lines; by default the distance from a tip of each component.
+    pruning_ratio : float
+        Branches go that stand out from the trunk by less than this share of its radius; 0 keeps all.
+    sampling_ratio : float
+        The distance between points as a share of the radius, from 0.01 to 100.
+    ends_at_borders : bool
+        Whether borders are ends; if not, they are filled, as holes of a scan.
+    threads, progress
+        As for `compute`.
+
+    Returns
+    -------
+    Skeleton
+
+    Notes
+    -----
+    F. Lazarus and A. Verroust, *Level set diagrams of polyhedral objects*, 1999.
+    """
+    mesh = _arrays.take(triangles, points)
+    if mesh.points is None:
+        raise ValueError("a skeleton needs points: they come behind the triangles")
+    values = None if scalars is None else _arrays.doubles(_arrays.scalars_of(mesh, scalars))
+    number = len(mesh.points if values is None else values)
+    settings = _core.SkeletonSettings(float(pruning_ratio), float(sampling_ratio), bool(ends_at_borders))
+    arguments = mesh.checked(number), number, values, settings
+    found = run(_core.skeleton, *arguments, threads=threads, progress=progress, name="skeleton")
+    of_points, radii, inscribed_radii, arcs, vertex_map, counts = found
+    pairs = [np.column_stack([arc[:-1], arc[1:]]) for arc in arcs]
+    edges = np.concatenate(pairs) if pairs else np.zeros((0, 2), dtype=np.int64)
+    return Skeleton(of_points, edges, radii, inscribed_radii, arcs, vertex_map, counts)

@@ -1,0 +1,102 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "base/stopwatch.h"
+#include "commands/commands.h"
+#include "computation/Mesh_graph.h"
+#include "computation/skeleton.h"
+#include "input/field_input.h"
+#include "output/output_file.h"
+#include "output/skeleton_output.h"
+#include "page/page_output.h"
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace reeb_graph_program {
+namespace {
+bool has_field(const Input_options& input) { return !input.field.empty() || !input.scalars_path.empty(); }
+
+std::vector<std::filesystem::path> check_options(const Skeleton_command_options& options)
+{
+  std::vector<std::filesystem::path> outputs;
+  for(const std::string& path : options.output_paths)
+  {
+    check_skeleton_format(path);
+    outputs.emplace_back(path);
+  }
+  check_page(options.page_path, options.up);
+  outputs.emplace_back(options.page_path);
+  if(!(options.settings.pruning_ratio >= 0))
+    throw std::runtime_error("--prune must not be negative or NaN");
+  if(!(options.settings.sampling_ratio >= 0.01 && options.settings.sampling_ratio <= 100))
+    throw std::runtime_error("--step has to be from 0.01 to 100");
+  check_outputs(outputs, input_files(options.input));
+  return outputs;
+}
+
+// The page shows the lines in the surface, beside the Reeb graph of the field, by default of distances.
+void write_page_of_skeleton(const Skeleton_command_options& options,
+                            const Mesh& mesh,
+                            Scalar_map scalar_map,
+                            const Skeleton_report& report)
+{
+  Graph_options graph_options;
+  graph_options.are_places_wanted = true;
+  Report unused;
+  const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, {}, 0, unused);
+  Page_request request = {scalar_map,
+                          *graph,
+                          std::filesystem::path(options.input.mesh_path).filename().string(),
+                          {report.field, options.unit}};
+  request.up = options.up;
+  request.curves = polylines_of(report.skeleton);
+  write_page(options.page_path, request);
+}
+
+} // namespace
+
+void run_skeleton(const Skeleton_command_options& options)
+{
+  const std::vector<std::filesystem::path> outputs = check_options(options);
+  Skeleton_report report;
+  Input_options input = options.input;
+  if(!has_field(input))
+    input.field = "geodesic";
+  Mesh mesh = {read_surface(input, report), std::nullopt};
+  std::optional<Scalar_map> scalar_map;
+  if(has_field(options.input) || !options.page_path.empty())
+  {
+    const Stopwatch stopwatch;
+    scalar_map = add_field(input, mesh.surface, report);
+    report.add_seconds("field", stopwatch.seconds());
+  }
+  report.field = has_field(options.input) ? field_label(input, "").name : "distance from a tip";
+  const Stopwatch stopwatch;
+  report.skeleton =
+    extract_skeleton(mesh.surface, has_field(options.input) ? scalar_map : std::nullopt, options.settings);
+  report.add_seconds("skeleton", stopwatch.seconds());
+  const Stopwatch output_stopwatch;
+  Output_group files;
+  for(const std::string& path : options.output_paths)
+    write_skeleton(path, report.skeleton);
+  if(!options.page_path.empty())
+    write_page_of_skeleton(options, mesh, *scalar_map, report);
+  files.put_in_place();
+  if(!options.output_paths.empty() || !options.page_path.empty())
+    report.add_seconds("output", output_stopwatch.seconds());
+  if(options.is_report_json)
+    write_json(report_stream(outputs), report);
+  else
+    write_text(report_stream(outputs), report);
+}
+
+} // namespace reeb_graph_program

@@ -1,0 +1,38 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SRC_SKELETON_OUTPUT_H
+#define CGAL_REEB_GRAPH_SRC_SKELETON_OUTPUT_H
+
+#include "base/report.h"
+#include "computation/skeleton.h"
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+
+namespace reeb_graph_program {
+// The report of a skeleton, with what certifies it, and a table of its arcs.
+struct Skeleton_report : Work_report
+{
+  std::string field; // its name
+  Skeleton skeleton;
+};
+
+// Throws std::runtime_error, which names the formats, unless the file name ends with one of them.
+void check_skeleton_format(const std::filesystem::path& path);
+
+// Writes a .swc, .vtp, .polylines.txt, or .graphml file.
+void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton);
+
+void write_text(std::ostream& out, const Skeleton_report& report);
+void write_json(std::ostream& out, const Skeleton_report& report);
+
+} // namespace reeb_graph_program
+
+#endif // CGAL_REEB_GRAPH_SRC_SKELETON_OUTPUT_H

@@ -1,0 +1,119 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "output/report_parts.h"
+#include "output/skeleton_output.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iomanip>
+#include <ostream>
+
+namespace reeb_graph_program {
+namespace {
+// What the table says of an arc. The radii are means by length.
+struct Skeleton_arc_row
+{
+  std::size_t from, to, component;
+  double length = 0, radius = 0, least_radius = 0, greatest_radius = 0, inscribed_radius = 0;
+};
+
+Skeleton_arc_row row_of(const Skeleton& skeleton, const std::vector<std::size_t>& arc, std::size_t component)
+{
+  Skeleton_arc_row row = {arc.front(), arc.back(), component};
+  row.least_radius = row.greatest_radius = skeleton.radii[arc.front()];
+  for(std::size_t i = 1; i != arc.size(); ++i)
+  {
+    const std::size_t a = arc[i - 1], b = arc[i];
+    const double length = std::sqrt(CGAL::squared_distance(skeleton.points[a], skeleton.points[b]));
+    row.length += length;
+    row.radius += length * (skeleton.radii[a] + skeleton.radii[b]) / 2;
+    row.inscribed_radius += length * (skeleton.inscribed_radii[a] + skeleton.inscribed_radii[b]) / 2;
+    row.least_radius = std::min(row.least_radius, skeleton.radii[b]);
+    row.greatest_radius = std::max(row.greatest_radius, skeleton.radii[b]);
+  }
+  if(row.length > 0)
+  {
+    row.radius /= row.length;
+    row.inscribed_radius /= row.length;
+  }
+  return row;
+}
+
+std::vector<Skeleton_arc_row> rows_of(const Skeleton& skeleton)
+{
+  const std::vector<Arc_place> places = places_of_arcs(skeleton);
+  std::vector<Skeleton_arc_row> rows;
+  for(std::size_t arc = 0; arc != skeleton.arcs.size(); ++arc)
+    rows.push_back(row_of(skeleton, skeleton.arcs[arc], places[arc].component));
+  return rows;
+}
+
+} // namespace
+
+void write_text(std::ostream& out, const Skeleton_report& report)
+{
+  const auto& known = report.skeleton.certificate;
+  out << "surface   " << count(known.number_of_components, "component") << ", " << count(known.genus, "handle")
+      << " with borders filled\n";
+  out << "field     " << report.field << '\n';
+  out << "skeleton  " << count(report.skeleton.points.size(), "point") << ", " << count(known.number_of_arcs, "arc")
+      << ", " << count(known.number_of_ends, "end") << " (" << known.number_of_border_ends << " at borders), "
+      << count(known.number_of_junctions, "junction") << ", " << count(known.number_of_loops, "loop") << ", "
+      << count(known.number_of_hidden_handles, "hidden handle") << '\n';
+  out << "inside    " << count(known.number_of_vertices_outside, "vertex", "vertices") << " outside, "
+      << count(known.number_of_crossing_edges, "crossing edge") << ", "
+      << count(known.number_of_crossing_components, "self-intersecting component") << '\n';
+  for(const auto& [step, seconds] : report.seconds)
+    out << std::left << std::setw(10) << step << std::right << std::fixed << std::setprecision(3) << seconds << " s\n";
+  out << std::defaultfloat << std::setprecision(6)
+      << "\n  arc   from     to          length     mean radius    least radius greatest radius  mean inscribed  "
+         "component\n";
+  std::size_t number = 0;
+  for(const Skeleton_arc_row& row : rows_of(report.skeleton))
+  {
+    out << std::setw(5) << number++ << std::setw(7) << row.from << std::setw(7) << row.to;
+    for(const double x : {row.length, row.radius, row.least_radius, row.greatest_radius, row.inscribed_radius})
+      out << std::setw(16) << x;
+    out << std::setw(11) << row.component << '\n';
+  }
+}
+
+void write_json(std::ostream& out, const Skeleton_report& report)
+{
+  const auto& known = report.skeleton.certificate;
+  nlohmann::ordered_json json;
+  json["components"] = known.number_of_components;
+  json["genus"] = known.genus;
+  json["field"] = report.field;
+  json["points"] = report.skeleton.points.size();
+  json["ends"] = known.number_of_ends;
+  json["border_ends"] = known.number_of_border_ends;
+  json["junctions"] = known.number_of_junctions;
+  json["loops"] = known.number_of_loops;
+  json["hidden_handles"] = known.number_of_hidden_handles;
+  json["vertices_outside"] = known.number_of_vertices_outside;
+  json["crossing_edges"] = known.number_of_crossing_edges;
+  json["self_intersecting"] = known.number_of_crossing_components != 0;
+  json["self_intersecting_components"] = known.number_of_crossing_components;
+  json["arcs"] = nlohmann::ordered_json::array();
+  for(const Skeleton_arc_row& row : rows_of(report.skeleton))
+    json["arcs"].push_back({{"from", row.from},
+                            {"to", row.to},
+                            {"component", row.component},
+                            {"length", json_number(row.length)},
+                            {"radius", json_number(row.radius)},
+                            {"least_radius", json_number(row.least_radius)},
+                            {"greatest_radius", json_number(row.greatest_radius)},
+                            {"inscribed_radius", json_number(row.inscribed_radius)}});
+  add_field_and_costs(json, report);
+  out << json.dump(2) << '\n';
+}
+
+} // namespace reeb_graph_program

@@ -1,0 +1,286 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of the CGAL-style package Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "generated_surfaces.h"
+#include "mesh_builders.h"
+#include "random_meshes.h"
+#include "tube_samples.h"
+#include "voxel_solids.h"
+
+#include <CGAL/Reeb_graph/scalar_maps.h>
+#include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
+
+#include <boost/graph/connected_components.hpp>
+#include <boost/mpl/list.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <vector>
+
+// Curve skeletons: ends and loops, where they are, radii, and what certifies them.
+
+BOOST_AUTO_TEST_SUITE(test_skeleton)
+
+using CGAL::Reeb_graph::Curve_skeleton;
+using CGAL::Reeb_graph::extract_curve_skeleton;
+using CGAL::Reeb_graph::Skeleton_certificate;
+using generated_surfaces::make_mesh;
+using mesh_builders::Polyhedron;
+using mesh_builders::Surface_mesh;
+using tube_samples::Tubes;
+namespace parameters = CGAL::parameters;
+
+typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
+
+namespace {
+template <class Skeleton>
+std::size_t number_of_parts(const Skeleton& skeleton)
+{
+  std::vector<std::size_t> numbers(num_vertices(skeleton));
+  return num_vertices(skeleton) == 0 ? 0
+                                     : static_cast<std::size_t>(boost::connected_components(skeleton, numbers.data()));
+}
+
+template <class Skeleton>
+std::size_t number_of_cycles(const Skeleton& skeleton)
+{
+  return num_edges(skeleton) + number_of_parts(skeleton) - num_vertices(skeleton);
+}
+
+template <class Skeleton>
+std::size_t number_of_ends(const Skeleton& skeleton)
+{
+  const auto range = vertices(skeleton);
+  return static_cast<std::size_t>(
+    std::count_if(range.first, range.second, [&](auto v) { return out_degree(v, skeleton) == 1; }));
+}
+
+// What holds of any skeleton of any mesh.
+template <class Mesh, class Skeleton>
+void check(const Mesh& mesh, const Skeleton& skeleton, const Skeleton_certificate& known)
+{
+  BOOST_TEST(number_of_parts(skeleton) == known.number_of_components);
+  BOOST_TEST(number_of_cycles(skeleton) == known.number_of_loops);
+  BOOST_TEST(number_of_ends(skeleton) == known.number_of_ends);
+  BOOST_TEST(known.number_of_loops + known.number_of_hidden_handles == known.genus);
+  std::set<typename boost::graph_traits<Mesh>::vertex_descriptor> mapped;
+  std::size_t number_mapped = 0;
+  for(const auto v : CGAL::make_range(vertices(skeleton)))
+  {
+    number_mapped += skeleton[v].vertices.size();
+    mapped.insert(skeleton[v].vertices.begin(), skeleton[v].vertices.end());
+    BOOST_TEST(std::isfinite(skeleton[v].point.x() + skeleton[v].point.y() + skeleton[v].point.z()));
+    BOOST_TEST((skeleton[v].radius >= 0 && skeleton[v].inscribed_radius >= 0));
+  }
+  BOOST_TEST(number_mapped == mapped.size());
+  std::size_t number_with_faces = 0;
+  for(const auto v : vertices(mesh))
+    number_with_faces += halfedge(v, mesh) != boost::graph_traits<Mesh>::null_halfedge() ? 1 : 0;
+  BOOST_TEST(mapped.size() == number_with_faces);
+  const auto arcs = skeleton_arcs(skeleton);
+  BOOST_TEST(arcs.size() == known.number_of_arcs);
+  for(std::size_t arc = 0; arc != arcs.size(); ++arc)
+  {
+    BOOST_TEST(skeleton[arcs[arc].front()].arc == std::size_t(-1));
+    BOOST_TEST(skeleton[arcs[arc].back()].arc == std::size_t(-1));
+    for(std::size_t i = 1; i + 1 < arcs[arc].size(); ++i)
+    {
+      BOOST_TEST(skeleton[arcs[arc][i]].arc == arc);
+      BOOST_TEST(skeleton[arcs[arc][i]].place >= skeleton[arcs[arc][i - 1]].place);
+    }
+  }
+  if(known.number_of_crossing_components == 0)
+  {
+    BOOST_TEST(known.number_of_vertices_outside == 0u);
+    BOOST_TEST(known.number_of_crossing_edges == 0u);
+  }
+}
+
+struct Errors
+{
+  double mean_deviation = 0, high_deviation = 0, radius = 0, length = 0;
+};
+
+// Ends are at the surface, and have no deviation.
+template <class Skeleton>
+Errors errors_of(const Skeleton& skeleton, const Tubes& sample)
+{
+  Errors errors;
+  std::vector<double> deviations;
+  for(const auto v : CGAL::make_range(vertices(skeleton)))
+  {
+    if(out_degree(v, skeleton) == 1)
+      continue;
+    const auto& p = skeleton[v].point;
+    const auto [deviation, radius] = sample.deviation({p.x(), p.y(), p.z()});
+    deviations.push_back(deviation);
+    errors.radius += std::abs(skeleton[v].radius / radius - 1);
+  }
+  const double size = static_cast<double>(deviations.size());
+  errors.radius /= size;
+  for(const double deviation : deviations)
+    errors.mean_deviation += deviation / size;
+  std::sort(deviations.begin(), deviations.end());
+  errors.high_deviation = deviations[deviations.size() * 95 / 100];
+  for(const auto e : CGAL::make_range(edges(skeleton)))
+    errors.length +=
+      std::sqrt(CGAL::squared_distance(skeleton[source(e, skeleton)].point, skeleton[target(e, skeleton)].point));
+  errors.length = std::abs(errors.length / sample.length - 1);
+  return errors;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(tubes_have_their_ends_loops_and_centerlines)
+{
+  for(const double noise : {0., 0.05, 0.1})
+    for(const Tubes& sample : tube_samples::all())
+    {
+      BOOST_TEST_CONTEXT(sample.name << " with noise " << noise)
+      {
+        const auto mesh = make_mesh<Surface_mesh>(tube_samples::surface(sample, noise, 7));
+        Curve_skeleton<Surface_mesh> skeleton;
+        const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton);
+        check(mesh, skeleton, known);
+        BOOST_TEST(known.number_of_components == sample.components);
+        BOOST_TEST(known.number_of_ends == sample.ends);
+        BOOST_TEST(known.number_of_border_ends == sample.border_ends);
+        BOOST_TEST(known.number_of_loops == sample.loops);
+        const Errors errors = errors_of(skeleton, sample);
+        BOOST_TEST(errors.mean_deviation <= 0.05);
+        BOOST_TEST(errors.high_deviation <= 0.25);
+        BOOST_TEST(errors.radius <= 0.05);
+        BOOST_TEST(errors.length <= 0.07);
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(holes_in_a_wall_make_no_cycle)
+{
+  for(const double radius : {0.25, 0.4, 0.6, 0.8})
+  {
+    const auto mesh = make_mesh<Surface_mesh>(tube_samples::surface(tube_samples::pierced_tube(radius), 0, 1));
+    Curve_skeleton<Surface_mesh> skeleton;
+    const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton);
+    check(mesh, skeleton, known);
+    BOOST_TEST(known.number_of_loops == 0u);
+    BOOST_TEST(known.number_of_ends == (radius < 0.5 ? 2u : 4u));
+    check(mesh, skeleton, extract_curve_skeleton(mesh, skeleton, parameters::pruning_ratio(0)));
+    check(mesh, skeleton, extract_curve_skeleton(mesh, skeleton, parameters::ends_at_borders(false)));
+    BOOST_TEST(number_of_ends(skeleton) == 2u);
+  }
+}
+
+// The end of an open tube is in the middle of its border.
+BOOST_AUTO_TEST_CASE(ends_are_at_the_centers_of_borders)
+{
+  const Tubes sample = tube_samples::tree(true);
+  const auto mesh = make_mesh<Surface_mesh>(tube_samples::surface(sample, 0, 1));
+  Curve_skeleton<Surface_mesh> skeleton;
+  BOOST_TEST(extract_curve_skeleton(mesh, skeleton).number_of_border_ends == sample.holes.size());
+  for(const auto& hole : sample.holes)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for(const auto v : CGAL::make_range(vertices(skeleton)))
+    {
+      const auto& p = skeleton[v].point;
+      if(out_degree(v, skeleton) == 1)
+        least = (std::min)(least, tube_samples::distance(hole.center, {p.x(), p.y(), p.z()}));
+    }
+    BOOST_TEST(least <= 0.45 * hole.radius);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(loops_and_hidden_handles_are_the_genus, Mesh, Meshes)
+{
+  for(std::size_t seed = 0; seed != 40; ++seed)
+  {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const auto mesh = make_mesh<Mesh>(Voxel_solid(3 + seed % 3, seed).surface());
+      Curve_skeleton<Mesh> skeleton;
+      check(mesh, skeleton, extract_curve_skeleton(mesh, skeleton));
+    }
+  }
+  for(const unsigned genus : {4u, 9u, 20u})
+  {
+    const auto mesh = make_mesh<Mesh>(generated_surfaces::closed_surface(genus, 4000));
+    Curve_skeleton<Mesh> skeleton;
+    const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton);
+    check(mesh, skeleton, known);
+    BOOST_TEST(known.genus == genus);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(fields_of_the_user_give_lines, Mesh, Meshes)
+{
+  const Tubes sample = tube_samples::ladder(1);
+  const auto mesh = make_mesh<Mesh>(tube_samples::surface(sample, 0, 1));
+  const auto height = CGAL::Reeb_graph::make_scalar_map_from_function(mesh, [&](auto v) {
+    const auto& p = get(CGAL::vertex_point, mesh, v);
+    return static_cast<float>(p.z() + p.x() / 8);
+  });
+  Curve_skeleton<Mesh> skeleton;
+  const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton, parameters::scalar_map(height));
+  check(mesh, skeleton, known);
+  BOOST_TEST(known.number_of_loops == 1u);
+  BOOST_TEST(known.number_of_ends == 4u);
+  const auto infinite =
+    CGAL::Reeb_graph::make_scalar_map_from_function(mesh, [](auto) { return std::numeric_limits<double>::infinity(); });
+  const std::size_t size = num_vertices(skeleton);
+  BOOST_CHECK_THROW(extract_curve_skeleton(mesh, skeleton, parameters::scalar_map(infinite)),
+                    CGAL::Reeb_graph::Non_finite_scalar_error);
+  BOOST_TEST(num_vertices(skeleton) == size);
+}
+
+BOOST_AUTO_TEST_CASE(random_values_and_small_meshes_give_skeletons)
+{
+  for(std::size_t seed = 0; seed != 60; ++seed)
+  {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      random_meshes::Random random(seed);
+      const auto mesh = make_mesh<Surface_mesh>(Voxel_solid(3, seed).surface());
+      std::vector<double> values(num_vertices(mesh));
+      for(double& value : values)
+        value = static_cast<double>(random.below(seed % 2 == 0 ? 5 : 1000));
+      const auto map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
+      Curve_skeleton<Surface_mesh> skeleton;
+      for(const double ratio : {0., 0.5, 100.})
+        check(mesh, skeleton, extract_curve_skeleton(mesh, skeleton, parameters::pruning_ratio(ratio).scalar_map(map)));
+    }
+  }
+  Surface_mesh empty;
+  Curve_skeleton<Surface_mesh> skeleton(3);
+  BOOST_TEST(extract_curve_skeleton(empty, skeleton).number_of_components == 0u);
+  BOOST_TEST(num_vertices(skeleton) == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_ratios_and_points_are_refused)
+{
+  auto mesh = make_mesh<Surface_mesh>(generated_surfaces::torus(8, 12));
+  Curve_skeleton<Surface_mesh> skeleton;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for(const double ratio : {-1., nan})
+    BOOST_CHECK_THROW(extract_curve_skeleton(mesh, skeleton, parameters::pruning_ratio(ratio)),
+                      CGAL::Reeb_graph::Skeleton_ratio_error);
+  for(const double ratio : {0., -1., 1e9, nan})
+    BOOST_CHECK_THROW(extract_curve_skeleton(mesh, skeleton, parameters::sampling_ratio(ratio)),
+                      CGAL::Reeb_graph::Skeleton_ratio_error);
+  BOOST_CHECK_THROW(extract_curve_skeleton(mesh, skeleton, parameters::callback([](double) { return false; })),
+                    CGAL::Reeb_graph::Cancelled_error);
+  mesh.point(*mesh.vertices().begin()) = Surface_mesh::Point(nan, 0, 0);
+  BOOST_CHECK_THROW(extract_curve_skeleton(mesh, skeleton), CGAL::Reeb_graph::Non_finite_point_error);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
