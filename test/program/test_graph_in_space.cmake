@@ -38,7 +38,7 @@ expect_file(table.nodes.csv "node,vertex,value,kind,x,y,z,arcs_below,arcs_above
 1,3,1,maximum,0,0,1,1,0
 ")
 file(READ ${FOLDER}/table.arcs.csv content)
-expect_match("${content}" "^arc,source,target,lower_value,upper_value,persistence,length,area,vertices,mean_value\n0,0,1,0,1,1,1,[0-9.]+,2,0[.]262891[0-9]+\n$")
+expect_match("${content}" "^arc,source,target,lower_value,upper_value,persistence,length,area,vertices,mean_value\n0,0,1,0,1,1,1,[0-9.]+,2,0[.]425895[0-9]+\n$")
 
 # By default their nodes are at the vertices, as they have no lines.
 expect_success(compute ${z} --graph vertices.csv)

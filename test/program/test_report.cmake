@@ -19,9 +19,9 @@ foreach(row "arc=0" "from=0" "to=1" "lower_value=0.0" "upper_value=1.0" "persist
   list(GET row 1 value)
   expect_json("${value}" arc_table 0 ${key} ${tetrahedron})
 endforeach()
-expect_success(compute tetrahedron.off --field z --json) # a third of the faces at the top has the value 1
+expect_success(compute tetrahedron.off --field z --json) # the mean over the faces, of the middle of three corners each
 string(JSON mean GET "${output}" arc_table 0 mean_value)
-expect_match("${mean}" "^0[.]262891")
+expect_match("${mean}" "^0[.]425895")
 expect_success(compute tetrahedron.off --field z)
 expect_match("${output}" "\n +arc +from +to +from value +to value +persistence +length +area +vertices\n +0 +0 +1 +0 +1 +1 +1 +[0-9.]+ +2\n$")
 expect_success(compute tetrahedron.off --field z --no-table)
