@@ -44,16 +44,15 @@ typedef CGAL::Reeb_graph_soup_traits<double> Traits;
 typedef Traits::Graph Graph;
 
 namespace {
+// `np` has the edges of the complex, if there are any.
 template <class NamedParameters>
 Graph graph_of(const Complex& complex, const std::vector<double>& values, const NamedParameters& np)
 {
   Graph graph;
-  const auto np_with_edges = params::edges(std::cref(complex.edges), np);
   if(complex.tetrahedra.empty())
-    CGAL::compute_reeb_graph_of_soup(complex.number_of_vertices, complex.triangles, values, graph, np_with_edges);
+    CGAL::compute_reeb_graph_of_soup(complex.number_of_vertices, complex.triangles, values, graph, np);
   else
-    CGAL::compute_reeb_graph_of_tetrahedra(complex.number_of_vertices, complex.tetrahedra, values, graph,
-                                           np_with_edges);
+    CGAL::compute_reeb_graph_of_tetrahedra(complex.number_of_vertices, complex.tetrahedra, values, graph, np);
   return graph;
 }
 } // namespace
@@ -86,12 +85,12 @@ BOOST_AUTO_TEST_CASE(graphs_of_random_complexes_are_those_of_the_oracle)
       const Ties ties = random.below(2) == 0 ? Ties::PERTURB : Ties::CONTRACT;
       const bool keeps = random.below(2) == 0;
       const complex_oracle::Oracle oracle(complex.number_of_vertices, complex.simplices(), values, ties, keeps);
-      const auto np = params::ties(ties, params::keep_degree_two_nodes(keeps));
+      const auto np = params::edges(std::cref(complex.edges)).ties(ties).keep_degree_two_nodes(keeps);
       const Graph graph = graph_of(complex, values, np);
       BOOST_TEST(fault_of_graph(oracle, graph, values, ties) == "");
-      const Graph other_graph = graph_of(complex, values, params::method(Method::CRITICAL_SETS, np));
+      const Graph other_graph = graph_of(complex, values, np.method(Method::CRITICAL_SETS));
       BOOST_TEST(fault_of_graph(oracle, other_graph, values, ties) == "");
-      const Graph third = graph_of(complex, values, params::number_of_slabs(1 + random.below(5), np));
+      const Graph third = graph_of(complex, values, np.number_of_slabs(1 + random.below(5)));
       BOOST_TEST(fault_of_graph(oracle, third, values, ties) == "");
     }
 }
@@ -228,7 +227,7 @@ BOOST_AUTO_TEST_CASE(orders_that_contradict_themselves_end)
       traits.seed = seed;
       try
       {
-        graph_of(complex, values, params::geom_traits(traits));
+        graph_of(complex, values, params::edges(std::cref(complex.edges)).geom_traits(traits));
         ++number_of_graphs;
       }
       catch(const rg::Unordered_scalar_error&)
@@ -270,7 +269,8 @@ BOOST_AUTO_TEST_CASE(contours_that_are_complete_are_met_again)
   for(const Method method : {Method::AUTOMATIC, Method::CRITICAL_SETS})
     try
     {
-      BOOST_TEST(boost::num_vertices(graph_of(complex, values, params::method(method, params::geom_traits(traits))))
+      BOOST_TEST(boost::num_vertices(graph_of(
+                   complex, values, params::edges(std::cref(complex.edges)).method(method).geom_traits(traits)))
                  <= 11u);
     }
     catch(const rg::Unordered_scalar_error&)

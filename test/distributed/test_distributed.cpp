@@ -110,9 +110,7 @@ BOOST_AUTO_TEST_CASE(random_meshes_have_the_graphs_of_the_whole)
       const auto method = random.below(2) == 0 ? Method::CONTOUR_TREES : Method::CRITICAL_SETS;
       const bool keeps = random.below(2) == 0;
       const std::size_t slabs = random.below(3) == 0 ? 1 + random.below(9) : 0;
-      compare(surface, random,
-              params::ties(
-                ties, params::method(method, params::keep_degree_two_nodes(keeps, params::number_of_slabs(slabs)))));
+      compare(surface, random, params::ties(ties).method(method).keep_degree_two_nodes(keeps).number_of_slabs(slabs));
     }
 }
 

@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(any_lack_of_memory_is_told_by_all)
   check_allocations(failing_allocations::never, [&] {
     Graph<double> graph;
     CGAL::compute_reeb_graph_of_soup_distributed(world(), input.vertices, input.triangles, input.scalars, graph,
-                                                 params::gather_chains(false, params::ties(rg::Ties::CONTRACT)));
+                                                 params::gather_chains(false).ties(rg::Ties::CONTRACT));
   });
 }
 

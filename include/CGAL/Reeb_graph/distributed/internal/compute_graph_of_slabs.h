@@ -278,14 +278,6 @@ void walk_chains(Exchange& exchange, const Gathered_graph<Scalar>& gathered, Cha
   }
 }
 
-// What write_nodes_and_arcs() asks of a field.
-template <class Scalar>
-struct Gathered_field
-{
-  const Indexed_vector<Vertex_index, Global_vertex>& vertices;
-  const Indexed_vector<Vertex_index, Scalar>& values;
-};
-
 // Writes the graph at rank 0, with chains of the parts that all ranks have walked, and clears it on the other ranks.
 // Collective.
 template <class Scalar, class ReebGraph>
@@ -304,8 +296,8 @@ void write_gathered_graph(Exchange& exchange,
     Flat_chains chains;
     const auto pairs = std::make_shared<const Vertex_pairs>(
       join_chain_parts(gathered.graph.pieces.size(), all_parts.elements, all_vertices.elements, chains));
-    const Gathered_field<Scalar> field = {gathered.surface->global_vertices(), gathered.surface->values()};
-    write_nodes_and_arcs<Sequential_tag>(field, gathered.graph, graph);
+    write_nodes_and_arcs<Sequential_tag>(gathered.surface->global_vertices(), gathered.surface->values(),
+                                         gathered.graph, graph);
     write_chains(pairs, chains, gathered.graph, graph);
   });
 }
