@@ -9,8 +9,10 @@
 // How long C++ takes from the arrays that benchmark_arrays.py hands in, on standard input: the numbers of vertices and
 // triangles, scalars, points, and triangles. For each line that follows, it makes a surface and its graph, and prints the
 // seconds of wall time and of CPU time.
-#include "computation/augmentation.h"
+#include "base/surface.h"
 #include "input/assemble_surface.h"
+
+#include <CGAL/compute_reeb_graph.h>
 
 #include <algorithm>
 #include <chrono>
@@ -46,7 +48,9 @@ std::size_t number_of_arcs(const std::vector<double>& scalars,
   const Scalar_map map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
   for(const Surface::Vertex_index v : surface.vertices())
     map[v] = scalars[v];
-  return num_edges(compute_graph(surface, map, Graph_options()));
+  Graph graph;
+  CGAL::compute_reeb_graph<CGAL::Parallel_if_available_tag>(surface, map, graph);
+  return num_edges(graph);
 }
 
 } // namespace

@@ -23,7 +23,7 @@
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Weights/cotangent_weights.h>
+#include <CGAL/Weights/utils.h>
 
 #include <Eigen/SparseCholesky>
 

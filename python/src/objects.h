@@ -166,8 +166,8 @@ inline std::vector<std::array<std::uint32_t, 3>> triangles_of(const Mesh& mesh)
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for(const Surface::Face_index f : mesh.surface.faces())
   {
-    const Surface::Halfedge_index h = mesh.surface.halfedge(f);
-    triangles.push_back({mesh.surface.source(h), mesh.surface.target(h), mesh.surface.target(mesh.surface.next(h))});
+    const Surface::Halfedge_index h = mesh.surface.halfedge(f); // leads to the first corner that was given
+    triangles.push_back({mesh.surface.target(h), mesh.surface.target(mesh.surface.next(h)), mesh.surface.source(h)});
   }
   return triangles;
 }

@@ -134,7 +134,7 @@ def test_levels(tmp_path, mesh_file):
     assert np.array_equal(cut.bands, (np.sort(level) < cut.scalars[cut.triangles].max(axis=1)[:, None]).sum(axis=1))
     assert len(cut.curves) == len(cut.curve_values) == len(cut.curve_arcs) == len(cut.curve_closed)
     assert cut.curve_closed.all() and np.allclose(cut.vertex_arrays["point"], cut.points)
-    graph = reeb_graph.compute(cut.triangles, cut.scalars)
+    graph = reeb_graph.compute(cut.triangles, cut.scalars, points=cut.points)
     for value in set(cut.curve_values):
         expected = sorted(contour.arc for contour in graph.contours(level=value))
         assert sorted(set(cut.curve_arcs[cut.curve_values == value])) == expected
