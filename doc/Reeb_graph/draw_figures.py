@@ -461,14 +461,14 @@ def write_tubes(name, limbs, cell, smoothness=0.03, cuts=()):
 
 
 def make_vessel():
-    """A trunk that forks, with a loop of two branches; its five ends are open."""
+    """A trunk that forks, with a loop of two branches; its four ends are open."""
     limbs = [((0, 0, -3), (0.1, 0, -1), .42, .4), ((.1, 0, -1), (0, 0.1, .6), .4, .38),
              ((0, .1, .6), (-.9, 0, 1.5), .28, .26), ((-.9, 0, 1.5), (-.8, 0, 2.6), .26, .24),
              ((0, .1, .6), (.9, .1, 1.4), .28, .26), ((.9, .1, 1.4), (.7, 0, 2.5), .26, .24),
-             ((.7, 0, 2.5), (-.8, 0, 2.6), .22, .2), ((-.8, 0, 2.6), (-1.3, .1, 3.9), .22, .18),
+             ((.7, 0, 2.5), (-.8, 0, 2.6), .22, .24),
              ((.7, 0, 2.5), (1.2, -.1, 3.8), .22, .18), ((.1, 0, -1), (1.6, .2, -.3), .26, .2),
              ((.05, 0, -2), (-1.5, 0, -1.2), .26, .2)]
-    cuts = [((0, 0, -3.1), .55), ((-1.35, .1, 4), .32), ((1.25, -.1, 3.9), .32), ((1.7, .2, -.27), .33), ((-1.6, 0, -1.15), .33)]
+    cuts = [((0, 0, -3.1), .55), ((1.25, -.1, 3.9), .32), ((1.7, .2, -.27), .33), ((-1.6, 0, -1.15), .33)]
     write_tubes("vessel.off", limbs, 0.07, cuts=cuts)
 
 
@@ -566,6 +566,6 @@ figures = {
     "false_handles.png": draw_false_handles, "skeletons.png": draw_skeletons, "skeleton.png": draw_skeletons,
     "bad_skeleton.png": draw_bad_skeleton, "page_arcs.png": draw_page, "page_contour.png": draw_page}
 figures |= {f"python_{picture}.svg": draw_python for picture in (
-    "torus", "segment_scan", "handles", "compare_shapes", "pants", "neuron", "tetrahedra")}
+    "torus", "segment_scan", "handles", "compare_shapes", "pants", "tetrahedra")}
 for figure in wanted or figures:
     figures[figure](figure)
