@@ -134,8 +134,7 @@ void add_level_options(CLI::App& command, reeb_graph_program::Level_choice& leve
 
 void add_curves_command(CLI::App& app, Curves_options& options)
 {
-  CLI::App* command = app.add_subcommand(
-    "curves", "Cut a mesh into pants, branches, levels or disks, or to genus 0");
+  CLI::App* command = app.add_subcommand("curves", "Cut a mesh into pants, branches, levels or disks, or to genus 0");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input,
                    "; by default harmonic-between-borders if the mesh has borders, else harmonic");
@@ -274,8 +273,7 @@ void add_repair_command(CLI::App& app, Repair_command_options& options)
 
 void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)
 {
-  CLI::App* command = app.add_subcommand(
-    "skeleton", "Extract lines inside, with radii, and a loop for each handle");
+  CLI::App* command = app.add_subcommand("skeleton", "Extract lines inside, with radii, and a loop for each handle");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input, "; by default the distance from a tip of each component");
   begin_group(*command, "Skeleton");

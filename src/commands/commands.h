@@ -13,8 +13,8 @@
 #include "base/options.h"
 #include "base/report.h"
 #include "computation/Mesh_graph.h"
-#include "input/repair_soup.h"
 #include "computation/skeleton.h"
+#include "input/repair_soup.h"
 
 #include <cstddef>
 #include <filesystem>

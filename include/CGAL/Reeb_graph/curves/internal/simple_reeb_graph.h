@@ -242,8 +242,7 @@ Simple_reeb_graph<RankedMesh> compute_simple_reeb_graph(const RankedMesh& ranked
   else if constexpr(std::is_same_v<ArePlacesWanted, bool>)
   {
     result.places = get(dynamic_vertex_property_t<std::size_t>(), std::as_const(mesh));
-    compute_reeb_graph(mesh, ranked.rank_map(), result.graph,
-                       ties.vertex_place_map(*result.places).callback(callback));
+    compute_reeb_graph(mesh, ranked.rank_map(), result.graph, ties.vertex_place_map(*result.places).callback(callback));
   }
   for(const auto node : CGAL::make_range(vertices(result.graph)))
     result.is_border.push_back(borders.is_on_border(result.graph[node].vertex));
