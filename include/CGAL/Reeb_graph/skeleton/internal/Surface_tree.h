@@ -14,9 +14,14 @@
 #include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
 
 #include <boost/iterator/function_output_iterator.hpp>
 
@@ -136,7 +141,11 @@ public:
 
 private:
   typedef AABB_face_graph_triangle_primitive<Mesh> Primitive;
+#if CGAL_VERSION_NR >= 1060000000
+  typedef AABB_traits_3<Kernel, Primitive> Traits;
+#else
   typedef AABB_traits<Kernel, Primitive> Traits;
+#endif
   typedef AABB_tree<Traits> Tree;
   typedef boost::property_map<Mesh, vertex_point_t>::const_type Point_map;
   typedef Side_of_triangle_mesh<Mesh, Kernel, Point_map, Tree> Side;
