@@ -183,7 +183,7 @@ void write_graphml_with(const Output& output,
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{an instance of a traits class whose `scalar_to_double_object()` makes numbers of values
 ///                           that have no `operator<<`}
-///     \cgalParamType{a model of `ReebGraphTraits`}
+///     \cgalParamType{a model of `ReebGraphNumberTraits`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{arc_attributes}

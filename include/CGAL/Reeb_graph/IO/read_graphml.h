@@ -185,7 +185,7 @@ inline const std::string& data_of(const std::map<std::string, std::string>& data
 /// \param graph the result. Values that are not built-in numbers are read by their `operator>>`, or if they have none,
 ///        as numbers, of which the traits class makes values. They have to be the same values as before.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, a model of
-///        `ReebGraphTraits` whose `scalar_from_double_object()` does so
+///        `ReebGraphInverseNumberTraits`, whose `scalar_from_double_object()` does so
 ///
 /// \exception Reeb_graph::File_error if the stream has no such graph; then `graph` is as it was before
 template <class FaceListGraph, class Graph, class NamedParameters = parameters::Default_named_parameters>

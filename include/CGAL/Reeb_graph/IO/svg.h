@@ -79,7 +79,7 @@ inline std::string counted(std::size_t number, const std::string& name)
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{an instance of a traits class whose `scalar_to_double_object()` makes numbers of the
 ///                           values}
-///     \cgalParamType{a model of `ReebGraphTraits`}
+///     \cgalParamType{a model of `ReebGraphNumberTraits`}
 ///     \cgalParamDefault{none: `CGAL::to_double()` of the values}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd

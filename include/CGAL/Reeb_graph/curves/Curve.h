@@ -185,7 +185,7 @@ struct Candidate_curve
 ///                           get values of `scalar_from_double_object()`, where the order has them between the ones
 ///                           around them. The order has to take any value between those of the field, if the scalar
 ///                           map can be written.}
-///     \cgalParamType{a model of `ReebGraphTraits`}
+///     \cgalParamType{a model of `ReebGraphTraits`; for values that are not numbers, of `ReebGraphNumberTraits`}
 ///     \cgalParamDefault{`Reeb_graph_traits<MutableFaceGraph, ScalarMap>`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd

@@ -35,8 +35,7 @@ namespace CGAL::Reeb_graph {
 /// \brief computes the harmonic field with given values at some vertices.
 ///
 /// The field solves the Laplace equation \f$ \sum_j w_{ij} (f_j - f_i) = 0 \f$ at each vertex \f$ v_i \f$ whose value
-/// is not given, with the sum over its neighbors. See M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb
-/// Graph Algorithm*, 2020, Section 8.1.
+/// is not given, with the sum over its neighbors. See \cgalCite{hr-edrprg-20}, Section 8.1.
 ///
 /// <b>There is no local extremum but at the vertices whose values are given</b>, on any mesh and with any weights.
 /// After rounding each other vertex has a neighbor of strictly lower and one of strictly higher value, even where the

@@ -123,9 +123,8 @@ double persistence(const ReebGraph& graph,
 /// values can be of any type. Turned upside down, the graph has the same pairs upside down.
 ///
 /// With \f$ n \f$ nodes and arcs, of which \f$ l \f$ are in loops, the time is \f$ O(n \log n) \f$ with a small
-/// constant, plus \f$ O(l \log l) \f$. Loops are found by link-cut trees. See P. K. Agarwal, H. Edelsbrunner, J. Harer,
-/// Y. Wang, *Extreme elevation on a 2-manifold*, 2006, and J. Tu, M. Hajij, P. Rosen, *Propagate and Pair: A
-/// Single-Pass Approach to Critical Point Pairing in Reeb Graphs*, 2019.
+/// constant, plus \f$ O(l \log l) \f$. Loops are found by link-cut trees. See \cgalCite{aehw-ee2m-06}, and
+/// \cgalCite{thr-ppspac-19}.
 ///
 /// \tparam ReebGraph the type `Graph` of the traits class, or another bidirectional graph with `std::size_t` as vertex
 ///         descriptor
