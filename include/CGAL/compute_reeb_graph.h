@@ -190,6 +190,10 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \pre The mesh is a triangulated, orientable surface, with or without border: each vertex has one fan of faces.
+///
+/// \reebGraphComplexity
+///
 /// \exception Reeb_graph::Non_triangular_face_error if a face is not a triangle
 /// \exception Reeb_graph::Degenerate_face_error if a face has one vertex at two corners
 /// \exception Reeb_graph::Edge_without_face_error if an edge is on no face, and the mesh lists its edges

@@ -67,6 +67,8 @@ struct Plane_layout
 /// \param graph a Reeb graph, computed with any named parameters
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, as for `simplify()`
 ///
+/// \reebGraphComplexity
+///
 /// \exception Reeb_graph::Measure_error if the number of a value is NaN
 /// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
 template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>

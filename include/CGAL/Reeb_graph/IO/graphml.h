@@ -193,6 +193,8 @@ void write_graphml_with(const Output& output,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \reebGraphComplexity
+///
 /// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc
 ///

@@ -90,6 +90,8 @@ inline std::string dot_text(const std::string& text)
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, as for
 ///        `write_graphml()`
 ///
+/// \reebGraphComplexity
+///
 /// \exception File_error if the file cannot be written
 ///
 /// \note Boost has a function of this name; qualify the call.

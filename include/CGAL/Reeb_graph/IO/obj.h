@@ -35,6 +35,8 @@ namespace CGAL::Reeb_graph {
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
 ///
+/// \reebGraphComplexity
+///
 /// \exception File_error if the file cannot be written
 template <class Graph, class Embedding>
 void write_obj(const internal::Output& output, const Graph& graph, const Embedding& embedding)

@@ -187,6 +187,8 @@ inline const std::string& data_of(const std::map<std::string, std::string>& data
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, a model of
 ///        `ReebGraphInverseNumberTraits`, whose `scalar_from_double_object()` does so
 ///
+/// \reebGraphComplexity
+///
 /// \exception Reeb_graph::File_error if the stream has no such graph; then `graph` is as it was before
 template <class FaceListGraph, class Graph, class NamedParameters = parameters::Default_named_parameters>
 void read_graphml(std::istream& in,
@@ -246,6 +248,13 @@ void read_graphml(std::istream& in,
 /// \ingroup PkgReebGraphIO
 ///
 /// \brief reads a Reeb graph from a file, as from a stream.
+///
+/// \param filename the name of the file
+/// \param mesh the mesh
+/// \param graph the result
+/// \param np the named parameters of reading from a stream
+///
+/// \reebGraphComplexity
 ///
 /// \exception Reeb_graph::File_error if the file cannot be read, or has no such graph
 template <class FaceListGraph, class Graph, class NamedParameters = parameters::Default_named_parameters>

@@ -84,6 +84,8 @@ inline std::string counted(std::size_t number, const std::string& name)
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \reebGraphComplexity
+///
 /// \exception Reeb_graph::Measure_error if the number of a value is NaN
 /// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
 /// \exception Reeb_graph::File_error if the file cannot be written

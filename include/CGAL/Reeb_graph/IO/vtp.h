@@ -98,6 +98,8 @@ inline std::string name_of_first(const std::vector<Attribute>& attributes)
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \reebGraphComplexity
+///
 /// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc
 template <class Graph,
@@ -203,6 +205,8 @@ void write_vtp(const internal::Output& output,
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+///
+/// \reebGraphComplexity
 ///
 /// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each vertex, or face

@@ -82,6 +82,10 @@ namespace CGAL::Reeb_graph {
 ///
 /// \reebGraphNamedParamsOfCurves
 ///
+/// \pre The mesh is a triangulated surface, its borders are as `borders` says, and no threshold is negative or NaN.
+///
+/// \reebGraphComplexity
+///
 /// \returns the output iterator behind the last curve.
 ///
 /// \reebGraphBorderLevelError

@@ -51,6 +51,10 @@ namespace CGAL::Reeb_graph {
 ///
 /// \copydetails PkgReebGraphRefinementParameters
 ///
+/// \pre Each contour is one of the mesh and the field.
+///
+/// \reebGraphComplexity
+///
 /// \returns the output iterator behind the last curve.
 ///
 /// \exception Reeb_graph::Invalid_contour_error if a contour is not one of this mesh and field

@@ -57,6 +57,10 @@ namespace CGAL::Reeb_graph {
 ///
 /// \reebGraphNamedParamsOfCurves
 ///
+/// \pre The mesh is a triangulated surface, and its borders are as `borders` says.
+///
+/// \reebGraphComplexity
+///
 /// \returns the output iterator behind the last curve.
 ///
 /// \reebGraphBorderLevelError

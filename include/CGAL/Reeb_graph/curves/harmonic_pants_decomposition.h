@@ -37,6 +37,10 @@ namespace CGAL::Reeb_graph {
 /// \param np the named parameters of `pants_decomposition()`, but for `geom_traits`, and those of
 ///        `compute_harmonic_field()`
 ///
+/// \pre Each connected component has a negative Euler characteristic.
+///
+/// \reebGraphComplexity
+///
 /// \returns the output iterator behind the last curve.
 ///
 /// It throws the exceptions of these two functions. When one is thrown, the mesh is as it was before.

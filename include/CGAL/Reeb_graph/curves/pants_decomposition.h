@@ -43,6 +43,10 @@ namespace CGAL::Reeb_graph {
 ///
 /// \reebGraphNamedParamsOfCurves
 ///
+/// \pre Each connected component has a negative Euler characteristic, and borders are as `borders` says.
+///
+/// \reebGraphComplexity
+///
 /// \returns the output iterator behind the last curve.
 ///
 /// \exception Reeb_graph::No_pants_decomposition_error if a connected component is a sphere, a disk, an annulus, or a

@@ -47,6 +47,8 @@ namespace CGAL::Reeb_graph {
 /// \copydetails PkgReebGraphRefinementParameters
 ///
 /// It throws the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
+///
+/// \reebGraphComplexity
 template <class MutableFaceGraph,
           class ScalarMap,
           class RankMap,

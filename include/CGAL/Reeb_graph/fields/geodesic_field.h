@@ -54,6 +54,8 @@ namespace CGAL::Reeb_graph {
 /// \param sources the vertices at distance zero, at least one in each connected component
 /// \param np `callback` and `vertex_point_map` as for `compute_harmonic_field()`
 ///
+/// \reebGraphComplexity
+///
 /// \exception Unknown_vertex_error if a source is not a vertex of the mesh
 /// \exception Unconstrained_component_error if a component has no source
 /// \exception Non_finite_scalar_error if a distance is beyond the range of numbers

@@ -52,6 +52,8 @@ namespace CGAL::Reeb_graph {
 /// \param gradient_map the result
 /// \param np `callback` and `vertex_point_map` as for `compute_harmonic_field()`
 ///
+/// \reebGraphComplexity
+///
 /// \returns what was changed because of bad faces, see `Field_report`
 ///
 /// \exception Non_finite_scalar_error if a value of the field is infinite or NaN
@@ -121,6 +123,8 @@ Field_report compute_gradient(const FaceListGraph& mesh,
 /// \param vector_map the vectors
 /// \param divergence_map the result, zero for isolated vertices
 /// \param np `callback` and `vertex_point_map` as for `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
 ///
 /// \returns what was changed because of bad faces, see `Field_report`
 ///

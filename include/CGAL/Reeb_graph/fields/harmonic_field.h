@@ -102,6 +102,10 @@ namespace CGAL::Reeb_graph {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \pre The mesh is a triangulated surface, and each connected component has a vertex with a given value.
+///
+/// \reebGraphComplexity
+///
 /// \returns what was changed because of bad faces, see `Field_report`; uniform weights need no geometry
 ///
 /// \exception Non_triangular_face_error if a face is not a triangle
@@ -140,7 +144,17 @@ Field_report compute_harmonic_field(const FaceListGraph& mesh,
 /// \brief computes the harmonic field that is 0 at the vertex `lowest` and 1 at the vertex `highest` of a connected
 /// mesh.
 ///
-/// It is `compute_harmonic_field()` with these two constraints, and has its named parameters, result, and exceptions.
+/// It is `compute_harmonic_field()` with these two constraints, and has its result and exceptions.
+///
+/// \pre The mesh is connected.
+///
+/// \param mesh the mesh; it is only read
+/// \param field_map the result
+/// \param lowest the vertex of value 0
+/// \param highest the vertex of value 1
+/// \param np the named parameters of `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
 template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
 Field_report compute_harmonic_field_between(const FaceListGraph& mesh,
                                             FieldMap field_map,
@@ -157,8 +171,14 @@ Field_report compute_harmonic_field_between(const FaceListGraph& mesh,
 ///
 /// \brief computes the harmonic field that is 0 and 1 at two vertices of each component that are far apart.
 ///
-/// The two are those of `find_far_apart_vertices()`. An isolated vertex gets the value 0. The named parameters, the
-/// result, and the exceptions are those of `compute_harmonic_field()`.
+/// The two are those of `find_far_apart_vertices()`. An isolated vertex gets the value 0. The result and the exceptions
+/// are those of `compute_harmonic_field()`.
+///
+/// \param mesh the mesh; it is only read
+/// \param field_map the result
+/// \param np the named parameters of `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
 template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
 Field_report compute_harmonic_field_between_far_apart_vertices(const FaceListGraph& mesh,
                                                                FieldMap field_map,
@@ -185,8 +205,13 @@ Field_report compute_harmonic_field_between_far_apart_vertices(const FaceListGra
 /// vertices are on it. If there is none, it is 0 and 1 at the two vertices of `find_far_apart_vertices()`. An isolated
 /// vertex gets the value 0. Borders at 1 that share edges are one plateau.
 ///
-/// The template parameters, the named parameters, the result, and the exceptions are those of
-/// `compute_harmonic_field()`.
+/// The template parameters, the result, and the exceptions are those of `compute_harmonic_field()`.
+///
+/// \param mesh the mesh; it is only read
+/// \param field_map the result
+/// \param np the named parameters of `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
 template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
 Field_report compute_harmonic_field_between_borders(const FaceListGraph& mesh,
                                                     FieldMap field_map,

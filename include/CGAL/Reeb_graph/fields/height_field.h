@@ -47,6 +47,8 @@ namespace CGAL::Reeb_graph {
 /// \param direction the direction
 /// \param np `callback` and `vertex_point_map` as for `compute_harmonic_field()`
 ///
+/// \reebGraphComplexity
+///
 /// \exception Direction_error if the direction is zero, or not finite
 /// \exception Non_finite_scalar_error if a height is infinite or NaN
 /// \exception Cancelled_error if `callback` returns `false`

@@ -104,6 +104,8 @@ struct Border_level_changes
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \reebGraphComplexity
+///
 /// \returns how many borders and vertices have been changed, and by how much.
 ///
 /// It throws the exceptions of `compute_reeb_graph()`. When one is thrown, `scalar_map` is as it was before.

@@ -70,8 +70,13 @@ Field_report solve_poisson_equation(const FaceListGraph& mesh,
 /// See \cgalCite{hr-edrprg-20}, Section 8.1, and \cgalCite{mdsb-ddgot2-03}. It is never negative. On the border the
 /// formula means little; at isolated vertices it is zero. It takes linear time.
 ///
-/// Of the parameters of `compute_harmonic_field()`, it has `mesh`, `field_map`, and the named ones `callback` and
-/// `vertex_point_map`. It returns what was changed because of bad faces, see `Field_report`.
+/// \param mesh the mesh; it is only read
+/// \param field_map the result
+/// \param np the named parameters `callback` and `vertex_point_map` of `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
+///
+/// \returns what was changed because of bad faces, see `Field_report`.
 ///
 /// \exception Non_finite_scalar_error if the result is infinite or NaN
 /// \exception Cancelled_error if `callback` returns `false`
@@ -134,6 +139,10 @@ Field_report compute_mean_curvature(const FaceListGraph& mesh,
 /// \param np `sparse_linear_solver`, `solver_tolerance`, `callback` and `vertex_point_map` as for
 ///        `compute_harmonic_field()`
 ///
+/// \pre The mesh is a triangulated surface, and each connected component has a vertex with a given value.
+///
+/// \reebGraphComplexity
+///
 /// \returns what was changed because of bad faces, see `Field_report`
 ///
 /// The exceptions are those of `compute_harmonic_field()`, but for `Scalar_resolution_error`; there is one if a value
@@ -168,7 +177,14 @@ Field_report compute_poisson_field(const FaceListGraph& mesh,
 /// and given values at some vertices.
 ///
 /// With a single given value, at a vertex such as the tip of the head of a character, the level sets of the solution
-/// follow the shape. The parameters, the result, and the exceptions are those of `compute_poisson_field()`.
+/// follow the shape. The result and the exceptions are those of `compute_poisson_field()`.
+///
+/// \param mesh the mesh; it is only read
+/// \param field_map the result
+/// \param constraints vertices with their values
+/// \param np the named parameters of `compute_poisson_field()`
+///
+/// \reebGraphComplexity
 template <class FaceListGraph,
           class FieldMap,
           class ConstraintRange,
@@ -218,6 +234,8 @@ Field_report compute_curvature_poisson_field(const FaceListGraph& mesh,
 /// \param field_map the result
 /// \param np `sparse_linear_solver`, `solver_tolerance`, `callback` and `vertex_point_map` as for
 ///        `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
 ///
 /// \returns what was changed because of bad faces, see `Field_report`
 ///

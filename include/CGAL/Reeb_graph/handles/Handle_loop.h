@@ -33,6 +33,8 @@ enum class Loop_kind
 };
 
 /// \brief returns `handle`, `tunnel`, `hole`, or `loop`, as files and reports have it.
+///
+/// \param kind the kind
 inline std::string to_string(Loop_kind kind)
 {
   switch(kind)

@@ -34,6 +34,8 @@ enum class Removal_result
 };
 
 /// \brief returns `removed`, or the reason why not, as reports have it.
+///
+/// \param result the result
 inline std::string to_string(Removal_result result)
 {
   switch(result)

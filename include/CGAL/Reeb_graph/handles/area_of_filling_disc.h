@@ -209,6 +209,10 @@ std::vector<std::optional<double>> areas_of_discs(const Mesh& mesh, const LoopRa
 /// \param loops the loops, closed walks that pass no vertex twice
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", of which `vertex_point_map` counts
 ///
+/// \pre Each loop is closed.
+///
+/// \reebGraphComplexity
+///
 /// \returns an area, or nothing, for each loop.
 template <class FaceListGraph, class LoopRange, class NamedParameters = parameters::Default_named_parameters>
 std::vector<std::optional<double>> areas_of_filling_discs(const FaceListGraph& mesh,

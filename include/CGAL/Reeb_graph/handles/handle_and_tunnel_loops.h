@@ -198,6 +198,8 @@ private:
 ///   \reebGraphCallback
 /// \cgalNamedParamsEnd
 ///
+/// \reebGraphComplexity
+///
 /// \returns the loops.
 ///
 /// \exception Reeb_graph::Non_finite_point_error if a coordinate of a point is infinite or NaN

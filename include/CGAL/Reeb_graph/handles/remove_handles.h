@@ -77,6 +77,8 @@ namespace CGAL::Reeb_graph {
 ///   \reebGraphCallback
 /// \cgalNamedParamsEnd
 ///
+/// \reebGraphComplexity
+///
 /// \returns the handles that have been removed, in this order, and behind them those that are refused.
 ///
 /// \exception Reeb_graph::Threshold_error if the size is negative or NaN

@@ -67,6 +67,8 @@ struct Persistence_pair
 /// \ingroup PkgReebGraphSimplification
 ///
 /// \brief returns the name of a kind: `minimum-saddle`, `saddle-maximum`, `minimum-maximum`, or `loop`.
+///
+/// \param kind the kind
 inline std::string to_string(Persistence_pair_kind kind)
 {
   switch(kind)
@@ -87,6 +89,8 @@ inline std::string to_string(Persistence_pair_kind kind)
 /// \param graph the graph that the pair is one of
 /// \param pair the pair
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, as for `simplify()`
+///
+/// \reebGraphComplexity
 template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
 double persistence(const ReebGraph& graph,
                    const Persistence_pair<typename boost::graph_traits<ReebGraph>::vertex_descriptor>& pair,
@@ -132,6 +136,10 @@ double persistence(const ReebGraph& graph,
 ///
 /// \param graph a Reeb graph, computed with any named parameters
 /// \param pairs the output: all pairs, sorted by lower node, upper node, and kind
+///
+/// \pre Arcs lead to nodes of higher number.
+///
+/// \reebGraphComplexity
 ///
 /// \returns the output iterator behind the last pair.
 ///

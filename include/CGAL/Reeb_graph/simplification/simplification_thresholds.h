@@ -106,6 +106,10 @@ inline std::vector<Simplification_threshold> choose_thresholds(std::vector<Simpl
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `cancel_loops` and `geom_traits`, as
 /// for `simplify()`
 ///
+/// \pre Arcs lead to nodes of higher number.
+///
+/// \reebGraphComplexity
+///
 /// \returns the output iterator behind the last threshold.
 ///
 /// \exception Reeb_graph::Measure_error if the number of a value is NaN

@@ -111,6 +111,10 @@ struct Branch
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \pre The threshold is neither negative nor NaN, and arcs lead to nodes of higher number.
+///
+/// \reebGraphComplexity
+///
 /// \returns for each node and arc of `graph` the node or arc of `simplified` that has taken it up.
 ///
 /// \exception Reeb_graph::Threshold_error if the threshold is negative or NaN

@@ -66,6 +66,10 @@ namespace CGAL::Reeb_graph {
 ///        `face_index_map` and `callback` of `compute_reeb_graph()`, and `number_of_leaves`, `piece_weights` and
 ///        `branch_measure` of `simplify()`. The order is always that of `operator<`: there is no `geom_traits`
 ///
+/// \pre The threshold is neither negative nor NaN, and the graph, if given, is that of the mesh and the field.
+///
+/// \reebGraphComplexity
+///
 /// \returns the largest absolute difference between a value of the result and the given one.
 ///
 /// \exception Reeb_graph::Perturbed_ties_error with `Reeb_graph::Ties::PERTURB` only, if the result would have another
@@ -114,6 +118,10 @@ double simplify_field(const FaceListGraph& mesh,
 /// \param simplified_scalar_map the result; it can be the same map as `scalar_map`
 /// \param np the named parameters of `simplify_field()` above, and `vertex_place_map`, the one that
 ///        `compute_reeb_graph()` has written, which has to be there
+///
+/// \pre The threshold is neither negative nor NaN, and the graph, if given, is that of the mesh and the field.
+///
+/// \reebGraphComplexity
 ///
 /// \returns the largest absolute difference between a value of the result and the given one.
 ///
