@@ -204,6 +204,8 @@ Level_cut_report cut_along_sorted_levels(Mesh& mesh,
 ///
 /// Here, added vertices have exactly the values of their levels.
 ///
+/// \reebGraphComplexity
+///
 /// \returns how many levels there are, and what has been added.
 ///
 /// \exception Reeb_graph::Unordered_level_error if a level is NaN

@@ -106,6 +106,8 @@ struct Skeleton_certificate
 /// one, as that of a ring, begins and ends there. It takes linear time.
 ///
 /// \param skeleton a curve skeleton, as it has been extracted
+///
+/// \reebGraphComplexity
 template <class CurveSkeleton>
 std::vector<std::vector<typename boost::graph_traits<CurveSkeleton>::vertex_descriptor>> skeleton_arcs(
   const CurveSkeleton& skeleton)
