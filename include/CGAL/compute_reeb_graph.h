@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -97,13 +97,10 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 /// Nodes are numbered in the order of their vertices, arcs are sorted by lower node, upper node, and the second, then
 /// the first vertex of their chain. The same input gives the same graph, whatever the type of the mesh.
 ///
-/// The named parameter `method` chooses between two methods. `CRITICAL_SETS` is that of M. Hajij and P. Rosen, *An
-/// Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020. By default, the surface is cut along one contour for
-/// each loop of the graph. The cut surface has a contour tree, which is made as by Y. Chiang, T. Lenz, X. Lu, G. Rote,
-/// *Simple and optimal output-sensitive construction of contour trees using monotone paths*, 2005, and H. Carr, J.
-/// Snoeyink, U. Axen, *Computing contour trees in all dimensions*, 2003. Then the cuts are glued. This is the loop
-/// surgery of J. Tierny, A. Gyulassy, E. Simon, V. Pascucci, *Loop surgery for volumetric meshes: Reeb graphs reduced
-/// to contour trees*, 2009.
+/// The named parameter `method` chooses between two methods. `CRITICAL_SETS` is that of \cgalCite{hr-edrprg-20}. By
+/// default, the surface is cut along one contour for each loop of the graph. The cut surface has a contour tree, which
+/// is made as by \cgalCite{cllr-sooscc-05}, and \cgalCite{csa-cctad-03}. Then the cuts are glued. This is the loop
+/// surgery of \cgalCite{tgsp-lsvmrg-09}.
 ///
 /// Let there be \f$ n \f$ vertices and faces, and \f$ c \f$ critical vertices, and let \f$ l \f$ be the length of the
 /// contours at the vertices where loops close. The default takes \f$ O(n + c \log c + l \log l) \f$ time and
@@ -192,6 +189,10 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///     \cgalParamDefault{`Reeb_graph::Default_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+///
+/// \pre The mesh is a triangulated, orientable surface, with or without border: each vertex has one fan of faces.
+///
+/// \reebGraphComplexity
 ///
 /// \exception Reeb_graph::Non_triangular_face_error if a face is not a triangle
 /// \exception Reeb_graph::Degenerate_face_error if a face has one vertex at two corners

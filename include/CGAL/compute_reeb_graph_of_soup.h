@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -125,6 +125,10 @@ void compute_graph_of_cells(const PointsOrNumber& points,
 /// are simply connected, or closed surfaces that can be oriented, the first summand is \f$ n + c \log c \f$ for
 /// \f$ c \f$ critical vertices.
 ///
+/// \pre Each triangle has three different vertices, and each index is one of a vertex.
+///
+/// \reebGraphComplexity
+///
 /// \exception Reeb_graph::Non_triangular_face_error if a face has not three vertices
 /// \exception Reeb_graph::Degenerate_face_error if a face has one vertex at two corners
 /// \exception Reeb_graph::Degenerate_edge_error if an edge has not two different vertices
@@ -160,6 +164,16 @@ void compute_reeb_graph_of_soup(const PointsOrNumber& points,
 /// so the graph is that of `compute_reeb_graph_of_soup()` for all faces. All that is said there holds here.
 ///
 /// \tparam TetrahedronRange a range of ranges of four indices, such as `std::vector<std::array<std::size_t, 4>>`
+///
+/// \param points the points, or their number
+/// \param tetrahedra the tetrahedra
+/// \param scalars a value for each point
+/// \param graph the result
+/// \param np the named parameters of `compute_reeb_graph_of_soup()`
+///
+/// \pre Each tetrahedron has four different vertices, and each index is one of a vertex.
+///
+/// \reebGraphComplexity
 ///
 /// \exception Reeb_graph::Non_tetrahedral_cell_error if a tetrahedron has not four different vertices
 template <class ConcurrencyTag = Sequential_tag,

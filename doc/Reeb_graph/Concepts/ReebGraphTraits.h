@@ -5,8 +5,8 @@
 The concept `ReebGraphTraits` describes the types of a Reeb graph, and the predicates by which
 `CGAL::compute_reeb_graph()` orders the scalar values. This function asks nothing else of a scalar value: there is no
 arithmetic, and no conversion to a floating point number. If it works in parallel, values are copied and compared by
-several threads at once. Other functions convert number types to `double` and back, and other ones as the optional
-members do.
+several threads at once. Other functions convert number types to `double` and back. Values that are no numbers they
+convert as the refinements `ReebGraphNumberTraits` and `ReebGraphInverseNumberTraits` say.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Reeb_graph_traits}
@@ -57,26 +57,6 @@ public:
 
   /// returns the test.
   Is_ordered is_ordered_object() const;
-
-  /// @}
-
-  /// \name Optional
-  /// For scalar values that are no numbers, and in the place of the conversions of number types. Functions that need
-  /// numbers, such as those that simplify, draw, measure and cut, use them. Without them, these functions do not
-  /// compile, and say so. `CGAL::Reeb_graph::Augmentation` uses them for the values of contours and the places of their
-  /// points. Without them, these values are NaN, and points are in the middles of edges. Graphs are written with
-  /// numbers where values have no `operator<<`. Functions that take no mesh are given the traits class as named
-  /// parameter `geom_traits`, too.
-  /// @{
-
-  /// returns a function object with `double operator()(const Scalar& a) const`, which must not fall in the order. An
-  /// order of numbers that has a table, for one, can return the places in it.
-  unspecified_type scalar_to_double_object() const;
-
-  /// returns a function object with `Scalar operator()(double x) const`: for a number between those of two values, a
-  /// value between these or equal to the lower one. If there is only the other conversion, contours are placed by the
-  /// vertices of chains, and vertices that are added to a mesh get values of others.
-  unspecified_type scalar_from_double_object() const;
 
   /// @}
 };

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -131,9 +131,9 @@ private:
 /// \brief the way from a Reeb graph back to a mesh, to a triangle soup, or to tetrahedra: the contours of arcs, the
 /// critical sets of nodes, and the place of each vertex in the graph.
 ///
-/// It implements the map \f$ F: R(M, f) \to M \f$ of M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb
-/// Graph Algorithm*, 2020, Section 6. `Augmentation`, `Soup_augmentation` and `Tetrahedra_augmentation` derive from it;
-/// they differ in what they are constructed from, and in what a contour is.
+/// It implements the map \f$ F: R(M, f) \to M \f$ of \cgalCite{hr-edrprg-20}, Section 6. `Augmentation`,
+/// `Soup_augmentation` and `Tetrahedra_augmentation` derive from it; they differ in what they are constructed from, and
+/// in what a contour is.
 ///
 /// The graph has to outlive it and must not change. It can be neither copied nor moved. All member functions can be
 /// called from several threads at a time. Those that return contours throw `Graph_mismatch_error` if the chain of an
@@ -319,7 +319,7 @@ private:
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type. Values that
-///         are not numbers are those of contours only if the traits class converts them, see `ReebGraphTraits`
+///         are not numbers are those of contours only if the traits class converts them, see `ReebGraphNumberTraits`
 /// \tparam ReebGraph the type `Graph` of the traits class
 /// \tparam Traits a model of `ReebGraphTraits`: the type of the named parameter `geom_traits`, if that is given. It is
 ///         deduced by `Augmentation augmentation(mesh, scalar_map, graph, np)`.

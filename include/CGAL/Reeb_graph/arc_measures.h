@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -216,6 +216,8 @@ std::vector<double> vertex_counts_of_pieces(const FaceListGraph& mesh,
 ///   \reebGraphPoints{ReadablePropertyMap}
 /// \cgalNamedParamsEnd
 ///
+/// \reebGraphComplexity
+///
 /// \returns the areas of the nodes, and behind them those of the arcs, in the order of `edges(graph)`.
 ///
 /// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of this mesh
@@ -250,6 +252,8 @@ std::vector<double> areas_of_pieces(const FaceListGraph& mesh,
 /// \reebGraphLocatedVertices
 /// \param np named parameters: those of `areas_of_pieces()`
 ///
+/// \reebGraphComplexity
+///
 /// \returns the areas of the arcs, in the order of `edges(graph)`.
 ///
 /// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of this mesh
@@ -272,6 +276,8 @@ std::vector<double> arc_areas(const FaceListGraph& mesh,
 /// \param points the points of the vertices, a random access range
 /// \param locations what `augmentation.locate_vertices()` has returned
 ///
+/// \reebGraphComplexity
+///
 /// \returns the areas of the arcs, in the order of `edges(graph)`.
 ///
 /// \exception Attribute_count_error if there is not one point for each vertex
@@ -290,6 +296,8 @@ std::vector<double> arc_areas(const Soup_augmentation<Scalar, ReebGraph, Traits>
 /// \param augmentation the way from the graph to the tetrahedra
 /// \param points the points of the vertices, a random access range
 /// \param locations what `augmentation.locate_vertices()` has returned
+///
+/// \reebGraphComplexity
 ///
 /// \returns the volumes of the arcs, in the order of `edges(graph)`.
 ///
@@ -318,6 +326,8 @@ std::vector<double> arc_volumes(const Tetrahedra_augmentation<Scalar, ReebGraph,
 /// \param graph the Reeb graph, or a simplified one
 /// \param locations what `Augmentation::locate_vertices()` has returned for the graph
 /// \param np named parameters: those of `areas_of_pieces()`, and `geom_traits`, as for `simplify()`
+///
+/// \reebGraphComplexity
 ///
 /// \returns the means, in the order of `edges(graph)`.
 ///
@@ -385,6 +395,8 @@ std::vector<double> arc_mean_values(const AnyAugmentation<Scalar, ReebGraph, Tra
 /// \param graph the Reeb graph
 /// \param np named parameters: those of `areas_of_pieces()`, and `geom_traits`, as for `simplify()`
 ///
+/// \reebGraphComplexity
+///
 /// \returns the lengths, in the order of `edges(graph)`.
 template <class FaceListGraph,
           class ScalarMap,
@@ -410,6 +422,8 @@ std::vector<double> arc_lengths(const FaceListGraph& mesh,
 ///
 /// \param augmentation a `Soup_augmentation` or `Tetrahedra_augmentation` of the graph
 /// \param points the points of the vertices, a random access range
+///
+/// \reebGraphComplexity
 ///
 /// \returns the lengths, in the order of `edges(graph)`.
 ///

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -88,6 +88,10 @@ class Complex_augmentation; // callers of embed() with one have included it
 ///   \reebGraphCallback
 /// \cgalNamedParamsEnd
 ///
+/// \pre The graph is that of the mesh and the field.
+///
+/// \reebGraphComplexity
+///
 /// \returns an `Embedding` with the type of the points of the mesh.
 ///
 /// \exception Graph_mismatch_error if the chain of an arc does not lead to its contours
@@ -122,6 +126,10 @@ auto embed(const Augmentation<FaceListGraph, ScalarMap, ReebGraph, Traits>& augm
 /// \param augmentation a `Soup_augmentation` or `Tetrahedra_augmentation` of the graph
 /// \param points the points of the vertices
 /// \param np the named parameters of `embed()` for a mesh, but `vertex_point_map`
+///
+/// \pre The graph is that of the mesh and the field.
+///
+/// \reebGraphComplexity
 ///
 /// \returns an `Embedding` with the type of the points.
 ///

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -108,6 +108,8 @@ private:
 /// \param graph the Reeb graph
 /// \param component_map is set to the number of the component of each node, from 0 in the order of their lowest nodes
 ///
+/// \reebGraphComplexity
+///
 /// \returns the number of components. It takes almost linear time.
 template <class ReebGraph, class ComponentMap>
 std::size_t number_components(const ReebGraph& graph, ComponentMap component_map)
@@ -135,6 +137,10 @@ std::size_t number_components(const ReebGraph& graph, ComponentMap component_map
 
 /// \brief counts the connected components of a Reeb graph: those of the surface. It takes almost
 /// linear time.
+///
+/// \param graph the Reeb graph
+///
+/// \reebGraphComplexity
 template <class ReebGraph>
 std::size_t number_of_components(const ReebGraph& graph)
 {
@@ -145,6 +151,10 @@ std::size_t number_of_components(const ReebGraph& graph)
 
 /// \brief counts the independent loops of a Reeb graph, its first Betti number: arcs less nodes plus components. It
 /// takes almost linear time.
+///
+/// \param graph the Reeb graph
+///
+/// \reebGraphComplexity
 template <class ReebGraph>
 std::size_t number_of_loops(const ReebGraph& graph)
 {
@@ -155,6 +165,8 @@ std::size_t number_of_loops(const ReebGraph& graph)
 ///
 /// \param graph the Reeb graph
 /// \param nodes the output, an output iterator for nodes
+///
+/// \reebGraphComplexity
 ///
 /// \returns the output iterator behind the last node.
 template <class ReebGraph, class OutputIterator>
@@ -178,6 +190,8 @@ OutputIterator leaves(const ReebGraph& graph, OutputIterator nodes)
 /// \param graph the Reeb graph
 /// \param loops the output, an output iterator for `std::vector` of arcs: the first arc, passed upwards, and then those
 ///        that lead from its upper node back to its lower one. The loops are in the order of their first arcs.
+///
+/// \reebGraphComplexity
 ///
 /// \returns the output iterator behind the last loop.
 template <class ReebGraph, class OutputIterator>
@@ -207,6 +221,8 @@ OutputIterator cycle_basis(const ReebGraph& graph, OutputIterator loops)
 /// \param graph the Reeb graph
 /// \param augmentation an `Augmentation`, `Soup_augmentation` or `Tetrahedra_augmentation` of the graph
 /// \param contours the output, an output iterator for its `Contour`
+///
+/// \reebGraphComplexity
 ///
 /// \returns the output iterator behind the last contour.
 template <class ReebGraph, class Augmentation, class OutputIterator>

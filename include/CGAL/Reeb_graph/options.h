@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -34,6 +34,8 @@ enum class Node_kind
 
 /// \brief returns the name under which a kind of node is written:
 /// `"isolated"`, `"minimum"`, `"saddle"`, `"maximum"`, or `"degree-two"`.
+///
+/// \param kind the kind
 inline std::string to_string(Node_kind kind)
 {
   switch(kind)
@@ -48,6 +50,9 @@ inline std::string to_string(Node_kind kind)
 }
 
 /// \brief writes what `to_string()` returns.
+///
+/// \param out the stream
+/// \param kind the kind
 inline std::ostream& operator<<(std::ostream& out, Node_kind kind) { return out << to_string(kind); }
 
 /// \brief what becomes of vertices of equal value.

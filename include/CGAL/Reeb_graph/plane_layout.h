@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -66,6 +66,8 @@ struct Plane_layout
 ///
 /// \param graph a Reeb graph, computed with any named parameters
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, as for `simplify()`
+///
+/// \reebGraphComplexity
 ///
 /// \exception Reeb_graph::Measure_error if the number of a value is NaN
 /// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number

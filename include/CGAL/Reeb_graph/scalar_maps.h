@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -40,6 +40,13 @@ namespace CGAL::Reeb_graph {
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarRange a model of `ForwardRange`
 ///
+/// \param mesh the mesh
+/// \param values as many values as there are vertices
+///
+/// \pre There are as many values as vertices.
+///
+/// \reebGraphComplexity
+///
 /// \returns a model of `ReadablePropertyMap` with the vertex descriptors as key type and the values of the range as
 ///          value type.
 ///
@@ -67,10 +74,15 @@ auto make_scalar_map(const FaceListGraph& mesh, const ScalarRange& values)
 ///
 /// The function object is copied into the map and called each time a value is read.
 ///
+/// \param mesh the mesh, of which only the type counts
+/// \param function what gives the value of a vertex
+///
+/// \reebGraphComplexity
+///
 /// \returns a model of `ReadablePropertyMap` with the vertex descriptors as key type and the result of the function
 ///          as value type.
 template <class FaceListGraph, class VertexFunction>
-auto make_scalar_map_from_function(const FaceListGraph&, const VertexFunction& function)
+auto make_scalar_map_from_function([[maybe_unused]] const FaceListGraph& mesh, const VertexFunction& function)
 {
   typedef typename internal::Descriptors<FaceListGraph>::vertex_descriptor vertex_descriptor;
   return boost::make_function_property_map<vertex_descriptor>(function);
@@ -82,6 +94,10 @@ auto make_scalar_map_from_function(const FaceListGraph&, const VertexFunction& f
 /// The mesh is only read, so that several threads may call this function for one mesh. The map holds the positions: it
 /// is that of the mesh as it is now, and copies of it share them. Several threads may read it; what is not one of the mesh
 /// has the greatest number of the type.
+///
+/// \param mesh the mesh
+///
+/// \reebGraphComplexity
 template <class FaceListGraph>
 auto make_vertex_index_map(const FaceListGraph& mesh)
 {
@@ -94,6 +110,10 @@ auto make_vertex_index_map(const FaceListGraph& mesh)
 
 /// \brief returns a property map from the halfedges of a mesh to their positions in `halfedges(mesh)`, from 0; else as
 /// `make_vertex_index_map()`.
+///
+/// \param mesh the mesh
+///
+/// \reebGraphComplexity
 template <class FaceListGraph>
 auto make_halfedge_index_map(const FaceListGraph& mesh)
 {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -124,6 +124,8 @@ auto make_tetrahedra_builder(const Triangulation& triangulation)
 ///
 /// \param triangulation the triangulation
 ///
+/// \reebGraphComplexity
+///
 /// \returns the `Tetrahedra`.
 template <class Triangulation>
 auto tetrahedra_of_triangulation(const Triangulation& triangulation)
@@ -148,6 +150,8 @@ auto tetrahedra_of_triangulation(const Triangulation& triangulation)
 ///
 /// \param complex the complex
 ///
+/// \reebGraphComplexity
+///
 /// \returns the `Tetrahedra`.
 template <class MeshComplex>
 auto tetrahedra_of_complex(const MeshComplex& complex)
@@ -169,6 +173,8 @@ auto tetrahedra_of_complex(const MeshComplex& complex)
 ///         `CGAL::Linear_cell_complex_for_combinatorial_map<3>`, whose vertex attributes can be hashed by `std::hash`
 ///
 /// \param complex the linear cell complex
+///
+/// \reebGraphComplexity
 ///
 /// \returns the `Tetrahedra`.
 ///

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -62,6 +62,8 @@ inline std::string csv_of(const std::string& text)
 /// \param vertex_index_map the index of each vertex of the mesh; in soups and tetrahedra vertices are indices, so that
 ///        it is `boost::typed_identity_property_map<std::size_t>`
 ///
+/// \reebGraphComplexity
+///
 /// \exception File_error if the file cannot be written
 template <class Graph, class Embedding, class VertexIndexMap>
 void write_nodes_csv(const internal::Output& output,
@@ -102,6 +104,8 @@ void write_nodes_csv(const internal::Output& output,
 /// \param embedding what `embed()` has returned for it
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `arc_attributes`, as for
 ///        `write_vtp()`
+///
+/// \reebGraphComplexity
 ///
 /// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc
@@ -146,6 +150,8 @@ void write_arcs_csv(const internal::Output& output,
 ///        it is `boost::typed_identity_property_map<std::size_t>`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `arc_attributes`, as for
 ///        `write_vtp()`
+///
+/// \reebGraphComplexity
 ///
 /// \exception File_error if a file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc

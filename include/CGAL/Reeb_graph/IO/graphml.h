@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -183,7 +183,7 @@ void write_graphml_with(const Output& output,
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{an instance of a traits class whose `scalar_to_double_object()` makes numbers of values
 ///                           that have no `operator<<`}
-///     \cgalParamType{a model of `ReebGraphTraits`}
+///     \cgalParamType{a model of `ReebGraphNumberTraits`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{arc_attributes}
@@ -192,6 +192,8 @@ void write_graphml_with(const Output& output,
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+///
+/// \reebGraphComplexity
 ///
 /// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -89,6 +89,8 @@ inline std::string dot_text(const std::string& text)
 ///        it is `boost::typed_identity_property_map<std::size_t>`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, as for
 ///        `write_graphml()`
+///
+/// \reebGraphComplexity
 ///
 /// \exception File_error if the file cannot be written
 ///

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -101,6 +101,8 @@ void write_json_of_graph(const Output& output,
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `arc_attributes`, as for
 ///        `write_vtp()`
 ///
+/// \reebGraphComplexity
+///
 /// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc
 template <class FaceListGraph,
@@ -127,7 +129,14 @@ void write_json(const internal::Output& output,
 /// \ingroup PkgReebGraphIO
 ///
 /// \brief writes the Reeb graph of a triangle soup or of tetrahedra, as `compute_reeb_graph_of_soup()` makes it, in
-/// space with its chains as one JSON object. The object, the other parameters, and the exceptions are as above.
+/// space with its chains as one JSON object. The object and the exceptions are as above.
+///
+/// \param output a stream, or the name of a file
+/// \param graph the Reeb graph
+/// \param embedding what `embed()` has returned for it
+/// \param np an optional sequence of named parameters: `arc_attributes`
+///
+/// \reebGraphComplexity
 template <class Graph, class Embedding, class NamedParameters = parameters::Default_named_parameters>
 void write_json(const internal::Output& output,
                 const Graph& graph,

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -34,6 +34,8 @@ namespace CGAL::Reeb_graph {
 /// \param output a stream, whose state tells whether writing succeeded, or the name of a file
 /// \param graph the Reeb graph
 /// \param embedding what `embed()` has returned for it
+///
+/// \reebGraphComplexity
 ///
 /// \exception File_error if the file cannot be written
 template <class Graph, class Embedding>

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -36,6 +36,8 @@ namespace CGAL::Reeb_graph {
 /// \param output a stream, whose state tells whether writing succeeded, or the name of a file
 /// \param polylines the polylines; the last point of a closed one is the first one again
 ///
+/// \reebGraphComplexity
+///
 /// \exception File_error if the file cannot be written
 template <class PolylineRange>
 void write_polylines(const internal::Output& output, const PolylineRange& polylines)
@@ -63,6 +65,8 @@ void write_polylines(const internal::Output& output, const PolylineRange& polyli
 /// \param augmentation the `Augmentation` that has returned the contour
 /// \param contour the contour
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", of which `vertex_point_map` counts
+///
+/// \reebGraphComplexity
 template <class FaceListGraph, class Augmentation, class NamedParameters = parameters::Default_named_parameters>
 auto polyline_of_contour(const FaceListGraph&,
                          const Augmentation& augmentation,
@@ -83,6 +87,8 @@ auto polyline_of_contour(const FaceListGraph&,
 ///
 /// \param contour a `Soup_contour`
 /// \param vertex_points the points of the vertices of the soup, a random access range
+///
+/// \reebGraphComplexity
 template <class SoupContour, class PointRange>
 auto polylines_of_contour(const SoupContour& contour, const PointRange& vertex_points)
 {
@@ -106,6 +112,8 @@ auto polylines_of_contour(const SoupContour& contour, const PointRange& vertex_p
 /// \param mesh the refined mesh
 /// \param curve a `Reeb_graph::Curve` with at least one halfedge
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", of which `vertex_point_map` counts
+///
+/// \reebGraphComplexity
 template <class FaceGraph, class Curve, class NamedParameters = parameters::Default_named_parameters>
 auto polyline_of_curve(const FaceGraph& mesh,
                        const Curve& curve,

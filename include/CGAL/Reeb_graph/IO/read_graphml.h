@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -185,7 +185,9 @@ inline const std::string& data_of(const std::map<std::string, std::string>& data
 /// \param graph the result. Values that are not built-in numbers are read by their `operator>>`, or if they have none,
 ///        as numbers, of which the traits class makes values. They have to be the same values as before.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, a model of
-///        `ReebGraphTraits` whose `scalar_from_double_object()` does so
+///        `ReebGraphInverseNumberTraits`, whose `scalar_from_double_object()` does so
+///
+/// \reebGraphComplexity
 ///
 /// \exception Reeb_graph::File_error if the stream has no such graph; then `graph` is as it was before
 template <class FaceListGraph, class Graph, class NamedParameters = parameters::Default_named_parameters>
@@ -246,6 +248,13 @@ void read_graphml(std::istream& in,
 /// \ingroup PkgReebGraphIO
 ///
 /// \brief reads a Reeb graph from a file, as from a stream.
+///
+/// \param filename the name of the file
+/// \param mesh the mesh
+/// \param graph the result
+/// \param np the named parameters of reading from a stream
+///
+/// \reebGraphComplexity
 ///
 /// \exception Reeb_graph::File_error if the file cannot be read, or has no such graph
 template <class FaceListGraph, class Graph, class NamedParameters = parameters::Default_named_parameters>

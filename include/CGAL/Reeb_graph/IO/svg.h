@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -79,10 +79,12 @@ inline std::string counted(std::size_t number, const std::string& name)
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{an instance of a traits class whose `scalar_to_double_object()` makes numbers of the
 ///                           values}
-///     \cgalParamType{a model of `ReebGraphTraits`}
+///     \cgalParamType{a model of `ReebGraphNumberTraits`}
 ///     \cgalParamDefault{none: `CGAL::to_double()` of the values}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+///
+/// \reebGraphComplexity
 ///
 /// \exception Reeb_graph::Measure_error if the number of a value is NaN
 /// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -97,6 +97,8 @@ inline std::string name_of_first(const std::vector<Attribute>& attributes)
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+///
+/// \reebGraphComplexity
 ///
 /// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each arc
@@ -203,6 +205,8 @@ void write_vtp(const internal::Output& output,
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+///
+/// \reebGraphComplexity
 ///
 /// \exception File_error if the file cannot be written
 /// \exception Attribute_count_error if an attribute has not one number for each vertex, or face

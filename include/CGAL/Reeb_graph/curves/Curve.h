@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -185,7 +185,7 @@ struct Candidate_curve
 ///                           get values of `scalar_from_double_object()`, where the order has them between the ones
 ///                           around them. The order has to take any value between those of the field, if the scalar
 ///                           map can be written.}
-///     \cgalParamType{a model of `ReebGraphTraits`}
+///     \cgalParamType{a model of `ReebGraphTraits`; for values that are not numbers, of `ReebGraphNumberTraits`}
 ///     \cgalParamDefault{`Reeb_graph_traits<MutableFaceGraph, ScalarMap>`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd

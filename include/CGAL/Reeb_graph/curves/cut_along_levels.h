@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -203,6 +203,8 @@ Level_cut_report cut_along_sorted_levels(Mesh& mesh,
 /// \copydetails PkgReebGraphRefinementParameters
 ///
 /// Here, added vertices have exactly the values of their levels.
+///
+/// \reebGraphComplexity
 ///
 /// \returns how many levels there are, and what has been added.
 ///

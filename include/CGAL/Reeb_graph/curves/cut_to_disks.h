@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -73,8 +73,7 @@ std::vector<typename boost::graph_traits<Mesh>::edge_descriptor> find_disk_cut(c
 /// left side keeps halfedges and vertices, which are `halfedges`; the other side gets `lower_halfedges`. Their values
 /// are 0.
 ///
-/// It takes \f$ O(n \log n) \f$ time for \f$ n \f$ vertices and faces. See J. Erickson and K. Whittlesey, *Greedy optimal
-/// homotopy and homology generators*, 2005.
+/// It takes \f$ O(n \log n) \f$ time for \f$ n \f$ vertices and faces. See \cgalCite{ew-gohhg-05}.
 ///
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph`
 /// \tparam OutputIterator a model of `OutputIterator` for `Reeb_graph::Curve`
@@ -97,6 +96,8 @@ std::vector<typename boost::graph_traits<Mesh>::edge_descriptor> find_disk_cut(c
 ///     \cgalParamExtra{use the functions `parameters::original_vertex_map()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+///
+/// \reebGraphComplexity
 ///
 /// \returns the output iterator behind the last curve.
 ///

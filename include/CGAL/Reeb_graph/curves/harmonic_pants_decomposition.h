@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -36,6 +36,10 @@ namespace CGAL::Reeb_graph {
 /// \param curves the output
 /// \param np the named parameters of `pants_decomposition()`, but for `geom_traits`, and those of
 ///        `compute_harmonic_field()`
+///
+/// \pre Each connected component has a negative Euler characteristic.
+///
+/// \reebGraphComplexity
 ///
 /// \returns the output iterator behind the last curve.
 ///

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -42,6 +42,10 @@ namespace CGAL::Reeb_graph {
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those below
 ///
 /// \reebGraphNamedParamsOfCurves
+///
+/// \pre Each connected component has a negative Euler characteristic, and borders are as `borders` says.
+///
+/// \reebGraphComplexity
 ///
 /// \returns the output iterator behind the last curve.
 ///

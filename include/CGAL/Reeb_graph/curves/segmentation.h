@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -165,6 +165,8 @@ std::size_t cut_and_count_patches(Mesh& mesh, FacePatchMap face_patch_map, const
 /// \param face_patch_map the result: the number of its patch for each face, from 0, in the order of the first faces
 /// \param np the named parameters of `pants_decomposition()`, without `face_patch_map`
 ///
+/// \reebGraphComplexity
+///
 /// \returns the number of patches.
 ///
 /// It throws the exceptions of `pants_decomposition()`.
@@ -189,8 +191,16 @@ std::size_t segment_by_pants(MutableFaceGraph& mesh,
 /// The mesh is cut along the curves of `branch_curves()`, and in its time. A figure is segmented into head, arms, legs
 /// and body, if the field rises or falls along each of them. Choose a threshold, as noise makes branches, too.
 ///
-/// The parameters and the result are those of `segment_by_pants()`, but for `np`: the named parameters of
-/// `branch_curves()`, without `face_patch_map`. It throws the exceptions of `branch_curves()`.
+/// \param mesh the mesh, which is changed
+/// \param scalar_map the scalar field
+/// \param face_patch_map the result, as that of `segment_by_pants()`
+/// \param np the named parameters of `branch_curves()`, without `face_patch_map`
+///
+/// \reebGraphComplexity
+///
+/// \returns the number of patches.
+///
+/// It throws the exceptions of `branch_curves()`.
 template <class MutableFaceGraph,
           class ScalarMap,
           class FacePatchMap,
@@ -233,6 +243,10 @@ std::size_t segment_by_branches(MutableFaceGraph& mesh,
 /// \copydetails PkgReebGraphCuttingParameters
 ///
 /// \copydetails PkgReebGraphRefinementParameters
+///
+/// \pre The graph is that of the mesh and the field.
+///
+/// \reebGraphComplexity
 ///
 /// \returns the number of patches: that of the arcs, and of the components without an arc.
 ///

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -103,6 +103,10 @@ namespace CGAL {
 /// The named parameters `keep_degree_two_nodes`, `ties` and `method` are those of `compute_reeb_graph()`.
 ///
 /// Each exception is thrown on all ranks, for the first thing that is wrong on any of them:
+/// \pre The triangles of all ranks together are a triangulated surface, oriented alike.
+///
+/// \reebGraphComplexity
+///
 /// \exception Reeb_graph::Vertex_ranges_error if the ranges of vertices are not all indices from 0, each one once
 /// \exception Reeb_graph::Scalar_count_error if a rank has not one value for each of its vertices
 /// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN
@@ -148,8 +152,17 @@ void compute_reeb_graph_distributed(const boost::mpi::communicator& communicator
 /// memory of that function for the triangles that meet a slab, which is more than for a surface.
 /// `Reeb_graph::Distributed_slab` counts no borders and has no contours.
 ///
+/// \param communicator the ranks
+/// \param local_vertices the numbers of vertices of this rank
+/// \param local_triangles the triangles of this rank
+/// \param local_scalars the values of the vertices of this rank
+/// \param graph the result
+/// \param np the named parameters of `compute_reeb_graph_distributed()`
+///
 /// The exceptions are those of `compute_reeb_graph_distributed()`, except the three that refuse surfaces that are not
 /// oriented.
+///
+/// \reebGraphComplexity
 template <class VertexRange,
           class TriangleRange,
           class ScalarRange,

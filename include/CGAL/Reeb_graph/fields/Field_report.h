@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -22,9 +22,8 @@ namespace CGAL::Reeb_graph {
 /// A face is bad if it has no area, or so little that its angles are beyond the range of numbers. If there is one, the
 /// geometry is that of edges which are all longer by the same length, the least one that makes every triangle proper.
 /// Proper means that any two of its sides are together longer than the third one, by at least a millionth of the mean
-/// length of the edges, and 10<sup>-12</sup> of the longest edge. See N. Sharp and K. Crane, *A Laplacian for
-/// Nonmanifold Triangle Meshes*, 2020, Section 4.5: intrinsic mollification. If there is none, nothing is added, and
-/// nothing changes.
+/// length of the edges, and 10<sup>-12</sup> of the longest edge. See \cgalCite{sc-lntm-20}, Section 4.5: intrinsic
+/// mollification. If there is none, nothing is added, and nothing changes.
 struct Field_report
 {
   /// the number of bad faces

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -41,6 +41,12 @@ namespace CGAL::Reeb_graph {
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters": `callback` and `vertex_point_map`
 ///         as for `compute_harmonic_field()`
 ///
+/// \param mesh the mesh
+/// \param out where the pairs are written
+/// \param np an optional sequence of named parameters
+///
+/// \reebGraphComplexity
+///
 /// \returns the past-the-end iterator of the output
 ///
 /// The exceptions are those of `compute_harmonic_field()` with uniform weights.
@@ -77,6 +83,10 @@ OutputIterator find_far_apart_vertices(const FaceListGraph& mesh,
 /// \param mesh the mesh
 /// \param value the value
 /// \param out a model of `OutputIterator` for `std::pair` of a vertex descriptor and `double`
+///
+/// \pre The halfedge is on the border.
+///
+/// \reebGraphComplexity
 ///
 /// \returns the past-the-end iterator of the output
 ///

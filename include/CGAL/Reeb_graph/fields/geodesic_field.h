@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -34,13 +34,12 @@ namespace CGAL::Reeb_graph {
 ///
 /// \brief computes the geodesic distance of each vertex from the nearest one of some source vertices.
 ///
-/// A front marches from vertex to vertex, along the edges and straight through the triangles: M. Novotni and R. Klein,
-/// *Computing Geodesic Distances on Triangular Meshes*, 2002. Before, edges are flipped, on the surface, until the
-/// triangulation is Delaunay: A. I. Bobenko and B. A. Springborn, *A Discrete Laplace-Beltrami Operator for Simplicial
-/// Surfaces*, 2007. So the distances depend on the shape of the surface more than on that of its triangles, which may be
-/// long, or have no area. They are estimates: Section \ref ReebGraph_other_fields of the manual has their errors. But no
-/// distance is less than that in space from the nearest source, and along an edge they differ by no more than its
-/// length, both up to rounding. Other than a harmonic field, the field can have extrema anywhere.
+/// A front marches from vertex to vertex, along the edges and straight through the triangles: \cgalCite{nk-cgdtm-02}.
+/// Before, edges are flipped, on the surface, until the triangulation is Delaunay: \cgalCite{bs-dlboss-07}. So the
+/// distances depend on the shape of the surface more than on that of its triangles, which may be long, or have no area.
+/// They are estimates: Section \ref ReebGraph_other_fields of the manual has their errors. But no distance is less than
+/// that in space from the nearest source, and along an edge they differ by no more than its length, both up to
+/// rounding. Other than a harmonic field, the field can have extrema anywhere.
 ///
 /// It takes \f$ O(n \log n) \f$ time for \f$ n \f$ vertices, for any number of sources, and \f$ O(n) \f$ memory.
 ///
@@ -54,6 +53,8 @@ namespace CGAL::Reeb_graph {
 /// \param field_map the result
 /// \param sources the vertices at distance zero, at least one in each connected component
 /// \param np `callback` and `vertex_point_map` as for `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
 ///
 /// \exception Unknown_vertex_error if a source is not a vertex of the mesh
 /// \exception Unconstrained_component_error if a component has no source

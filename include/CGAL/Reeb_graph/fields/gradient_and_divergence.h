@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -36,10 +36,9 @@ namespace CGAL::Reeb_graph {
 /// The field is linear on a face with the corners \f$ v_1, v_2, v_3 \f$, and its gradient there
 /// \f$ \sum_i f(v_i) \frac{|E_i|}{2 A} u_i \f$, where \f$ A \f$ is the area, \f$ E_i \f$ the edge that faces
 /// \f$ v_i \f$, and \f$ u_i \f$ the unit vector in the face that is perpendicular to \f$ E_i \f$ and points to
-/// \f$ v_i \f$. See M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, Section
-/// 6.3. It is exact for the restriction of a linear function of space, up to rounding, and takes linear time. If there
-/// are bad faces, it is the gradient on faces with longer edges, see `Field_report`, each laid out in the plane of the
-/// given one as far as that has a plane.
+/// \f$ v_i \f$. See \cgalCite{hr-edrprg-20}, Section 6.3. It is exact for the restriction of a linear function of
+/// space, up to rounding, and takes linear time. If there are bad faces, it is the gradient on faces with longer edges,
+/// see `Field_report`, each laid out in the plane of the given one as far as that has a plane.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
@@ -52,6 +51,8 @@ namespace CGAL::Reeb_graph {
 /// \param scalar_map the field
 /// \param gradient_map the result
 /// \param np `callback` and `vertex_point_map` as for `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
 ///
 /// \returns what was changed because of bad faces, see `Field_report`
 ///
@@ -106,11 +107,10 @@ Field_report compute_gradient(const FaceListGraph& mesh,
 ///
 /// It is \f$ \frac12 \sum_j \cot \theta_{j_1} \langle e_{j_1}, X_j \rangle + \cot \theta_{j_2} \langle e_{j_2}, X_j
 /// \rangle \f$ with the sum over the faces at the vertex; \f$ e_{j_1}, e_{j_2} \f$ are the edges of a face that lead
-/// away from the vertex, \f$ \theta_{j_1}, \theta_{j_2} \f$ the angles that face them, \f$ X_j \f$ the vector. See M.
-/// Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, Section 6.3. This is the
-/// divergence integrated over a cell around the vertex: \f$ \sum_v f(v) \, \mathrm{div} X(v) = - \sum_j A_j \langle
-/// \nabla f_j, X_j \rangle \f$ for any field \f$ f \f$, and the divergence of a gradient is the Laplacian with
-/// cotangent weights. It takes linear time.
+/// away from the vertex, \f$ \theta_{j_1}, \theta_{j_2} \f$ the angles that face them, \f$ X_j \f$ the vector. See
+/// \cgalCite{hr-edrprg-20}, Section 6.3. This is the divergence integrated over a cell around the vertex:
+/// \f$ \sum_v f(v) \, \mathrm{div} X(v) = - \sum_j A_j \langle \nabla f_j, X_j \rangle \f$ for any field \f$ f \f$,
+/// and the divergence of a gradient is the Laplacian with cotangent weights. It takes linear time.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
 /// \tparam FaceVectorMap a model of `ReadablePropertyMap` with the face descriptors of the mesh as key type, and
@@ -123,6 +123,8 @@ Field_report compute_gradient(const FaceListGraph& mesh,
 /// \param vector_map the vectors
 /// \param divergence_map the result, zero for isolated vertices
 /// \param np `callback` and `vertex_point_map` as for `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
 ///
 /// \returns what was changed because of bad faces, see `Field_report`
 ///

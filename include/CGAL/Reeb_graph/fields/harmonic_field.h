@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -35,8 +35,7 @@ namespace CGAL::Reeb_graph {
 /// \brief computes the harmonic field with given values at some vertices.
 ///
 /// The field solves the Laplace equation \f$ \sum_j w_{ij} (f_j - f_i) = 0 \f$ at each vertex \f$ v_i \f$ whose value
-/// is not given, with the sum over its neighbors. See M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb
-/// Graph Algorithm*, 2020, Section 8.1.
+/// is not given, with the sum over its neighbors. See \cgalCite{hr-edrprg-20}, Section 8.1.
 ///
 /// <b>There is no local extremum but at the vertices whose values are given</b>, on any mesh and with any weights.
 /// After rounding each other vertex has a neighbor of strictly lower and one of strictly higher value, even where the
@@ -103,6 +102,10 @@ namespace CGAL::Reeb_graph {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \pre The mesh is a triangulated surface, and each connected component has a vertex with a given value.
+///
+/// \reebGraphComplexity
+///
 /// \returns what was changed because of bad faces, see `Field_report`; uniform weights need no geometry
 ///
 /// \exception Non_triangular_face_error if a face is not a triangle
@@ -141,7 +144,17 @@ Field_report compute_harmonic_field(const FaceListGraph& mesh,
 /// \brief computes the harmonic field that is 0 at the vertex `lowest` and 1 at the vertex `highest` of a connected
 /// mesh.
 ///
-/// It is `compute_harmonic_field()` with these two constraints, and has its named parameters, result, and exceptions.
+/// It is `compute_harmonic_field()` with these two constraints, and has its result and exceptions.
+///
+/// \pre The mesh is connected.
+///
+/// \param mesh the mesh; it is only read
+/// \param field_map the result
+/// \param lowest the vertex of value 0
+/// \param highest the vertex of value 1
+/// \param np the named parameters of `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
 template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
 Field_report compute_harmonic_field_between(const FaceListGraph& mesh,
                                             FieldMap field_map,
@@ -158,8 +171,14 @@ Field_report compute_harmonic_field_between(const FaceListGraph& mesh,
 ///
 /// \brief computes the harmonic field that is 0 and 1 at two vertices of each component that are far apart.
 ///
-/// The two are those of `find_far_apart_vertices()`. An isolated vertex gets the value 0. The named parameters, the
-/// result, and the exceptions are those of `compute_harmonic_field()`.
+/// The two are those of `find_far_apart_vertices()`. An isolated vertex gets the value 0. The result and the exceptions
+/// are those of `compute_harmonic_field()`.
+///
+/// \param mesh the mesh; it is only read
+/// \param field_map the result
+/// \param np the named parameters of `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
 template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
 Field_report compute_harmonic_field_between_far_apart_vertices(const FaceListGraph& mesh,
                                                                FieldMap field_map,
@@ -186,8 +205,13 @@ Field_report compute_harmonic_field_between_far_apart_vertices(const FaceListGra
 /// vertices are on it. If there is none, it is 0 and 1 at the two vertices of `find_far_apart_vertices()`. An isolated
 /// vertex gets the value 0. Borders at 1 that share edges are one plateau.
 ///
-/// The template parameters, the named parameters, the result, and the exceptions are those of
-/// `compute_harmonic_field()`.
+/// The template parameters, the result, and the exceptions are those of `compute_harmonic_field()`.
+///
+/// \param mesh the mesh; it is only read
+/// \param field_map the result
+/// \param np the named parameters of `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
 template <class FaceListGraph, class FieldMap, class NamedParameters = parameters::Default_named_parameters>
 Field_report compute_harmonic_field_between_borders(const FaceListGraph& mesh,
                                                     FieldMap field_map,

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -46,6 +46,8 @@ namespace CGAL::Reeb_graph {
 /// \param field_map the result
 /// \param direction the direction
 /// \param np `callback` and `vertex_point_map` as for `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
 ///
 /// \exception Direction_error if the direction is zero, or not finite
 /// \exception Non_finite_scalar_error if a height is infinite or NaN

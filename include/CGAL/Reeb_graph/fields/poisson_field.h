@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -67,13 +67,16 @@ Field_report solve_poisson_equation(const FaceListGraph& mesh,
 ///
 /// It is \f$ \frac{1}{4 A(v_i)} | \sum_j (\cot \alpha_{ij} + \cot \beta_{ij}) (v_i - v_j) | \f$ with the sum over the
 /// neighbors, the two angles that face the edge, and the mixed Voronoi area \f$ A(v_i) \f$ of \cgal's package %Weights.
-/// See M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020, Section 8.1, and M.
-/// Meyer, M. Desbrun, P. Schr&ouml;der, A. Barr, *Discrete Differential-Geometry Operators for Triangulated
-/// 2-Manifolds*, 2003. It is never negative. On the border the formula means little; at isolated vertices it is zero.
-/// It takes linear time.
+/// See \cgalCite{hr-edrprg-20}, Section 8.1, and \cgalCite{mdsb-ddgot2-03}. It is never negative. On the border the
+/// formula means little; at isolated vertices it is zero. It takes linear time.
 ///
-/// Of the parameters of `compute_harmonic_field()`, it has `mesh`, `field_map`, and the named ones `callback` and
-/// `vertex_point_map`. It returns what was changed because of bad faces, see `Field_report`.
+/// \param mesh the mesh; it is only read
+/// \param field_map the result
+/// \param np the named parameters `callback` and `vertex_point_map` of `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
+///
+/// \returns what was changed because of bad faces, see `Field_report`.
 ///
 /// \exception Non_finite_scalar_error if the result is infinite or NaN
 /// \exception Cancelled_error if `callback` returns `false`
@@ -116,10 +119,10 @@ Field_report compute_mean_curvature(const FaceListGraph& mesh,
 ///
 /// \brief solves the Poisson equation \f$ \Delta f = h \f$ with given values at some vertices.
 ///
-/// The Laplacian is the one with cotangent weights, divided by the mixed Voronoi area: \f$ \frac{1}{2 A(v_i)} \sum_j
-/// (\cot \alpha_{ij} + \cot \beta_{ij}) (f_j - f_i) = h(v_i) \f$ at each vertex whose value is not given. On a border
-/// where no values are given, the derivative across it is zero. See M. Hajij and P. Rosen, *An Efficient Data Retrieval
-/// Parallel Reeb Graph Algorithm*, 2020, Section 8.1. Time and memory are those of `compute_harmonic_field()`.
+/// The Laplacian is the one with cotangent weights, divided by the mixed Voronoi area:
+/// \f$ \frac{1}{2 A(v_i)} \sum_j (\cot \alpha_{ij} + \cot \beta_{ij}) (f_j - f_i) = h(v_i) \f$ at each vertex whose
+/// value is not given. On a border where no values are given, the derivative across it is zero. See
+/// \cgalCite{hr-edrprg-20}, Section 8.1. Time and memory are those of `compute_harmonic_field()`.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
 /// \tparam FieldMap a model of `WritablePropertyMap` with the vertex descriptors of the mesh as key type, and a value
@@ -135,6 +138,10 @@ Field_report compute_mean_curvature(const FaceListGraph& mesh,
 /// \param constraints vertices with their values, at least one in each connected component
 /// \param np `sparse_linear_solver`, `solver_tolerance`, `callback` and `vertex_point_map` as for
 ///        `compute_harmonic_field()`
+///
+/// \pre The mesh is a triangulated surface, and each connected component has a vertex with a given value.
+///
+/// \reebGraphComplexity
 ///
 /// \returns what was changed because of bad faces, see `Field_report`
 ///
@@ -170,7 +177,14 @@ Field_report compute_poisson_field(const FaceListGraph& mesh,
 /// and given values at some vertices.
 ///
 /// With a single given value, at a vertex such as the tip of the head of a character, the level sets of the solution
-/// follow the shape. The parameters, the result, and the exceptions are those of `compute_poisson_field()`.
+/// follow the shape. The result and the exceptions are those of `compute_poisson_field()`.
+///
+/// \param mesh the mesh; it is only read
+/// \param field_map the result
+/// \param constraints vertices with their values
+/// \param np the named parameters of `compute_poisson_field()`
+///
+/// \reebGraphComplexity
 template <class FaceListGraph,
           class FieldMap,
           class ConstraintRange,
@@ -196,11 +210,11 @@ Field_report compute_curvature_poisson_field(const FaceListGraph& mesh,
 ///
 /// \brief computes a field whose level sets are about those of a given one, and whose gradient has about unit length.
 ///
-/// The gradient of the given field is computed on each face and divided by its length, \f$ X = \nabla f / |\nabla f|
-/// \f$. On a face where the field is constant, it has no direction, and \f$ X = 0 \f$. The result is the field
-/// \f$ \hat f \f$ whose gradient is closest to \f$ X \f$ in the mean square, the solution of \f$ \Delta \hat f =
-/// \mathrm{div} X \f$. See M. Hajij and P. Rosen, *An Efficient Data Retrieval Parallel Reeb Graph Algorithm*, 2020,
-/// Section 6.3. In each component the lowest vertex of \f$ f \f$ gets the value 0.
+/// The gradient of the given field is computed on each face and divided by its length,
+/// \f$ X = \nabla f / |\nabla f| \f$. On a face where the field is constant, it has no direction, and \f$ X = 0 \f$.
+/// The result is the field \f$ \hat f \f$ whose gradient is closest to \f$ X \f$ in the mean square, the solution of
+/// \f$ \Delta \hat f = \mathrm{div} X \f$. See \cgalCite{hr-edrprg-20}, Section 6.3. In each component the lowest
+/// vertex of \f$ f \f$ gets the value 0.
 ///
 /// The level sets are parallel to those of \f$ f \f$ only as far as \f$ X \f$ is a gradient. It is none near saddles,
 /// and where level sets of \f$ f \f$ are not equally far apart everywhere. The gradient is shorter there. So \f$
@@ -220,6 +234,8 @@ Field_report compute_curvature_poisson_field(const FaceListGraph& mesh,
 /// \param field_map the result
 /// \param np `sparse_linear_solver`, `solver_tolerance`, `callback` and `vertex_point_map` as for
 ///        `compute_harmonic_field()`
+///
+/// \reebGraphComplexity
 ///
 /// \returns what was changed because of bad faces, see `Field_report`
 ///

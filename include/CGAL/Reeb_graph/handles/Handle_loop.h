@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -33,6 +33,8 @@ enum class Loop_kind
 };
 
 /// \brief returns `handle`, `tunnel`, `hole`, or `loop`, as files and reports have it.
+///
+/// \param kind the kind
 inline std::string to_string(Loop_kind kind)
 {
   switch(kind)

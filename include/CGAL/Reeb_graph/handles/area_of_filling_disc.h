@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -208,6 +208,10 @@ std::vector<std::optional<double>> areas_of_discs(const Mesh& mesh, const LoopRa
 /// \param mesh the mesh
 /// \param loops the loops, closed walks that pass no vertex twice
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", of which `vertex_point_map` counts
+///
+/// \pre Each loop is closed.
+///
+/// \reebGraphComplexity
 ///
 /// \returns an area, or nothing, for each loop.
 template <class FaceListGraph, class LoopRange, class NamedParameters = parameters::Default_named_parameters>

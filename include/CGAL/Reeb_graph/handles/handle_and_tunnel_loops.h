@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -162,8 +162,7 @@ private:
 /// seen in one direction. The time of the Reeb graph comes on top. The shortening takes some tens of searches for each loop, of
 /// which each sees the part of the surface that is nearer than half the length of that loop.
 ///
-/// The idea to combine loops by linking numbers is that of T. K. Dey, F. Fan, Y. Wang, *An Efficient Computation of
-/// Handle and Tunnel Loops via Reeb Graphs*, 2013.
+/// The idea to combine loops by linking numbers is that of \cgalCite{dfw-echtlr-13}.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph` with dynamic property maps, such as `Surface_mesh` and
 ///         `Polyhedron_3`
@@ -198,6 +197,8 @@ private:
 ///   \cgalParamNEnd
 ///   \reebGraphCallback
 /// \cgalNamedParamsEnd
+///
+/// \reebGraphComplexity
 ///
 /// \returns the loops.
 ///

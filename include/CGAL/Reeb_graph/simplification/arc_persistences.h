@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -134,6 +134,10 @@ private:
 ///
 /// \param graph a Reeb graph, computed with any named parameters
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, as for `simplify()`
+///
+/// \pre Arcs lead to nodes of higher number.
+///
+/// \reebGraphComplexity
 ///
 /// \returns a number for each arc, in the order of `edges(graph)` and in units of the field. Arcs that stay for any
 /// threshold have the difference between the highest and the lowest value of their connected component.

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -67,6 +67,8 @@ struct Persistence_pair
 /// \ingroup PkgReebGraphSimplification
 ///
 /// \brief returns the name of a kind: `minimum-saddle`, `saddle-maximum`, `minimum-maximum`, or `loop`.
+///
+/// \param kind the kind
 inline std::string to_string(Persistence_pair_kind kind)
 {
   switch(kind)
@@ -87,6 +89,8 @@ inline std::string to_string(Persistence_pair_kind kind)
 /// \param graph the graph that the pair is one of
 /// \param pair the pair
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`, as for `simplify()`
+///
+/// \reebGraphComplexity
 template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
 double persistence(const ReebGraph& graph,
                    const Persistence_pair<typename boost::graph_traits<ReebGraph>::vertex_descriptor>& pair,
@@ -123,9 +127,8 @@ double persistence(const ReebGraph& graph,
 /// values can be of any type. Turned upside down, the graph has the same pairs upside down.
 ///
 /// With \f$ n \f$ nodes and arcs, of which \f$ l \f$ are in loops, the time is \f$ O(n \log n) \f$ with a small
-/// constant, plus \f$ O(l \log l) \f$. Loops are found by link-cut trees. See P. K. Agarwal, H. Edelsbrunner, J. Harer,
-/// Y. Wang, *Extreme elevation on a 2-manifold*, 2006, and J. Tu, M. Hajij, P. Rosen, *Propagate and Pair: A
-/// Single-Pass Approach to Critical Point Pairing in Reeb Graphs*, 2019.
+/// constant, plus \f$ O(l \log l) \f$. Loops are found by link-cut trees. See \cgalCite{aehw-ee2m-06}, and
+/// \cgalCite{thr-ppspac-19}.
 ///
 /// \tparam ReebGraph the type `Graph` of the traits class, or another bidirectional graph with `std::size_t` as vertex
 ///         descriptor
@@ -133,6 +136,10 @@ double persistence(const ReebGraph& graph,
 ///
 /// \param graph a Reeb graph, computed with any named parameters
 /// \param pairs the output: all pairs, sorted by lower node, upper node, and kind
+///
+/// \pre Arcs lead to nodes of higher number.
+///
+/// \reebGraphComplexity
 ///
 /// \returns the output iterator behind the last pair.
 ///

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -81,13 +81,12 @@ inline std::vector<Simplification_threshold> choose_thresholds(std::vector<Simpl
 /// that are removed are clearly smaller than those that stay.
 ///
 /// Noise gives many pairs whose persistences are close together, up to about twice its amplitude, and features are more
-/// persistent; see F. Chazal, L. J. Guibas, S. Y. Oudot, P. Skraba, *Persistence-Based Clustering in Riemannian
-/// Manifolds*, 2013, which takes the widest gap. Here, a gap is the ratio of two persistences that follow each other.
-/// So units do not matter, and a limb that is ten times as long as another one does not hide the gap below that one.
-/// The persistences are those with which `simplify()` removes branches, and with `cancel_loops` loops; the range of the
-/// largest connected component lies above all of them. Persistences below a thousandth of this range count as that. So
-/// there is a wide gap below the few features of a smooth field, and they all stay. A gap is wide if the ratio is 1.25
-/// or more.
+/// persistent; see \cgalCite{cgos-pbcrm-13}, which takes the widest gap. Here, a gap is the ratio of two persistences
+/// that follow each other. So units do not matter, and a limb that is ten times as long as another one does not hide
+/// the gap below that one. The persistences are those with which `simplify()` removes branches, and with `cancel_loops`
+/// loops; the range of the largest connected component lies above all of them. Persistences below a thousandth of this
+/// range count as that. So there is a wide gap below the few features of a smooth field, and they all stay. A gap is
+/// wide if the ratio is 1.25 or more.
 ///
 /// Let \f$ r \f$ be the ratio, and \f$ l \f$ the number of leaves that stay. The suggested threshold has the greatest
 /// \f$ \ln r - 1.5\, |\ln (l / 7)| \f$: the widest gap, with a prior expectation of about seven leaves, as head, tail
@@ -106,6 +105,10 @@ inline std::vector<Simplification_threshold> choose_thresholds(std::vector<Simpl
 /// most six in all. There is none if nothing can be removed, or if no gap is wide
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `cancel_loops` and `geom_traits`, as
 /// for `simplify()`
+///
+/// \pre Arcs lead to nodes of higher number.
+///
+/// \reebGraphComplexity
 ///
 /// \returns the output iterator behind the last threshold.
 ///

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -46,8 +46,7 @@ struct Branch
 /// The leaf arc of least measure is removed; of several, the one whose leaf has the lowest number. If one arc below its
 /// saddle and one above are left, they become one, which can be a leaf arc of a larger measure. So it goes on until no
 /// measure is below the threshold. A leaf arc that is the only one on its side of the saddle is not a branch, as what
-/// is left would end there. So a branch with a loop stays as long as the loop does. See H. Carr, J. Snoeyink, M. van de
-/// Panne, *Simplifying Flexible Isosurfaces Using Local Geometric Measures*, 2004.
+/// is left would end there. So a branch with a loop stays as long as the loop does. See \cgalCite{csp-sfilgm-04}.
 ///
 /// The measure of a leaf arc is its persistence by default: the largest difference between the value of the saddle and
 /// one in what would be removed. `simplify_field()` has to move a value that far. It is the difference between
@@ -107,10 +106,14 @@ struct Branch
 ///     \cgalParamDescription{an instance of a traits class whose `scalar_to_double_object()` makes numbers of the
 ///                           values. Values that are numbers need none if the order sorts them up or down:
 ///                           persistence is an absolute difference.}
-///     \cgalParamType{a model of `ReebGraphTraits`}
+///     \cgalParamType{a model of `ReebGraphNumberTraits`}
 ///     \cgalParamDefault{none: `CGAL::to_double()` of the values}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+///
+/// \pre The threshold is neither negative nor NaN, and arcs lead to nodes of higher number.
+///
+/// \reebGraphComplexity
 ///
 /// \returns for each node and arc of `graph` the node or arc of `simplified` that has taken it up.
 ///

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -36,22 +36,20 @@ namespace CGAL::Reeb_graph {
 ///
 /// - With `Ties::CONTRACT`, a removed piece gets the value of its saddle: it becomes part of a plateau.
 /// - With `Ties::PERTURB`, it gets different values next to that of its saddle, in an order in which each vertex has a
-///   lower and a higher neighbor (an st-numbering: R. E. Tarjan, *Two Streamlined Depth-First Search Algorithms*,
-///   1986). If the field had no ties, contracting them leads to the same graph. Where a saddle of higher multiplicity
-///   stays, its node can be at another vertex of the pieces next to it, or come apart into several ones there, which
-///   are a tree. Where a vertex around a piece is tied with the saddle, no number is left for the piece. There, the
-///   vertices of that value that come after the first such saddle are moved up, in the order of the vertices, by at
-///   most a 1024th of the threshold. Only then does a value outside of the pieces change.
+///   lower and a higher neighbor (an st-numbering: \cgalCite{t-tsdfsa-86}). If the field had no ties, contracting them
+///   leads to the same graph. Where a saddle of higher multiplicity stays, its node can be at another vertex of the
+///   pieces next to it, or come apart into several ones there, which are a tree. Where a vertex around a piece is tied
+///   with the saddle, no number is left for the piece. There, the vertices of that value that come after the first such
+///   saddle are moved up, in the order of the vertices, by at most a 1024th of the threshold. Only then does a value
+///   outside of the pieces change.
 ///
 /// With perturbed ties not every simplified graph is that of a field on the mesh. A removed piece with a border, or
 /// with a handle that a multi-saddle hides, can need a loop, or has one in the order that is taken. So the graph of the
 /// result is computed and compared; if it is another one, there is an exception. <b>With `Ties::CONTRACT` there is
 /// always a field</b>: ask for it then.
 ///
-/// On the subject, see U. Bauer, C. Lange, M. Wardetzky, *Optimal Topological Simplification of Discrete Functions on
-/// Surfaces*, 2012, and J. Tierny, V. Pascucci, *Generalized Topological Simplification of Scalar Fields on
-/// Surfaces*, 2012. It takes the time of `compute_reeb_graph()` twice, once with the places of the vertices, and
-/// near-linear time besides.
+/// On the subject, see \cgalCite{blw-otsdfs-12}, and \cgalCite{tp-gtssfs-12}. It takes the time of
+/// `compute_reeb_graph()` twice, once with the places of the vertices, and near-linear time besides.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
@@ -67,6 +65,10 @@ namespace CGAL::Reeb_graph {
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `ties`, `vertex_index_map`,
 ///        `face_index_map` and `callback` of `compute_reeb_graph()`, and `number_of_leaves`, `piece_weights` and
 ///        `branch_measure` of `simplify()`. The order is always that of `operator<`: there is no `geom_traits`
+///
+/// \pre The threshold is neither negative nor NaN, and the graph, if given, is that of the mesh and the field.
+///
+/// \reebGraphComplexity
 ///
 /// \returns the largest absolute difference between a value of the result and the given one.
 ///
@@ -116,6 +118,10 @@ double simplify_field(const FaceListGraph& mesh,
 /// \param simplified_scalar_map the result; it can be the same map as `scalar_map`
 /// \param np the named parameters of `simplify_field()` above, and `vertex_place_map`, the one that
 ///        `compute_reeb_graph()` has written, which has to be there
+///
+/// \pre The threshold is neither negative nor NaN, and the graph, if given, is that of the mesh and the field.
+///
+/// \reebGraphComplexity
 ///
 /// \returns the largest absolute difference between a value of the result and the given one.
 ///

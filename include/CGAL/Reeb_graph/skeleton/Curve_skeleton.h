@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -106,6 +106,8 @@ struct Skeleton_certificate
 /// one, as that of a ring, begins and ends there. It takes linear time.
 ///
 /// \param skeleton a curve skeleton, as it has been extracted
+///
+/// \reebGraphComplexity
 template <class CurveSkeleton>
 std::vector<std::vector<typename boost::graph_traits<CurveSkeleton>::vertex_descriptor>> skeleton_arcs(
   const CurveSkeleton& skeleton)

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -159,7 +159,7 @@ void add_component(const Reading& reading,
 /// contours are short, as those of tubes. On noise, contours can be as long as the surface is large, so that it takes
 /// the number of branches before pruning times \f$ n \f$.
 ///
-/// The idea is that of F. Lazarus and A. Verroust, *Level set diagrams of polyhedral objects*, 1999.
+/// The idea is that of \cgalCite{lv-lsdpo-99}.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
 /// \tparam CurveSkeleton a `Curve_skeleton` of that mesh
@@ -204,6 +204,8 @@ void add_component(const Reading& reading,
 ///   \cgalParamNEnd
 ///   \reebGraphCallback
 /// \cgalNamedParamsEnd
+///
+/// \reebGraphComplexity
 ///
 /// \returns what is known of the skeleton.
 ///

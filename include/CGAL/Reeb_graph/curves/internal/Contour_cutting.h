@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -166,7 +166,7 @@ private:
   void place_crossings(std::size_t edge, vertex_descriptor u, vertex_descriptor w)
   {
     const std::size_t size = first_crossings_[edge + 1] - first_crossings_[edge];
-    const double step = 0.4 / (size + 1.), margin = 0.1 / (size + 1.);
+    const double number = static_cast<double>(size), step = 0.4 / (number + 1), margin = 0.1 / (number + 1);
     fractions_.resize(size);
     for(std::size_t i = 0; i != size; ++i)
     {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
 //
-// This file is part of the CGAL-style package Reeb_graph.
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 //
@@ -321,7 +321,7 @@ auto choose_along_paths(const RankedMesh& ranked,
       const auto contour = augmentation.contour_at_value(arcs[arc], ranked.rank(source(halfedge, ranked.mesh())));
       Choice choice = {make_contour_to_cut(ranked, contour.halfedges, contour.is_closed), Candidate_curve()};
       choice.properties = {length_of_contour(ranked, choice), choice.value,
-                           (place + 0.5) / static_cast<double>(places.size())};
+                           (static_cast<double>(place) + 0.5) / static_cast<double>(places.size())};
       const double cost_of_choice = cost(choice.properties);
       if(i != 0 && !(cost_of_choice < least_cost))
         continue;

@@ -1,0 +1,28 @@
+# Makes the page of references, PAGE, of BIBLIOGRAPHY, a file of BibTeX with a field a line: doxygen's own way takes
+# BibTeX to be installed. CGAL's documentation reads the file itself.
+cmake_minimum_required(VERSION 3.21)
+
+file(STRINGS ${BIBLIOGRAPHY} lines ENCODING UTF-8)
+set(page "namespace CGAL {\n/*!\n\n\\page ReebGraph_references References\n\n")
+foreach(line IN LISTS lines)
+  # accents, and braces that keep capitals
+  string(REGEX REPLACE "{\\\\\"([a-z])}" "&\\1uml;" line "${line}")
+  string(REPLACE "\\&" "&amp;" line "${line}")
+  if(line MATCHES "^@[a-z]+{(.*),$")
+    string(APPEND page "\\anchor ${CMAKE_MATCH_1} <b>[${CMAKE_MATCH_1}]</b> ")
+  elseif(line MATCHES "^  author = {(.*)}")
+    string(REPLACE " and " ", " authors "${CMAKE_MATCH_1}")
+    string(APPEND page "${authors}. ")
+  elseif(line MATCHES "^  title = {{(.*)}}")
+    string(APPEND page "<em>${CMAKE_MATCH_1}</em>. ")
+  elseif(line MATCHES "^  (journal|booktitle) = {(.*)}")
+    string(APPEND page "${CMAKE_MATCH_2}, ")
+  elseif(line MATCHES "^  volume = {(.*)}")
+    string(REGEX REPLACE ", $" " ${CMAKE_MATCH_1}, " page "${page}")
+  elseif(line MATCHES "^  number = {(.*)}")
+    string(REGEX REPLACE ", $" "(${CMAKE_MATCH_1}), " page "${page}")
+  elseif(line MATCHES "^  year = {(.*)}")
+    string(APPEND page "${CMAKE_MATCH_1}.\n\n")
+  endif()
+endforeach()
+file(WRITE ${PAGE} "${page}*/\n} /* namespace CGAL */\n")
