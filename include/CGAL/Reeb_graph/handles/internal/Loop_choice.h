@@ -45,7 +45,6 @@ class Loop_choice
     double length;
     int half;
     Halfedge_walk walk;
-    std::vector<Integer> coordinates;
   };
 
 public:
@@ -60,8 +59,7 @@ public:
   {
     reduce(walk);
     const double length = surface_.length(walk);
-    std::vector<Integer> its_coordinates = coordinates(half, walk);
-    candidates_.push_back({length, half, std::move(walk), std::move(its_coordinates)});
+    candidates_.push_back({length, half, std::move(walk)});
   }
 
   void choose()
@@ -73,7 +71,7 @@ public:
       walks.assign(halves_.size(), Halfedge_walk());
     for(const Candidate& candidate : candidates_)
     {
-      const auto choice = bases_.choose(candidate.half, candidate.coordinates);
+      const auto choice = bases_.choose(candidate.half, coordinates(candidate.half, candidate.walk));
       if(choice)
         walks_[candidate.half][choice->place] = choice->sign > 0 ? candidate.walk : reversed(candidate.walk);
     }
@@ -98,33 +96,28 @@ public:
     for(int pass = 0; pass != 2; ++pass)
     {
       bool is_any_found = false;
-      for_each_loop(progress.part(0.3 * (pass + 1), 0.3 * (pass + 2)), [&](std::size_t i, const Stage_progress& step) {
-        const Pair_of_loops pair = {walk(0, i), walk(1, i)};
-        for(const int half : {0, 1})
-        {
-          if(given_up_.count(pair[half]) != 0 || searched.count({pair[1 - half], pair[half]}) != 0)
-            continue;
-          Halfedge_walk found = shortest_across(search, crossing_bounds, half, i, pair, bound, false, step);
-          searched.insert({pair[1 - half], found.empty() ? pair[half] : found});
-          is_any_found = is_any_found || !found.empty();
-          if(!found.empty())
-            add_candidate(half, std::move(found));
-        }
-      });
+      for_each_loop(progress.part(0.3 * (pass + 1), 0.3 * (pass + 2)),
+                    [&](int half, std::size_t i, const Stage_progress& step) {
+                      step(0);
+                      const Halfedge_walk partner = walk(1 - half, i);
+                      if(searched.count({partner, walks_[half][i]}) != 0)
+                        return;
+                      Halfedge_walk found = shortest_across(search, crossing_bounds, half, i, bound, false, step);
+                      searched.insert({partner, found.empty() ? walks_[half][i] : found});
+                      is_any_found = is_any_found || !found.empty();
+                      if(!found.empty())
+                        add_candidate(half, std::move(found));
+                    });
       if(!is_any_found)
         break;
       choose();
     }
-    for_each_loop(progress.part(0.9, 1), [&](std::size_t i, const Stage_progress& step) {
-      for(const int half : {0, 1})
-      {
-        if(!walks_[half][i].empty())
-          continue;
-        Halfedge_walk found =
-          shortest_across(search, crossing_bounds, half, i, {walk(0, i), walk(1, i)}, bound, true, step);
-        if(!found.empty())
-          walks_[half][i] = coordinates(half, found) == bases_.vector(half, i) ? found : reversed(found);
-      }
+    for_each_loop(progress.part(0.9, 1), [&](int half, std::size_t i, const Stage_progress& step) {
+      if(!walks_[half][i].empty())
+        return;
+      Halfedge_walk found = shortest_across(search, crossing_bounds, half, i, bound, true, step);
+      if(!found.empty())
+        walks_[half][i] = coordinates(half, found) == bases_.vector(half, i) ? found : reversed(found);
     });
   }
 
@@ -172,9 +165,7 @@ private:
       progress.report_step(number++, roots.size());
       for(int half : {0, 1})
       {
-        if(search.least_length(1 - half, root) >= bound)
-          continue;
-        auto loop = search(root, 1 - half, bound, 1, largest_search(), [](const Halfedge_walk&) { return true; });
+        auto loop = search(root, 1 - half, bound, largest_search(), [](const Halfedge_walk&) { return true; });
         if(!loop.walk.empty())
           add_candidate(half, std::move(loop.walk));
       }
@@ -186,7 +177,8 @@ private:
   {
     const double number = static_cast<double>(halves_.size());
     for(std::size_t i = 0; i != halves_.size(); ++i)
-      visit(i, progress.part(static_cast<double>(i) / number, static_cast<double>(i + 1) / number));
+      for(int half : {0, 1})
+        visit(half, i, progress.part(static_cast<double>(i) / number, static_cast<double>(i + 1) / number));
   }
 
   // So many places of the cover may be seen in one search, so that all searches together take a time that is linear.
@@ -194,20 +186,22 @@ private:
 
   // The shortest loop found that crosses the partner of one once, or is in the class of that one. Empty if none is
   // shorter than that one, and than `bound`. Each such loop has a vertex in common with the partner: the search begins
-  // there. From one vertex to another, the length of the shortest loop through it changes by at most twice the way
+  // there. From one vertex to the next, the length of the shortest loop through it changes by at most twice the way
   // between, and what crosses the partner at a vertex is not shorter than the way from it to its other side. So few
-  // have to be tried until all others are known to be on no loop that is shorter by more than 4 percent.
+  // have to be tried to come near to the shortest one.
   Halfedge_walk shortest_across(Loop_search& search,
                                 Crossing_bounds& crossing_bounds,
                                 int half,
                                 std::size_t place,
-                                const Pair_of_loops& pair,
                                 double bound,
                                 bool is_class_fixed,
                                 const Stage_progress& progress)
   {
-    const Halfedge_walk& partner = pair[1 - half];
-    const auto wanted = bases_.vector(half, place), crossed = coordinates(1 - half, partner);
+    const Halfedge_walk partner = walk(1 - half, place);
+    std::vector<double> positions(1, 0);
+    for(const Index h : partner)
+      positions.push_back(positions.back() + surface_.length(h));
+    const auto wanted = bases_.vector(half, place), crossed = bases_.vector(1 - half, place);
     const auto accept = [&](const Halfedge_walk& walk) {
       const auto found = coordinates(half, walk);
       if(!is_class_fixed)
@@ -217,44 +211,27 @@ private:
         opposite.push_back(-coordinate);
       return found == wanted || opposite == wanted;
     };
-    double length = (std::min)(bound, surface_.length(pair[half]));
-    Halfedge_walk best;
-    std::vector<double> least_lengths = crossing_bounds(partner, length);
-    const std::vector<std::size_t> order = coarse_to_fine(partner.size());
-    for(int number_of_failures = 0; number_of_failures != 2;)
+    const Halfedge_walk& given = walks_[half][place];
+    Loop_search::Loop best = {given.empty() ? bound : (std::min)(bound, surface_.length(given)), {}};
+    const std::vector<double> least_lengths = crossing_bounds(partner, best.length);
+    std::vector<std::size_t> order = coarse_to_fine(partner.size());
+    const auto least = std::min_element(least_lengths.begin(), least_lengths.end()) - least_lengths.begin();
+    order.insert(order.begin(), static_cast<std::size_t>(least));
+    std::set<double> tried;
+    int number_of_failures = 0;
+    for(const std::size_t k : order)
     {
+      if(least_lengths[k] >= 0.96 * best.length || is_near(tried, positions[k], positions.back(), 0.02 * best.length))
+        continue;
+      tried.insert(positions[k]);
       progress(0); // so that it can be cancelled
-      std::size_t next = partner.size();
-      double least = 0.96 * length;
-      for(const std::size_t k : order)
-      {
-        least_lengths[k] = (std::max)(least_lengths[k], search.least_length(1 - half, surface_.source(partner[k])));
-        if(least_lengths[k] < least)
-        {
-          next = k;
-          least = least_lengths[k];
-        }
-      }
-      if(next == partner.size())
+      auto loop = search(surface_.source(partner[k]), 1 - half, best.length, largest_search(), accept);
+      if(!loop.is_shortest && ++number_of_failures == 2)
         break;
-      auto loop = search(surface_.source(partner[next]), 1 - half, length, 4, largest_search(), accept);
-      for(const std::size_t k : order)
-        least_lengths[k] =
-          (std::max)(least_lengths[k], loop.least_length - 2 * search.distance(surface_.source(partner[k])));
       if(!loop.walk.empty())
-      {
-        length = loop.length;
-        best = std::move(loop.walk);
-      }
-      if(least_lengths[next] < 0.96 * length)
-      {
-        ++number_of_failures;
-        least_lengths[next] = length;
-      }
-      if(number_of_failures == 2)
-        given_up_.insert(best.empty() ? pair[half] : best);
+        best = std::move(loop);
     }
-    return best;
+    return best.walk;
   }
 
   static std::vector<std::size_t> coarse_to_fine(std::size_t size)
@@ -269,13 +246,22 @@ private:
     return result;
   }
 
+  static bool is_near(const std::set<double>& tried, double position, double whole, double distance)
+  {
+    if(tried.empty())
+      return false;
+    const auto above = tried.lower_bound(position);
+    const double to_above = above == tried.end() ? *tried.begin() + whole - position : *above - position;
+    const double to_below = above == tried.begin() ? position + whole - *tried.rbegin() : position - *std::prev(above);
+    return (std::min)(to_above, to_below) < distance;
+  }
+
   const Closed_surface& surface_;
   const Component_loops& loops_;
   const Loop_halves& halves_;
   Dual_bases bases_;
   std::vector<Candidate> candidates_;
   std::array<std::vector<Halfedge_walk>, 2> walks_; // by half and place; empty if none has been chosen
-  std::set<Halfedge_walk> given_up_;                // loops for which two searches have seen too much
 };
 
 // Finds dual loops of all components, by component. Those whose linking numbers are not those of a surface with two

@@ -28,43 +28,53 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// How short loops across a closed walk can be. The walk is a sum of simple loops, and a loop whose intersection number
-// with it is not 0 has one with one of these that is not 0. It has a part, in one of its directions, that leaves this one
-// on the left, comes back on the right, and does not meet it in between: else it would cross as often to the one side as
-// to the other. One search finds the shortest such parts of a simple loop.
+// How short loops across a simple loop can be. A loop whose intersection number with it is 1 or -1 has a part, in one of
+// its directions, that leaves it on the left, comes back on the right, and does not meet it in between: else it would
+// cross as often to the one side as to the other. One search finds the shortest such parts.
 class Crossing_bounds
 {
 public:
   explicit Crossing_bounds(const Closed_surface& surface)
     : surface_(surface),
-      distances_(surface.points.size(), infinity),
-      positions_(surface.points.size(), no_index)
+      distances_(surface.points.size(), infinity)
   {}
 
-  // For each vertex of a walk, by the halfedge that leaves it, the least length of the parts that come back there, or
-  // infinity if it is greater than `bound`. A loop across the walk is as long as the bound of one of its vertices, or
-  // longer.
+  // For each vertex of a walk, by the halfedge that leaves it, the least length of the parts that come back there;
+  // infinity if it is greater than `bound`, and 0 if the walk is not simple. A loop across the walk is as long as the
+  // bound of one of its vertices, or longer.
   std::vector<double> operator()(const Halfedge_walk& walk, double bound)
   {
+    positions_.clear();
+    for(std::size_t k = 0; k != walk.size(); ++k)
+      positions_.emplace(surface_.source(walk[k]), k);
+    if(positions_.size() != walk.size())
+      return std::vector<double>(walk.size(), 0);
     least_.assign(walk.size(), infinity);
-    std::vector<Index> path; // positions in the walk, of vertices that are passed once
-    const auto end_simple_loop = [&](std::size_t begin) {
-      const std::vector<Index> simple(path.begin() + static_cast<std::ptrdiff_t>(begin), path.end());
-      path.resize(begin);
-      if(simple.size() > 2) // it is no edge that is passed to and fro
-        search_from(walk, simple, bound);
-    };
-    std::unordered_map<Index, std::size_t> places; // in the path, if the vertex is there
+    from_right_.clear();
     for(std::size_t k = 0; k != walk.size(); ++k)
     {
-      const Index v = surface_.source(walk[k]);
-      const auto found = places.find(v);
-      if(found != places.end() && found->second < path.size() && surface_.source(walk[path[found->second]]) == v)
-        end_simple_loop(found->second);
-      places[v] = path.size();
-      path.push_back(static_cast<Index>(k));
+      const Index back = surface_.opposite(walk[(k + walk.size() - 1) % walk.size()]);
+      for(Index h = surface_.turned(back); h != walk[k]; h = surface_.turned(h))
+        from_right_.insert(surface_.opposite(h));
     }
-    end_simple_loop(0);
+    for(std::size_t k = 0; k != walk.size(); ++k)
+    {
+      const Index back = surface_.opposite(walk[(k + walk.size() - 1) % walk.size()]);
+      for(Index h = surface_.turned(walk[k]); h != back; h = surface_.turned(h))
+        follow(h, 0);
+    }
+    while(!queue_.empty() && queue_.top().first < bound)
+    {
+      const double distance = queue_.top().first;
+      const Index v = queue_.top().second;
+      queue_.pop();
+      if(distance == distances_[v])
+        surface_.for_each_outgoing(v, [&](Index h) { follow(h, distances_[v]); });
+    }
+    queue_ = {};
+    for(const Index v : reached_)
+      distances_[v] = infinity;
+    reached_.clear();
     return least_;
   }
 
@@ -72,60 +82,23 @@ private:
   typedef std::pair<double, Index> Queued;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  void search_from(const Halfedge_walk& walk, const std::vector<Index>& loop, double bound)
-  {
-    from_right_.clear();
-    for(const Index k : loop)
-      positions_[surface_.source(walk[k])] = k;
-    const auto back = [&](std::size_t i) { return surface_.opposite(walk[loop[(i + loop.size() - 1) % loop.size()]]); };
-    for(std::size_t i = 0; i != loop.size(); ++i)
-      for(Index h = surface_.turned(back(i)); h != walk[loop[i]]; h = surface_.turned(h))
-        from_right_.insert(surface_.opposite(h));
-    number_to_reach_ = loop.size();
-    for(std::size_t i = 0; i != loop.size(); ++i)
-      for(Index h = surface_.turned(walk[loop[i]]); h != back(i); h = surface_.turned(h))
-        follow(h, 0);
-    while(!queue_.empty() && queue_.top().first < bound)
-    {
-      const auto [distance, v] = queue_.top();
-      queue_.pop();
-      if(distance != distances_[v])
-        continue;
-      surface_.for_each_outgoing(v, [&](Index h) { follow(h, distances_[v]); });
-      if(number_to_reach_ != 0)
-        continue;
-      bound = 0; // What is farther from the loop is on no shorter way back.
-      for(const Index k : loop)
-        bound = (std::max)(bound, least_[k]);
-      number_to_reach_ = no_index;
-    }
-    queue_ = {};
-    for(const Index v : reached_)
-      distances_[v] = infinity;
-    reached_.clear();
-    for(const Index k : loop)
-      positions_[surface_.source(walk[k])] = no_index;
-  }
-
   void follow(Index h, double distance)
   {
     if(!surface_.is_given(h))
       return;
     distance += surface_.length(h);
-    const Index w = surface_.target[h], position = positions_[w];
-    if(position != no_index)
+    const Index w = surface_.target[h];
+    const auto position = positions_.find(w);
+    if(position != positions_.end())
     {
-      if(distance < least_[position] && from_right_.count(h) != 0)
-      {
-        number_to_reach_ -= least_[position] == infinity ? 1 : 0;
-        least_[position] = distance;
-      }
+      if(from_right_.count(h) != 0)
+        least_[position->second] = (std::min)(least_[position->second], distance);
       return;
     }
+    if(distances_[w] == infinity)
+      reached_.push_back(w);
     if(distance < distances_[w])
     {
-      if(distances_[w] == infinity)
-        reached_.push_back(w);
       distances_[w] = distance;
       queue_.emplace(distance, w);
     }
@@ -133,11 +106,10 @@ private:
 
   const Closed_surface& surface_;
   std::vector<double> distances_; // infinity between two searches
-  std::vector<Index> positions_;  // of the vertices of the simple loop in the walk; no_index for others
   std::vector<Index> reached_;
-  std::unordered_set<Index> from_right_; // halfedges that lead to the loop
-  std::vector<double> least_;            // by position
-  std::size_t number_to_reach_ = 0;      // of vertices of the loop
+  std::unordered_map<Index, std::size_t> positions_; // of the vertices of the walk
+  std::unordered_set<Index> from_right_;             // halfedges that lead to the walk
+  std::vector<double> least_;
   std::priority_queue<Queued, std::vector<Queued>, std::greater<Queued>> queue_;
 };
 
@@ -180,9 +152,9 @@ class Loop_search
 public:
   struct Loop
   {
-    double length = std::numeric_limits<double>::infinity();
+    double length = 0;
     Halfedge_walk walk;
-    double least_length = 0; // no loop through the root that would be accepted is shorter
+    bool is_shortest = true; // false if the search has stopped
   };
 
   Loop_search(const Closed_surface& surface, const Class_codes& codes)
@@ -193,67 +165,43 @@ public:
   {}
 
   // Finds a loop shorter than `bound` whose class has no part in the half `closed_half`, and which is accepted: that is
-  // asked once for each class. The walk is empty if there is none, or if the search takes too many places. What is found
-  // tells how short loops through vertices near by can be, so the search goes on behind the bound, until it has seen
-  // `growth` times as many places.
+  // asked once for each class. The walk is empty if there is none, or if the search takes too many places.
   Loop operator()(Index root,
                   int closed_half,
                   double bound,
-                  std::size_t growth,
                   std::size_t largest_number_of_places,
                   const std::function<bool(const Halfedge_walk&)>& accept)
   {
+    Loop best = {bound, {}};
+    if(least_lengths_[closed_half][root] >= bound)
+      return best;
     begin(root);
-    Loop best;
-    best.least_length = infinity;
-    least_length_ = infinity;
+    least_length_ = bound;
     std::unordered_map<std::uint64_t, bool> is_accepted;
-    double reached = infinity; // a loop of each shorter class has been seen
-    for(bool is_bound_reached = false; !queue_.empty();)
+    while(!queue_.empty() && places_.size() < largest_number_of_places)
     {
       const Index place = queue_.top().second;
       queue_.pop();
       if(places_[place].is_settled)
         continue;
-      reached = 2 * places_[place].distance;
-      if(reached >= bound && !is_bound_reached)
-      {
-        is_bound_reached = true;
-        largest_number_of_places = (std::min)(largest_number_of_places, growth * places_.size());
-      }
-      if(reached >= best.least_length || places_.size() >= largest_number_of_places)
+      if(2 * places_[place].distance >= best.length)
         break;
-      reached = infinity;
       places_[place].is_settled = true;
-      settle(place, closed_half, best, [&](std::uint64_t code, const auto& make_walk) {
+      settle(place, closed_half, best, [&](std::uint64_t code, const Halfedge_walk& walk) {
         const auto known = is_accepted.find(code);
         if(known != is_accepted.end())
           return known->second;
-        return is_accepted[code] = is_accepted[std::uint64_t(0) - code] = accept(make_walk());
+        return is_accepted[code] = is_accepted[std::uint64_t(0) - code] = accept(walk);
       });
     }
-    best.least_length = (std::min)(best.least_length, reached);
-    spread_least_length((std::min)(least_length_, reached), least_lengths_[closed_half]);
-    if(!(best.length < bound))
-      best.walk.clear();
+    best.is_shortest = places_.size() < largest_number_of_places;
+    if(best.is_shortest)
+      least_lengths_[closed_half][root] = least_length_;
+    end();
     return best;
   }
 
-  // The distance of a vertex from the root of the last search, or a greater number; infinity if it has not been seen.
-  double distance(Index v) const
-  {
-    double result = infinity;
-    for(Index place = first_places_[v]; place != no_index; place = places_[place].next)
-      result = (std::min)(result, places_[place].distance);
-    return result;
-  }
-
-  // No loop of any class through a vertex is shorter, as far as searches have told.
-  double least_length(int closed_half, Index v) const { return least_lengths_[closed_half][v]; }
-
 private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
   // A vertex in the cover.
   struct Place
   {
@@ -269,23 +217,15 @@ private:
 
   void begin(Index root)
   {
-    for(const Place& place : places_)
-      first_places_[place.vertex] = no_index;
     places_.clear();
     queue_ = {};
     add(root, 0, no_index, no_index, 0, 0);
   }
 
-  // A loop through a vertex, with the way to it and back, is one through the root.
-  void spread_least_length(double least_length, std::vector<double>& least_lengths) const
+  void end()
   {
     for(const Place& place : places_)
-    {
-      if(4 * place.distance > least_length)
-        break;
-      double& least = least_lengths[place.vertex];
-      least = (std::max)(least, least_length - 2 * place.distance);
-    }
+      first_places_[place.vertex] = no_index;
   }
 
   void add(Index v, std::uint64_t sheet, Index from, Index h, std::uint64_t code, double distance)
@@ -323,25 +263,22 @@ private:
     const Index other = find(w, sheet);
     if(other == no_index)
     {
-      add(w, sheet, place, h, code, distance);
+      if(2 * distance < best.length + 2 * surface_.length(h))
+        add(w, sheet, place, h, code, distance);
       return;
     }
     const double length = distance + places_[other].distance;
-    if(places_[other].code != code && length < best.least_length)
+    if(places_[other].code != code && length < best.length)
     {
       least_length_ = (std::min)(least_length_, length);
-      const auto make_walk = [&] {
-        Halfedge_walk walk = walk_to(place);
-        walk.push_back(h);
-        const Halfedge_walk back = reversed(walk_to(other));
-        walk.insert(walk.end(), back.begin(), back.end());
-        return walk;
-      };
-      if(accept(code - places_[other].code, make_walk))
+      Halfedge_walk walk = walk_to(place);
+      walk.push_back(h);
+      const Halfedge_walk back = reversed(walk_to(other));
+      walk.insert(walk.end(), back.begin(), back.end());
+      if(accept(code - places_[other].code, walk))
       {
-        Halfedge_walk walk = make_walk();
-        reduce(walk); // what is left can be shorter if it does not pass the root
-        best = {surface_.length(walk), std::move(walk), length};
+        reduce(walk);
+        best = {surface_.length(walk), std::move(walk)};
       }
     }
     if(!places_[other].is_settled && distance < places_[other].distance)
@@ -367,7 +304,7 @@ private:
   const Class_codes& codes_;
   std::vector<Index> first_places_;                  // by vertex
   std::array<std::vector<double>, 2> least_lengths_; // by closed half and root: no loop of any class is shorter
-  double least_length_ = 0;                          // of loops seen in this search
+  double least_length_ = 0;                          // of loops seen in this search, or its bound
   std::vector<Place> places_;
   std::priority_queue<Queued, std::vector<Queued>, std::greater<Queued>> queue_;
 };
