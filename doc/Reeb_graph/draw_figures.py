@@ -242,11 +242,6 @@ def draw_diagram(name):
     copy_drawing(name, name)
 
 
-def draw_longest_loop(name):
-    run("compute", scan, "--field", "z", "--longest-loop", "loop.polylines.txt", "--mesh-out", "mesh.ply")
-    draw_mesh("mesh.ply", name, read_polylines("loop.polylines.txt"), opacity=0.45, bias=1e9)
-
-
 def draw_paraview(name):
     run("compute", scan, "--field", "z", "--graph", "graph.json", "--mesh-out", "mesh.ply")
     draw_mesh("mesh.ply", name, lines_of_json("graph.json", "edges"), opacity=0.45, bias=1e9)
@@ -559,7 +554,7 @@ scan = "demo/surface.off"
 figures = {
     "reeb_graph_of_genus_3.png": draw_reeb_graph_of_genus_3, "limbs.svg": draw_limbs, "segments.png": draw_segments,
     "segmentation.png": draw_segmentation, "contours.png": draw_contours, "pants.png": draw_pants,
-    "diagram.svg": draw_diagram, "longest_loop.png": draw_longest_loop, "paraview.png": draw_paraview,
+    "diagram.svg": draw_diagram, "paraview.png": draw_paraview,
     "own_field.png": draw_own_field, "simplified.svg": draw_simplified, "drawing.svg": draw_drawing,
     "cutting_system.png": draw_cutting_system,
     "pants_decomposition.png": draw_pants_decomposition, "handles_of_a_knot.png": draw_handles_of_a_knot,
