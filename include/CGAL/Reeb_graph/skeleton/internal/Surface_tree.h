@@ -209,11 +209,35 @@ private:
     return height > depth ? foot + depth / height * (p - foot) : p;
   }
 
+  // A place on the surface that is seen from a point, and its face. That of the closest point can be hidden if this is at
+  // a corner, behind other faces there.
   std::pair<Point, Mesh::Face_index> foot(const Point& p, std::optional<Mesh::Vertex_index> v) const
   {
     if(v)
       return {p, mesh_.face(mesh_.halfedge(*v))};
-    return tree_.closest_point_and_primitive(p);
+    const auto closest = tree_.closest_point_and_primitive(p);
+    for(double t = 0.5; t > 1e-6; t /= 2)
+      if(const auto seen = first_seen(p, closest.first + t * (center(closest.second) - closest.first) - p))
+        return *seen;
+    return closest;
+  }
+
+  // The place where a ray from inside meets the surface first, and the face there; none at an edge.
+  std::optional<std::pair<Point, Mesh::Face_index>> first_seen(const Point& origin, const Vector& ray) const
+  {
+    const double size = length(ray);
+    if(!(size > 0))
+      return std::nullopt;
+    const Vector direction = ray / size;
+    std::vector<std::pair<double, Mesh::Face_index>> met;
+    const auto add = [&](Mesh::Face_index f) { met.push_back({depth_of(f, origin, direction), f}); };
+    tree_.all_intersected_primitives(Kernel::Ray_3(origin, direction),
+                                     boost::make_function_output_iterator(std::cref(add)));
+    std::sort(met.begin(), met.end());
+    if(met.empty() || !std::isfinite(met.back().first) || !(met.front().first > 0)
+       || (met.size() > 1 && !(met[1].first - met[0].first > 1e-9 * size)))
+      return std::nullopt;
+    return std::make_pair(origin + met.front().first * direction, met.front().second);
   }
 
   bool is_crossed(const std::vector<Point>& way, std::size_t i, std::size_t j, bool is_first_on, bool is_last_on) const
