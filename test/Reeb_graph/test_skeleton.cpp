@@ -17,6 +17,8 @@
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <boost/graph/connected_components.hpp>
 #include <boost/mpl/list.hpp>
 
@@ -139,7 +141,66 @@ Errors errors_of(const Skeleton& skeleton, const Tubes& sample)
   return errors;
 }
 
+// A surface of few faces that are sharp: cubes, or a torus, whose corners have been moved far.
+generated_surfaces::Triangle_soup coarse_surface(std::size_t seed)
+{
+  random_meshes::Random random(seed);
+  auto soup = seed % 4 != 0 ? Voxel_solid(2 + static_cast<int>(seed % 3), seed).surface()
+                            : generated_surfaces::torus(3 + random.below(3), 3 + random.below(5));
+  const double distance = static_cast<double>(random.below(60)) / 100;
+  for(auto& point : soup.points)
+    for(double& coordinate : point)
+      coordinate += distance * (static_cast<double>(random.below(1001)) / 500 - 1);
+  return soup;
+}
+
+// Of each edge with each face, by exact predicates; ends are left out.
+template <class Skeleton>
+std::size_t number_of_crossings(const Surface_mesh& mesh, const Skeleton& skeleton)
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  typedef Kernel::Point_3 Point;
+  const auto converted = [](const auto& p) { return Point(p.x(), p.y(), p.z()); };
+  std::size_t number = 0;
+  for(const auto e : CGAL::make_range(edges(skeleton)))
+  {
+    const auto s = source(e, skeleton), t = target(e, skeleton);
+    const Point p = converted(skeleton[s].point), q = converted(skeleton[t].point);
+    const Kernel::Vector_3 step = 1e-6 * (q - p);
+    const Point from = out_degree(s, skeleton) == 1 ? p + step : p, to = out_degree(t, skeleton) == 1 ? q - step : q;
+    for(const auto f : faces(mesh))
+    {
+      const auto h = halfedge(f, mesh);
+      const Kernel::Triangle_3 face(converted(mesh.point(source(h, mesh))), converted(mesh.point(target(h, mesh))),
+                                    converted(mesh.point(target(next(h, mesh), mesh))));
+      if(from == to ? face.has_on(from) : CGAL::do_intersect(face, Kernel::Segment_3(from, to)))
+        ++number;
+    }
+  }
+  return number;
+}
+
 } // namespace
+
+BOOST_AUTO_TEST_CASE(lines_stay_inside_of_coarse_surfaces)
+{
+  std::size_t number = 0;
+  for(std::size_t seed = 0; seed != 1000; ++seed)
+  {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const auto mesh = make_mesh<Surface_mesh>(coarse_surface(seed));
+      Curve_skeleton<Surface_mesh> skeleton;
+      const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton);
+      check(mesh, skeleton, known);
+      if(known.number_of_crossing_components != 0 || known.number_of_components != 1)
+        continue;
+      BOOST_TEST(number_of_crossings(mesh, skeleton) == 0u);
+      ++number;
+    }
+  }
+  BOOST_TEST(number >= 200u);
+}
 
 BOOST_AUTO_TEST_CASE(tubes_have_their_ends_loops_and_centerlines)
 {
@@ -174,10 +235,52 @@ BOOST_AUTO_TEST_CASE(holes_in_a_wall_make_no_cycle)
     const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton);
     check(mesh, skeleton, known);
     BOOST_TEST(known.number_of_loops == 0u);
-    BOOST_TEST(known.number_of_ends == (radius < 0.5 ? 2u : 4u));
+    BOOST_TEST(known.number_of_ends == 4u);
+    BOOST_TEST(known.number_of_border_ends == 2u);
     check(mesh, skeleton, extract_curve_skeleton(mesh, skeleton, parameters::pruning_ratio(0)));
     check(mesh, skeleton, extract_curve_skeleton(mesh, skeleton, parameters::ends_at_borders(false)));
     BOOST_TEST(number_of_ends(skeleton) == 2u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(filled_holes_leave_the_centerline)
+{
+  const Tubes sample = tube_samples::pierced_tube(0.4);
+  for(const double noise : {0., 0.05, 0.1})
+  {
+    const auto mesh = make_mesh<Surface_mesh>(tube_samples::surface(sample, noise, 7));
+    Curve_skeleton<Surface_mesh> skeleton;
+    check(mesh, skeleton, extract_curve_skeleton(mesh, skeleton, parameters::ends_at_borders(false)));
+    BOOST_TEST(number_of_ends(skeleton) == sample.ends);
+    const Errors errors = errors_of(skeleton, sample);
+    BOOST_TEST(errors.mean_deviation <= 0.05);
+    BOOST_TEST(errors.high_deviation <= 0.25);
+    BOOST_TEST(errors.length <= 0.07);
+  }
+}
+
+// Holes of one triangle each, at any ratio.
+BOOST_AUTO_TEST_CASE_TEMPLATE(each_border_is_an_end, Mesh, Meshes)
+{
+  for(std::size_t seed = 0; seed != 20; ++seed)
+  {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      auto soup = generated_surfaces::torus(10, 30);
+      std::size_t number_of_holes = 0;
+      for(std::size_t i = 20 * (seed % 3) + seed; i < soup.triangles.size(); i += 100, ++number_of_holes)
+        soup.triangles.erase(soup.triangles.begin() + static_cast<std::ptrdiff_t>(i));
+      const auto mesh = make_mesh<Mesh>(soup);
+      Curve_skeleton<Mesh> skeleton;
+      for(const double ratio : {0., 0.5, 100.})
+      {
+        const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton, parameters::pruning_ratio(ratio));
+        check(mesh, skeleton, known);
+        BOOST_TEST(known.number_of_border_ends == number_of_holes);
+        BOOST_TEST(known.number_of_loops + known.number_of_hidden_handles == 1u);
+      }
+      check(mesh, skeleton, extract_curve_skeleton(mesh, skeleton, parameters::ends_at_borders(false)));
+    }
   }
 }
 

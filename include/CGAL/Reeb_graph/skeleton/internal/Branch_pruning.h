@@ -29,8 +29,7 @@ namespace CGAL::Reeb_graph::internal::skeleton {
 
 // Takes branches off a graph, the least persistent ones first: paths from a leaf to the node where they leave the trunk,
 // or, if the rest is a loop, where they leave that. A branch goes if its persistence is below a share of the radius of
-// the trunk there, or if it protrudes from the trunk by less. One to a border goes only if the border is a hole in the
-// wall: if the branch does not protrude, and the border is smaller than that, too.
+// the trunk there, or if it protrudes from the trunk by less. One to a border stays.
 class Branch_pruning
 {
 public:
@@ -38,12 +37,12 @@ public:
                  const Surface_tree& tree,
                  double ratio,
                  bool are_values_distances,
-                 const std::vector<double>& hole_radii)
+                 const std::vector<bool>& is_border)
     : graph_(graph),
       tree_(tree),
       ratio_(ratio),
       are_values_distances_(are_values_distances),
-      hole_radii_(hole_radii),
+      is_border_(is_border),
       is_alive_(graph.number_of_arcs(), true),
       degrees_(graph.number_of_nodes()),
       redirections_(graph.number_of_nodes(), no_index),
@@ -141,7 +140,7 @@ private:
   // The tip protrudes from the one that hides it best.
   bool is_to_go(const Branch& branch, Index tip) const
   {
-    if(!(ratio_ > 0))
+    if(!(ratio_ > 0) || is_border_[tip])
       return false;
     const Point& top = graph_.point(tip);
     double radius = 0, protrusion = std::numeric_limits<double>::infinity();
@@ -164,8 +163,6 @@ private:
       for(const Point& middle : middles(samples[i - 1], farther[i - 1], samples[i], farther[i]))
         compare(middle, samples[i].on_surface);
     const double least = ratio_ * radius;
-    if(hole_radii_[tip] >= 0)
-      return protrusion < least && hole_radii_[tip] < least;
     return branch.persistence < least || protrusion < least || is_bump(tip, branch.persistence);
   }
 
@@ -251,8 +248,8 @@ private:
   const Surface_tree& tree_;
   const double ratio_;
   const bool are_values_distances_;
-  const std::vector<double>& hole_radii_; // by node, of those that are borders; negative for others
-  std::vector<bool> is_alive_;            // by arc
+  const std::vector<bool>& is_border_; // by node, whether it is an end by force
+  std::vector<bool> is_alive_;         // by arc
   std::vector<Index> degrees_;
   std::vector<Index> redirections_;         // of nodes that have gone
   std::vector<Branch> branches_;            // of tips

@@ -172,11 +172,10 @@ Component_skeleton make_component_skeleton(Component component,
   result.number_of_loops = std::size_t(graph.number_of_arcs()) + 1 - graph.number_of_nodes();
   const Surface_tree tree(mesh);
   progress(0.7);
-  std::vector<double> hole_radii(graph.number_of_nodes(), -1);
+  std::vector<bool> is_border(graph.number_of_nodes(), false);
   for(Index node = 0; node != graph.number_of_nodes(); ++node)
-    if(component.is_apex(graph.vertex(node)))
-      hole_radii[node] = component.borders[graph.vertex(node).idx() - component.given.size()].radius;
-  Branch_pruning pruning(graph, tree, options.pruning_ratio, are_distances, hole_radii);
+    is_border[node] = options.are_borders_ends && component.is_apex(graph.vertex(node));
+  Branch_pruning pruning(graph, tree, options.pruning_ratio, are_distances, is_border);
   progress(0.8);
   remove_covered_tips(graph, tree, component, options, pruning);
   Graph_chains chains(graph, pruning);
