@@ -280,7 +280,7 @@ void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)
   add_real_number(
     *command, "--prune", options.settings.pruning_ratio,
     "Remove branches that stand out from the trunk by less than this share of its radius, 0.5 by default; "
-    "those that lead to borders stay, but for small holes in a wall");
+    "those that lead to borders stay");
   add_real_number(*command, "--step", options.settings.sampling_ratio,
                   "The distance between points, as a share of the radius, 0.5 by default");
   command->add_flag_callback(
