@@ -19,6 +19,7 @@
 #include <CGAL/Reeb_graph/simplification/Simplification_threshold.h>
 #include <CGAL/Reeb_graph/visitor.h>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -124,6 +125,14 @@ struct Work_report
   }
 };
 
+// Where a loop is. Its center is the mean of its points, by length.
+struct Loop_place
+{
+  std::array<double, 3> center = {};
+  std::array<std::array<double, 3>, 2> box = {}; // lower and upper corner
+  std::vector<std::size_t> vertices = {};        // along the loop, if it passes edges
+};
+
 // A loop of the list of the command handles, or of the graph.
 struct Loop_row
 {
@@ -134,6 +143,7 @@ struct Loop_row
   std::optional<double> area;        // of the disc that fills it, where one does
   std::size_t component = 0;
   bool is_simple = true;
+  Loop_place place = {};
 };
 
 // What a rank of MPI did.
@@ -188,6 +198,7 @@ struct Removal_row
   std::size_t component = 0;
   bool is_removed = true;
   std::string reason; // why not
+  Loop_place place;   // before any cut along the loop
 };
 
 // How the file was made another one.

@@ -18,6 +18,8 @@
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 #include <CGAL/compute_reeb_graph.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -50,6 +52,30 @@ void write_coordinate(const Surface& surface, Scalar_map scalar_map, int coordin
 
 } // namespace
 
+Loop_place place_of(const Polyline& polyline)
+{
+  Loop_place result;
+  double weight = 0;
+  std::array<double, 3> sum = {};
+  for(std::size_t i = 0; i != polyline.size(); ++i)
+  {
+    const Point &p = polyline[i], &q = polyline[i == 0 ? 0 : i - 1];
+    const double length = std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
+    weight += length;
+    for(int k = 0; k != 3; ++k)
+    {
+      const auto axis = static_cast<std::size_t>(k);
+      sum[axis] += length * (p[k] / 2 + q[k] / 2);
+      result.box[0][axis] = i == 0 ? p[k] : (std::min)(result.box[0][axis], p[k]);
+      result.box[1][axis] = i == 0 ? p[k] : (std::max)(result.box[1][axis], p[k]);
+    }
+  }
+  // All points of a loop without length are one.
+  for(std::size_t axis = 0; axis != 3; ++axis)
+    result.center[axis] = weight > 0 ? sum[axis] / weight : result.box[0][axis];
+  return result;
+}
+
 std::vector<Removal_row> remove_handles(Surface& surface,
                                         Scalar_map scalar_map,
                                         const std::vector<Any_vertex_property>& properties,
@@ -66,8 +92,13 @@ std::vector<Removal_row> remove_handles(Surface& surface,
         surface, size, CGAL::parameters::number_of_handles(number).visitor(visitor).callback(std::ref(progress_bar))))
   {
     const bool is_removed = handle.result == CGAL::Reeb_graph::Removal_result::REMOVED;
+    Polyline polyline;
+    for(const auto& p : handle.points)
+      polyline.emplace_back(p[0], p[1], p[2]);
+    polyline.push_back(polyline.front());
     result.push_back({to_string(handle.kind), handle.length, handle.component, is_removed,
-                      is_removed ? std::string() : to_string(handle.result)});
+                      is_removed ? std::string() : to_string(handle.result), place_of(polyline)});
+    result.back().place.vertices.assign(handle.vertices.begin(), handle.vertices.end());
   }
   return result;
 }
@@ -96,8 +127,11 @@ Loops_of_surface find_loops(const Surface& surface, Scalar_map scalar_map, bool 
     row.area = areas[i];
     row.component = loop.component;
     row.is_simple = loop.is_simple;
-    result.rows.push_back(row);
     result.polylines.push_back(CGAL::Reeb_graph::polyline_of_curve(surface, loop));
+    row.place = place_of(result.polylines.back());
+    for(const Surface::Halfedge_index h : loop.halfedges)
+      row.place.vertices.push_back(surface.source(h));
+    result.rows.push_back(row);
   }
   return result;
 }

@@ -23,6 +23,9 @@ struct Loops_of_surface
   std::vector<Polyline> polylines; // in the same order
 };
 
+// The place of a closed polyline, without vertices.
+Loop_place place_of(const Polyline& polyline);
+
 // Removes the handles that are smaller than a size, at most so many, the smallest ones. Properties are carried over.
 std::vector<Removal_row> remove_handles(Surface& surface,
                                         Scalar_map scalar_map,

@@ -128,6 +128,7 @@ Loops_of_surface find_longest_loop(Mesh_graph& mesh_graph)
   for(std::size_t i = 1; i < curve.size(); ++i)
     row.length += CGAL::Reeb_graph::internal::distance_between(curve[i], curve[i - 1]);
   row.persistence = CGAL::Reeb_graph::persistence(graph, *pair);
+  row.place = place_of(curve);
   return {{row}, {curve}};
 }
 

@@ -31,7 +31,7 @@ std::string format_of_loops(const std::filesystem::path& path)
 void write_vtp_of_loops(std::ostream& out, const Loops_of_surface& loops)
 {
   CGAL::Reeb_graph::internal::Vtp_document::Cells lines;
-  std::vector<double> coordinates, lengths, persistences, areas;
+  std::vector<double> coordinates, lengths, persistences, areas, centers, lower_corners, upper_corners;
   std::vector<std::int64_t> numbers, kinds, partners, components;
   const double none = std::numeric_limits<double>::quiet_NaN();
   for(std::size_t i = 0; i != loops.rows.size(); ++i)
@@ -52,6 +52,9 @@ void write_vtp_of_loops(std::ostream& out, const Loops_of_surface& loops)
     lengths.push_back(row.length);
     persistences.push_back(row.persistence.value_or(none));
     areas.push_back(row.area.value_or(none));
+    centers.insert(centers.end(), row.place.center.begin(), row.place.center.end());
+    lower_corners.insert(lower_corners.end(), row.place.box[0].begin(), row.place.box[0].end());
+    upper_corners.insert(upper_corners.end(), row.place.box[1].begin(), row.place.box[1].end());
   }
   CGAL::Reeb_graph::internal::Vtp_document document(out, coordinates.size() / 3, {}, lines, {});
   document.write_section("Points", "", [&] { document.write_array("Points", coordinates, 3); });
@@ -63,6 +66,9 @@ void write_vtp_of_loops(std::ostream& out, const Loops_of_surface& loops)
     document.write_array("length", lengths);
     document.write_array("persistence", persistences);
     document.write_array("area", areas);
+    document.write_array("center", centers, 3);
+    document.write_array("box_min", lower_corners, 3);
+    document.write_array("box_max", upper_corners, 3);
   });
   document.finish();
 }

@@ -227,6 +227,23 @@ void write_border_changes(std::ostream& out, const CGAL::Reeb_graph::Border_leve
 }
 
 namespace {
+void write_place_text(std::ostream& out, const Loop_place& place)
+{
+  out << "center " << place.center[0] << ' ' << place.center[1] << ' ' << place.center[2] << ", box " << place.box[0][0]
+      << ' ' << place.box[0][1] << ' ' << place.box[0][2] << " to " << place.box[1][0] << ' ' << place.box[1][1] << ' '
+      << place.box[1][2] << '\n';
+}
+
+void add_place(nlohmann::ordered_json& json, const Loop_place& place)
+{
+  const auto point = [](const std::array<double, 3>& p) {
+    return nlohmann::ordered_json::array({json_number(p[0]), json_number(p[1]), json_number(p[2])});
+  };
+  json["center"] = point(place.center);
+  json["box"] = nlohmann::ordered_json::array({point(place.box[0]), point(place.box[1])});
+  json["vertices"] = place.vertices;
+}
+
 void write_removals(std::ostream& out, const std::vector<Removal_row>& removals)
 {
   const auto removed =
@@ -238,6 +255,10 @@ void write_removals(std::ostream& out, const std::vector<Removal_row>& removals)
     if(!row.is_removed)
       out << "refused  a " << row.kind << " of length " << row.length << " of component " << row.component << ": "
           << row.reason << '\n';
+    else
+      out << "removed  a " << row.kind << " of length " << row.length << " of component " << row.component << '\n';
+    out << "         ";
+    write_place_text(out, row.place);
   }
 }
 
@@ -278,6 +299,12 @@ void write_text(std::ostream& out, const Handles_report& report)
     write(row.area, 16);
     out << std::setw(11) << row.component << (row.is_simple ? "" : "  crosses itself") << '\n';
   }
+  out << "\n loop    place\n";
+  for(std::size_t i = 0; i != report.loops.size(); ++i)
+  {
+    out << std::setw(5) << i << "    ";
+    write_place_text(out, report.loops[i].place);
+  }
 }
 
 void write_json(std::ostream& out, const Handles_report& report)
@@ -295,18 +322,23 @@ void write_json(std::ostream& out, const Handles_report& report)
     loop["area"] = json_number(row.area);
     loop["component"] = row.component;
     loop["simple"] = row.is_simple;
+    add_place(loop, row.place);
     json["loops"].push_back(loop);
   }
   if(report.removals)
   {
     json["removals"] = nlohmann::ordered_json::array();
     for(const Removal_row& row : *report.removals)
-      json["removals"].push_back(
-        {{"kind", row.kind},
-         {"length", json_number(row.length)},
-         {"component", row.component},
-         {"result", row.is_removed ? "removed" : "refused"},
-         {"reason", row.is_removed ? nlohmann::ordered_json() : nlohmann::ordered_json(row.reason)}});
+    {
+      nlohmann::ordered_json removal = {
+        {"kind", row.kind},
+        {"length", json_number(row.length)},
+        {"component", row.component},
+        {"result", row.is_removed ? "removed" : "refused"},
+        {"reason", row.is_removed ? nlohmann::ordered_json() : nlohmann::ordered_json(row.reason)}};
+      add_place(removal, row.place);
+      json["removals"].push_back(removal);
+    }
   }
   add_field_and_costs(json, report);
   write_line(out, json);

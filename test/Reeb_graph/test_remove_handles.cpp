@@ -59,9 +59,13 @@ long euler_characteristic(const Mesh& mesh)
   return static_cast<long>(vertices(mesh).size() + faces(mesh).size()) - static_cast<long>(edges(mesh).size());
 }
 
-std::size_t count(const std::vector<Handle_removal>& rows, Removal_result result)
+template <class Mesh>
+using Rows = std::vector<Handle_removal<typename boost::graph_traits<Mesh>::vertex_descriptor>>;
+
+template <class Row>
+std::size_t count(const std::vector<Row>& rows, Removal_result result)
 {
-  return std::count_if(rows.begin(), rows.end(), [&](const Handle_removal& row) { return row.result == result; });
+  return std::count_if(rows.begin(), rows.end(), [&](const Row& row) { return row.result == result; });
 }
 
 template <class Mesh>
@@ -121,7 +125,7 @@ Surface_mesh coarse_surface(std::size_t seed, std::size_t size, bool has_holes)
 
 // Removes handles of a mesh that does not intersect itself, and checks what holds for each.
 template <class Mesh, class NamedParameters>
-std::vector<Handle_removal> remove_and_check(Mesh& mesh, double size, const NamedParameters& np)
+Rows<Mesh> remove_and_check(Mesh& mesh, double size, const NamedParameters& np)
 {
   auto point_map = get(CGAL::vertex_point, mesh);
   std::vector<std::pair<typename boost::graph_traits<Mesh>::vertex_descriptor, mesh_builders::Point>> before;
@@ -129,7 +133,7 @@ std::vector<Handle_removal> remove_and_check(Mesh& mesh, double size, const Name
     before.emplace_back(v, get(point_map, v));
   const long characteristic = euler_characteristic(mesh);
   const bool is_closed = CGAL::is_closed(mesh), did_self_intersect = does_self_intersect(mesh);
-  const std::vector<Handle_removal> rows = remove_handles(mesh, size, np);
+  const Rows<Mesh> rows = remove_handles(mesh, size, np);
   const std::size_t removed = count(rows, Removal_result::REMOVED);
   BOOST_TEST(euler_characteristic(mesh) == characteristic + 2 * static_cast<long>(removed));
   BOOST_TEST(CGAL::is_valid_polygon_mesh(mesh));
@@ -141,13 +145,23 @@ std::vector<Handle_removal> remove_and_check(Mesh& mesh, double size, const Name
   for(const auto& [v, point] : before)
     moved += get(point_map, v) == point ? 0 : 1;
   BOOST_TEST(moved <= vertices(mesh).size() - before.size()); // those on loops, which have been doubled
-  for(const Handle_removal& row : rows)
+  for(const auto& row : rows)
+  {
     BOOST_TEST(row.length < size);
+    BOOST_TEST(row.points.size() == row.vertices.size());
+    double length = 0;
+    for(std::size_t i = 0; i != row.points.size(); ++i)
+    {
+      const auto &p = row.points[i], &q = row.points[(i + 1) % row.points.size()];
+      length += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    }
+    BOOST_TEST(std::abs(length - row.length) <= 1e-9 * length); // of the loop as it was
+  }
   return rows;
 }
 
 template <class Mesh>
-std::vector<Handle_removal> remove_and_check(Mesh& mesh, double size)
+Rows<Mesh> remove_and_check(Mesh& mesh, double size)
 {
   return remove_and_check(mesh, size, parameters::default_values());
 }

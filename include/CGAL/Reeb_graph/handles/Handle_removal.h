@@ -13,8 +13,10 @@
 
 #include <CGAL/Reeb_graph/handles/Handle_loop.h>
 
+#include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace CGAL::Reeb_graph {
 
@@ -51,6 +53,9 @@ inline std::string to_string(Removal_result result)
 }
 
 /// \brief a handle that was to be removed: what `remove_handles()` returns.
+///
+/// \tparam VertexDescriptor that of the mesh
+template <class VertexDescriptor>
 struct Handle_removal
 {
   /// what the loop is along which the surface has been cut, or would have been: the shorter one of its pair
@@ -64,6 +69,12 @@ struct Handle_removal
 
   /// whether it has been removed, or why not
   Removal_result result = Removal_result::REMOVED;
+
+  /// the vertices of that loop, in order along it; the first one is not repeated
+  std::vector<VertexDescriptor> vertices = {};
+
+  /// where these vertices were before the cut along the loop
+  std::vector<std::array<double, 3>> points = {};
 };
 
 /// @}

@@ -43,11 +43,12 @@ class Handle_remover
   typedef typename boost::graph_traits<Mesh>::face_descriptor face_descriptor;
   typedef Loop_cut<Mesh, PointMap> Cut;
   typedef typename Cut::Triangle Triangle;
+  typedef Handle_removal<typename boost::graph_traits<Mesh>::vertex_descriptor> Row;
 
   struct Plan
   {
     Cut cut;
-    Handle_removal row;
+    Row row;
     std::vector<std::size_t> rivals; // plans of smaller handles that the cut would intersect
   };
 
@@ -59,9 +60,9 @@ public:
   {}
 
   // Removes handles that are smaller than `size`, at most `number` of them. The last ones of the list are refused.
-  std::vector<Handle_removal> operator()(double size, std::size_t number, bool are_checked, const Progress& progress)
+  std::vector<Row> operator()(double size, std::size_t number, bool are_checked, const Progress& progress)
   {
-    std::vector<Handle_removal> removed;
+    std::vector<Row> removed;
     double begin = 0;
     while(removed.size() < number)
     {
@@ -69,7 +70,7 @@ public:
       plan(size, number - removed.size(), are_checked, Stage_progress(progress, begin, begin + 0.8 * (end - begin)));
       find_conflicts();
       const std::size_t number_before = removed.size();
-      const std::vector<Handle_removal> refused =
+      const std::vector<Row> refused =
         cut(removed, number, Stage_progress(progress, begin + 0.8 * (end - begin), end));
       if(removed.size() == number_before || removed.size() == number)
       {
@@ -149,13 +150,18 @@ private:
 
   void add_plan(const Surface_loop& loop, std::size_t component, std::vector<halfedge_descriptor> halfedges)
   {
-    Handle_removal row;
+    Row row;
     row.kind = loop.kind;
     row.length = loop.length;
     row.component = component;
     bool is_at_border = false;
     for(const halfedge_descriptor h : halfedges)
+    {
       is_at_border = is_at_border || CGAL::is_border(target(h, mesh_), mesh_).has_value();
+      row.vertices.push_back(source(h, mesh_));
+      const auto& point = get(point_map_, source(h, mesh_));
+      row.points.push_back({to_double(point.x()), to_double(point.y()), to_double(point.z())});
+    }
     if(!loop.is_simple || is_at_border)
     {
       row.result = loop.is_simple ? Removal_result::PASSES_HOLE : Removal_result::CROSSES_ITSELF;
@@ -274,11 +280,11 @@ private:
   }
 
   // Makes the cuts. Returns what is refused.
-  std::vector<Handle_removal> cut(std::vector<Handle_removal>& removed,
+  std::vector<Row> cut(std::vector<Row>& removed,
                                   std::size_t number,
                                   const Stage_progress& progress)
   {
-    std::vector<Handle_removal> refused;
+    std::vector<Row> refused;
     std::vector<bool> is_cut(plans_.size(), false);
     std::set<face_descriptor> changed;
     for(std::size_t i = 0; i != plans_.size() && removed.size() != number; ++i)
