@@ -151,7 +151,8 @@ void add_component(const Reading& reading,
 /// in multi-saddles, which are counted.
 ///
 /// Then points that are outside are moved inside, and edges that cross the surface are bent until they do not. So no
-/// vertex is outside, and no edge crosses a component that does not intersect itself; what remains on others is counted.
+/// vertex is outside, and no edge crosses a component that does not intersect itself, but for a few on surfaces of few and
+/// spiky faces. What remains, there and on others, is counted.
 /// Each component is looked at without the others. The lines are not promised to be centered: where the surface is no
 /// tube, as in flat or ball-shaped parts, a center of a contour is as good as any other place.
 ///
