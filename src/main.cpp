@@ -217,8 +217,7 @@ void add_field_command(CLI::App& app, Field_options& options)
 
 void add_handles_command(CLI::App& app, Handles_options& options)
 {
-  CLI::App* command =
-    app.add_subcommand("handles", "Find handles and tunnels of a surface, each by a short loop around it, with its place");
+  CLI::App* command = app.add_subcommand("handles", "Find handles and tunnels, each by a short loop around it");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input, "; by default the coordinate x, y, or z that is least noisy");
   begin_group(*command, "Removal");

@@ -90,8 +90,10 @@ namespace CGAL::Reeb_graph {
 ///
 /// \exception Reeb_graph::Cancelled_error if `callback` returns `false`; handles that are removed by then stay removed
 template <class MutableFaceGraph, class NamedParameters = parameters::Default_named_parameters>
-std::vector<Handle_removal<typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor>>
-remove_handles(MutableFaceGraph& mesh, double size, const NamedParameters& np = parameters::default_values())
+std::vector<Handle_removal<typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor>> remove_handles(
+  MutableFaceGraph& mesh,
+  double size,
+  const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;

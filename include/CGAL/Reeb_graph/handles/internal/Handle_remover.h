@@ -70,8 +70,7 @@ public:
       plan(size, number - removed.size(), are_checked, Stage_progress(progress, begin, begin + 0.8 * (end - begin)));
       find_conflicts();
       const std::size_t number_before = removed.size();
-      const std::vector<Row> refused =
-        cut(removed, number, Stage_progress(progress, begin + 0.8 * (end - begin), end));
+      const std::vector<Row> refused = cut(removed, number, Stage_progress(progress, begin + 0.8 * (end - begin), end));
       if(removed.size() == number_before || removed.size() == number)
       {
         removed.insert(removed.end(), refused.begin(), refused.end());
@@ -280,9 +279,7 @@ private:
   }
 
   // Makes the cuts. Returns what is refused.
-  std::vector<Row> cut(std::vector<Row>& removed,
-                                  std::size_t number,
-                                  const Stage_progress& progress)
+  std::vector<Row> cut(std::vector<Row>& removed, std::size_t number, const Stage_progress& progress)
   {
     std::vector<Row> refused;
     std::vector<bool> is_cut(plans_.size(), false);
