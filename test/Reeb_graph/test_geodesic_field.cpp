@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(distances_in_the_plane_depend_little_on_triangles,
       }
 }
 
-// The errors in the manual's table are those that this prints.
+// Errors of the kind that the manual's table has, on other meshes, are printed.
 BOOST_AUTO_TEST_CASE(distances_are_close_to_exact_ones)
 {
   struct Row
