@@ -53,14 +53,14 @@ int main(int argc, char* argv[])
     }
 
     // The place of a vertex is a node or an arc: ask which, or take its number, in which arcs come behind the nodes.
-    const Augmentation::Vertex_locations locations = augmentation.locate_vertices();
+    const Augmentation::Vertex_places places = augmentation.locate_vertices();
     const vertex_descriptor v = *vertices(mesh).first;
-    const Augmentation::Vertex_locations::Location location = locations[v];
-    if(const auto* arc = std::get_if<Augmentation::arc_descriptor>(&location))
+    const Augmentation::Vertex_places::Place place = places[v];
+    if(const auto* arc = std::get_if<Augmentation::arc_descriptor>(&place))
       std::cout << v << " is on arc " << number_of_arc[*arc] << std::endl;
     else
-      std::cout << v << " is node " << std::get<Augmentation::node_descriptor>(location) << std::endl;
-    std::cout << "number of its place: " << locations.index(v) << " of " << num_vertices(graph) + num_edges(graph)
+      std::cout << v << " is node " << std::get<Augmentation::node_descriptor>(place) << std::endl;
+    std::cout << "number of its place: " << places.index(v) << " of " << num_vertices(graph) + num_edges(graph)
               << std::endl;
   }
   catch(const CGAL::Reeb_graph::Error& error)

@@ -53,12 +53,12 @@ int main(int argc, char* argv[])
     CGAL::compute_reeb_graph(mesh, scalar_map, graph);
 
     const Augmentation augmentation(mesh, scalar_map, graph);
-    const Augmentation::Vertex_locations locations = augmentation.locate_vertices();
+    const Augmentation::Vertex_places places = augmentation.locate_vertices();
     for(std::size_t i = 0; i != num_edges(graph); ++i)
     {
-      for(vertex_descriptor v : locations.vertices_of_arc(i))
+      for(vertex_descriptor v : places.vertices_of_arc(i))
         color_map[v] = color_of_arc(i);
-      std::cout << "arc " << i << ": " << locations.vertices_of_arc(i).size() << " vertices" << std::endl;
+      std::cout << "arc " << i << ": " << places.vertices_of_arc(i).size() << " vertices" << std::endl;
     }
   }
   catch(const CGAL::Reeb_graph::Error& error)

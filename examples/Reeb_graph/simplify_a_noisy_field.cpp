@@ -52,9 +52,9 @@ int main(int argc, char* argv[])
 
     // The vertices of each arc of the simplified graph
     const Augmentation augmentation(mesh, scalar_map, simplified, CGAL::parameters::simplification(simplification));
-    const Augmentation::Vertex_locations locations = augmentation.locate_vertices();
+    const Augmentation::Vertex_places places = augmentation.locate_vertices();
     for(std::size_t i = 0; i != num_edges(simplified); ++i)
-      std::cout << "arc " << i << ": " << locations.vertices_of_arc(i).size() << " vertices" << std::endl;
+      std::cout << "arc " << i << ": " << places.vertices_of_arc(i).size() << " vertices" << std::endl;
 
     // A field that has this graph
     const double change = CGAL::Reeb_graph::simplify_field(mesh, scalar_map, 0.11 * width, scalar_map);

@@ -125,7 +125,7 @@ template <class HalfedgeDescriptor>
 struct Arc
 {
   /// ascending halfedges from the vertex of the lower node to the first one that crosses the level just below
-  /// the upper node. With `Ties::CONTRACT` the chain begins at a vertex of the lower node. It has several pieces where
+  /// the upper node. With `Ties::CONTRACT` the chain begins at a vertex of the lower node. It has several segments where
   /// the arc passes a plateau: each but the first begins at the vertex of the plateau from which the arc goes on.
   Halfedge_chain<HalfedgeDescriptor> chain;
 };
@@ -141,7 +141,7 @@ using Stored_graph = boost::adjacency_list<Inline_edge_list_selector,
                                            boost::no_property,
                                            Block_list_selector>;
 
-// That on a Surface_mesh, whatever its points are.
+// The graph of a Surface_mesh, whatever its points are.
 template <class Scalar>
 using Surface_graph = Stored_graph<Node<SM_Vertex_index, Scalar>, Arc<SM_Halfedge_index>>;
 

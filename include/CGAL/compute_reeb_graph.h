@@ -18,17 +18,20 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/critical_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/write_graph.h>
-#include <CGAL/Reeb_graph/internal/way_back/Vertex_places.h>
+#include <CGAL/Reeb_graph/internal/way_back/find_vertex_places.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/visitor.h>
 #include <CGAL/Reeb_graph_traits.h>
 
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -69,7 +72,7 @@ struct Mesh_with_field
     }
   }
 
-  // What leads from the numbers of a complex back to the descriptors.
+  // The mesh, by which the numbers of a complex lead back to the descriptors.
   template <class Complex>
   const FaceListGraph& mesh_of(const Complex&) const
   {
@@ -149,7 +152,7 @@ void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, co
 ///   \cgalParamNBegin{vertex_place_map}
 ///     \cgalParamDescription{is given the number of the place of each vertex in the graph: nodes are numbered from 0 by
 ///                           their descriptors, arcs after the last node, in the order of `edges(graph)`. These are the
-///                           numbers of `Vertex_locations::index()`, found in one turn with the graph, which takes less
+///                           numbers of `Vertex_places::index()`, found in one turn with the graph, which takes less
 ///                           time than to ask `Augmentation::locate_vertices()` for them afterwards. `method` and
 ///                           `number_of_slabs` do not count then.}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptors as key type and an integer type as
@@ -219,8 +222,8 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   namespace internal = Reeb_graph::internal;
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Default_traits;
   typedef internal::Chosen_traits<Default_traits, NamedParameters> Traits;
-  if constexpr(internal::Then<internal::Graph_is_not_const<ReebGraph>::value,
-                              internal::Field_and_graph<FaceListGraph, ScalarMap, ReebGraph, Traits>>::value)
+  if constexpr(std::conjunction<internal::Graph_is_not_const<ReebGraph>,
+                                internal::Field_and_graph<FaceListGraph, ScalarMap, ReebGraph, Traits>>::value)
   {
     const internal::Mesh_with_field<FaceListGraph, ScalarMap, NamedParameters> input = {mesh, scalar_map, np};
     const auto traits = internal::choose_traits<Default_traits>(np);
@@ -268,7 +271,7 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
 
   visitor.begin_stage(Stage::ARCS);
   const stages::Stage_progress arcs_progress(progress, 0.3, 0.7);
-  stages::Slab_arcs critical_arcs;
+  stages::Swept_arcs critical_arcs;
   if constexpr(places.are_wanted)
     critical_arcs = places.template find_arcs<ConcurrencyTag>(complex, order, critical_vertices, arcs_progress);
   else
@@ -279,7 +282,7 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
     complex, order, critical_vertices, critical_arcs, ties, are_degree_two_nodes_kept, places.are_wanted);
   places.template find<ConcurrencyTag>(complex, order, critical_vertices, critical_arcs, flat_graph, ties);
   critical_vertices = stages::Swept_vertices(); // The graph takes much memory.
-  critical_arcs = stages::Slab_arcs();
+  critical_arcs = stages::Swept_arcs();
   visitor.end_stage(Stage::ARCS);
   progress.report(0.8);
 

@@ -21,6 +21,7 @@
 #include <CGAL/compute_reeb_graph.h>
 
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Reeb_graph::internal {
@@ -60,8 +61,8 @@ void compute_graph_of_cells(const PointsOrNumber& points,
 {
   typedef Reeb_graph_soup_traits<Value_of_range<Scalars>> Default_traits;
   typedef Chosen_traits<Default_traits, NamedParameters> Traits;
-  if constexpr(Then<Graph_is_not_const<ReebGraph>::value,
-                    Graph_of_field<ReebGraph, Simplicial_complex, typename Traits::Scalar>>::value)
+  if constexpr(std::conjunction<Graph_is_not_const<ReebGraph>,
+                                Graph_of_field<ReebGraph, Simplicial_complex, typename Traits::Scalar>>::value)
   {
     const Soup_with_field<vertices_per_cell, PointsOrNumber, Cells, Scalars, NamedParameters> input = {points, cells,
                                                                                                        scalars, np};

@@ -124,7 +124,7 @@ auto table(Graph_of_arrays& given)
 {
   const Graph& graph = given.graph();
   Numbers components(num_vertices(graph));
-  CGAL::Reeb_graph::number_components(
+  CGAL::Reeb_graph::connected_components(
     graph, boost::make_iterator_property_map(components.begin(), boost::typed_identity_property_map<std::size_t>()));
   std::vector<std::array<std::size_t, 3>> nodes;
   std::vector<std::array<std::size_t, 2>> arcs;

@@ -32,7 +32,7 @@ Field_of_point field_of_point(const Input_options& options)
   if(d.empty())
     d = {0, 0, 1};
   if(!std::isfinite(d[0]) || !std::isfinite(d[1]) || !std::isfinite(d[2]) || (d[0] == 0 && d[1] == 0 && d[2] == 0))
-    throw CGAL::Reeb_graph::Direction_error();
+    throw CGAL::Reeb_graph::Parameter_error("the direction is zero, or not finite");
   return [d](const Point& p) { return d[0] * p.x() + d[1] * p.y() + d[2] * p.z(); };
 }
 

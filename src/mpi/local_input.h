@@ -15,7 +15,7 @@
 #include "mpi/ranks.h"
 
 namespace reeb_graph_program {
-// The field as a function of the points, if it is a coordinate or height. Throws Direction_error.
+// The field as a function of the points, if it is a coordinate or height. Throws Parameter_error.
 Field_of_point field_of_point(const Input_options& options);
 
 // Each rank reads its own part of the mesh and of the field: of a binary PLY file, or of a raw file. All of them throw

@@ -33,7 +33,7 @@
 #include <type_traits>
 #include <vector>
 
-// From the graph back to the mesh, with ties broken: contours, critical sets and locations against the oracle.
+// From the graph back to the mesh, with ties broken: contours, critical sets and vertex_places against the oracle.
 
 BOOST_AUTO_TEST_SUITE(test_augmentation)
 
@@ -111,12 +111,12 @@ struct Plain_augmentation
   std::vector<Plain_contour> contours;
   std::vector<std::vector<std::size_t>> border_loops; // vertices
   std::vector<std::vector<std::size_t>> stars;        // faces
-  std::vector<std::size_t> locations;
+  std::vector<std::size_t> vertex_places;
 
   friend bool operator==(const Plain_augmentation& a, const Plain_augmentation& b)
   {
-    return std::tie(a.contours, a.border_loops, a.stars, a.locations)
-        == std::tie(b.contours, b.border_loops, b.stars, b.locations);
+    return std::tie(a.contours, a.border_loops, a.stars, a.vertex_places)
+        == std::tie(b.contours, b.border_loops, b.stars, b.vertex_places);
   }
 };
 
@@ -134,7 +134,7 @@ Plain_augmentation plain_augmentation(const Mesh& mesh, const Sample& sample, Ti
 {
   const Augmented_mesh<Mesh> a(mesh, sample.values, ties, false);
   const auto other_map = CGAL::Reeb_graph::make_scalar_map(mesh, sample.other_values);
-  const auto locations = a.augmentation.locate_vertices();
+  const auto vertex_places = a.augmentation.locate_vertices();
   std::map<typename boost::graph_traits<Mesh>::face_descriptor, std::size_t> face_numbers;
   for(const auto f : faces(mesh))
     face_numbers.emplace(f, face_numbers.size());
@@ -164,7 +164,7 @@ Plain_augmentation plain_augmentation(const Mesh& mesh, const Sample& sample, Ti
       result.stars.back().push_back(face_numbers.at(f));
   }
   for(const auto v : vertices(mesh))
-    result.locations.push_back(locations.index(v));
+    result.vertex_places.push_back(vertex_places.index(v));
   return result;
 }
 
@@ -234,12 +234,12 @@ BOOST_AUTO_TEST_CASE(climbing_gives_the_arcs_that_sweeping_gives)
     namespace internal = CGAL::Reeb_graph::internal;
     const auto mesh = make_mesh<Surface_mesh>(sample.soup);
     const Augmented_mesh<Surface_mesh> a(mesh, sample.values, Ties::PERTURB, true);
-    const auto locations = a.augmentation.locate_vertices();
+    const auto vertex_places = a.augmentation.locate_vertices();
     const auto [arcs, arc_of_vertex, swept] = climb_and_sweep(mesh, sample.values);
     BOOST_TEST(std::equal(arc_of_vertex.begin(), arc_of_vertex.end(), swept.begin(), swept.end()));
     for(const auto v : vertices(mesh))
     {
-      const std::size_t place = locations.index(v);
+      const std::size_t place = vertex_places.index(v);
       const internal::Slab_arc_index arc = arc_of_vertex[internal::Vertex_index(v)];
       BOOST_TEST((arc == internal::no_index) == (place < num_vertices(a.graph)));
       if(arc == internal::no_index || place < num_vertices(a.graph))
@@ -265,14 +265,14 @@ void check_place_map(const Mesh& mesh,
   CGAL::compute_reeb_graph(mesh, scalar_map, graph, method_np.vertex_place_map(boost::make_assoc_property_map(places)));
   BOOST_TEST(graph_checks::are_identical(graph, graph_alone));
   const CGAL::Reeb_graph::Augmentation augmentation(mesh, scalar_map, graph, np);
-  const auto locations = augmentation.locate_vertices();
+  const auto vertex_places = augmentation.locate_vertices();
   BOOST_TEST(places.size() == values.size());
   const auto place_map = boost::make_assoc_property_map(places);
-  const auto given_locations = augmentation.locate_vertices(CGAL::parameters::vertex_place_map(place_map));
+  const auto given_places = augmentation.locate_vertices(CGAL::parameters::vertex_place_map(place_map));
   for(const auto& [vertex, place] : places)
   {
-    BOOST_TEST(static_cast<std::size_t>(place) == locations.index(vertex));
-    BOOST_TEST(static_cast<std::size_t>(place) == given_locations.index(vertex));
+    BOOST_TEST(static_cast<std::size_t>(place) == vertex_places.index(vertex));
+    BOOST_TEST(static_cast<std::size_t>(place) == given_places.index(vertex));
   }
   if(places.empty())
     return;
@@ -357,14 +357,14 @@ BOOST_AUTO_TEST_CASE(places_of_vertices_do_not_need_the_mesh)
   auto mesh = make_mesh<Surface_mesh>(mesh_builders::make_soup(combinatorial_mesh));
   const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
   const auto graph = graph_checks::compute(mesh, values);
-  const auto locations = CGAL::Reeb_graph::Augmentation(mesh, scalar_map, graph).locate_vertices();
+  const auto vertex_places = CGAL::Reeb_graph::Augmentation(mesh, scalar_map, graph).locate_vertices();
   const std::vector<Surface_mesh::Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end());
   std::vector<std::size_t> places;
   for(const auto v : vertices)
-    places.push_back(locations.index(v));
+    places.push_back(vertex_places.index(v));
   mesh.clear();
   for(std::size_t i = 0; i != vertices.size(); ++i)
-    BOOST_TEST(locations.index(vertices[i]) == places[i]);
+    BOOST_TEST(vertex_places.index(vertices[i]) == places[i]);
 }
 
 template <class Mesh>
@@ -373,10 +373,10 @@ void check_that_unknown_vertices_have_no_place(Mesh mesh, const std::vector<doub
   remove_vertex(add_vertex(mesh), mesh);
   const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
   const auto graph = graph_checks::compute(mesh, values);
-  const auto locations = CGAL::Reeb_graph::Augmentation(mesh, scalar_map, graph).locate_vertices();
+  const auto vertex_places = CGAL::Reeb_graph::Augmentation(mesh, scalar_map, graph).locate_vertices();
   for(const auto v : CGAL::make_range(vertices(mesh)))
-    BOOST_CHECK_NO_THROW(locations[v]);
-  BOOST_CHECK_THROW(locations.index(add_vertex(mesh)), CGAL::Reeb_graph::Unknown_vertex_error);
+    BOOST_CHECK_NO_THROW(vertex_places[v]);
+  BOOST_CHECK_THROW(vertex_places.index(add_vertex(mesh)), CGAL::Reeb_graph::Unknown_vertex_error);
 }
 
 BOOST_AUTO_TEST_CASE(unknown_vertices_have_no_place)
@@ -397,7 +397,7 @@ void ask_for_known_and_unknown_vertices(const Polyhedron& mesh,
 {
   const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
   const CGAL::Reeb_graph::Augmentation augmentation(mesh, scalar_map, graph, np);
-  const auto locations = augmentation.locate_vertices();
+  const auto vertex_places = augmentation.locate_vertices();
   std::atomic<std::size_t> number_of_mistakes = 0;
   const auto ask = [&](const Polyhedron& asked_mesh) {
     for(const auto v : CGAL::make_range(vertices(asked_mesh)))
@@ -406,7 +406,7 @@ void ask_for_known_and_unknown_vertices(const Polyhedron& mesh,
       try
       {
         number_of_answers += augmentation.value(v) == get(scalar_map, v) ? 1 : 2;
-        number_of_answers += locations.index(v) < num_vertices(graph) + num_edges(graph) ? 1 : 2;
+        number_of_answers += vertex_places.index(v) < num_vertices(graph) + num_edges(graph) ? 1 : 2;
       }
       catch(const CGAL::Reeb_graph::Unknown_vertex_error&)
       {}
@@ -603,9 +603,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_order_of_the_traits_class, Scalar, Scalars)
         }
         ++expected_arc;
       }
-      const auto locations = descending.locate_vertices(), expected_locations = ascending.locate_vertices();
+      const auto vertex_places = descending.locate_vertices(), expected_locations = ascending.locate_vertices();
       for(const auto v : mesh.vertices())
-        BOOST_TEST(locations.index(v) == expected_locations.index(v));
+        BOOST_TEST(vertex_places.index(v) == expected_locations.index(v));
     }
   });
 }

@@ -173,19 +173,19 @@ std::string fault_of_chain(const A& a,
 template <class A>
 std::string fault_of_locations(const A& a, const Quotient& quotient, const std::vector<std::size_t>& quotient_arcs)
 {
-  const auto locations = a.augmentation.locate_vertices();
+  const auto places = a.augmentation.locate_vertices();
   const auto parallel = a.augmentation.template locate_vertices<CGAL::Parallel_if_available_tag>();
   for(const auto v : vertices(a.mesh))
   {
     const auto& point = quotient.points[quotient.point_of_vertex[a.numbers.vertex(v)]];
-    const std::size_t index = locations.index(v), number_of_nodes = num_vertices(a.graph);
+    const std::size_t index = places.index(v), number_of_nodes = num_vertices(a.graph);
     const bool is_right = point.node != none
                           ? index == point.node
                           : index >= number_of_nodes && quotient_arcs[index - number_of_nodes] == point.arc;
     if(!is_right || parallel.index(v) != index)
       return "vertex " + std::to_string(a.numbers.vertex(v)) + " is at another place";
   }
-  return fault_of_vertex_ranges(a, locations);
+  return fault_of_vertex_ranges(a, places);
 }
 
 // The contours at a value are the strips just above it.
@@ -343,10 +343,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_border_in_one_level_becomes_one_node, Mesh, Mesh
   BOOST_TEST_REQUIRE(num_edges(a.graph) == 1u);
   BOOST_TEST((a.graph[0].kind == Node_kind::MINIMUM));
   BOOST_TEST((a.graph[1].kind == Node_kind::MAXIMUM));
-  const auto locations = a.augmentation.locate_vertices();
+  const auto places = a.augmentation.locate_vertices();
   for(std::size_t node : {0, 1})
   {
-    BOOST_TEST(locations.vertices_of_node(node).size() == around);
+    BOOST_TEST(places.vertices_of_node(node).size() == around);
     const auto set = a.augmentation.critical_set(node);
     BOOST_TEST(set.border_loop.size() == around);
     for(const auto h : set.border_loop)
@@ -357,7 +357,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_border_in_one_level_becomes_one_node, Mesh, Mesh
     BOOST_TEST(set.lower_contours.size() == node);
     BOOST_TEST(set.upper_contours.size() == 1 - node);
   }
-  BOOST_TEST(locations.vertices_of_arc(0).size() == around * (along - 2));
+  BOOST_TEST(places.vertices_of_arc(0).size() == around * (along - 2));
 }
 
 BOOST_AUTO_TEST_CASE(a_component_of_one_value_becomes_an_isolated_node)
@@ -374,14 +374,14 @@ BOOST_AUTO_TEST_CASE(a_component_of_one_value_becomes_an_isolated_node)
       const Augmented_mesh<Surface_mesh> a(mesh, values, Ties::CONTRACT, keeps_degree_two_nodes);
       BOOST_TEST_REQUIRE(num_vertices(a.graph) == 2u);
       BOOST_TEST(num_edges(a.graph) == 0u);
-      const auto locations = a.augmentation.locate_vertices();
+      const auto places = a.augmentation.locate_vertices();
       for(const std::size_t node : {0, 1})
       {
         BOOST_TEST((a.graph[node].kind == Node_kind::ISOLATED));
         BOOST_TEST(a.graph[node].value == 2. + static_cast<double>(node));
       }
-      BOOST_TEST(locations.vertices_of_node(0).size() == component.number_of_vertices);
-      BOOST_TEST(locations.vertices_of_node(1).size() == 7u);
+      BOOST_TEST(places.vertices_of_node(0).size() == component.number_of_vertices);
+      BOOST_TEST(places.vertices_of_node(1).size() == 7u);
     }
 }
 

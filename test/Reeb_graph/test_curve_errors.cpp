@@ -135,12 +135,12 @@ BOOST_AUTO_TEST_CASE(thresholds_that_are_no_thresholds)
   for(const double threshold : {-1., std::numeric_limits<double>::quiet_NaN()})
   {
     BOOST_CHECK_THROW(number_of_branches(CGAL::parameters::persistence_threshold(threshold)),
-                      CGAL::Reeb_graph::Threshold_error);
+                      CGAL::Reeb_graph::Parameter_error);
     BOOST_CHECK_THROW(number_of_branches(CGAL::parameters::area_threshold(threshold)),
-                      CGAL::Reeb_graph::Threshold_error);
+                      CGAL::Reeb_graph::Parameter_error);
     BOOST_CHECK_THROW(number_of_branches(CGAL::parameters::measure_threshold(threshold).branch_measure(
                         [](const auto& b) { return b.weight; })),
-                      CGAL::Reeb_graph::Threshold_error);
+                      CGAL::Reeb_graph::Parameter_error);
   }
   BOOST_TEST(num_vertices(mesh) == 7u);
   BOOST_TEST(number_of_branches(CGAL::parameters::persistence_threshold(1e9)) == 0u);

@@ -330,10 +330,10 @@ std::size_t number_of_leaf_arcs_of_many_vertices(const Mesh& mesh,
                                                  std::size_t threshold)
 {
   Graph simplified;
-  const auto counts = CGAL::Reeb_graph::vertex_counts_of_pieces(
+  const auto counts = CGAL::Reeb_graph::vertex_counts_of_places(
     mesh, graph, CGAL::Reeb_graph::Augmentation<Mesh, ScalarMap>(mesh, values, graph).locate_vertices());
   const auto simplification = CGAL::Reeb_graph::simplify(graph, static_cast<double>(threshold), simplified,
-                                                         CGAL::parameters::piece_weights(counts));
+                                                         CGAL::parameters::place_weights(counts));
   std::vector<double> new_counts(num_vertices(simplified) + num_edges(simplified), 0);
   for(std::size_t place = 0; place < counts.size(); ++place)
     new_counts[place < num_vertices(graph) ? simplification.index_of_node(place)
@@ -388,7 +388,7 @@ BOOST_AUTO_TEST_CASE(measures_of_branches)
       BOOST_CHECK_THROW(number_of_curves(mesh, parameters::branch_measure([](const auto&) {
                                                  return std::nan("");
                                                }).measure_threshold(1)),
-                        CGAL::Reeb_graph::Measure_error);
+                        CGAL::Reeb_graph::Parameter_error);
     }
   BOOST_TEST(number_of_branches > 100u);
 }

@@ -489,9 +489,9 @@ BOOST_AUTO_TEST_CASE(arcs_that_do_not_ascend_cannot_be_drawn)
 {
   Graph graph(2);
   add_edge(1, 0, graph);
-  BOOST_CHECK_THROW(CGAL::Reeb_graph::lay_out_in_plane(graph), CGAL::Reeb_graph::Arc_direction_error);
+  BOOST_CHECK_THROW(CGAL::Reeb_graph::lay_out_in_plane(graph), CGAL::Reeb_graph::Graph_mismatch_error);
   std::ostringstream stream;
-  BOOST_CHECK_THROW(CGAL::Reeb_graph::write_svg(stream, graph), CGAL::Reeb_graph::Arc_direction_error);
+  BOOST_CHECK_THROW(CGAL::Reeb_graph::write_svg(stream, graph), CGAL::Reeb_graph::Graph_mismatch_error);
   BOOST_CHECK_THROW(CGAL::Reeb_graph::write_svg("missing/graph.svg", Graph(1)), CGAL::Reeb_graph::File_error);
 }
 

@@ -469,13 +469,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(contours_next_to_vertices, Mesh, Meshes)
       {
         BOOST_TEST((s.augmentation.contour_below(expected.arc, vertex).halfedges == expected.halfedges));
         BOOST_TEST(s.augmentation.contour_below(expected.arc, vertex).value == s.augmentation.value(vertex));
-        BOOST_CHECK_THROW(s.augmentation.contour_above(expected.arc, vertex), CGAL::Reeb_graph::Level_error);
+        BOOST_CHECK_THROW(s.augmentation.contour_above(expected.arc, vertex), CGAL::Reeb_graph::Parameter_error);
       }
       for(const auto& expected : critical_set.upper_contours)
       {
         BOOST_TEST((s.augmentation.contour_above(expected.arc, vertex).halfedges == expected.halfedges));
         BOOST_TEST(s.augmentation.contour_above(expected.arc, vertex).value == s.augmentation.value(vertex));
-        BOOST_CHECK_THROW(s.augmentation.contour_below(expected.arc, vertex), CGAL::Reeb_graph::Level_error);
+        BOOST_CHECK_THROW(s.augmentation.contour_below(expected.arc, vertex), CGAL::Reeb_graph::Parameter_error);
       }
     }
   });

@@ -138,14 +138,14 @@ struct Surgery
   std::size_t number_of_cuts_at_multi_saddles = 0;
   bool is_longest_contour_cut = false; // of a sublevel component at a vertex
   std::size_t number_of_correction_steps = 0;
-  std::vector<stages::Slab_node> split_tree, classes;
+  std::vector<stages::Tree_node> split_tree, classes;
 };
 
 // Follows each cut from an edge on which it is the lowest one, and looks whether another one is lower elsewhere.
 bool are_several_cuts_on_an_edge(const Complex& complex,
                                  const Order& order,
                                  const stages::Swept_vertices& critical_vertices,
-                                 const stages::Loop_cuts& cuts)
+                                 const stages::Contour_cuts& cuts)
 {
   std::set<stages::Cut_index> followed = {stages::no_index};
   bool are_several = false;
@@ -170,7 +170,7 @@ bool is_longest_lower_contour(const Complex& complex,
                               const stages::Swept_vertices& critical_vertices,
                               stages::Swept_index critical,
                               const Classes& classes,
-                              stages::Slab_node sublevel_class,
+                              stages::Tree_node sublevel_class,
                               std::size_t length_of_cut)
 {
   std::map<stages::Edge_index, std::size_t> lengths; // by the first edge of the contour
@@ -217,14 +217,14 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
     downwards.merge_at(critical);
     if(surgery.can_close_loop(critical))
       surgery.visit_loop_contours(
-        critical, [&](stages::Slab_node sublevel_class, const auto& crossed, bool has_border) {
+        critical, [&](stages::Tree_node sublevel_class, const auto& crossed, bool has_border) {
           downwards.cut(critical, sublevel_class, crossed, has_border);
           number_of_cuts_at_multi_saddles += critical_vertices.number_of_lower_sectors(critical) > 2 ? 1 : 0;
           is_longest_contour_cut |= is_longest_lower_contour(surface.mesh->complex, order, critical_vertices, critical,
                                                              upwards.tree().classes, sublevel_class, crossed.size());
         });
   });
-  stages::Loop_cuts cuts = downwards.take_cuts();
+  stages::Contour_cuts cuts = downwards.take_cuts();
   cuts.register_edges();
   const stages::Merge_tree& tree = downwards.tree();
   return {cuts.size(),

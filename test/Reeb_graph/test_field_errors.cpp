@@ -187,8 +187,8 @@ BOOST_AUTO_TEST_CASE(bad_fields_vectors_and_directions_are_refused)
   const auto compute_height_along = [](const Vector_3& direction) {
     return [direction](Surface_mesh& mesh, Field_map field) { compute_height_field(mesh, field, direction); };
   };
-  check_throws<Direction_error>(small_mesh(), compute_height_along(Vector_3(0, 0, 0)), "direction");
-  check_throws<Direction_error>(small_mesh(), compute_height_along(Vector_3(0, not_a_number, 1)), "direction");
+  check_throws<Parameter_error>(small_mesh(), compute_height_along(Vector_3(0, 0, 0)), "direction");
+  check_throws<Parameter_error>(small_mesh(), compute_height_along(Vector_3(0, not_a_number, 1)), "direction");
   Triangle_soup soup = small_surface();
   soup.points[4] = {infinity, 0, 0};
   check_throws<Non_finite_scalar_error>(make_mesh<Surface_mesh>(soup), compute_height_along(Vector_3(1, 0, 0)),

@@ -143,16 +143,16 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(edits_that_change_the_numbers_of_elements_are_noti
   const Mesh other = mesh;
   graph_checks::Graph_of<Mesh> graph;
   Flat_field flat_field(mesh, constant_map(mesh, 1));
-  BOOST_CHECK_THROW(CGAL::compute_reeb_graph(other, flat_field, graph), CGAL::Reeb_graph::Changed_mesh_error);
+  BOOST_CHECK_THROW(CGAL::compute_reeb_graph(other, flat_field, graph), CGAL::Reeb_graph::Graph_mismatch_error);
   CGAL::compute_reeb_graph(mesh, flat_field, graph);
   BOOST_TEST(num_vertices(graph) == 3u);
   CGAL::Euler::remove_face(halfedge(*faces(mesh).first, mesh), mesh);
-  BOOST_CHECK_THROW(CGAL::compute_reeb_graph(mesh, flat_field, graph), CGAL::Reeb_graph::Changed_mesh_error);
-  BOOST_CHECK_THROW(flat_field.set_values(constant_map(mesh, 2)), CGAL::Reeb_graph::Changed_mesh_error);
+  BOOST_CHECK_THROW(CGAL::compute_reeb_graph(mesh, flat_field, graph), CGAL::Reeb_graph::Graph_mismatch_error);
+  BOOST_CHECK_THROW(flat_field.set_values(constant_map(mesh, 2)), CGAL::Reeb_graph::Graph_mismatch_error);
   flat_field = Flat_field(mesh, constant_map(mesh, 1));
   CGAL::compute_reeb_graph(mesh, flat_field, graph);
   remove_vertex(*std::prev(vertices(mesh).end()), mesh);
-  BOOST_CHECK_THROW(CGAL::compute_reeb_graph(mesh, flat_field, graph), CGAL::Reeb_graph::Changed_mesh_error);
+  BOOST_CHECK_THROW(CGAL::compute_reeb_graph(mesh, flat_field, graph), CGAL::Reeb_graph::Graph_mismatch_error);
 }
 
 BOOST_AUTO_TEST_CASE(collecting_garbage_is_noticed)
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(collecting_garbage_is_noticed)
   const Flat_field flat_field(mesh, constant_map(mesh, 1));
   mesh.collect_garbage();
   graph_checks::Graph_of<Surface_mesh> graph;
-  BOOST_CHECK_THROW(CGAL::compute_reeb_graph(mesh, flat_field, graph), CGAL::Reeb_graph::Changed_mesh_error);
+  BOOST_CHECK_THROW(CGAL::compute_reeb_graph(mesh, flat_field, graph), CGAL::Reeb_graph::Graph_mismatch_error);
 }
 
 namespace {

@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(graphs)
   //! [components]
   // Counts as number_of_components() does, and numbers the component of each node.
   std::vector<std::size_t> component(num_vertices(graph));
-  const std::size_t number = CGAL::Reeb_graph::number_components(
+  const std::size_t number = CGAL::Reeb_graph::connected_components(
     graph, boost::make_iterator_property_map(component.begin(), get(boost::vertex_index, graph)));
   std::vector<Graph::vertex_descriptor> tips;
   CGAL::Reeb_graph::leaves(graph, std::back_inserter(tips));
@@ -228,8 +228,8 @@ BOOST_AUTO_TEST_CASE(way_back)
   //! [measures]
   const auto lengths = CGAL::Reeb_graph::arc_lengths(mesh, scalar_map, graph); // of the chains, as polylines
   const auto areas = CGAL::Reeb_graph::arc_areas(mesh, graph, places);         // they add up to that of the mesh
-  const auto pieces = CGAL::Reeb_graph::areas_of_pieces(mesh, graph, places);  // nodes and arcs apart
-  const auto counts = CGAL::Reeb_graph::vertex_counts_of_pieces(mesh, graph, places);
+  const auto pieces = CGAL::Reeb_graph::areas_of_places(mesh, graph, places);  // nodes and arcs apart
+  const auto counts = CGAL::Reeb_graph::vertex_counts_of_places(mesh, graph, places);
   const auto means = CGAL::Reeb_graph::arc_mean_values(mesh, scalar_map, graph, places); // weighted by area
   //! [measures]
   BOOST_TEST(means.size() == num_edges(graph));
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(way_back)
   Graph simplified;
   //! [simplify]
   namespace parameters = CGAL::parameters;
-  CGAL::Reeb_graph::simplify(graph, 0.5, simplified, parameters::piece_weights(pieces)); // by area
+  CGAL::Reeb_graph::simplify(graph, 0.5, simplified, parameters::place_weights(pieces)); // by area
   CGAL::Reeb_graph::simplify(graph, 0.1, simplified, parameters::cancel_loops(true));    // loops, too
   //! [simplify]
   BOOST_TEST(CGAL::Reeb_graph::number_of_loops(simplified) == 2);

@@ -473,8 +473,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(properties_are_carried_over, Mesh, Meshes)
 BOOST_AUTO_TEST_CASE(bad_sizes_and_points_are_refused_and_it_can_be_cancelled)
 {
   Surface_mesh mesh = make_mesh<Surface_mesh>(generated_surfaces::torus(9, 12));
-  BOOST_CHECK_THROW(remove_handles(mesh, -1), CGAL::Reeb_graph::Threshold_error);
-  BOOST_CHECK_THROW(remove_handles(mesh, std::numeric_limits<double>::quiet_NaN()), CGAL::Reeb_graph::Threshold_error);
+  BOOST_CHECK_THROW(remove_handles(mesh, -1), CGAL::Reeb_graph::Parameter_error);
+  BOOST_CHECK_THROW(remove_handles(mesh, std::numeric_limits<double>::quiet_NaN()), CGAL::Reeb_graph::Parameter_error);
   double last = 0;
   Surface_mesh copy = mesh;
   remove_handles(copy, infinity, parameters::callback([&](double fraction) {

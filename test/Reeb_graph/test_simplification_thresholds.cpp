@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(graphs_without_branches_suggest_nothing)
   BOOST_TEST(thresholds(infinite).empty());
   Graph unordered = comb({30});
   unordered[0].value = std::numeric_limits<double>::quiet_NaN();
-  BOOST_CHECK_THROW(thresholds(unordered), CGAL::Reeb_graph::Measure_error);
+  BOOST_CHECK_THROW(thresholds(unordered), CGAL::Reeb_graph::Parameter_error);
 }
 
 // Without loops, one threshold says how much is left when nothing goes, even if each branch is as long as the range.

@@ -74,18 +74,18 @@ struct Simplified_sample
 
 // The weights of the values of each arc, by its definition: each triangle is cut into thirds, one for each corner. That
 // of a node is cut once more, into a part for each arc there.
-template <class Mesh, class Graph, class Locations>
+template <class Mesh, class Graph, class Places>
 std::vector<std::vector<std::pair<double, double>>> values_of_arcs(const Mesh& mesh,
                                                                    const graph_checks::Scalar_map_of<Mesh>& scalar_map,
                                                                    const Graph& graph,
-                                                                   const Locations& locations)
+                                                                   const Places& places)
 {
   std::vector<std::vector<std::pair<double, double>>> weighted_values(num_edges(graph));
   for(const auto f : CGAL::make_range(faces(mesh)))
     for(const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
     {
       const double third = CGAL::Polygon_mesh_processing::face_area(f, mesh) / 3;
-      const std::size_t place = locations.index(v);
+      const std::size_t place = places.index(v);
       std::vector<std::size_t> arcs;
       for(std::size_t i = 0; i < num_edges(graph); ++i)
       {
@@ -99,15 +99,15 @@ std::vector<std::vector<std::pair<double, double>>> values_of_arcs(const Mesh& m
   return weighted_values;
 }
 
-template <class Mesh, class Graph, class Locations>
+template <class Mesh, class Graph, class Places>
 void check_mean_values(const Mesh& mesh,
                        const graph_checks::Scalar_map_of<Mesh>& scalar_map,
                        const Graph& graph,
-                       const Locations& locations)
+                       const Places& places)
 {
-  const auto means = CGAL::Reeb_graph::arc_mean_values(mesh, scalar_map, graph, locations);
-  const auto areas = CGAL::Reeb_graph::arc_areas(mesh, graph, locations);
-  const auto weighted_values = values_of_arcs(mesh, scalar_map, graph, locations);
+  const auto means = CGAL::Reeb_graph::arc_mean_values(mesh, scalar_map, graph, places);
+  const auto areas = CGAL::Reeb_graph::arc_areas(mesh, graph, places);
+  const auto weighted_values = values_of_arcs(mesh, scalar_map, graph, places);
   BOOST_TEST_REQUIRE(means.size() == num_edges(graph));
   std::size_t i = 0;
   for(const auto arc : CGAL::make_range(edges(graph)))
@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(vertices_are_in_the_place_that_took_them_up, Mesh,
       const Augmentation augmentation(sample.mesh, sample.scalar_map, sample.graph, named_parameters(sample.settings));
       const Augmentation simplified(sample.mesh, sample.scalar_map, sample.simplified,
                                     sample.parameters_of_simplified());
-      const auto old_locations = augmentation.locate_vertices(), locations = simplified.locate_vertices();
+      const auto old_locations = augmentation.locate_vertices(), places = simplified.locate_vertices();
       const auto old_places = boost::make_function_property_map<typename Augmentation::vertex_descriptor>(
         [&](auto v) { return old_locations.index(v); });
       const auto given_locations = simplified.locate_vertices(CGAL::parameters::vertex_place_map(old_places));
@@ -158,20 +158,20 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(vertices_are_in_the_place_that_took_them_up, Mesh,
         const std::size_t old_place = old_locations.index(v), nodes = num_vertices(sample.graph);
         const std::size_t place = old_place < nodes ? sample.simplification.index_of_node(old_place)
                                                     : sample.simplification.index_of_arc(old_place - nodes);
-        number_of_faults += locations.index(v) == place && given_locations.index(v) == place ? 0 : 1;
+        number_of_faults += places.index(v) == place && given_locations.index(v) == place ? 0 : 1;
       }
       for(const auto node : CGAL::make_range(vertices(sample.simplified)))
-        number_of_vertices += locations.vertices_of_node(node).size();
+        number_of_vertices += places.vertices_of_node(node).size();
       for(std::size_t arc = 0; arc != num_edges(sample.simplified); ++arc)
-        number_of_vertices += locations.vertices_of_arc(arc).size();
+        number_of_vertices += places.vertices_of_arc(arc).size();
       BOOST_TEST(number_of_faults == 0u);
       BOOST_TEST(number_of_vertices == num_vertices(sample.mesh));
 
-      const auto counts = CGAL::Reeb_graph::vertex_counts_of_pieces(sample.mesh, sample.simplified, locations);
+      const auto counts = CGAL::Reeb_graph::vertex_counts_of_places(sample.mesh, sample.simplified, places);
       BOOST_TEST(std::accumulate(counts.begin(), counts.end(), 0.) == static_cast<double>(num_vertices(sample.mesh)));
       BOOST_TEST(graph_checks::are_arcs_numbered(sample.simplified));
       check_mean_values(sample.mesh, sample.scalar_map, sample.graph, old_locations);
-      check_mean_values(sample.mesh, sample.scalar_map, sample.simplified, locations);
+      check_mean_values(sample.mesh, sample.scalar_map, sample.simplified, places);
     }
 }
 
@@ -185,9 +185,9 @@ BOOST_AUTO_TEST_CASE(mean_values_of_arcs)
   const auto means_of = [&](const std::vector<double>& values) {
     const auto scalar_map = Reeb_graph::make_scalar_map(mesh, values);
     const auto graph = compute<CGAL::Sequential_tag>(mesh, scalar_map, Settings());
-    const auto locations = Reeb_graph::Augmentation(mesh, scalar_map, graph).locate_vertices();
-    return std::make_pair(Reeb_graph::arc_mean_values(mesh, scalar_map, graph, locations),
-                          Reeb_graph::arc_areas(mesh, graph, locations));
+    const auto places = Reeb_graph::Augmentation(mesh, scalar_map, graph).locate_vertices();
+    return std::make_pair(Reeb_graph::arc_mean_values(mesh, scalar_map, graph, places),
+                          Reeb_graph::arc_areas(mesh, graph, places));
   };
   const auto [means, areas] = means_of(sample.values);
   double integral = 0;
@@ -294,20 +294,20 @@ BOOST_AUTO_TEST_CASE(simplification_by_area_and_by_number_of_vertices)
   const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, sample.values);
   const auto graph = compute<CGAL::Sequential_tag>(mesh, scalar_map, Settings());
   const CGAL::Reeb_graph::Augmentation augmentation(mesh, scalar_map, graph);
-  const auto locations = augmentation.locate_vertices();
-  const auto counts = CGAL::Reeb_graph::vertex_counts_of_pieces(mesh, graph, locations);
-  const auto areas = CGAL::Reeb_graph::areas_of_pieces(mesh, graph, locations);
+  const auto places = augmentation.locate_vertices();
+  const auto counts = CGAL::Reeb_graph::vertex_counts_of_places(mesh, graph, places);
+  const auto areas = CGAL::Reeb_graph::areas_of_places(mesh, graph, places);
   BOOST_TEST(std::accumulate(areas.begin(), areas.end(), 0.) == CGAL::Polygon_mesh_processing::area(mesh),
              boost::test_tools::tolerance(1e-9));
-  const auto areas_of_arcs = CGAL::Reeb_graph::arc_areas(mesh, graph, locations);
+  const auto areas_of_arcs = CGAL::Reeb_graph::arc_areas(mesh, graph, places);
   BOOST_TEST(areas_of_arcs.size() == num_edges(graph));
   BOOST_TEST(std::accumulate(areas_of_arcs.begin(), areas_of_arcs.end(), 0.)
                == CGAL::Polygon_mesh_processing::area(mesh),
              boost::test_tools::tolerance(1e-9));
   const double area = std::accumulate(areas.begin(), areas.end(), 0.);
   std::decay_t<decltype(graph)> by_count, by_area;
-  const auto map = CGAL::Reeb_graph::simplify(graph, 50, by_count, CGAL::parameters::piece_weights(counts));
-  CGAL::Reeb_graph::simplify(graph, area / 40, by_area, CGAL::parameters::piece_weights(areas));
+  const auto map = CGAL::Reeb_graph::simplify(graph, 50, by_count, CGAL::parameters::place_weights(counts));
+  CGAL::Reeb_graph::simplify(graph, area / 40, by_area, CGAL::parameters::place_weights(areas));
   for(const auto* simplified : {&by_count, &by_area})
   {
     BOOST_TEST(num_vertices(*simplified) < num_vertices(graph) / 4);

@@ -331,11 +331,11 @@ BOOST_AUTO_TEST_CASE(other_measures)
   weights[0] = 0;  // node 0
   weights[10] = 7; // arc 3-5
   Graph result;
-  auto map = CGAL::Reeb_graph::simplify(graph, 1.5, result, parameters::piece_weights(weights));
+  auto map = CGAL::Reeb_graph::simplify(graph, 1.5, result, parameters::place_weights(weights));
   BOOST_TEST(num_vertices(result) == 4u); // without node 0
   BOOST_TEST(result[0].vertex == 1u);
   BOOST_TEST(map.index_of_node(0) == 4u);
-  map = CGAL::Reeb_graph::simplify(graph, 2.5, result, parameters::piece_weights(weights));
+  map = CGAL::Reeb_graph::simplify(graph, 2.5, result, parameters::place_weights(weights));
   BOOST_TEST(num_vertices(result) == 2u);
   BOOST_TEST(result[1].vertex == 5u);
 
@@ -358,18 +358,18 @@ BOOST_AUTO_TEST_CASE(bad_input)
   using namespace CGAL::Reeb_graph;
   const Graph graph = random_graphs::make_graph(4, {{0, 2}, {1, 2}, {2, 3}});
   Graph result = graph;
-  BOOST_CHECK_THROW(simplify(graph, -1, result), Threshold_error);
-  BOOST_CHECK_THROW(simplify(graph, std::nan(""), result), Threshold_error);
-  BOOST_CHECK_THROW(simplify(graph, 1, result, parameters::piece_weights(std::vector<double>(6))), Piece_count_error);
-  BOOST_CHECK_THROW(simplify(graph, 1, result, parameters::piece_weights(std::vector<double>(7, std::nan("")))),
-                    Measure_error);
+  BOOST_CHECK_THROW(simplify(graph, -1, result), Parameter_error);
+  BOOST_CHECK_THROW(simplify(graph, std::nan(""), result), Parameter_error);
+  BOOST_CHECK_THROW(simplify(graph, 1, result, parameters::place_weights(std::vector<double>(6))), Parameter_error);
+  BOOST_CHECK_THROW(simplify(graph, 1, result, parameters::place_weights(std::vector<double>(7, std::nan("")))),
+                    Parameter_error);
   BOOST_CHECK_THROW(simplify(graph, 1, result, parameters::branch_measure([](const auto&) { return std::nan(""); })),
-                    Measure_error);
-  BOOST_CHECK_THROW(simplify(random_graphs::make_graph(2, {{1, 0}}), 1, result), Arc_direction_error);
+                    Parameter_error);
+  BOOST_CHECK_THROW(simplify(random_graphs::make_graph(2, {{1, 0}}), 1, result), Graph_mismatch_error);
   BOOST_TEST(num_vertices(result) == 4u);
   const auto map = simplify(graph, 1, result);
-  BOOST_CHECK_THROW(map[4], Unknown_node_error);
-  BOOST_CHECK_THROW(map.location_of_arc(3), Unknown_arc_error);
+  BOOST_CHECK_THROW(map[4], Graph_mismatch_error);
+  BOOST_CHECK_THROW(map.place_of_arc(3), Graph_mismatch_error);
 }
 
 BOOST_AUTO_TEST_CASE(the_arcs_of_a_simplified_tree_are_those_of_enough_persistence)

@@ -376,10 +376,10 @@ BOOST_AUTO_TEST_CASE(wrong_ratios_and_points_are_refused)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for(const double ratio : {-1., nan})
     BOOST_CHECK_THROW(extract_curve_skeleton(mesh, skeleton, parameters::pruning_ratio(ratio)),
-                      CGAL::Reeb_graph::Skeleton_ratio_error);
+                      CGAL::Reeb_graph::Parameter_error);
   for(const double ratio : {0., -1., 1e9, nan})
     BOOST_CHECK_THROW(extract_curve_skeleton(mesh, skeleton, parameters::sampling_ratio(ratio)),
-                      CGAL::Reeb_graph::Skeleton_ratio_error);
+                      CGAL::Reeb_graph::Parameter_error);
   BOOST_CHECK_THROW(extract_curve_skeleton(mesh, skeleton, parameters::callback([](double) { return false; })),
                     CGAL::Reeb_graph::Cancelled_error);
   mesh.point(*mesh.vertices().begin()) = Surface_mesh::Point(nan, 0, 0);

@@ -30,7 +30,7 @@
 #include <type_traits>
 #include <vector>
 
-// From the graph of any complex back to it: contours, critical sets and locations against the oracle.
+// From the graph of any complex back to it: contours, critical sets and places against the oracle.
 
 BOOST_AUTO_TEST_SUITE(test_soup_augmentation)
 
@@ -58,9 +58,9 @@ void check_complex(const Complex& complex, const std::vector<double>& values, Ti
                                      np.vertex_place_map(places.data()));
     const Soup_augmentation augmentation(complex.number_of_vertices, complex.triangles, values, graph, np);
     Augmentation_check(complex, values, oracle, augmentation).run(ties);
-    const auto locations = augmentation.locate_vertices();
+    const auto places = augmentation.locate_vertices();
     for(std::size_t v = 0; v != places.size(); ++v)
-      BOOST_TEST(places[v] == locations.index(v));
+      BOOST_TEST(places[v] == places.index(v));
   }
   else
   {
@@ -69,9 +69,9 @@ void check_complex(const Complex& complex, const std::vector<double>& values, Ti
                                            np.vertex_place_map(places.data()));
     const Tetrahedra_augmentation augmentation(complex.number_of_vertices, complex.tetrahedra, values, graph, np);
     Augmentation_check(complex, values, oracle, augmentation).run(ties);
-    const auto locations = augmentation.locate_vertices();
+    const auto places = augmentation.locate_vertices();
     for(std::size_t v = 0; v != places.size(); ++v)
-      BOOST_TEST(places[v] == locations.index(v));
+      BOOST_TEST(places[v] == places.index(v));
   }
 }
 } // namespace
@@ -149,13 +149,13 @@ BOOST_AUTO_TEST_CASE(graphs_and_arguments_that_do_not_fit)
   }
 
   // what the graph and the soup do not have
-  BOOST_CHECK_THROW(augmentation.contour(broken_arc, 0.5), Unknown_arc_error);
+  BOOST_CHECK_THROW(augmentation.contour(broken_arc, 0.5), Graph_mismatch_error);
   BOOST_CHECK_THROW(augmentation.contour_above(arc, 5), Unknown_vertex_error);
   BOOST_CHECK_THROW(augmentation.contour_below(arc, std::size_t(1) << 32), Unknown_vertex_error);
   BOOST_CHECK_THROW(augmentation.value(5), Unknown_vertex_error);
-  BOOST_CHECK_THROW(augmentation.critical_set(num_vertices(graph)), Unknown_node_error);
-  BOOST_CHECK_THROW(augmentation.contour_at_value(arc, -1), Level_error);
-  BOOST_CHECK_THROW(augmentation.contour_at_value(arc, 4), Level_error);
+  BOOST_CHECK_THROW(augmentation.critical_set(num_vertices(graph)), Graph_mismatch_error);
+  BOOST_CHECK_THROW(augmentation.contour_at_value(arc, -1), Parameter_error);
+  BOOST_CHECK_THROW(augmentation.contour_at_value(arc, 4), Parameter_error);
   const std::vector<double> infinite(5, std::numeric_limits<double>::infinity());
   BOOST_CHECK_THROW(
     augmentation.contour(
@@ -217,10 +217,10 @@ BOOST_AUTO_TEST_CASE(the_way_back_from_a_simplified_graph)
       const Soup_augmentation augmentation(values.size(), complex.triangles, values, graph, np);
       const Soup_augmentation of_simplified(values.size(), complex.triangles, values, simplified,
                                             np.simplification(simplification));
-      const auto locations = augmentation.locate_vertices(), new_locations = of_simplified.locate_vertices();
+      const auto places = augmentation.locate_vertices(), new_locations = of_simplified.locate_vertices();
       for(std::size_t v = 0; v < values.size(); ++v)
       {
-        const std::size_t place = locations.index(v);
+        const std::size_t place = places.index(v);
         const std::size_t expected = place < num_vertices(graph)
                                      ? simplification.index_of_node(place)
                                      : simplification.index_of_arc(place - num_vertices(graph));
@@ -250,21 +250,21 @@ BOOST_AUTO_TEST_CASE(climbing_gives_the_arcs_of_complexes_that_sweeping_gives)
       const auto np = CGAL::parameters::keep_degree_two_nodes(true).edges(complex.edges);
       Graph graph;
       CGAL::compute_reeb_graph_of_soup(size, complex.triangles, values, graph, np);
-      const auto locations = Soup_augmentation(size, complex.triangles, values, graph, np).locate_vertices();
+      const auto places = Soup_augmentation(size, complex.triangles, values, graph, np).locate_vertices();
 
       const CGAL::Reeb_graph_soup_traits<double> traits;
       const auto soup = internal::flatten_cells<Tag, 3>(size, complex.triangles, complex.edges, values, traits);
       const internal::Vertex_order order(soup.values, traits.less_scalar_object());
       const auto critical_vertices = internal::classify_vertices<Tag>(soup.complex, order);
-      internal::Climbing_queries queries(soup.complex, order, critical_vertices);
+      internal::Locate_by_climbing queries(soup.complex, order, critical_vertices);
       const internal::Slab slab(soup.complex, critical_vertices);
       const auto arcs = internal::Contour_trees_engine(slab, order).find_arcs<Tag>(internal::No_progress(), queries);
       const internal::Arc_of_vertex arc_of_vertex = queries.take_arc_of_vertex();
       const std::vector<arc_descriptor> graph_arcs(edges(graph).first, edges(graph).second);
       for(std::size_t v = 0; v < size; ++v)
       {
-        const std::size_t place = locations.index(v);
-        const internal::Slab_arc_index arc = arc_of_vertex[internal::Vertex_index(v)];
+        const std::size_t place = places.index(v);
+        const internal::Swept_arc_index arc = arc_of_vertex[internal::Vertex_index(v)];
         BOOST_TEST((arc == internal::no_index) == (place < num_vertices(graph)));
         if(arc == internal::no_index || place < num_vertices(graph))
           continue;

@@ -39,7 +39,7 @@ struct Graph_of_surface : Surface_with_field
   {
     CGAL::compute_reeb_graph(mesh, field, graph);
     augmentation = std::make_unique<Surface_augmentation>(mesh, field, graph);
-    locations = std::make_unique<Surface_augmentation::Vertex_locations>(augmentation->locate_vertices());
+    places = std::make_unique<Surface_augmentation::Vertex_places>(augmentation->locate_vertices());
     embedding = CGAL::Reeb_graph::embed(*augmentation, parameters::embedding_manner(Embedding_manner::STRAIGHT));
     std::ostringstream text;
     write_graphml(text, graph, get(boost::vertex_index, mesh), make_halfedge_index_map(mesh));
@@ -49,7 +49,7 @@ struct Graph_of_surface : Surface_with_field
 
   Graph graph;
   std::unique_ptr<const Surface_augmentation> augmentation;
-  std::unique_ptr<const Surface_augmentation::Vertex_locations> locations;
+  std::unique_ptr<const Surface_augmentation::Vertex_places> places;
   Embedding<Point> embedding;
   std::string graphml;
   double range;
@@ -138,12 +138,12 @@ Functions functions_of_augmentation()
        CGAL::Reeb_graph::embed(*s.augmentation);
        return std::size_t(0);
      }},
-    {"vertex_counts_of_pieces",
-     [](const Subject& s) { return 0 * vertex_counts_of_pieces(s.mesh, s.graph, *s.locations).size(); }},
-    {"areas_of_pieces", [](const Subject& s) { return 0 * areas_of_pieces(s.mesh, s.graph, *s.locations).size(); }},
-    {"arc_areas", [](const Subject& s) { return 0 * arc_areas(s.mesh, s.graph, *s.locations).size(); }},
+    {"vertex_counts_of_places",
+     [](const Subject& s) { return 0 * vertex_counts_of_places(s.mesh, s.graph, *s.places).size(); }},
+    {"areas_of_places", [](const Subject& s) { return 0 * areas_of_places(s.mesh, s.graph, *s.places).size(); }},
+    {"arc_areas", [](const Subject& s) { return 0 * arc_areas(s.mesh, s.graph, *s.places).size(); }},
     {"arc_mean_values",
-     [](const Subject& s) { return 0 * arc_mean_values(s.mesh, s.field, s.graph, *s.locations).size(); }},
+     [](const Subject& s) { return 0 * arc_mean_values(s.mesh, s.field, s.graph, *s.places).size(); }},
     {"arc_lengths",
      [](const Subject& s) {
        std::size_t sum = 0;
@@ -210,7 +210,7 @@ Functions functions_of_graphs()
      [](const Subject& s) {
        std::vector<double> result(s.mesh.number_of_vertices());
        const auto places =
-         boost::make_function_property_map<Mesh::Vertex_index>([&](auto v) { return s.locations->index(v); });
+         boost::make_function_property_map<Mesh::Vertex_index>([&](auto v) { return s.places->index(v); });
        try
        {
          simplify_field(s.mesh, s.field, s.graph, 0.2 * s.range, make_scalar_map(s.mesh, result),

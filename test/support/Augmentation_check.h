@@ -104,21 +104,21 @@ public:
     const auto fault = complex_oracle::fault_of_arcs(oracle, graph, ties);
     BOOST_REQUIRE(fault.first == "");
     oracle_arcs = fault.second;
-    const auto locations = augmentation.locate_vertices();
+    const auto places = augmentation.locate_vertices();
     for(std::size_t v = 0; v < oracle.heights.size(); ++v)
     {
       const auto& point = oracle.points[oracle.point_of_vertex[v]];
-      const auto location = locations[v];
+      const auto place = places[v];
       if(point.node != none)
-        BOOST_TEST((location == typename Augmentation::Vertex_locations::Location(point.node)));
+        BOOST_TEST((place == typename Augmentation::Vertex_places::Place(point.node)));
       else
       {
-        BOOST_REQUIRE(std::holds_alternative<arc_descriptor>(location));
-        BOOST_TEST(oracle_arcs[locations.index(v) - num_vertices(graph)] == point.arc);
-        BOOST_TEST((std::get<arc_descriptor>(location) == arcs[locations.index(v) - num_vertices(graph)]));
+        BOOST_REQUIRE(std::holds_alternative<arc_descriptor>(place));
+        BOOST_TEST(oracle_arcs[places.index(v) - num_vertices(graph)] == point.arc);
+        BOOST_TEST((std::get<arc_descriptor>(place) == arcs[places.index(v) - num_vertices(graph)]));
       }
     }
-    check_lists(locations);
+    check_lists(places);
   }
 
 private:
@@ -150,10 +150,10 @@ private:
       const std::vector<std::size_t> expected = strip_of_arc(oracle, height, oracle_arcs[i]);
       if(expected.empty())
       {
-        BOOST_CHECK_THROW(augmentation.contour_above(arcs[i], below), CGAL::Reeb_graph::Level_error);
-        BOOST_CHECK_THROW(augmentation.contour_below(arcs[i], above), CGAL::Reeb_graph::Level_error);
+        BOOST_CHECK_THROW(augmentation.contour_above(arcs[i], below), CGAL::Reeb_graph::Parameter_error);
+        BOOST_CHECK_THROW(augmentation.contour_below(arcs[i], above), CGAL::Reeb_graph::Parameter_error);
         if(is_value)
-          BOOST_CHECK_THROW(augmentation.contour_at_value(arcs[i], values[below]), CGAL::Reeb_graph::Level_error);
+          BOOST_CHECK_THROW(augmentation.contour_at_value(arcs[i], values[below]), CGAL::Reeb_graph::Parameter_error);
         continue;
       }
       const auto contour = augmentation.contour_above(arcs[i], below);
@@ -229,19 +229,19 @@ private:
     BOOST_TEST(set.star == star);
   }
 
-  void check_lists(const typename Augmentation::Vertex_locations& locations)
+  void check_lists(const typename Augmentation::Vertex_places& places)
   {
     std::size_t number_of_vertices = 0;
     for(std::size_t i = 0; i < arcs.size(); ++i)
-      for(const std::size_t v : locations.vertices_of_arc(i))
+      for(const std::size_t v : places.vertices_of_arc(i))
       {
-        BOOST_TEST(locations.index(v) == num_vertices(graph) + i);
+        BOOST_TEST(places.index(v) == num_vertices(graph) + i);
         ++number_of_vertices;
       }
     for(std::size_t node = 0; node < num_vertices(graph); ++node)
-      number_of_vertices += locations.vertices_of_node(node).size();
+      number_of_vertices += places.vertices_of_node(node).size();
     BOOST_TEST(number_of_vertices == values.size());
-    BOOST_CHECK_THROW(locations[values.size()], CGAL::Reeb_graph::Unknown_vertex_error);
+    BOOST_CHECK_THROW(places[values.size()], CGAL::Reeb_graph::Unknown_vertex_error);
   }
 
   const Complex& complex;

@@ -290,7 +290,7 @@ std::string fault_of_contour_at_value(const A& a,
       if(!is_alive || single.halfedges != contour->halfedges || single.value != contour->value)
         return "the contour of an arc at a value is not the one among those of all arcs";
     }
-    catch(const CGAL::Reeb_graph::Level_error&)
+    catch(const CGAL::Reeb_graph::Parameter_error&)
     {
       if(is_alive)
         return "a contour of an arc at a value is refused";
@@ -336,24 +336,24 @@ std::string fault_of_level_sets(const A& a, const Oracle_contours& oracle_contou
 }
 
 // Each vertex is among the vertices of its place, and these ascend.
-template <class A, class Locations>
-std::string fault_of_vertex_ranges(const A& a, const Locations& locations)
+template <class A, class Places>
+std::string fault_of_vertex_ranges(const A& a, const Places& vertex_places)
 {
   std::size_t size = 0;
   for(std::size_t place = 0; place < num_vertices(a.graph) + a.arcs.size(); ++place)
   {
     const bool is_node = place < num_vertices(a.graph);
     const auto range =
-      is_node ? locations.vertices_of_node(place) : locations.vertices_of_arc(place - num_vertices(a.graph));
+      is_node ? vertex_places.vertices_of_node(place) : vertex_places.vertices_of_arc(place - num_vertices(a.graph));
     std::vector<std::pair<typename A::Scalar, std::size_t>> keys;
     for(const auto v : range)
     {
       keys.emplace_back(a.values[a.numbers.vertex(v)], a.numbers.vertex(v));
-      const auto location = get(locations, v);
-      typedef typename Locations::Location Location;
-      const bool is_right = is_node ? location == Location(typename Locations::node_descriptor(place))
-                                    : location == Location(a.arcs[place - num_vertices(a.graph)]);
-      if(locations.index(v) != place || !is_right)
+      const auto vertex_place = get(vertex_places, v);
+      typedef typename Places::Place Place;
+      const bool is_right = is_node ? vertex_place == Place(typename Places::node_descriptor(place))
+                                    : vertex_place == Place(a.arcs[place - num_vertices(a.graph)]);
+      if(vertex_places.index(v) != place || !is_right)
         return "a vertex is among those of another place";
     }
     if(!std::is_sorted(keys.begin(), keys.end()))
@@ -368,23 +368,23 @@ template <class A>
 std::string fault_of_locations(const A& a, const Oracle& oracle)
 {
   const auto arcs = arcs_of_oracle(a, oracle);
-  const auto locations = a.augmentation.locate_vertices();
+  const auto vertex_places = a.augmentation.locate_vertices();
   const auto parallel = a.augmentation.template locate_vertices<CGAL::Parallel_if_available_tag>();
   typedef typename A::Augmentation::node_descriptor node_descriptor;
   for(const auto v : vertices(a.mesh))
   {
-    const std::size_t number = a.numbers.vertex(v), index = locations.index(v);
-    const auto location = locations[v];
+    const std::size_t number = a.numbers.vertex(v), index = vertex_places.index(v);
+    const auto vertex_place = vertex_places[v];
     const std::string name = "vertex " + std::to_string(number);
-    if(oracle.is_node(number) != std::holds_alternative<node_descriptor>(location))
+    if(oracle.is_node(number) != std::holds_alternative<node_descriptor>(vertex_place))
       return name + " is at an arc instead of a node, or the other way round";
-    if(oracle.is_node(number) ? a.graph[std::get<node_descriptor>(location)].vertex != v
+    if(oracle.is_node(number) ? a.graph[std::get<node_descriptor>(vertex_place)].vertex != v
                               : arcs[index - num_vertices(a.graph)] != oracle.arc_of_vertex[number])
       return name + " is at another place";
     if(parallel.index(v) != index)
       return name + " has another place in parallel";
   }
-  return fault_of_vertex_ranges(a, locations);
+  return fault_of_vertex_ranges(a, vertex_places);
 }
 
 // The faces are those at v, each counterclockwise of the one before.

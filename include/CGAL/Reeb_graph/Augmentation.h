@@ -20,7 +20,7 @@
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/way_back/Arc_contours.h>
 #include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
-#include <CGAL/Reeb_graph/internal/way_back/Vertex_places.h>
+#include <CGAL/Reeb_graph/internal/way_back/find_vertex_places.h>
 #include <CGAL/Reeb_graph/internal/way_back/locate_vertices.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
@@ -56,25 +56,25 @@ namespace CGAL::Reeb_graph {
 ///
 /// \cgalModels{ReadablePropertyMap}
 template <class VertexDescriptor, class ReebGraph>
-class Vertex_locations
+class Vertex_places
 {
 public:
   typedef typename boost::graph_traits<ReebGraph>::vertex_descriptor node_descriptor; ///< a node of the graph
   typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor;    ///< an arc of the graph
 
-  /// a node or an arc: `std::holds_alternative<arc_descriptor>(location)`, `std::get<arc_descriptor>(location)`
-  typedef std::variant<node_descriptor, arc_descriptor> Location;
+  /// a node or an arc: `std::holds_alternative<arc_descriptor>(place)`, `std::get<arc_descriptor>(place)`
+  typedef std::variant<node_descriptor, arc_descriptor> Place;
 
   typedef VertexDescriptor key_type;                            ///< the key type
-  typedef Location value_type;                                  ///< the value type
-  typedef Location reference;                                   ///< the same
+  typedef Place value_type;                                     ///< the value type
+  typedef Place reference;                                      ///< the same
   typedef boost::readable_property_map_tag category;            ///< the category
   typedef Iterator_range<const VertexDescriptor*> Vertex_range; ///< the type of a range of vertices
 
   /// returns the place of the vertex `v`: the node that it belongs to, or the arc that passes it.
   ///
   /// \exception Unknown_vertex_error if the mesh had no such vertex
-  Location operator[](VertexDescriptor v) const
+  Place operator[](VertexDescriptor v) const
   {
     const std::size_t place = index(v);
     if(place < number_of_nodes_)
@@ -102,14 +102,14 @@ public:
   Vertex_range vertices_of_arc(std::size_t i) const { return (*lists_)(number_of_nodes_ + i); }
 
   /// returns the place of `v`.
-  friend Location get(const Vertex_locations& locations, VertexDescriptor v) { return locations[v]; }
+  friend Place get(const Vertex_places& places, VertexDescriptor v) { return places[v]; }
 
 #ifndef DOXYGEN_RUNNING
-  Vertex_locations(std::function<internal::Vertex_index(VertexDescriptor)> position,
-                   std::size_t number_of_nodes,
-                   std::vector<arc_descriptor> arcs,
-                   std::shared_ptr<const internal::Vertex_places> places,
-                   std::shared_ptr<const internal::Vertex_lists<VertexDescriptor>> lists)
+  Vertex_places(std::function<internal::Vertex_index(VertexDescriptor)> position,
+                std::size_t number_of_nodes,
+                std::vector<arc_descriptor> arcs,
+                std::shared_ptr<const internal::Place_of_vertex> places,
+                std::shared_ptr<const internal::Vertex_lists<VertexDescriptor>> lists)
     : position_(std::move(position)),
       number_of_nodes_(number_of_nodes),
       arcs_(std::move(arcs)),
@@ -122,7 +122,7 @@ private:
   std::function<internal::Vertex_index(VertexDescriptor)> position_;
   std::size_t number_of_nodes_;
   std::vector<arc_descriptor> arcs_;
-  std::shared_ptr<const internal::Vertex_places> places_; // nodes come first, then arcs
+  std::shared_ptr<const internal::Place_of_vertex> places_; // nodes come first, then arcs
   std::shared_ptr<const internal::Vertex_lists<VertexDescriptor>> lists_;
 };
 
@@ -137,8 +137,8 @@ private:
 ///
 /// The graph has to outlive it and must not change. It can be neither copied nor moved. All member functions can be
 /// called from several threads at a time. Those that return contours throw `Graph_mismatch_error` if the chain of an
-/// arc does not lead to them. `Unknown_arc_error`, `Unknown_node_error` and `Unknown_vertex_error` are thrown for an arc,
-/// a node and a vertex that is none of the graph or the mesh.
+/// arc does not lead to them, and for an arc or a node that is none of the graph. `Unknown_vertex_error` is thrown for a
+/// vertex that is none of the mesh.
 ///
 /// \tparam GraphOnMesh unspecified: a graph with the mesh that it is of
 template <class GraphOnMesh>
@@ -165,7 +165,7 @@ public:
   /// a critical set: `Reeb_graph::Critical_set` on a mesh, else `Soup_critical_set`
   typedef typename GraphOnMesh::Critical_set Critical_set;
   /// the places of all vertices
-  typedef Reeb_graph::Vertex_locations<vertex_descriptor, Graph> Vertex_locations;
+  typedef Reeb_graph::Vertex_places<vertex_descriptor, Graph> Vertex_places;
 
   /// returns the mesh.
   const Mesh& mesh() const { return on_mesh_.mesh(); }
@@ -205,14 +205,14 @@ public:
 
   /// \brief returns the contour of an arc at the level just above the last vertex of value at most `value`.
   ///
-  /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher, and its upper
+  /// \exception Parameter_error if the arc has no contour at that level: its lower node must not be higher, and its upper
   ///            node must be higher than `value`
   Contour contour_at_value(arc_descriptor arc, const Scalar& value) const { return contours_.at_value(arc, value); }
 
   /// \brief returns the contour of an arc at the level just below a vertex, which the contour need not be near. Just
   /// below the upper node of the arc, it is one of the critical set of that.
   ///
-  /// \exception Level_error if the arc has no contour at that level: its lower node must be lower than `v`, and its
+  /// \exception Parameter_error if the arc has no contour at that level: its lower node must be lower than `v`, and its
   ///            upper node must not be; if ties are contracted, in value
   Contour contour_below(arc_descriptor arc, vertex_descriptor v) const
   {
@@ -222,7 +222,7 @@ public:
   /// \brief returns the contour of an arc at the level just above a vertex, which the contour need not be near. Just
   /// above the lower node of the arc, it is one of the critical set of that.
   ///
-  /// \exception Level_error if the arc has no contour at that level: its lower node must not be higher than `v`, and
+  /// \exception Parameter_error if the arc has no contour at that level: its lower node must not be higher than `v`, and
   ///            its upper node must be; if ties are contracted, in value
   Contour contour_above(arc_descriptor arc, vertex_descriptor v) const
   {
@@ -264,10 +264,10 @@ public:
   ///            `vertex_place_map` has a number that is none of a place
   /// \exception Cancelled_error if `callback` returns `false`
   template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
-  Vertex_locations locate_vertices(const NamedParameters& np = parameters::default_values()) const
+  Vertex_places locate_vertices(const NamedParameters& np = parameters::default_values()) const
   {
-    return internal::locate_vertices<ConcurrencyTag, Vertex_locations>(on_mesh_, ties_, are_degree_two_nodes_kept_,
-                                                                       simplified_places_, np);
+    return internal::locate_vertices<ConcurrencyTag, Vertex_places>(on_mesh_, ties_, are_degree_two_nodes_kept_,
+                                                                    simplified_places_, np);
   }
 
 #ifndef DOXYGEN_RUNNING
@@ -331,8 +331,9 @@ class Augmentation
 #ifdef DOXYGEN_RUNNING
   : public Basic_augmentation<unspecified_type>
 #else
-  : public Basic_augmentation<internal::After<internal::Field_and_graph<FaceListGraph, ScalarMap, ReebGraph, Traits>,
-                                              internal::Graph_on_mesh<FaceListGraph, ReebGraph, Traits>>>
+  : public Basic_augmentation<
+      internal::Checked_type<internal::Field_and_graph<FaceListGraph, ScalarMap, ReebGraph, Traits>,
+                             internal::Graph_on_mesh<FaceListGraph, ReebGraph, Traits>>>
 #endif
 {
   typedef Basic_augmentation<internal::Graph_on_mesh<FaceListGraph, ReebGraph, Traits>> Base;

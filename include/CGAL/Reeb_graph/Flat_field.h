@@ -43,7 +43,7 @@ namespace CGAL::Reeb_graph {
 /// been made with it, keep the one that they have.
 ///
 /// <b>The mesh must stay as it is.</b> It has to outlive the object, in its place in memory. After an edit, each use of
-/// the object compares the numbers of vertices, edges and faces, and throws `Changed_mesh_error` if they are others. An
+/// the object compares the numbers of vertices, edges and faces, and throws `Graph_mismatch_error` if they are others. An
 /// edit that keeps the numbers, such as the flip of an edge, is not noticed. The connectivity of a `Surface_mesh` is
 /// seen and not copied, so results are then undefined. On any other mesh, they are those of the mesh as it was. Points
 /// may move. A change of the scalar map that the values came from has no effect until `set_values()`.
@@ -89,7 +89,7 @@ public:
   /// \param scalar_map another scalar field on the mesh; of any type, but its values convert to `Scalar`
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `geom_traits`
   ///
-  /// \exception Changed_mesh_error if the mesh has another number of vertices, edges or faces than before
+  /// \exception Graph_mismatch_error if the mesh has another number of vertices, edges or faces than before
   /// \exception Unordered_scalar_error if a scalar value is NaN
   ///
   /// When one of these is thrown, the object is as it was before.
@@ -120,7 +120,7 @@ public:
 #ifndef DOXYGEN_RUNNING
   typedef internal::Flat_values<FaceListGraph, Scalar> Flat_values;
 
-  // What all functions share that take the field as scalar map of `mesh`.
+  // Values that all functions share which take the field as scalar map of `mesh`.
   std::shared_ptr<const Flat_values> flat_values(const FaceListGraph& mesh) const
   {
     check_mesh(mesh);
@@ -148,7 +148,7 @@ private:
   void check_mesh(const FaceListGraph& mesh) const
   {
     if(&mesh != mesh_ || internal::count_elements(mesh) != counts_)
-      throw Changed_mesh_error();
+      throw Graph_mismatch_error("the mesh is another one than that of the flat field, or has been changed since");
   }
 
   reference value(const key_type& vertex) const

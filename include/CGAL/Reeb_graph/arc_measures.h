@@ -43,27 +43,24 @@ class Tetrahedra_augmentation;
 
 namespace internal {
 
-// Adds equal parts of the measure of a face, or of a cell, to the pieces of its vertices.
-template <class VertexLocations, class VertexRange>
-void add_to_pieces(double measure,
-                   const VertexRange& vertices,
-                   const VertexLocations& locations,
-                   std::vector<double>& pieces)
+// Adds equal parts of the measure of a face, or of a cell, to the sums of its vertices.
+template <class VertexPlaces, class VertexRange>
+void add_to_places(double measure, const VertexRange& vertices, const VertexPlaces& places, std::vector<double>& sums)
 {
   for(const auto v : vertices)
-    pieces.at(locations.index(v)) += measure / static_cast<double>(std::size(vertices));
+    sums.at(places.index(v)) += measure / static_cast<double>(std::size(vertices));
 }
 
-// What belongs to each arc after what belongs to a node has been shared out equally among the arcs there.
+// Measures of arcs: each node shares its own out equally among the arcs there.
 template <class ReebGraph>
-std::vector<double> measures_of_arcs(const ReebGraph& graph, const std::vector<double>& pieces)
+std::vector<double> measures_of_arcs(const ReebGraph& graph, const std::vector<double>& sums)
 {
-  std::vector<double> result(pieces.begin() + static_cast<std::ptrdiff_t>(num_vertices(graph)), pieces.end());
+  std::vector<double> result(sums.begin() + static_cast<std::ptrdiff_t>(num_vertices(graph)), sums.end());
   std::size_t arc_number = 0;
   for(const auto arc : CGAL::make_range(edges(graph)))
   {
     for(const auto node : {source(arc, graph), target(arc, graph)})
-      result[arc_number] += pieces[node] / static_cast<double>(degree(node, graph));
+      result[arc_number] += sums[node] / static_cast<double>(degree(node, graph));
     ++arc_number;
   }
   return result;
@@ -113,38 +110,38 @@ void visit_cells(const Tetrahedra_augmentation<Scalar, ReebGraph, Traits>& augme
 }
 
 // The measures of the arcs of a soup or of tetrahedra.
-template <class AnyAugmentation, class PointRange, class VertexLocations>
+template <class AnyAugmentation, class PointRange, class VertexPlaces>
 std::vector<double> measures_of_cells(const AnyAugmentation& augmentation,
                                       const PointRange& points,
-                                      const VertexLocations& locations)
+                                      const VertexPlaces& places)
 {
   const auto& graph = augmentation.graph();
-  std::vector<double> pieces(num_vertices(graph) + num_edges(graph), 0);
+  std::vector<double> sums(num_vertices(graph) + num_edges(graph), 0);
   visit_cells(augmentation, points,
-              [&](double measure, const auto& vertices) { add_to_pieces(measure, vertices, locations, pieces); });
-  return measures_of_arcs(graph, pieces);
+              [&](double measure, const auto& vertices) { add_to_places(measure, vertices, places, sums); });
+  return measures_of_arcs(graph, sums);
 }
 
 // The mean of the values at the vertices of each arc, weighted by what measures_of_arcs() has of them. `value` is called
 // with a vertex; visit_all(visit) calls visit(measure, vertices) for each face or cell.
-template <class ReebGraph, class VertexLocations, class Value, class VisitAll>
+template <class ReebGraph, class VertexPlaces, class Value, class VisitAll>
 std::vector<double> mean_values_of_arcs(const ReebGraph& graph,
-                                        const VertexLocations& locations,
+                                        const VertexPlaces& places,
                                         const Value& value,
                                         const VisitAll& visit_all)
 {
-  std::vector<Weighted_mean> pieces(num_vertices(graph) + num_edges(graph));
+  std::vector<Weighted_mean> sums(num_vertices(graph) + num_edges(graph));
   visit_all([&](double measure, const auto& vertices) {
     for(const auto v : vertices)
-      pieces.at(locations.index(v)).add(value(v), measure / static_cast<double>(std::size(vertices)));
+      sums.at(places.index(v)).add(value(v), measure / static_cast<double>(std::size(vertices)));
   });
   std::vector<double> result;
   for(const auto arc : CGAL::make_range(edges(graph)))
   {
     const auto lower = source(arc, graph), upper = target(arc, graph);
-    Weighted_mean& mean = pieces[num_vertices(graph) + result.size()];
+    Weighted_mean& mean = sums[num_vertices(graph) + result.size()];
     for(const auto node : {lower, upper})
-      mean.add(pieces[node].mean, pieces[node].weight / static_cast<double>(degree(node, graph)));
+      mean.add(sums[node].mean, sums[node].weight / static_cast<double>(degree(node, graph)));
     result.push_back(mean.mean_or_middle(value(graph[lower].vertex), value(graph[upper].vertex)));
   }
   return result;
@@ -181,23 +178,23 @@ std::vector<double> lengths_of_arcs(const Mesh& mesh,
 /// @{
 
 /// \brief counts the vertices of the mesh that belong to each node and to each arc of a Reeb graph: weights for
-/// `simplify()`, as named parameter `piece_weights`.
+/// `simplify()`, as named parameter `place_weights`.
 ///
 /// \reebGraphLocatedVertices
 ///
 /// \returns the counts of the nodes, and behind them those of the arcs, in the order of `edges(graph)`.
 ///
-/// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of this mesh
-template <class FaceListGraph, class ReebGraph, class VertexLocations>
-std::vector<double> vertex_counts_of_pieces(const FaceListGraph& mesh,
+/// \exception Reeb_graph::Unknown_vertex_error if the places are not those of this mesh
+template <class FaceListGraph, class ReebGraph, class VertexPlaces>
+std::vector<double> vertex_counts_of_places(const FaceListGraph& mesh,
                                             const ReebGraph& graph,
-                                            const VertexLocations& locations)
+                                            const VertexPlaces& places)
 {
   if constexpr(internal::Mesh_is_face_list_graph<FaceListGraph>::value)
   {
     std::vector<double> counts(num_vertices(graph) + num_edges(graph), 0);
     for(const auto v : CGAL::make_range(vertices(mesh)))
-      counts.at(locations.index(v)) += 1;
+      counts.at(places.index(v)) += 1;
     return counts;
   }
   else
@@ -205,7 +202,7 @@ std::vector<double> vertex_counts_of_pieces(const FaceListGraph& mesh,
 }
 
 /// \brief adds up the area that belongs to each node and to each arc of a Reeb graph: weights for `simplify()`, as
-/// named parameter `piece_weights`.
+/// named parameter `place_weights`.
 ///
 /// A third of the area of each face belongs to each of its vertices.
 ///
@@ -220,14 +217,14 @@ std::vector<double> vertex_counts_of_pieces(const FaceListGraph& mesh,
 ///
 /// \returns the areas of the nodes, and behind them those of the arcs, in the order of `edges(graph)`.
 ///
-/// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of this mesh
+/// \exception Reeb_graph::Unknown_vertex_error if the places are not those of this mesh
 template <class FaceListGraph,
           class ReebGraph,
-          class VertexLocations,
+          class VertexPlaces,
           class NamedParameters = parameters::Default_named_parameters>
-std::vector<double> areas_of_pieces(const FaceListGraph& mesh,
+std::vector<double> areas_of_places(const FaceListGraph& mesh,
                                     const ReebGraph& graph,
-                                    const VertexLocations& locations,
+                                    const VertexPlaces& places,
                                     const NamedParameters& np = parameters::default_values())
 {
   if constexpr(internal::Mesh_is_face_list_graph<FaceListGraph>::value)
@@ -235,7 +232,7 @@ std::vector<double> areas_of_pieces(const FaceListGraph& mesh,
     const auto point_map = internal::choose_point_map(mesh, np);
     std::vector<double> areas(num_vertices(graph) + num_edges(graph), 0);
     internal::visit_faces(mesh, point_map, [&](double area, const auto& vertices) {
-      internal::add_to_pieces(area, vertices, locations, areas);
+      internal::add_to_places(area, vertices, places, areas);
     });
     return areas;
   }
@@ -245,28 +242,28 @@ std::vector<double> areas_of_pieces(const FaceListGraph& mesh,
 
 /// \brief adds up the area of the surface that belongs to each arc of a Reeb graph.
 ///
-/// A third of the area of each face belongs to each of its vertices, as in `areas_of_pieces()`; what belongs to a node
+/// A third of the area of each face belongs to each of its vertices, as in `areas_of_places()`; what belongs to a node
 /// is shared out equally among its arcs. So the sum is the area of the mesh, but for components without an arc, which
 /// contracted ties can leave.
 ///
 /// \reebGraphLocatedVertices
-/// \param np named parameters: those of `areas_of_pieces()`
+/// \param np named parameters: those of `areas_of_places()`
 ///
 /// \reebGraphComplexity
 ///
 /// \returns the areas of the arcs, in the order of `edges(graph)`.
 ///
-/// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of this mesh
+/// \exception Reeb_graph::Unknown_vertex_error if the places are not those of this mesh
 template <class FaceListGraph,
           class ReebGraph,
-          class VertexLocations,
+          class VertexPlaces,
           class NamedParameters = parameters::Default_named_parameters>
 std::vector<double> arc_areas(const FaceListGraph& mesh,
                               const ReebGraph& graph,
-                              const VertexLocations& locations,
+                              const VertexPlaces& places,
                               const NamedParameters& np = parameters::default_values())
 {
-  return internal::measures_of_arcs(graph, areas_of_pieces(mesh, graph, locations, np));
+  return internal::measures_of_arcs(graph, areas_of_places(mesh, graph, places, np));
 }
 
 /// \brief adds up the area of the triangles of a soup that belongs to each arc of its Reeb graph, as that of a mesh. A
@@ -274,20 +271,20 @@ std::vector<double> arc_areas(const FaceListGraph& mesh,
 ///
 /// \param augmentation the way from the graph to the soup
 /// \param points the points of the vertices, a random access range
-/// \param locations what `augmentation.locate_vertices()` has returned
+/// \param places what `augmentation.locate_vertices()` has returned
 ///
 /// \reebGraphComplexity
 ///
 /// \returns the areas of the arcs, in the order of `edges(graph)`.
 ///
 /// \exception Attribute_count_error if there is not one point for each vertex
-/// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of this soup
-template <class Scalar, class ReebGraph, class Traits, class PointRange, class VertexLocations>
+/// \exception Reeb_graph::Unknown_vertex_error if the places are not those of this soup
+template <class Scalar, class ReebGraph, class Traits, class PointRange, class VertexPlaces>
 std::vector<double> arc_areas(const Soup_augmentation<Scalar, ReebGraph, Traits>& augmentation,
                               const PointRange& points,
-                              const VertexLocations& locations)
+                              const VertexPlaces& places)
 {
-  return internal::measures_of_cells(augmentation, points, locations);
+  return internal::measures_of_cells(augmentation, points, places);
 }
 
 /// \brief adds up the volume of the tetrahedra that belongs to each arc of their Reeb graph, as the area of a mesh: a
@@ -295,20 +292,20 @@ std::vector<double> arc_areas(const Soup_augmentation<Scalar, ReebGraph, Traits>
 ///
 /// \param augmentation the way from the graph to the tetrahedra
 /// \param points the points of the vertices, a random access range
-/// \param locations what `augmentation.locate_vertices()` has returned
+/// \param places what `augmentation.locate_vertices()` has returned
 ///
 /// \reebGraphComplexity
 ///
 /// \returns the volumes of the arcs, in the order of `edges(graph)`.
 ///
 /// \exception Attribute_count_error if there is not one point for each vertex
-/// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of these tetrahedra
-template <class Scalar, class ReebGraph, class Traits, class PointRange, class VertexLocations>
+/// \exception Reeb_graph::Unknown_vertex_error if the places are not those of these tetrahedra
+template <class Scalar, class ReebGraph, class Traits, class PointRange, class VertexPlaces>
 std::vector<double> arc_volumes(const Tetrahedra_augmentation<Scalar, ReebGraph, Traits>& augmentation,
                                 const PointRange& points,
-                                const VertexLocations& locations)
+                                const VertexPlaces& places)
 {
-  return internal::measures_of_cells(augmentation, points, locations);
+  return internal::measures_of_cells(augmentation, points, places);
 }
 
 /// \brief computes the mean value of the field on each arc of a Reeb graph, weighted by area.
@@ -324,23 +321,23 @@ std::vector<double> arc_volumes(const Tetrahedra_augmentation<Scalar, ReebGraph,
 /// \param mesh the mesh that the graph has been computed of
 /// \param scalar_map the field that it has been computed of
 /// \param graph the Reeb graph, or a simplified one
-/// \param locations what `Augmentation::locate_vertices()` has returned for the graph
-/// \param np named parameters: those of `areas_of_pieces()`, and `geom_traits`, as for `simplify()`
+/// \param places what `Augmentation::locate_vertices()` has returned for the graph
+/// \param np named parameters: those of `areas_of_places()`, and `geom_traits`, as for `simplify()`
 ///
 /// \reebGraphComplexity
 ///
 /// \returns the means, in the order of `edges(graph)`.
 ///
-/// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of this mesh
+/// \exception Reeb_graph::Unknown_vertex_error if the places are not those of this mesh
 template <class FaceListGraph,
           class ScalarMap,
           class ReebGraph,
-          class VertexLocations,
+          class VertexPlaces,
           class NamedParameters = parameters::Default_named_parameters>
 std::vector<double> arc_mean_values(const FaceListGraph& mesh,
                                     ScalarMap scalar_map,
                                     const ReebGraph& graph,
-                                    const VertexLocations& locations,
+                                    const VertexPlaces& places,
                                     const NamedParameters& np = parameters::default_values())
 {
   typedef internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters> Traits;
@@ -349,7 +346,7 @@ std::vector<double> arc_mean_values(const FaceListGraph& mesh,
     const internal::Scalar_conversion<Traits> conversion(internal::choose_traits<Traits>(np));
     const auto value = [&](const auto v) { return conversion.to_double(get(scalar_map, v)); };
     const auto point_map = internal::choose_point_map(mesh, np);
-    return internal::mean_values_of_arcs(graph, locations, value,
+    return internal::mean_values_of_arcs(graph, places, value,
                                          [&](const auto& visit) { internal::visit_faces(mesh, point_map, visit); });
   }
   else
@@ -363,24 +360,24 @@ std::vector<double> arc_mean_values(const FaceListGraph& mesh,
 ///
 /// \param augmentation a `Soup_augmentation` or `Tetrahedra_augmentation` of the graph
 /// \param points the points of the vertices, a random access range
-/// \param locations what `augmentation.locate_vertices()` has returned
+/// \param places what `augmentation.locate_vertices()` has returned
 ///
 /// \returns the means, in the order of `edges(graph)`.
 ///
 /// \exception Attribute_count_error if there is not one point for each vertex
-/// \exception Reeb_graph::Unknown_vertex_error if the locations are not those of these triangles or tetrahedra
+/// \exception Reeb_graph::Unknown_vertex_error if the places are not those of these triangles or tetrahedra
 template <template <class, class, class> class AnyAugmentation,
           class Scalar,
           class ReebGraph,
           class Traits,
           class PointRange,
-          class VertexLocations>
+          class VertexPlaces>
 std::vector<double> arc_mean_values(const AnyAugmentation<Scalar, ReebGraph, Traits>& augmentation,
                                     const PointRange& points,
-                                    const VertexLocations& locations)
+                                    const VertexPlaces& places)
 {
   return internal::mean_values_of_arcs(
-    augmentation.graph(), locations, [&](std::size_t v) { return augmentation.value(v); },
+    augmentation.graph(), places, [&](std::size_t v) { return augmentation.value(v); },
     [&](const auto& visit) { internal::visit_cells(augmentation, points, visit); });
 }
 
@@ -393,7 +390,7 @@ std::vector<double> arc_mean_values(const AnyAugmentation<Scalar, ReebGraph, Tra
 /// \param mesh the mesh that the graph has been computed of
 /// \param scalar_map the field that it has been computed of
 /// \param graph the Reeb graph
-/// \param np named parameters: those of `areas_of_pieces()`, and `geom_traits`, as for `simplify()`
+/// \param np named parameters: those of `areas_of_places()`, and `geom_traits`, as for `simplify()`
 ///
 /// \reebGraphComplexity
 ///

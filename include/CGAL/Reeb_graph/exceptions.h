@@ -200,15 +200,6 @@ public:
   {}
 };
 
-/// \brief thrown if a `Flat_field` is used with another mesh than its own, or if that has another number of vertices, edges
-/// or faces than when the `Flat_field` was made.
-class Changed_mesh_error : public Error
-{
-public:
-  /// constructs the exception.
-  Changed_mesh_error() : Error("the mesh is another one than that of the flat field, or has been changed since") {}
-};
-
 /// \brief thrown for a mesh of more than 2<sup>32</sup> - 2 vertices, halfedges or corners of faces.
 class Mesh_size_error : public Error
 {
@@ -218,43 +209,27 @@ public:
   {}
 };
 
-/// \brief thrown for a graph that is not the Reeb graph of the mesh and the field that it is used with.
+/// \brief thrown for a graph, a node or an arc that does not belong to the mesh, the scalar map, the graph or the
+/// named parameters that it is used with, and for a graph of which an arc does not ascend.
 class Graph_mismatch_error : public Error
 {
 public:
-  /// constructs the exception.
-  Graph_mismatch_error() : Error("the graph is not the one that these mesh, scalar map and named parameters give") {}
+  /// constructs the exception for a graph of another mesh or field.
+  Graph_mismatch_error()
+    : Graph_mismatch_error("the graph is not the one that these mesh, scalar map and named parameters give")
+  {}
+
+  /// constructs the exception with a message.
+  explicit Graph_mismatch_error(const std::string& message) : Error(message) {}
 };
 
-/// \brief thrown for an arc descriptor that is none of the graph.
-class Unknown_arc_error : public Error
-{
-public:
-  Unknown_arc_error() : Error("the arc is not one of the graph") {} ///< constructs the exception.
-};
-
-/// \brief thrown for a node descriptor that is none of the graph.
-class Unknown_node_error : public Error
-{
-public:
-  Unknown_node_error() : Error("the node is not one of the graph") {} ///< constructs the exception.
-};
-
-/// \brief thrown for a place on an arc that is not between its ends.
+/// \brief thrown for a number that is out of its range, such as a threshold that is NaN, a level at which an arc has no
+/// contour, or a direction that is zero.
 class Parameter_error : public Error
 {
 public:
-  /// constructs the exception for the parameter `t`.
-  explicit Parameter_error(double t)
-    : Error("the place on an arc must be greater than 0 and less than 1, not " + std::to_string(t))
-  {}
-};
-
-/// \brief thrown for a level at which an arc has no contour.
-class Level_error : public Error
-{
-public:
-  Level_error() : Error("the arc has no contour at this level") {} ///< constructs the exception.
+  /// constructs the exception with a message.
+  explicit Parameter_error(const std::string& message) : Error(message) {}
 };
 
 /// \brief thrown for an edge of the named parameter `edges` that has not two different vertices.

@@ -112,7 +112,7 @@ private:
 ///
 /// \returns the number of components. It takes almost linear time.
 template <class ReebGraph, class ComponentMap>
-std::size_t number_components(const ReebGraph& graph, ComponentMap component_map)
+std::size_t connected_components(const ReebGraph& graph, ComponentMap component_map)
 {
   std::vector<std::size_t> parents(num_vertices(graph));
   std::iota(parents.begin(), parents.end(), std::size_t(0));
@@ -145,7 +145,7 @@ template <class ReebGraph>
 std::size_t number_of_components(const ReebGraph& graph)
 {
   std::vector<std::size_t> components(num_vertices(graph));
-  return number_components(
+  return Reeb_graph::connected_components(
     graph, boost::make_iterator_property_map(components.begin(), boost::typed_identity_property_map<std::size_t>()));
 }
 

@@ -37,18 +37,18 @@ namespace internal {
 // A sequence of named parameters that ends with one of the package's own. All of these can follow, and those of CGAL.
 // Behind one of CGAL's come no others than CGAL's: its sequences are bases of this one, but not this one of theirs.
 template <class T, class Tag, class Base = internal_np::No_property>
-struct Own_named_parameters : Named_function_parameters<T, Tag, Base>
+struct Reeb_parameters : Named_function_parameters<T, Tag, Base>
 {
   typedef Named_function_parameters<T, Tag, Base> Sequence;
   using Sequence::Sequence;
 
 #define CGAL_REEB_GRAPH_NAMED_PARAMETER(name, Type)                                                                    \
-  auto name(const Type& value) const { return Own_named_parameters<Type, name##_t, Sequence>(value, *this); }
+  auto name(const Type& value) const { return Reeb_parameters<Type, name##_t, Sequence>(value, *this); }
 #define CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(name, tag)                                                         \
   template <class Value>                                                                                               \
   auto name(const Value& value) const                                                                                  \
   {                                                                                                                    \
-    return Own_named_parameters<Value, tag##_t, Sequence>(value, *this);                                               \
+    return Reeb_parameters<Value, tag##_t, Sequence>(value, *this);                                                    \
   }
 #include <CGAL/Reeb_graph/internal/base/named_parameters_list.h>
 #undef CGAL_REEB_GRAPH_NAMED_PARAMETER
@@ -64,13 +64,13 @@ namespace parameters {
 #define CGAL_REEB_GRAPH_NAMED_PARAMETER(name, Type)                                                                    \
   inline auto name(const Type& value)                                                                                  \
   {                                                                                                                    \
-    return Reeb_graph::internal::Own_named_parameters<Type, Reeb_graph::internal::name##_t>(value);                    \
+    return Reeb_graph::internal::Reeb_parameters<Type, Reeb_graph::internal::name##_t>(value);                         \
   }
 #define CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(name, tag)                                                         \
   template <class Value>                                                                                               \
   auto name(const Value& value)                                                                                        \
   {                                                                                                                    \
-    return Reeb_graph::internal::Own_named_parameters<Value, Reeb_graph::internal::tag##_t>(value);                    \
+    return Reeb_graph::internal::Reeb_parameters<Value, Reeb_graph::internal::tag##_t>(value);                         \
   }
 #include <CGAL/Reeb_graph/internal/base/named_parameters_list.h>
 #undef CGAL_REEB_GRAPH_NAMED_PARAMETER

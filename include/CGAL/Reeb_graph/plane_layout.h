@@ -15,9 +15,8 @@
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/drawing/Plane_drawing.h>
 #include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
+#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
-#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
-#include <CGAL/Reeb_graph/simplification/internal/prune_graph.h>
 
 #include <algorithm>
 #include <array>
@@ -69,15 +68,15 @@ struct Plane_layout
 ///
 /// \reebGraphComplexity
 ///
-/// \exception Reeb_graph::Measure_error if the number of a value is NaN
-/// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
+/// \exception Reeb_graph::Parameter_error if the number of a value is NaN
+/// \exception Reeb_graph::Graph_mismatch_error if an arc does not lead to a node of higher number
 template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
 Plane_layout lay_out_in_plane(const ReebGraph& graph, const NamedParameters& np = parameters::default_values())
 {
   Plane_layout layout;
   if constexpr(internal::Plain_graph_of_numbers<ReebGraph, NamedParameters>::value)
   {
-    const std::vector<internal::Pruned_arc> arcs = internal::read_arcs(graph);
+    const std::vector<internal::Ascending_arc> arcs = internal::read_arcs(graph);
     const std::vector<double> values = internal::drawn_values(internal::numbers_of_nodes(graph, np));
     const internal::Value_scale scale(values);
     std::vector<double> heights;

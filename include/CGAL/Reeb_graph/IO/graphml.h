@@ -49,7 +49,7 @@ constexpr const char* graphml_type()
     return "string";
 }
 
-// What is written as the value of a key.
+// The text of the value of a key.
 template <class Value>
 auto graphml_text(const Value& value)
 {

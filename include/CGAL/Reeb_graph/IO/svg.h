@@ -16,10 +16,10 @@
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/drawing/Svg_drawing.h>
 #include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
+#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/plane_layout.h>
-#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 
 #include <cstddef>
 #include <locale>
@@ -86,8 +86,8 @@ inline std::string counted(std::size_t number, const std::string& name)
 ///
 /// \reebGraphComplexity
 ///
-/// \exception Reeb_graph::Measure_error if the number of a value is NaN
-/// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
+/// \exception Reeb_graph::Parameter_error if the number of a value is NaN
+/// \exception Reeb_graph::Graph_mismatch_error if an arc does not lead to a node of higher number
 /// \exception Reeb_graph::File_error if the file cannot be written
 template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
 void write_svg(const internal::Output& output,

@@ -89,8 +89,7 @@ namespace CGAL::Reeb_graph {
 /// \returns the output iterator behind the last curve.
 ///
 /// \reebGraphBorderLevelError
-/// \exception Reeb_graph::Threshold_error if a threshold is negative or NaN
-/// \exception Reeb_graph::Measure_error if a measure is NaN
+/// \exception Reeb_graph::Parameter_error if a threshold is negative or NaN, or a measure NaN
 ///
 /// and the exceptions of `compute_reeb_graph()`. When one is thrown, the mesh is as it was before.
 template <class MutableFaceGraph,

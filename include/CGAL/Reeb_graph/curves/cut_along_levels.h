@@ -95,7 +95,7 @@ void write_bands(const RankedMesh& ranked, const NamedParameters& np)
   }
 }
 
-// The same, where the mesh has been checked, and the levels are in their order.
+// Cuts along levels that are in their order, where the mesh has been checked.
 template <class Mesh, class ScalarMap, class Traits, class OutputIterator, class NamedParameters>
 Level_cut_report cut_along_sorted_levels(Mesh& mesh,
                                          ScalarMap scalar_map,

@@ -12,12 +12,12 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
-#include <CGAL/Reeb_graph/curves/internal/Curve_opening.h>
 #include <CGAL/Reeb_graph/curves/internal/Disk_cut.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
 #include <CGAL/Reeb_graph/curves/internal/requirements.h>
 #include <CGAL/Reeb_graph/curves/internal/trace_edges.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/complex/Curve_opening.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 
 #include <CGAL/number_utils.h>

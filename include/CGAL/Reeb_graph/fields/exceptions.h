@@ -116,16 +116,6 @@ public:
   {}
 };
 
-/// \ingroup PkgReebGraphExceptions
-///
-/// \brief thrown for a direction that is zero, or not finite.
-class Direction_error : public Error
-{
-public:
-  /// constructs the exception.
-  Direction_error() : Error("the direction is zero, or not finite") {}
-};
-
 } // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_FIELDS_EXCEPTIONS_H

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/fields/exceptions.h>
+#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
@@ -49,7 +49,7 @@ namespace CGAL::Reeb_graph {
 ///
 /// \reebGraphComplexity
 ///
-/// \exception Direction_error if the direction is zero, or not finite
+/// \exception Parameter_error if the direction is zero, or not finite
 /// \exception Non_finite_scalar_error if a height is infinite or NaN
 /// \exception Cancelled_error if `callback` returns `false`
 ///
@@ -70,7 +70,7 @@ void compute_height_field(const VertexListGraph& mesh,
     typedef typename boost::property_traits<FieldMap>::value_type Value;
     if(!CGAL::is_finite(direction.x()) || !CGAL::is_finite(direction.y()) || !CGAL::is_finite(direction.z())
        || (CGAL::is_zero(direction.x()) && CGAL::is_zero(direction.y()) && CGAL::is_zero(direction.z())))
-      throw Direction_error();
+      throw Parameter_error("the direction is zero, or not finite");
     const auto point_map = internal::choose_point_map(mesh, np);
     typedef std::decay_t<decltype(direction.x())> Number;
     std::vector<Number> heights;

@@ -12,11 +12,11 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
-#include <CGAL/Reeb_graph/curves/internal/requirements.h>
 #include <CGAL/Reeb_graph/handles/Handle_removal.h>
 #include <CGAL/Reeb_graph/handles/internal/Handle_remover.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
@@ -83,7 +83,7 @@ namespace CGAL::Reeb_graph {
 ///
 /// \returns the handles that have been removed, in this order, and behind them those that are refused.
 ///
-/// \exception Reeb_graph::Threshold_error if the size is negative or NaN
+/// \exception Reeb_graph::Parameter_error if the size is negative or NaN
 /// \exception Reeb_graph::Non_finite_point_error if a coordinate of a point is infinite or NaN
 ///
 /// and the exceptions of `compute_reeb_graph()` for meshes. When one of these is thrown, the mesh is as it was before.
@@ -100,7 +100,7 @@ std::vector<Handle_removal<typename boost::graph_traits<MutableFaceGraph>::verte
   if constexpr(internal::Refinable_mesh<MutableFaceGraph>::value)
   {
     if(!(size >= 0))
-      throw Threshold_error("size of handles");
+      throw Parameter_error("the size of handles is negative or not a number (NaN)");
     const internal::Progress progress(np);
     progress.report(0);
     internal::check_mesh(mesh);

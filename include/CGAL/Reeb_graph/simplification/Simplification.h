@@ -45,42 +45,42 @@ public:
   typedef typename boost::graph_traits<ReebGraph>::vertex_descriptor node_descriptor; ///< a node
   typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor; ///< an arc of the simplified graph
 
-  /// a node or an arc: `std::holds_alternative<arc_descriptor>(location)`, `std::get<arc_descriptor>(location)`
-  typedef std::variant<node_descriptor, arc_descriptor> Location;
+  /// a node or an arc: `std::holds_alternative<arc_descriptor>(place)`, `std::get<arc_descriptor>(place)`
+  typedef std::variant<node_descriptor, arc_descriptor> Place;
 
   typedef node_descriptor key_type;                  ///< the key type
-  typedef Location value_type;                       ///< the value type
-  typedef Location reference;                        ///< the same
+  typedef Place value_type;                          ///< the value type
+  typedef Place reference;                           ///< the same
   typedef boost::readable_property_map_tag category; ///< the category
 
   /// returns what has taken up the node `node` of the graph that has been simplified: itself, if it is still there.
   ///
-  /// \exception Unknown_node_error if there was no such node
-  Location operator[](node_descriptor node) const { return location(index_of_node(node)); }
+  /// \exception Graph_mismatch_error if there was no such node
+  Place operator[](node_descriptor node) const { return place(index_of_node(node)); }
 
   /// returns what has taken up the arc number `i` of the graph that has been simplified, in the order of its `edges()`.
   ///
-  /// \exception Unknown_arc_error if there was no such arc
-  Location location_of_arc(std::size_t i) const { return location(index_of_arc(i)); }
+  /// \exception Graph_mismatch_error if there was no such arc
+  Place place_of_arc(std::size_t i) const { return place(index_of_arc(i)); }
 
   /// returns the number of what has taken up a node: nodes of the simplified graph are numbered from 0 by their
-  /// descriptors, arcs behind the last node, in the order of `edges()`. These are the numbers of `Vertex_locations`.
+  /// descriptors, arcs behind the last node, in the order of `edges()`. These are the numbers of `Vertex_places`.
   ///
-  /// \exception Unknown_node_error if there was no such node
+  /// \exception Graph_mismatch_error if there was no such node
   std::size_t index_of_node(node_descriptor node) const
   {
     if(!(node < places_->number_of_old_nodes))
-      throw Unknown_node_error();
+      throw Graph_mismatch_error("the node is not one of the graph");
     return places_->new_places[node];
   }
 
   /// returns the number of what has taken up the arc number `i`, in the order of `edges()`.
   ///
-  /// \exception Unknown_arc_error if there was no such arc
+  /// \exception Graph_mismatch_error if there was no such arc
   std::size_t index_of_arc(std::size_t i) const
   {
     if(i >= places_->new_places.size() - places_->number_of_old_nodes)
-      throw Unknown_arc_error();
+      throw Graph_mismatch_error("the arc is not one of the graph");
     return places_->new_places[places_->number_of_old_nodes + i];
   }
 
@@ -91,7 +91,7 @@ public:
   std::size_t number_of_old_arcs() const { return places_->new_places.size() - places_->number_of_old_nodes; }
 
   /// returns what has taken up a node.
-  friend Location get(const Simplification& simplification, node_descriptor node) { return simplification[node]; }
+  friend Place get(const Simplification& simplification, node_descriptor node) { return simplification[node]; }
 
 #ifndef DOXYGEN_RUNNING
   // By place in the old graph, the place in the new one.
@@ -112,7 +112,7 @@ private:
     std::vector<arc_descriptor> new_arcs;
   };
 
-  Location location(std::size_t place) const
+  Place place(std::size_t place) const
   {
     if(place < places_->number_of_new_nodes)
       return node_descriptor(place);

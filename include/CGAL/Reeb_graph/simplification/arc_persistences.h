@@ -14,8 +14,10 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/simplification/internal/Leaf_pruning.h>
-#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
+#include <CGAL/Reeb_graph/internal/graph/Leaf_pruning.h>
+#include <CGAL/Reeb_graph/internal/graph/elder_rule.h>
+#include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
+#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -40,7 +42,7 @@ class Arc_removal : private Leaf_pruning
 {
 public:
   // By node, the values.
-  Arc_removal(const std::vector<Pruned_arc>& arcs, const std::vector<double>& values)
+  Arc_removal(const std::vector<Ascending_arc>& arcs, const std::vector<double>& values)
     : Leaf_pruning(static_cast<Index>(values.size()), arcs, std::vector<double>(values.size() + arcs.size(), 0)),
       values_(values),
       persistences_(arcs.size(), not_removed)
@@ -142,15 +144,15 @@ private:
 /// \returns a number for each arc, in the order of `edges(graph)` and in units of the field. Arcs that stay for any
 /// threshold have the difference between the highest and the lowest value of their connected component.
 ///
-/// \exception Reeb_graph::Measure_error if the number of a value is NaN
-/// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
+/// \exception Reeb_graph::Parameter_error if the number of a value is NaN
+/// \exception Reeb_graph::Graph_mismatch_error if an arc does not lead to a node of higher number
 template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
 std::vector<double> arc_persistences(const ReebGraph& graph, const NamedParameters& np = parameters::default_values())
 {
   std::vector<double> persistences;
   if constexpr(internal::Plain_graph_of_numbers<ReebGraph, NamedParameters>::value)
   {
-    const std::vector<internal::Pruned_arc> arcs = internal::read_arcs(graph);
+    const std::vector<internal::Ascending_arc> arcs = internal::read_arcs(graph);
     const std::vector<double> values = internal::numbers_of_nodes(graph, np);
     persistences = internal::Arc_removal(arcs, values)();
 

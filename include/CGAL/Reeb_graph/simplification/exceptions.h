@@ -20,58 +20,6 @@ namespace CGAL::Reeb_graph {
 
 /// \ingroup PkgReebGraphExceptions
 ///
-/// \brief thrown for a graph with an arc whose lower node does not have a lower number than its upper node.
-class Arc_direction_error : public Error
-{
-public:
-  /// constructs the exception.
-  Arc_direction_error() : Error("an arc of the graph does not lead to a node of higher number") {}
-};
-
-/// \ingroup PkgReebGraphExceptions
-///
-/// \brief thrown for a threshold that is negative or NaN.
-class Threshold_error : public Error
-{
-public:
-  /// constructs the exception for the threshold `name`.
-  explicit Threshold_error(const std::string& name) : Error("the " + name + " is negative or not a number (NaN)") {}
-};
-
-/// \ingroup PkgReebGraphExceptions
-///
-/// \brief thrown for a measure, a weight of a piece, or the number of a value that is NaN.
-class Measure_error : public Error
-{
-public:
-  /// constructs the exception for what is not a number, `name`.
-  explicit Measure_error(const std::string& name) : Error("the " + name + " is not a number (NaN)") {}
-};
-
-/// \ingroup PkgReebGraphExceptions
-///
-/// \brief thrown if there is not one weight for each node and each arc of a graph.
-class Piece_count_error : public Error
-{
-public:
-  /// constructs the exception from the two numbers.
-  Piece_count_error(std::size_t weights, std::size_t pieces)
-    : Error(std::to_string(weights) + " weights given for " + std::to_string(pieces) + " nodes and arcs")
-  {}
-};
-
-/// \ingroup PkgReebGraphExceptions
-///
-/// \brief thrown if `simplify_field()` is asked to cancel loops: a field has those that the surface asks for.
-class Loop_cancellation_error : public Error
-{
-public:
-  /// constructs the exception.
-  Loop_cancellation_error() : Error("loops of a field cannot be cancelled, but only those of a graph") {}
-};
-
-/// \ingroup PkgReebGraphExceptions
-///
 /// \brief thrown by `simplify_field()` if it finds no field that has the simplified graph with `Ties::PERTURB`: because
 /// of a border or a hidden handle in a removed piece, or for want of numbers. The message names the way out,
 /// `Ties::CONTRACT`.

@@ -12,8 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
-#include <CGAL/Reeb_graph/simplification/exceptions.h>
-#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
+#include <CGAL/Reeb_graph/internal/graph/elder_rule.h>
+#include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
+#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -143,7 +144,7 @@ double persistence(const ReebGraph& graph,
 ///
 /// \returns the output iterator behind the last pair.
 ///
-/// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
+/// \exception Reeb_graph::Graph_mismatch_error if an arc does not lead to a node of higher number
 template <class ReebGraph, class OutputIterator>
 OutputIterator persistence_pairs(const ReebGraph& graph, OutputIterator pairs)
 {
@@ -154,7 +155,7 @@ OutputIterator persistence_pairs(const ReebGraph& graph, OutputIterator pairs)
     const auto add = [&](Persistence_pair_kind kind) {
       return [&found, kind](internal::Index lower, internal::Index upper) { found.push_back({lower, upper, kind}); };
     };
-    const std::vector<internal::Pruned_arc> arcs = internal::read_arcs(graph);
+    const std::vector<internal::Ascending_arc> arcs = internal::read_arcs(graph);
     const internal::Index size = static_cast<internal::Index>(num_vertices(graph));
     found.reserve(size);
     auto components =

@@ -14,10 +14,12 @@
 #include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/graph/elder_rule.h>
+#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/Simplification_threshold.h>
 #include <CGAL/Reeb_graph/simplification/arc_persistences.h>
-#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
+#include <CGAL/Reeb_graph/simplification/internal/persistence_gaps.h>
 #include <CGAL/Reeb_graph/simplification/internal/prune_graph.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
@@ -112,8 +114,8 @@ inline std::vector<Simplification_threshold> choose_thresholds(std::vector<Simpl
 ///
 /// \returns the output iterator behind the last threshold.
 ///
-/// \exception Reeb_graph::Measure_error if the number of a value is NaN
-/// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
+/// \exception Reeb_graph::Parameter_error if the number of a value is NaN
+/// \exception Reeb_graph::Graph_mismatch_error if an arc does not lead to a node of higher number
 template <class ReebGraph, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
 OutputIterator simplification_thresholds(const ReebGraph& graph,
                                          OutputIterator thresholds,

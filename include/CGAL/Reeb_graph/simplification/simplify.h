@@ -12,10 +12,11 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/internal/graph/Leaf_pruning.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/Simplification.h>
-#include <CGAL/Reeb_graph/simplification/exceptions.h>
 #include <CGAL/Reeb_graph/simplification/internal/prune_graph.h>
+#include <CGAL/Reeb_graph/simplification/internal/write_simplified_graph.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -36,7 +37,7 @@ struct Branch
   NodeDescriptor saddle; ///< the other end of the arc
   bool is_minimum;       ///< whether the leaf is the lower end
   double persistence;    ///< the largest absolute difference between the value at the saddle and one in the branch
-  double weight;         ///< the sum of the `piece_weights` of the branch, 0 if there are none
+  double weight;         ///< the sum of the `place_weights` of the branch, 0 if there are none
 };
 
 /// \ingroup PkgReebGraphSimplification
@@ -57,7 +58,7 @@ struct Branch
 ///
 /// The simplified graph is one of the same type. Its nodes are nodes of `graph` in the same order, but those of degree
 /// two are never among them. Its arcs are sorted by lower node, upper node, and the first arc of `graph` that they are
-/// made of. The chain of an arc consists of the chains of these arcs, in pieces; so an `Augmentation` finds the
+/// made of. The chain of an arc consists of the chains of these arcs, one after the other; so an `Augmentation` finds the
 /// contours of the branch that has been kept. A larger threshold gives a graph with nodes of that of a smaller one, and
 /// no more.
 ///
@@ -88,18 +89,18 @@ struct Branch
 ///     \cgalParamDefault{`false`}
 ///     \cgalParamExtra{use the function `parameters::cancel_loops()`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{piece_weights}
+///   \cgalParamNBegin{place_weights}
 ///     \cgalParamDescription{a number for each node, and then for each arc in the order of `edges(graph)`; see
-///                           `areas_of_pieces()` and `vertex_counts_of_pieces()`. They are added up over all that is
+///                           `areas_of_places()` and `vertex_counts_of_places()`. They are added up over all that is
 ///                           removed.}
 ///     \cgalParamType{a range of numbers}
 ///     \cgalParamDefault{none}
-///     \cgalParamExtra{use the function `parameters::piece_weights()`}
+///     \cgalParamExtra{use the function `parameters::place_weights()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{branch_measure}
 ///     \cgalParamDescription{how large a branch is}
 ///     \cgalParamType{a function object that is called with a `Reeb_graph::Branch` and returns a `double`}
-///     \cgalParamDefault{`Branch::weight` if there are `piece_weights`, else `Branch::persistence`}
+///     \cgalParamDefault{`Branch::weight` if there are `place_weights`, else `Branch::persistence`}
 ///     \cgalParamExtra{use the function `parameters::branch_measure()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
@@ -117,10 +118,9 @@ struct Branch
 ///
 /// \returns for each node and arc of `graph` the node or arc of `simplified` that has taken it up.
 ///
-/// \exception Reeb_graph::Threshold_error if the threshold is negative or NaN
-/// \exception Reeb_graph::Measure_error if a measure, or the number of a value, is NaN
-/// \exception Reeb_graph::Piece_count_error if there is not one weight for each node and each arc
-/// \exception Reeb_graph::Arc_direction_error if an arc does not lead to a node of higher number
+/// \exception Reeb_graph::Parameter_error if the threshold is negative or NaN, if a measure or the number of a value is
+///            NaN, or if there is not one weight for each node and each arc
+/// \exception Reeb_graph::Graph_mismatch_error if an arc does not lead to a node of higher number
 ///
 /// When one of these is thrown, `simplified` is as it was before.
 template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>

@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-#include <CGAL/Reeb_graph/simplification/exceptions.h>
 #include <CGAL/Reeb_graph/simplification/internal/simplified_values.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
@@ -63,7 +63,7 @@ namespace CGAL::Reeb_graph {
 /// \param threshold what is smaller is removed, in units of the measure
 /// \param simplified_scalar_map the result; it can be the same map as `scalar_map`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `ties`, `vertex_index_map`,
-///        `face_index_map` and `callback` of `compute_reeb_graph()`, and `number_of_leaves`, `piece_weights` and
+///        `face_index_map` and `callback` of `compute_reeb_graph()`, and `number_of_leaves`, `place_weights` and
 ///        `branch_measure` of `simplify()`. The order is always that of `operator<`: there is no `geom_traits`
 ///
 /// \pre The threshold is neither negative nor NaN, and the graph, if given, is that of the mesh and the field.
@@ -75,7 +75,7 @@ namespace CGAL::Reeb_graph {
 /// \exception Reeb_graph::Perturbed_ties_error with `Reeb_graph::Ties::PERTURB` only, if the result would have another
 ///            graph, or if there are too few numbers next to the value of a saddle for the vertices of a piece, as for
 ///            infinite values
-/// \exception Reeb_graph::Loop_cancellation_error if `cancel_loops` is `true`
+/// \exception Reeb_graph::Parameter_error if `cancel_loops` is `true`
 ///
 /// and the exceptions of `compute_reeb_graph()` and `simplify()`. When one is thrown, `simplified_scalar_map` is as it
 /// was before.
@@ -92,7 +92,7 @@ double simplify_field(const FaceListGraph& mesh,
   static_assert(!internal::is_given<decltype(parameters::get_parameter(np, internal_np::geom_traits))>,
                 "simplify_field() knows the order of operator< only: it takes no named parameter geom_traits.");
   if(parameters::choose_parameter(parameters::get_parameter(np, internal::cancel_loops), false))
-    throw Loop_cancellation_error();
+    throw Parameter_error("loops of a field cannot be cancelled, but only those of a graph");
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Traits;
   if constexpr(internal::Field_of_numbers_and_map<FaceListGraph, ScalarMap, Traits, SimplifiedScalarMap>::value)
     return internal::write_simplified_field<Traits>(
@@ -142,7 +142,7 @@ double simplify_field(const FaceListGraph& mesh,
   static_assert(!internal::is_given<decltype(parameters::get_parameter(np, internal_np::geom_traits))>,
                 "simplify_field() knows the order of operator< only: it takes no named parameter geom_traits.");
   if(parameters::choose_parameter(parameters::get_parameter(np, internal::cancel_loops), false))
-    throw Loop_cancellation_error();
+    throw Parameter_error("loops of a field cannot be cancelled, but only those of a graph");
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Traits;
   if constexpr(internal::Field_of_numbers_and_map<FaceListGraph, ScalarMap, Traits, SimplifiedScalarMap>::value
                && internal::is_given<Place_map>)

@@ -11,8 +11,6 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/exceptions.h>
-
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -22,7 +20,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace CGAL::Reeb_graph {
@@ -125,17 +122,6 @@ std::vector<std::vector<typename boost::graph_traits<CurveSkeleton>::vertex_desc
 }
 
 /// @}
-
-/// \ingroup PkgReebGraphExceptions
-///
-/// \brief thrown for a number that says how a skeleton is made, and that is not one of its range.
-class Skeleton_ratio_error : public Error
-{
-public:
-  /// constructs the exception for the named parameter `name`.
-  Skeleton_ratio_error(const std::string& name, const std::string& range) : Error("the " + name + " has to be " + range)
-  {}
-};
 
 } // namespace CGAL::Reeb_graph
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
@@ -44,9 +45,9 @@ Skeleton_options choose_options(const NamedParameters& np)
   options.sampling_ratio = choose_parameter(get_parameter(np, internal::sampling_ratio), options.sampling_ratio);
   options.are_borders_ends = choose_parameter(get_parameter(np, internal::ends_at_borders), options.are_borders_ends);
   if(!(options.pruning_ratio >= 0))
-    throw Skeleton_ratio_error("pruning ratio", "at least 0");
+    throw Parameter_error("the pruning ratio has to be at least 0");
   if(!(options.sampling_ratio >= 0.01 && options.sampling_ratio <= 100))
-    throw Skeleton_ratio_error("sampling ratio", "from 0.01 to 100");
+    throw Parameter_error("the sampling ratio has to be from 0.01 to 100");
   return options;
 }
 
@@ -210,7 +211,7 @@ void add_component(const Reading& reading,
 ///
 /// \returns what is known of the skeleton.
 ///
-/// \exception Reeb_graph::Skeleton_ratio_error if a ratio is out of its range
+/// \exception Reeb_graph::Parameter_error if a ratio is out of its range
 /// \exception Reeb_graph::Non_finite_point_error if a coordinate of a point is infinite or NaN
 /// \exception Reeb_graph::Non_finite_scalar_error if a value of the scalar map is infinite
 ///

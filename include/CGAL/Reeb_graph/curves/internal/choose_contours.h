@@ -23,11 +23,12 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/graph/Leaf_pruning.h>
+#include <CGAL/Reeb_graph/internal/graph/branch_measure.h>
+#include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
+#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
-#include <CGAL/Reeb_graph/simplification/internal/Leaf_pruning.h>
-#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
-#include <CGAL/Reeb_graph/simplification/internal/prune_graph.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <CGAL/number_utils.h>
@@ -65,7 +66,7 @@ struct Arc_path
 // The paths of the deformation retract of a Reeb graph: leaves are removed one after the other, unless they are to be
 // kept; arcs that meet at a node of degree 2 are joined. A component that is a cycle then is one path from a node to
 // itself.
-inline std::vector<Arc_path> paths_of_retract(const std::vector<Pruned_arc>& arcs, const std::vector<bool>& is_kept)
+inline std::vector<Arc_path> paths_of_retract(const std::vector<Ascending_arc>& arcs, const std::vector<bool>& is_kept)
 {
   const auto number_of_nodes = static_cast<Index>(is_kept.size());
   std::vector<Index> core = core_arcs(number_of_nodes, arcs, is_kept);
@@ -100,7 +101,7 @@ inline std::vector<Arc_path> paths_of_retract(const std::vector<Pruned_arc>& arc
   return paths;
 }
 
-// What a branch has to reach, each 0 if it does not count, and what the caller measures.
+// Thresholds that a branch has to reach, each 0 if it does not count, and the measure of the caller.
 template <class NamedParameters>
 struct Branch_thresholds
 {
@@ -122,11 +123,11 @@ struct Branch_thresholds
     static_assert(has_measure == is_given<decltype(parameters::get_parameter(np, measure_threshold))>,
                   "The named parameters branch_measure and measure_threshold of branch_curves() go together.");
     if(!(persistence >= 0))
-      throw Threshold_error("persistence threshold");
+      throw Parameter_error("the persistence threshold is negative or not a number (NaN)");
     if(!(area >= 0))
-      throw Threshold_error("area threshold");
+      throw Parameter_error("the area threshold is negative or not a number (NaN)");
     if(!(measure >= 0))
-      throw Threshold_error("measure threshold");
+      throw Parameter_error("the measure threshold is negative or not a number (NaN)");
   }
 
   bool needs_areas() const { return area > 0 || (has_measure && measure > 0); }
@@ -152,7 +153,7 @@ struct Branch_thresholds
   }
 };
 
-// What the branches weigh.
+// The weights of a branch.
 struct Branch_weight
 {
   double area = 0, vertex_count = 0;
@@ -184,7 +185,7 @@ std::vector<Branch_weight> branch_weights(const RankedMesh& ranked,
   if(thresholds.needs_areas())
   {
     const auto areas =
-      areas_of_pieces(ranked.mesh(), simple.graph, locations, parameters::vertex_point_map(ranked.vertex_point_map()));
+      areas_of_places(ranked.mesh(), simple.graph, locations, parameters::vertex_point_map(ranked.vertex_point_map()));
     for(std::size_t place = 0; place != weights.size(); ++place)
       weights[place].area = areas[place];
   }

@@ -14,43 +14,33 @@
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 
-// What the functions that refine a mesh ask of the types of their arguments.
+#include <type_traits>
+
+// Requirements of the functions that refine a mesh on the types of their arguments.
 
 namespace CGAL::Reeb_graph::internal {
 
-template <class Mesh>
-struct Mesh_can_be_refined : Has<Added_edge, Mesh>
-{
-  static_assert(Mesh_can_be_refined::value, "The mesh is no MutableFaceGraph of CGAL: no edge can be added to it.");
-};
-
-template <class Mesh>
-struct Refinable_mesh
-  : Then<Then<Mesh_is_not_const<Mesh>::value, Mesh_is_face_list_graph<Mesh>>::value, Mesh_can_be_refined<Mesh>>
-{
-};
-
 template <class Mesh, class ScalarMap, class Traits>
-struct Refinable_mesh_with_field : Then<Refinable_mesh<Mesh>::value, Field_of_numbers<Mesh, ScalarMap, Traits>>
+struct Refinable_mesh_with_field : std::conjunction<Refinable_mesh<Mesh>, Field_of_numbers<Mesh, ScalarMap, Traits>>
 {
 };
 
 template <class Mesh, class ScalarMap, class Traits, class VertexMap>
 struct Refinable_mesh_with_field_and_map
-  : Then<Refinable_mesh<Mesh>::value, Field_of_numbers_and_map<Mesh, ScalarMap, Traits, VertexMap>>
+  : std::conjunction<Refinable_mesh<Mesh>, Field_of_numbers_and_map<Mesh, ScalarMap, Traits, VertexMap>>
 {
 };
 
 template <class Mesh, class FacePatchMap>
-struct Refinable_mesh_with_patches : Then<Refinable_mesh<Mesh>::value, Writable_face_map<FacePatchMap, Mesh>>
+struct Refinable_mesh_with_patches : std::conjunction<Refinable_mesh<Mesh>, Writable_face_map<FacePatchMap, Mesh>>
 {
 };
 
 template <class Mesh, class ScalarMap, class Graph, class Traits, class FacePatchMap>
-struct Refinable_mesh_with_graph
-  : Then<Then<Then<Refinable_mesh<Mesh>::value, Field_and_graph<Mesh, ScalarMap, Graph, Traits>>::value,
-              Scalars_are_numbers<Traits>>::value,
-         Writable_face_map<FacePatchMap, Mesh>>
+struct Refinable_mesh_with_graph : std::conjunction<Refinable_mesh<Mesh>,
+                                                    Field_and_graph<Mesh, ScalarMap, Graph, Traits>,
+                                                    Scalars_are_numbers<Traits>,
+                                                    Writable_face_map<FacePatchMap, Mesh>>
 {
 };
 

@@ -18,7 +18,8 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
@@ -61,9 +62,9 @@ public:
              const Indexed_vector<Swept_index, Number>& names)
     : ends_of_contours_(found.numbers_of_contours[Side::LOWER])
   {
-    const Slab_node first_contour(names.size());
-    const Slab_node first_upper_contour(first_contour.number() + found.numbers_of_contours[Side::LOWER]);
-    for(const Slab_arc& arc : found.arcs)
+    const Tree_node first_contour(names.size());
+    const Tree_node first_upper_contour(first_contour.number() + found.numbers_of_contours[Side::LOWER]);
+    for(const Swept_arc& arc : found.arcs)
     {
       const bool is_open = arc.upper >= first_contour;
       const Number upper = is_open ? arc.upper.number() - first_upper_contour.number() : names[arc.upper_vertex()];
@@ -183,9 +184,9 @@ public:
   const Indexed_vector<Vertex_index, Scalar>& values() const { return values_; }
   Gathered_order<Scalar> order() const { return {values_, global_vertices_}; }
   const Swept_vertices& critical_vertices() const { return critical_vertices_; }
-  const Slab_arcs& arcs() const { return arcs_; }
+  const Swept_arcs& arcs() const { return arcs_; }
 
-  // What is asked of a complex here.
+  // The interface of a complex, as far as it is needed here.
   Vertex_index source(Halfedge_index first_step) const { return Vertex_index(arc(first_step).lower.number()); }
   Vertex_index target(Halfedge_index first_step) const { return arc(first_step).first_step.target; }
   [[noreturn]] void throw_contradiction_near(Vertex_index vertex) const
@@ -194,7 +195,7 @@ public:
   }
 
 private:
-  const Slab_arc& arc(Halfedge_index first_step) const { return arcs_[Slab_arc_index(first_step.number())]; }
+  const Swept_arc& arc(Halfedge_index first_step) const { return arcs_[Swept_arc_index(first_step.number())]; }
 
   void add_vertex(const Order_key<Scalar>& place)
   {
@@ -219,15 +220,15 @@ private:
       if(last == nullptr || last->first_target != arcs[i].first_target)
         add_vertex({arcs[i].value_of_first_target, arcs[i].first_target});
       last = &arcs[i];
-      arcs_[Slab_arc_index(i)] = {
-        Slab_node(last->lower), Slab_node(last->upper), {Halfedge_index(i), values_.last_key()}};
+      arcs_[Swept_arc_index(i)] = {
+        Tree_node(last->lower), Tree_node(last->upper), {Halfedge_index(i), values_.last_key()}};
     }
   }
 
   Indexed_vector<Vertex_index, Global_vertex> global_vertices_; // the critical ones, ascending, then others
   Indexed_vector<Vertex_index, Scalar> values_;
   Swept_vertices critical_vertices_;
-  Slab_arcs arcs_;
+  Swept_arcs arcs_;
 };
 
 } // namespace CGAL::Reeb_graph::internal

@@ -17,7 +17,8 @@
 #include <CGAL/Reeb_graph/distributed/internal/solve_slab.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
 #include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/write_graph.h>
@@ -36,24 +37,24 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// A piece of a chain that has been walked as far as a vertex, up to the level just below another one.
+// A segment of a chain that has been walked as far as a vertex, up to the level just below another one.
 template <class Scalar>
-struct Climbing_piece
+struct Climbing_segment
 {
   Global_vertex vertex;
   Global_vertex vertex_before; // from which the first step has led there
   Global_vertex upper_vertex;
   Scalar value_of_upper_vertex;
   Number arc;
-  Number piece;
+  Number segment;
   Number goes_on; // whether the upper vertex is above the one that has been reached
 };
 
-// How many vertices a part of a piece has.
-struct Part_of_piece
+// How many vertices a part of a segment has.
+struct Part_of_segment
 {
   Number arc;
-  Number piece;
+  Number segment;
   Number size;
 };
 
@@ -68,53 +69,53 @@ public:
       order_(order)
   {}
 
-  // Walks pieces that begin in the slab with the step that is known.
-  void begin(const std::vector<Climbing_piece<Scalar>>& pieces)
+  // Walks segments that begin in the slab with the step that is known.
+  void begin(const std::vector<Climbing_segment<Scalar>>& segments)
   {
-    for(const Climbing_piece<Scalar>& piece : pieces)
+    for(const Climbing_segment<Scalar>& segment : segments)
     {
-      vertices_.push_back(piece.vertex_before);
-      walk(piece);
+      vertices_.push_back(segment.vertex_before);
+      walk(segment);
     }
   }
 
-  // Walks pieces that have come from below.
-  void go_on(const std::vector<Climbing_piece<Scalar>>& pieces)
+  // Walks segments that have come from below.
+  void go_on(const std::vector<Climbing_segment<Scalar>>& segments)
   {
-    for(const Climbing_piece<Scalar>& piece : pieces)
-      walk(piece);
+    for(const Climbing_segment<Scalar>& segment : segments)
+      walk(segment);
   }
 
-  // The pieces that go on above the slab; they are none then.
-  std::vector<Climbing_piece<Scalar>> take_leaving() { return std::exchange(leaving_, {}); }
+  // The segments that go on above the slab; they are none then.
+  std::vector<Climbing_segment<Scalar>> take_leaving() { return std::exchange(leaving_, {}); }
 
-  const std::vector<Part_of_piece>& parts() const { return parts_; }
+  const std::vector<Part_of_segment>& parts() const { return parts_; }
   const std::vector<Global_vertex>& vertices() const { return vertices_; } // of all parts
 
 private:
   // A path that has entered an arc cannot leave it below the upper node, so comparisons tell the end. A part of one
-  // vertex, where the piece only passes the slab, is none.
-  void walk(Climbing_piece<Scalar> piece)
+  // vertex, where the segment only passes the slab, is none.
+  void walk(Climbing_segment<Scalar> segment)
   {
-    vertices_.push_back(piece.vertex);
-    if(piece.goes_on != 0)
+    vertices_.push_back(segment.vertex);
+    if(segment.goes_on != 0)
     {
-      const auto is_below = [&](Vertex_index v) { return is_lower(v, piece); };
+      const auto is_below = [&](Vertex_index v) { return is_lower(v, segment); };
       const auto goes_on = [&](Vertex_index v) {
         return surface_.slabs_of_vertices[v] == surface_.inside() && is_below(v);
       };
       const auto add = [&](Vertex_index, const Ascending_step& step) {
         vertices_.push_back(surface_.global_vertices[step.target]);
       };
-      const Vertex_index end = climb(complex_, order_, find_vertex(piece.vertex), goes_on, add);
-      piece.vertex = surface_.global_vertices[end];
+      const Vertex_index end = climb(complex_, order_, find_vertex(segment.vertex), goes_on, add);
+      segment.vertex = surface_.global_vertices[end];
       if(is_below(end))
-        leaving_.push_back(piece);
+        leaving_.push_back(segment);
     }
     const std::size_t size = vertices_.size() - end_of_parts_;
     if(size == 1)
       return vertices_.pop_back();
-    parts_.push_back({piece.arc, piece.piece, checked_index(size)});
+    parts_.push_back({segment.arc, segment.segment, checked_index(size)});
     end_of_parts_ = vertices_.size();
   }
 
@@ -125,78 +126,78 @@ private:
     return Vertex_index(static_cast<std::size_t>(place - vertices.begin()));
   }
 
-  // Whether the vertex is below the upper one of the piece, which may be on another rank.
-  bool is_lower(Vertex_index v, const Climbing_piece<Scalar>& piece) const
+  // Whether the vertex is below the upper one of the segment, which may be on another rank.
+  bool is_lower(Vertex_index v, const Climbing_segment<Scalar>& segment) const
   {
-    return order_.is_lower(v, piece.value_of_upper_vertex)
-        || (!order_.is_higher(v, piece.value_of_upper_vertex) && surface_.global_vertices[v] < piece.upper_vertex);
+    return order_.is_lower(v, segment.value_of_upper_vertex)
+        || (!order_.is_higher(v, segment.value_of_upper_vertex) && surface_.global_vertices[v] < segment.upper_vertex);
   }
 
   const Slab_surface<Scalar>& surface_;
   const Complex& complex_;
   const Order& order_;
-  std::vector<Climbing_piece<Scalar>> leaving_;
-  std::vector<Part_of_piece> parts_;
+  std::vector<Climbing_segment<Scalar>> leaving_;
+  std::vector<Part_of_segment> parts_;
   std::vector<Global_vertex> vertices_;
   std::size_t end_of_parts_ = 0; // among the vertices
 };
 
-// The pieces of the chains, for the ranks where they begin. `begins_of_ranks` has the number of the first critical
+// The segments of the chains, for the ranks where they begin. `begins_of_ranks` has the number of the first critical
 // vertex of each rank, and the end. For rank 0.
 template <class Scalar>
-Gathered_arrays<Climbing_piece<Scalar>> list_pieces(const Gathered_surface<Scalar>& surface,
-                                                    const Flat_graph& graph,
-                                                    const std::vector<std::size_t>& begins_of_ranks)
+Gathered_arrays<Climbing_segment<Scalar>> list_segments(const Gathered_surface<Scalar>& surface,
+                                                        const Flat_graph& graph,
+                                                        const std::vector<std::size_t>& begins_of_ranks)
 {
   const auto order = surface.order();
   const auto& vertices = surface.global_vertices();
-  const auto rank_of = [&](const Chain_piece& piece) {
-    const Number lower = surface.arcs()[Slab_arc_index(piece.first_step.edge.number())].lower.number();
+  const auto rank_of = [&](const Chain_segment& segment) {
+    const Number lower = surface.arcs()[Swept_arc_index(segment.first_step.edge.number())].lower.number();
     const auto behind = std::upper_bound(begins_of_ranks.begin(), begins_of_ranks.end(), lower);
     return static_cast<std::size_t>(behind - begins_of_ranks.begin()) - 1;
   };
-  Gathered_arrays<Climbing_piece<Scalar>> pieces = {{}, std::vector<std::size_t>(begins_of_ranks.size(), 0)};
-  for(const Chain_piece& piece : graph.pieces)
-    ++pieces.begins[rank_of(piece) + 1];
-  std::partial_sum(pieces.begins.begin(), pieces.begins.end(), pieces.begins.begin());
-  pieces.elements.resize(pieces.begins.back());
-  std::vector<std::size_t> ends = pieces.begins;
+  Gathered_arrays<Climbing_segment<Scalar>> segments = {{}, std::vector<std::size_t>(begins_of_ranks.size(), 0)};
+  for(const Chain_segment& segment : graph.segments)
+    ++segments.begins[rank_of(segment) + 1];
+  std::partial_sum(segments.begins.begin(), segments.begins.end(), segments.begins.begin());
+  segments.elements.resize(segments.begins.back());
+  std::vector<std::size_t> ends = segments.begins;
   for(const Arc_index arc : graph.arcs.keys())
-    for(Number i = 0; i != graph.arcs[arc].number_of_pieces; ++i)
+    for(Number i = 0; i != graph.arcs[arc].number_of_segments; ++i)
     {
-      const Piece_index piece(graph.arcs[arc].first_piece.number() + i);
-      const auto& [first_step, upper_vertex] = graph.pieces[piece];
+      const Chain_segment_index segment(graph.arcs[arc].first_segment.number() + i);
+      const auto& [first_step, upper_vertex] = graph.segments[segment];
       const bool goes_on = order(first_step.target, upper_vertex);
-      pieces.elements[ends[rank_of(graph.pieces[piece])]++] = {vertices[first_step.target],
-                                                               vertices[surface.source(first_step.edge)],
-                                                               vertices[upper_vertex],
-                                                               surface.values()[upper_vertex],
-                                                               arc.number(),
-                                                               piece.number(),
-                                                               goes_on ? Number(1) : Number(0)};
+      segments.elements[ends[rank_of(graph.segments[segment])]++] = {vertices[first_step.target],
+                                                                     vertices[surface.source(first_step.edge)],
+                                                                     vertices[upper_vertex],
+                                                                     surface.values()[upper_vertex],
+                                                                     arc.number(),
+                                                                     segment.number(),
+                                                                     goes_on ? Number(1) : Number(0)};
     }
-  return pieces;
+  return segments;
 }
 
-// The pairs of vertices of all chains, one behind the other as their pieces are, from the parts that the ranks have
+// The pairs of vertices of all chains, one behind the other as their segments are, from the parts that the ranks have
 // walked, slab by slab. For rank 0.
-inline std::vector<std::pair<std::size_t, std::size_t>> join_chain_parts(std::size_t number_of_pieces,
-                                                                         const std::vector<Part_of_piece>& parts,
+inline std::vector<std::pair<std::size_t, std::size_t>> join_chain_parts(std::size_t number_of_segments,
+                                                                         const std::vector<Part_of_segment>& parts,
                                                                          const std::vector<Global_vertex>& vertices,
                                                                          Flat_chains& chains)
 {
-  auto& begins = chains.begins_of_pieces;
-  begins.renew(number_of_pieces + 1, 0);
-  for(const Part_of_piece& part : parts)
-    begins[Piece_index(part.piece + 1)] += part.size - 1;
+  auto& begins = chains.begins_of_segments;
+  begins.reset(number_of_segments + 1, 0);
+  for(const Part_of_segment& part : parts)
+    begins[Chain_segment_index(part.segment + 1)] += part.size - 1;
   std::partial_sum(begins.begin(), begins.end(), begins.begin());
   std::vector<std::pair<std::size_t, std::size_t>> halfedges(begins.back());
-  Indexed_vector<Piece_index, std::size_t> ends = begins;
+  Indexed_vector<Chain_segment_index, std::size_t> ends = begins;
   auto vertex = vertices.begin();
-  for(const Part_of_piece& part : parts)
+  for(const Part_of_segment& part : parts)
   {
     for(Number i = 1; i != part.size; ++i, ++vertex)
-      halfedges[ends[Piece_index(part.piece)]++] = {vertex[0], vertex[1]};
+      halfedges[ends[Chain_segment_index(part.segment)]++] = {vertex[0], vertex[1]};
     ++vertex;
   }
   return halfedges;
@@ -258,23 +259,23 @@ Gathered_graph<Scalar> glue_and_gather(Exchange& exchange,
 template <class Scalar, class ChainParts>
 void walk_chains(Exchange& exchange, const Gathered_graph<Scalar>& gathered, ChainParts& parts)
 {
-  Gathered_arrays<Climbing_piece<Scalar>> all_pieces;
+  Gathered_arrays<Climbing_segment<Scalar>> all_segments;
   exchange.in_agreement([&] {
     if(exchange.rank() == 0)
-      all_pieces = list_pieces(*gathered.surface, gathered.graph, gathered.begins_of_ranks);
+      all_segments = list_segments(*gathered.surface, gathered.graph, gathered.begins_of_ranks);
   });
-  std::vector<Climbing_piece<Scalar>> pieces = scatter_arrays(exchange, all_pieces);
+  std::vector<Climbing_segment<Scalar>> segments = scatter_arrays(exchange, all_segments);
   const int rank = exchange.communicator().rank();
   const int above = rank + 1 < exchange.communicator().size() ? rank + 1 : no_rank;
   const int below = rank == 0 ? no_rank : rank - 1;
-  exchange.in_agreement([&] { parts.begin(pieces); });
+  exchange.in_agreement([&] { parts.begin(segments); });
   while(true)
   {
-    pieces = parts.take_leaving();
-    if(!exchange.is_on_any_rank(!pieces.empty()))
+    segments = parts.take_leaving();
+    if(!exchange.is_on_any_rank(!segments.empty()))
       return;
-    pieces = pass_array(exchange, pieces, above, below);
-    exchange.in_agreement([&] { parts.go_on(pieces); });
+    segments = pass_array(exchange, segments, above, below);
+    exchange.in_agreement([&] { parts.go_on(segments); });
   }
 }
 
@@ -283,7 +284,7 @@ void walk_chains(Exchange& exchange, const Gathered_graph<Scalar>& gathered, Cha
 template <class Scalar, class ReebGraph>
 void write_gathered_graph(Exchange& exchange,
                           const Gathered_graph<Scalar>& gathered,
-                          const std::vector<Part_of_piece>& parts,
+                          const std::vector<Part_of_segment>& parts,
                           const std::vector<Global_vertex>& vertices,
                           ReebGraph& graph)
 {
@@ -295,7 +296,7 @@ void write_gathered_graph(Exchange& exchange,
     typedef std::vector<std::pair<std::size_t, std::size_t>> Vertex_pairs;
     Flat_chains chains;
     const auto pairs = std::make_shared<const Vertex_pairs>(
-      join_chain_parts(gathered.graph.pieces.size(), all_parts.elements, all_vertices.elements, chains));
+      join_chain_parts(gathered.graph.segments.size(), all_parts.elements, all_vertices.elements, chains));
     write_nodes_and_arcs<Sequential_tag>(gathered.surface->global_vertices(), gathered.surface->values(),
                                          gathered.graph, graph);
     write_chains(pairs, chains, gathered.graph, graph);

@@ -170,7 +170,7 @@ inline Global_vertex global_vertex(Global_vertex vertex) { return vertex; }
 template <class Vertex>
 using Triangles_of = std::vector<std::array<Vertex, 3>>;
 
-// What each rank will get of the triangles of this one.
+// Counts, for each rank, the triangles that it will get from this one.
 inline std::vector<Triangle_counts> count_triangles(const std::vector<Slab_range>& slabs, std::size_t number_of_ranks)
 {
   std::vector<Triangle_counts> counts(number_of_ranks);
@@ -296,7 +296,7 @@ Triangles_of<Vertex_index> number_triangles(Triangles_of<Vertex> triangles, cons
   }
 }
 
-// What a rank sends and gets when the surface is distributed.
+// Counts of what a rank sends and gets when the surface is distributed.
 struct Distribution_counts
 {
   double slabs_per_triangle_if_all = 1; // that a triangle meets with as many slabs as have been asked for

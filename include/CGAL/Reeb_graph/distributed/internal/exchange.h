@@ -55,7 +55,7 @@ inline void wait_for(MPI_Request& request)
   }
 }
 
-// What can be told to other ranks of an exception, from which they make their own copy.
+// An exception as numbers and text, from which other ranks make their own copy.
 class Fault
 {
 public:
@@ -171,7 +171,7 @@ private:
       text_(text)
   {}
 
-  // What is wrong with a triangle is all found in one stage, so that the first triangle is named.
+  // Faults of triangles are all found in one stage, so that the first triangle is named.
   static Kind stage_of(Kind kind)
   {
     return kind == Kind::NON_TRIANGULAR_FACE || kind == Kind::DEGENERATE_FACE ? Kind::VERTEX_OUT_OF_RANGE : kind;
@@ -301,7 +301,7 @@ public:
     return received;
   }
 
-  // The same items on all ranks: those of each rank.
+  // Gathers an item of each rank on all ranks.
   template <class Item>
   std::vector<Item> all_gather(const Item& item)
   {

@@ -26,6 +26,8 @@
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/critical_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
@@ -107,7 +109,7 @@ public:
   std::uint64_t number_of_edges = 0;
   std::uint64_t number_of_loops = 0; // closed ones
   Number number_of_paths = 0;
-  // Those that cross a level, in the order of the edges that cross it: the same on both sides.
+  // Paths that cross a level, in the order of the edges that cross it, which is the same on both sides.
   By_side<std::vector<Border_path>> paths_across;
 
 private:
@@ -187,20 +189,20 @@ std::array<std::uint64_t, 2> count_borders(Exchange& exchange,
 
 // The parts of chains for the user: those of each arc in their order.
 template <class Scalar>
-void describe_chains(const std::vector<Part_of_piece>& parts,
+void describe_chains(const std::vector<Part_of_segment>& parts,
                      const std::vector<Global_vertex>& vertices,
                      Distributed_slab<Scalar>& slab)
 {
   std::vector<std::size_t> begins, order;
   std::size_t begin = 0;
-  for(const Part_of_piece& part : parts)
+  for(const Part_of_segment& part : parts)
   {
     order.push_back(begins.size());
     begins.push_back(begin);
     begin += part.size;
   }
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::tie(parts[a].arc, parts[a].piece) < std::tie(parts[b].arc, parts[b].piece);
+    return std::tie(parts[a].arc, parts[a].segment) < std::tie(parts[b].arc, parts[b].segment);
   });
   slab.chain_vertices = vertices;
   slab.chain_parts.reserve(parts.size());
@@ -298,7 +300,7 @@ constexpr bool are_types_for_ranks()
 {
   static_assert(std::is_arithmetic_v<Scalar> && !std::is_same_v<Scalar, bool>,
                 "On ranks of MPI, scalar values are built-in numbers, and not of type bool.");
-  return Then<Graph_is_not_const<ReebGraph>::value, Graph_of_field<ReebGraph, Simplicial_complex, Scalar>>::value;
+  return std::conjunction<Graph_is_not_const<ReebGraph>, Graph_of_field<ReebGraph, Simplicial_complex, Scalar>>::value;
 }
 
 // From the parts of the surface that the ranks bring to the graph at rank 0. `Complex` is what each rank makes of its

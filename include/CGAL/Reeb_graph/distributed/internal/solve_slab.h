@@ -18,9 +18,12 @@
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/Unchecked_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
+#include <CGAL/Reeb_graph/internal/engine/Bounding_level.h>
 #include <CGAL/Reeb_graph/internal/engine/Contour_search.h>
 #include <CGAL/Reeb_graph/internal/engine/Contours_of_sectors.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices_of_complex.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
@@ -209,7 +212,7 @@ Classified_complex<Complex> make_and_classify(Slab_surface<Scalar>& surface, con
 // vertices, so the two ranks at a level know each of its contours by the same number.
 struct Arcs_of_slab
 {
-  Slab_arcs arcs;
+  Swept_arcs arcs;
   By_side<Number> numbers_of_contours = {0, 0};
 };
 

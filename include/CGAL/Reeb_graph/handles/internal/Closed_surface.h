@@ -48,7 +48,7 @@ FT dot(const std::array<FT, 3>& a, const std::array<FT, 3>& b)
 // A closed walk: consecutive halfedges.
 typedef std::vector<Index> Halfedge_walk;
 
-// The same walk in the other direction.
+// The walk in the other direction.
 inline Halfedge_walk reversed(const Halfedge_walk& walk)
 {
   Halfedge_walk result;
@@ -457,7 +457,7 @@ private:
 // A loop as that of the public interface, with numbers of halfedges.
 typedef Handle_loop<Index> Surface_loop;
 
-// What finds the loops of a surface, and answers questions about them. The library has it.
+// A finder of the loops of a surface, which answers questions about them. The library has it.
 class Loop_finder
 {
 public:
@@ -474,7 +474,7 @@ public:
   // Whether a loop of the surface bounds inside, or outside, but not on the surface.
   virtual bool is_bounding(const Halfedge_walk& walk, bool is_inside) const = 0;
   virtual long long intersection_number(const Halfedge_walk& a, const Halfedge_walk& b) const = 0;
-  // That of a with b pushed outside.
+  // The linking number of a, and b pushed outside.
   virtual long long linking_number(const Halfedge_walk& a, const Halfedge_walk& b) const = 0;
 };
 

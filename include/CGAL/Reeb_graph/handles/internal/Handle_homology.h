@@ -111,7 +111,7 @@ public:
   }
 
 private:
-  // What belongs to both halfedges of each edge that is left over.
+  // Lists what `of` gives for both halfedges of each edge that is left over.
   template <class Of>
   std::vector<Index> ends(const Of& of) const
   {
@@ -221,7 +221,7 @@ public:
   std::deque<Component>& components() { return components_; } // those of genus greater than 0
   const std::deque<Component>& components() const { return components_; }
 
-  // That of a vertex, or nullptr if its genus is 0.
+  // The component of a vertex, or nullptr if its genus is 0.
   const Component* component_of(Index v) const
   {
     const Index number = trees_.component_of(v);

@@ -200,8 +200,8 @@ private:
     return result;
   }
 
-  // What bounds the faces that a loop has on its left, on their other side; empty if it passes a vertex twice, one of the
-  // loop, or one of a border.
+  // The loop that bounds the faces on the left of a loop on their other side; empty if it passes a vertex twice, one of
+  // the loop, or one of a border.
   std::vector<halfedge_descriptor> loop_beside(const std::vector<halfedge_descriptor>& loop) const
   {
     std::vector<halfedge_descriptor> result;

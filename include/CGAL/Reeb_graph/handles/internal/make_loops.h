@@ -16,13 +16,15 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
-#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 #include <CGAL/compute_reeb_graph.h>
 
-// Who links the library need not read how loops are found.
+// Programs that link the library need not read how loops are found.
 #ifndef CGAL_REEB_GRAPH_ARE_LOOPS_COMPILED
 #include <CGAL/Reeb_graph/handles/internal/Found_loops.h>
+#include <CGAL/Reeb_graph/internal/graph/Highest_forest.h>
+#include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
+#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 #endif
 
 #include <algorithm>
@@ -59,7 +61,7 @@ auto find_reeb_loops(const Mesh& mesh,
                      parameters::geom_traits(traits).callback(progress.part(0, 0.5).callback()));
   const std::vector<typename boost::graph_traits<Graph>::edge_descriptor> graph_arcs(edges(graph).first,
                                                                                      edges(graph).second);
-  const std::vector<Pruned_arc> arcs = read_arcs(graph);
+  const std::vector<Ascending_arc> arcs = read_arcs(graph);
   const auto number_of_nodes = static_cast<Index>(num_vertices(graph));
   Highest_forest forest(checked_index(2 * num_vertices(graph)) / 2);
   std::vector<std::pair<Index, node_descriptor>> leaving; // arcs, and the upper nodes of their loops

@@ -329,7 +329,7 @@ private:
     patch.ball_end = static_cast<std::ptrdiff_t>(faces_of_balls_.size());
   }
 
-  // What is not flat is compared face by face, so that the patch is small.
+  // Faces that are not flat are compared one by one, so that the patch is small.
   void add_connected_faces(Index seed, std::vector<bool>& is_placed)
   {
     const std::size_t begin = faces_.size();

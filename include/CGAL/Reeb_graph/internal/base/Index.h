@@ -134,11 +134,15 @@ struct Halfedge_tag;
 struct Edge_tag;
 struct Face_tag;
 struct Triangle_tag;
+struct Node_tag;
+struct Arc_tag;
 typedef Index_of<Vertex_tag> Vertex_index;
 typedef Index_of<Halfedge_tag> Halfedge_index;
 typedef Index_of<Edge_tag> Edge_index;
 typedef Index_of<Face_tag> Face_index;
 typedef Index_of<Triangle_tag> Triangle_index; // of a complex that may be no surface
+typedef Index_of<Node_tag> Node_index;         // of a Reeb graph
+typedef Index_of<Arc_tag> Arc_index;
 
 // The two halfedges of edge e are 2 e and 2 e + 1.
 constexpr Edge_index edge_of(Halfedge_index halfedge) { return Edge_index(halfedge.number() / 2); }

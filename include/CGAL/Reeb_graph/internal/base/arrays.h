@@ -254,8 +254,8 @@ public:
   const_reference operator[](Key key) const { return Base::operator[](number_of(key)); }
 
   // Replaces the content, which takes less time to compile than to resize, which keeps it.
-  void renew(std::size_t new_size) { *this = Indexed_vector(new_size); }
-  void renew(std::size_t new_size, const T& value) { *this = Indexed_vector(new_size, value); }
+  void reset(std::size_t new_size) { *this = Indexed_vector(new_size); }
+  void reset(std::size_t new_size, const T& value) { *this = Indexed_vector(new_size, value); }
 
   bool contains(Key key) const { return number_of(key) < size(); }
 

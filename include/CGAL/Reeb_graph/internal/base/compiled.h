@@ -104,7 +104,7 @@ typedef std::uint64_t Rank;
 #define CGAL_REEB_GRAPH_FOR_SOUPS(M)                                                                                   \
   M(CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Simplicial_complex, double)                                            \
   CGAL_REEB_GRAPH_IF_PARALLEL(M(CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, Simplicial_complex, double))
-// With the point of a Surface_mesh instead of a complex.
+// The point of a Surface_mesh stands instead of a complex.
 #define CGAL_REEB_GRAPH_FOR_POINTS_OF(M, PREFIX, TAG, SCALAR)                                                          \
   M(PREFIX, TAG, Cartesian_point, SCALAR)                                                                              \
   M(PREFIX, TAG, Epick_point, SCALAR)                                                                                  \
@@ -113,7 +113,7 @@ typedef std::uint64_t Rank;
   CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, double)                                 \
   CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Rank)                                   \
   CGAL_REEB_GRAPH_IF_PARALLEL(CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, double))
-// The same as for doubles, for functions that know no threads.
+// Surfaces of doubles, for functions that know no threads.
 #define CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES_ONCE(M)                                                                \
   CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, double)
 #else

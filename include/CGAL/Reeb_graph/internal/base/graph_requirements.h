@@ -22,7 +22,7 @@
 #include <type_traits>
 #include <utility>
 
-// What the public functions ask of the type of a Reeb graph; see requirements.h.
+// Requirements of the public functions on the type of a Reeb graph; see requirements.h.
 
 namespace CGAL::Reeb_graph::internal {
 
@@ -93,14 +93,15 @@ struct Graph_has_nodes_and_arcs : std::conjunction<Has<Members_of_node, Graph>, 
 };
 
 template <class Graph>
-struct Plain_reeb_graph : Then<Then<Then<Graph_is_boost_graph<Graph>::value, Graph_is_bidirectional<Graph>>::value,
-                                    Graph_has_parallel_arcs<Graph>>::value,
-                               Nodes_are_numbers<Graph>>
+struct Plain_reeb_graph : std::conjunction<Graph_is_boost_graph<Graph>,
+                                           Graph_is_bidirectional<Graph>,
+                                           Graph_has_parallel_arcs<Graph>,
+                                           Nodes_are_numbers<Graph>>
 {
 };
 
 template <class Graph>
-struct Augmented_reeb_graph : Then<Plain_reeb_graph<Graph>::value, Graph_has_nodes_and_arcs<Graph>>
+struct Augmented_reeb_graph : std::conjunction<Plain_reeb_graph<Graph>, Graph_has_nodes_and_arcs<Graph>>
 {
 };
 
@@ -152,24 +153,25 @@ struct Nodes_have_values : Has<Value_of_node, Graph>
 
 template <class Graph, class NamedParameters>
 struct Nodes_have_numbers
-  : Then<Nodes_have_values<Graph>::value, Scalars_are_numbers<Traits_of_nodes<Graph, NamedParameters>>>
+  : std::conjunction<Nodes_have_values<Graph>, Scalars_are_numbers<Traits_of_nodes<Graph, NamedParameters>>>
 {
 };
 
 // Graphs whose values are numbers, if need be by the named parameter geom_traits.
 template <class Graph, class NamedParameters>
-struct Plain_graph_of_numbers : Then<Plain_reeb_graph<Graph>::value, Nodes_have_numbers<Graph, NamedParameters>>
+struct Plain_graph_of_numbers : std::conjunction<Plain_reeb_graph<Graph>, Nodes_have_numbers<Graph, NamedParameters>>
 {
 };
 
 template <class Graph, class NamedParameters>
-struct Graph_of_numbers : Then<Augmented_reeb_graph<Graph>::value, Nodes_have_numbers<Graph, NamedParameters>>
+struct Graph_of_numbers : std::conjunction<Augmented_reeb_graph<Graph>, Nodes_have_numbers<Graph, NamedParameters>>
 {
 };
 
 template <class Graph, class Mesh, class Scalar>
-struct Graph_of_field : Then<Then<Augmented_reeb_graph<Graph>::value, Graph_is_of_this_mesh<Graph, Mesh>>::value,
-                             Graph_is_of_these_scalars<Graph, Scalar>>
+struct Graph_of_field : std::conjunction<Augmented_reeb_graph<Graph>,
+                                         Graph_is_of_this_mesh<Graph, Mesh>,
+                                         Graph_is_of_these_scalars<Graph, Scalar>>
 {
 };
 
@@ -199,7 +201,7 @@ void set_arc_index(Graph& graph, const typename Graph::edge_descriptor& arc, std
 // A field, and the graph that it has.
 template <class Mesh, class ScalarMap, class Graph, class Traits>
 struct Field_and_graph
-  : Then<Scalar_field<Mesh, ScalarMap, Traits>::value, Graph_of_field<Graph, Mesh, typename Traits::Scalar>>
+  : std::conjunction<Scalar_field<Mesh, ScalarMap, Traits>, Graph_of_field<Graph, Mesh, typename Traits::Scalar>>
 {
 };
 

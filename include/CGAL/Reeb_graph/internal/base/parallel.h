@@ -118,7 +118,7 @@ void for_each_block(std::size_t size, const Function& function)
                                 [&](std::size_t, std::size_t begin, std::size_t end) { function(begin, end); });
 }
 
-// What function(begin, end, sum) adds to `sum` for the parts of the numbers from 0 to size - 1.
+// The sum to which function(begin, end, sum) adds for the parts of the numbers from 0 to size - 1.
 template <class ConcurrencyTag, class Sum, class Function>
 Sum sum_of_parts(std::size_t size, const Function& function)
 {

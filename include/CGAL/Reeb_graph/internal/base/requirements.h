@@ -21,25 +21,16 @@
 #include <type_traits>
 #include <utility>
 
-// What the public functions ask of the types of their arguments. Each requirement is a class whose instantiation is an
+// Requirements of the public functions on the types of their arguments. Each one is a class whose instantiation is an
 // error with a message if it is not met, and whose `value` tells whether it is. Classes combine them such that none is
 // looked at behind one that is not met, and functions do nothing then: so the compiler says one message, and no more.
 // No list of requirements is one template argument: compilers repeat it in each line.
 
 namespace CGAL::Reeb_graph::internal {
 
-template <bool is_met, class Next>
-struct Then : std::false_type
-{
-};
-template <class Next>
-struct Then<true, Next> : Next
-{
-};
-
 // A type, for a base class, that is named after the requirement has told what does not fit.
 template <class Requirement, class Type, bool = Requirement::value>
-using After = Type;
+using Checked_type = Type;
 
 // ---- Expressions that must compile. Boost's traits of what is no graph are an error, so they come last.
 
@@ -150,28 +141,27 @@ struct Map_is_writable
 };
 
 template <class Map, class Mesh>
-struct Vertex_map : Then<Map_is_property_map<Map>::value, Keys_are_vertices<Map, Mesh>>
+struct Vertex_map : std::conjunction<Map_is_property_map<Map>, Keys_are_vertices<Map, Mesh>>
 {
 };
 
 template <class Map, class Mesh>
-struct Writable_vertex_map : Then<Vertex_map<Map, Mesh>::value, Map_is_writable<Map>>
+struct Writable_vertex_map : std::conjunction<Vertex_map<Map, Mesh>, Map_is_writable<Map>>
 {
 };
 
 template <class Mesh, class Map>
-struct Mesh_with_vertex_map : Then<Mesh_is_face_list_graph<Mesh>::value, Writable_vertex_map<Map, Mesh>>
+struct Mesh_with_vertex_map : std::conjunction<Mesh_is_face_list_graph<Mesh>, Writable_vertex_map<Map, Mesh>>
 {
 };
 
 template <class Map, class Mesh>
-struct Writable_face_map
-  : Then<Then<Map_is_property_map<Map>::value, Keys_are_faces<Map, Mesh>>::value, Map_is_writable<Map>>
+struct Writable_face_map : std::conjunction<Map_is_property_map<Map>, Keys_are_faces<Map, Mesh>, Map_is_writable<Map>>
 {
 };
 
 template <class Mesh, class Map>
-struct Mesh_with_face_map : Then<Mesh_is_face_list_graph<Mesh>::value, Writable_face_map<Map, Mesh>>
+struct Mesh_with_face_map : std::conjunction<Mesh_is_face_list_graph<Mesh>, Writable_face_map<Map, Mesh>>
 {
 };
 
@@ -205,28 +195,40 @@ struct Scalars_are_numbers : std::bool_constant<Scalar_conversion<Traits>::has_n
 };
 
 template <class Mesh, class ScalarMap>
-struct Mesh_with_scalars : Then<Mesh_is_face_list_graph<Mesh>::value, Vertex_map<ScalarMap, Mesh>>
+struct Mesh_with_scalars : std::conjunction<Mesh_is_face_list_graph<Mesh>, Vertex_map<ScalarMap, Mesh>>
 {
 };
 
 template <class Mesh, class ScalarMap, class Traits>
-struct Scalar_field : Then<Mesh_with_scalars<Mesh, ScalarMap>::value, Scalars_are_ordered<Traits>>
+struct Scalar_field : std::conjunction<Mesh_with_scalars<Mesh, ScalarMap>, Scalars_are_ordered<Traits>>
 {
 };
 
 template <class Mesh, class ScalarMap, class Traits>
-struct Mesh_with_numbers : Then<Mesh_with_scalars<Mesh, ScalarMap>::value, Scalars_are_numbers<Traits>>
+struct Mesh_with_numbers : std::conjunction<Mesh_with_scalars<Mesh, ScalarMap>, Scalars_are_numbers<Traits>>
 {
 };
 
 template <class Mesh, class ScalarMap, class Traits>
-struct Field_of_numbers : Then<Scalar_field<Mesh, ScalarMap, Traits>::value, Scalars_are_numbers<Traits>>
+struct Field_of_numbers : std::conjunction<Scalar_field<Mesh, ScalarMap, Traits>, Scalars_are_numbers<Traits>>
 {
 };
 
 template <class Mesh, class ScalarMap, class Traits, class VertexMap>
 struct Field_of_numbers_and_map
-  : Then<Field_of_numbers<Mesh, ScalarMap, Traits>::value, Writable_vertex_map<VertexMap, Mesh>>
+  : std::conjunction<Field_of_numbers<Mesh, ScalarMap, Traits>, Writable_vertex_map<VertexMap, Mesh>>
+{
+};
+
+template <class Mesh>
+struct Mesh_can_be_refined : Has<Added_edge, Mesh>
+{
+  static_assert(Mesh_can_be_refined::value, "The mesh is no MutableFaceGraph of CGAL: no edge can be added to it.");
+};
+
+template <class Mesh>
+struct Refinable_mesh
+  : std::conjunction<Mesh_is_not_const<Mesh>, Mesh_is_face_list_graph<Mesh>, Mesh_can_be_refined<Mesh>>
 {
 };
 

@@ -114,7 +114,7 @@ Flat_values<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph&
     {check_complex(std::move(unchecked), regular_vertices), std::move(numbers), std::move(values)});
 }
 
-// The same, to be shared; that of a Flat_field is there already.
+// Shares the flat values; those of a Flat_field are there already.
 template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
 std::shared_ptr<const Flat_values<FaceListGraph, typename Traits::Scalar>> share_flat(const FaceListGraph& mesh,
                                                                                       const ScalarMap& scalar_map,

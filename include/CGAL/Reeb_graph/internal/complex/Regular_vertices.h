@@ -26,7 +26,7 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// What turns around some vertices in a row tell, at several places.
+// Findings of turns around some vertices in a row, at several places.
 struct Sampled_turns
 {
   std::size_t number = 0;
@@ -109,7 +109,7 @@ bool is_sweep_faster(const Complex& complex, const Order& order)
   return 25 * sample.plain_links > 24 * sample.number && 4 * sample.pages + sample.changes_of_length > sample.number;
 }
 
-// What a triangle adds to the counts of its vertices, and tells of what is opposite of its halfedges.
+// Addends of a triangle to the counts of its vertices, and to those of what is opposite of its halfedges.
 struct Triangle_addends
 {
   // Counts of a vertex, as one number, so that it is written once for each corner: of the corners of triangles; of those
@@ -179,7 +179,7 @@ public:
     Relaxed_value<bool> is_any_bad;
     for_each_part<ConcurrencyTag>(counts_.size(), complex.end_of_triangles(),
                                   [&](std::size_t part, std::size_t begin, std::size_t end) {
-                                    counts_[part].renew(complex.number_of_vertices(), 0);
+                                    counts_[part].reset(complex.number_of_vertices(), 0);
                                     if(!sweep(complex, order, begin, end, counts_[part], apexes))
                                       is_any_bad.set(true);
                                   });

@@ -53,7 +53,7 @@ Triangle_list list_triangles(std::size_t number_of_vertices, const ForEachTriang
   Buckets<Vertex_index, std::uint64_t> keys(number_of_vertices, for_each_key);
   Triangle_list list;
   list.vertices.reserve(keys.size());
-  list.first_triangles.renew(number_of_vertices + 1);
+  list.first_triangles.reset(number_of_vertices + 1);
   for(const Vertex_index v : Index_range<Vertex_index>(number_of_vertices))
   {
     list.first_triangles[v] = static_cast<Number>(list.vertices.size());
@@ -235,7 +235,7 @@ private:
   {
     const Buckets<Vertex_index, Higher_end> more_ends =
       list_higher_ends(number_of_vertices(), triangles, for_each_edge);
-    edges_of_triangles_.renew(triangles.vertices.size());
+    edges_of_triangles_.reset(triangles.vertices.size());
     lower_ends_.reserve(triangles.vertices.size() * 3 / 2 + 16);
     higher_ends_.reserve(lower_ends_.capacity());
     numbers_of_triangles_.reserve(lower_ends_.capacity());

@@ -64,7 +64,7 @@ public:
       return is_before(a.value, a.name, b.value, b.name);
   }
 
-  // The same as the first operator, where the answer cannot be foreseen.
+  // Tells the order without a branch, where the answer cannot be foreseen.
   bool is_lower(Vertex_index u, Vertex_index v) const
   {
     if constexpr(is_sure)

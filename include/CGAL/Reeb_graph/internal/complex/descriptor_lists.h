@@ -102,7 +102,7 @@ private:
   std::vector<Position> positions_; // by index
 };
 
-// The same for a mesh that has no index map.
+// Stores the positions for a mesh that has no index map.
 template <class Position, class Descriptor, class DescriptorList>
 auto store_positions(const DescriptorList& descriptors)
 {

@@ -33,7 +33,7 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// What a model of EdgeListGraph has, which a FaceListGraph need not be.
+// Members of a model of EdgeListGraph, which a FaceListGraph need not be.
 template <class FaceListGraph>
 using Edge_list =
   decltype(edges(std::declval<const FaceListGraph&>()), num_edges(std::declval<const FaceListGraph&>()));
@@ -126,7 +126,7 @@ struct Complex_with_field
   Indexed_vector<Vertex_index, Scalar> values;
 };
 
-// That before the mesh has been checked.
+// The complex and its field before the mesh has been checked.
 template <class FaceListGraph, class Scalar>
 using Unchecked_surface = Complex_with_field<Unchecked_complex<Complex_of_t<FaceListGraph>>, FaceListGraph, Scalar>;
 
@@ -184,7 +184,7 @@ bool can_be_halfedge(const Surface_mesh<Point>& mesh, typename Surface_mesh<Poin
   return mesh.has_valid_index(h);
 }
 
-// What tells most edits of a mesh: its numbers of vertices, edges and faces, and the first number behind those of a
+// Counts that most edits of a mesh change: its numbers of vertices, edges and faces, and the first number behind those of a
 // Surface_mesh, whose removed elements keep theirs.
 typedef std::array<std::size_t, 5> Element_counts;
 

@@ -157,7 +157,7 @@ Simplicial_complex read_cells(std::size_t number_of_vertices, const Cells& cells
 
 namespace boost {
 
-// What a soup of triangles is called by where a mesh is: there is no other mesh than the complex.
+// A soup of triangles has no other mesh than the complex, which stands where a mesh is asked for.
 template <>
 struct graph_traits<CGAL::Reeb_graph::internal::Simplicial_complex>
 {

@@ -219,7 +219,7 @@ struct Halfedge
   Halfedge_index next; // in its face; no_index if it has none
 };
 
-// What a Triangle_complex is made from.
+// Arrays that a Triangle_complex is made from.
 struct Halfedge_arrays
 {
   Indexed_vector<Halfedge_index, Halfedge> halfedges;

@@ -94,7 +94,7 @@ public:
     std::for_each(part(range.low), part(range.high) + 1, [&](Index& load) { load += number_of_branches; });
   }
 
-  // What decides between two sides: the load where a branch would be, and then the load of all parts.
+  // The load that decides between two sides: that where a branch would be, and then that of all parts.
   std::pair<Index, std::size_t> load(const Height_range& range)
   {
     return {*std::max_element(part(range.low), part(range.high) + 1),

@@ -13,8 +13,8 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
-#include <CGAL/Reeb_graph/simplification/internal/Leaf_pruning.h>
-#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
+#include <CGAL/Reeb_graph/internal/graph/Leaf_pruning.h>
+#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 
 #include <algorithm>
 #include <cstddef>

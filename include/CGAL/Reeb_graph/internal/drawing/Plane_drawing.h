@@ -37,7 +37,7 @@ inline double height_of_drawing(std::size_t number_of_nodes)
 }
 constexpr double largest_node_diameter = 13.2;
 
-// The same diameter in columns. Columns are at least two of it apart.
+// The diameter of a node in columns, which are at least two of it apart.
 constexpr double node_width = 0.25;
 
 // Gives each of some heights, which ascend, a place beside each other, so that at each place the distance from one
@@ -151,7 +151,7 @@ private:
     return zone;
   }
 
-  // That which does not end below a height. The zones of a column are apart.
+  // The first zone that does not end below a height. The zones of a column are apart.
   static std::vector<Zone>::const_iterator first_zone(const std::vector<Zone>& zones, double height)
   {
     return std::lower_bound(zones.begin(), zones.end(), height,
@@ -257,7 +257,7 @@ public:
 
   double operator[](Index branch) const { return columns_[branch]; }
 
-  // What nodes take beside the column, and beyond that of two.
+  // The room that nodes take beside the column, and beyond that of two.
   double room(Index branch) const { return rooms_[branch]; }
 
   // The distance to the next branch on the way to its parent: short ones lie closer.
@@ -304,7 +304,7 @@ private:
     place_side(left, rooms_[trunk], -1);
   }
 
-  // Those of the nodes at the ends of branches, in ascending order, each once: branches are apart where these are.
+  // Heights of the nodes at the ends of branches, ascending, each once: branches are apart where these are.
   std::vector<double> heights_of_ends(const std::vector<Index>& branches) const
   {
     std::vector<double> heights;

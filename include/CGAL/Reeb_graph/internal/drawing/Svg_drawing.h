@@ -42,7 +42,7 @@ struct Box
   }
 };
 
-// What has been drawn, as boxes in a grid, to find places that are free.
+// Boxes of all that has been drawn, in a grid, to find places that are free.
 class Occupied_plane
 {
 public:
@@ -353,7 +353,7 @@ private:
     out << "</g>\n";
   }
 
-  // Those of the nodes first.
+  // Labels of nodes come first.
   void write_labels(std::ostream& out) const
   {
     constexpr std::size_t most_nodes = 5000; // with labels, whose places would take more memory than all the rest

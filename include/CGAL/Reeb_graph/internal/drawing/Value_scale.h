@@ -37,8 +37,8 @@ inline std::vector<double> round_ticks(double lowest, double highest, int number
   return ticks;
 }
 
-// What is drawn as the values of nodes: the values, if they all ascend or all fall from node to node; in any other
-// order, where differences mean nothing, the numbers of the nodes.
+// Numbers that are drawn as the values of nodes: the values, if they all ascend or all fall from node to node; in any
+// other order, where differences mean nothing, the numbers of the nodes.
 inline std::vector<double> drawn_values(std::vector<double> values)
 {
   if(!std::is_sorted(values.begin(), values.end()) && !std::is_sorted(values.rbegin(), values.rend()))

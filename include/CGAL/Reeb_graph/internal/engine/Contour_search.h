@@ -52,7 +52,7 @@ void for_each_crossed_edge_beside(const Simplicial_complex& complex,
     visit(crossed_edge_beside(complex, crossed_edge, triangle, is_below), triangle);
 }
 
-// What trace_contour() does on a surface: in a complex, a contour is any connected graph.
+// Traces a contour of a complex, which is any connected graph there.
 template <class IsBelow, class Visit>
 void trace_contour(const Simplicial_complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
 {

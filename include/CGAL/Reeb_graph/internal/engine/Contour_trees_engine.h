@@ -16,10 +16,15 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/engine/Cutting_sweep.h>
+#include <CGAL/Reeb_graph/internal/engine/Locate_on_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/Loop_surgery.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/critical_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
+#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
+#include <CGAL/Reeb_graph/internal/engine/vertex_links.h>
 
 #include <cstddef>
 #include <optional>
@@ -47,7 +52,7 @@ public:
 
   // Answers the queries on the way, and calls report(fraction) now and then.
   template <class ConcurrencyTag, class Report, class Queries>
-  Slab_arcs find_arcs(const Report& report, Queries& queries) const
+  Swept_arcs find_arcs(const Report& report, Queries& queries) const
   {
     std::optional<Upward_sweep> upwards;
     std::optional<Downward_sweep> downwards;
@@ -65,28 +70,28 @@ public:
           sweep_downwards_and_cut(*downwards, upwards->tree(), queries);
       },
       [&] { join_tree = Shrinking_tree(upwards->tree().parents); });
-    Loop_cuts cuts = downwards->take_cuts();
+    Contour_cuts cuts = downwards->take_cuts();
     insert_cuts(cuts, join_tree);
     report(0.75);
 
-    Indexed_vector<Slab_node, Ascending_step> first_steps;
+    Indexed_vector<Tree_node, Ascending_step> first_steps;
     invoke_both<ConcurrencyTag>(
       [&] { split_tree = Shrinking_tree(downwards->tree().parents); },
       [&] { first_steps = find_first_steps<ConcurrencyTag>(downwards->tree().classes, cuts.number_of_nodes()); });
     const std::size_t number_of_arcs = cuts.number_of_nodes() - join_tree.number_of_roots();
     Tree_combination<Queries::are_any> combination(std::move(join_tree), std::move(split_tree), std::move(first_steps));
-    Slab_arcs arcs = combination();
+    Swept_arcs arcs = combination();
     if(arcs.size() != number_of_arcs) // The trees are not those of one order.
-      slab_.throw_contradiction_near(arcs.empty() ? Slab_arc{no_index, no_index, {}} : arcs.back());
+      slab_.throw_contradiction_near(arcs.empty() ? Swept_arc{no_index, no_index, {}} : arcs.back());
     if constexpr(Queries::are_any)
     {
       Arcs_of_classes arcs_of_classes = combination.find_arcs_of_classes(arcs);
       if(cuts.size() != 0)
       {
-        Indexed_vector<Slab_arc_index, Slab_arc_index> new_names(arcs.size(), no_index); // of those that are kept
-        glue_cuts(cuts, arcs, [&](Slab_arc_index arc, Slab_arc_index name) { new_names[arc] = name; });
+        Indexed_vector<Swept_arc_index, Swept_arc_index> new_names(arcs.size(), no_index); // of those that are kept
+        glue_cuts(cuts, arcs, [&](Swept_arc_index arc, Swept_arc_index name) { new_names[arc] = name; });
         for(const Side side : both_sides)
-          for(Slab_arc_index& arc : arcs_of_classes[side])
+          for(Swept_arc_index& arc : arcs_of_classes[side])
             arc = arc == no_index ? arc : new_names[arc];
         cuts.register_edges();
       }
@@ -94,7 +99,7 @@ public:
                                                  Trees_with_cuts{{&upwards->tree(), &downwards->tree()}, cuts});
     }
     else if(cuts.size() != 0)
-      glue_cuts(cuts, arcs, [](Slab_arc_index, Slab_arc_index) {});
+      glue_cuts(cuts, arcs, [](Swept_arc_index, Swept_arc_index) {});
     return arcs;
   }
 
@@ -193,7 +198,7 @@ private:
       if(surgery.can_close_loop(critical))
       {
         surgery.visit_loop_contours(
-          critical, [&](Slab_node sublevel_class, const Plain_vector<Halfedge_index>& crossed_edges, bool has_border) {
+          critical, [&](Tree_node sublevel_class, const Plain_vector<Halfedge_index>& crossed_edges, bool has_border) {
             sweep.cut(critical, sublevel_class, crossed_edges, has_border);
           });
       }
@@ -201,7 +206,7 @@ private:
   }
 
   // Cuts do not change the join tree but for their own nodes.
-  static void insert_cuts(const Loop_cuts& cuts, Shrinking_tree& join_tree)
+  static void insert_cuts(const Contour_cuts& cuts, Shrinking_tree& join_tree)
   {
     join_tree.resize(cuts.number_of_nodes());
     for(const Cut_index cut : cuts.cuts())
@@ -214,12 +219,12 @@ private:
   // The first step to each node from its parent in the split tree, in the highest of the sectors that lead
   // there. No node has two parents, so all sectors that lead to it are at one vertex.
   template <class ConcurrencyTag>
-  Indexed_vector<Slab_node, Ascending_step> find_first_steps(
-    const Indexed_vector<Sector_index, Slab_node>& superlevel_classes,
+  Indexed_vector<Tree_node, Ascending_step> find_first_steps(
+    const Indexed_vector<Sector_index, Tree_node>& superlevel_classes,
     Number number_of_nodes) const
   {
     constexpr Number ahead = 24;
-    Indexed_vector<Slab_node, Ascending_step> first_steps(number_of_nodes, Ascending_step{no_index, no_index});
+    Indexed_vector<Tree_node, Ascending_step> first_steps(number_of_nodes, Ascending_step{no_index, no_index});
     const auto find = [&](Sector_index begin, Sector_index end) {
       for(const Sector_index i : Index_range(begin, end))
       {

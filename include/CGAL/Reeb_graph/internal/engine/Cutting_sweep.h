@@ -15,7 +15,10 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
+#include <CGAL/Reeb_graph/internal/engine/vertex_links.h>
 
 #include <cstddef>
 #include <unordered_map>
@@ -29,17 +32,17 @@ typedef Index_of<Cut_tag> Cut_index;
 // Contours along which the surface is cut so that no loop is left, each just below a critical vertex that it touches. A
 // cut adds two nodes to the trees: one below it, a maximum joined to the lower ends of the crossed edges, and one above
 // it, a minimum joined to the upper ends.
-class Loop_cuts
+class Contour_cuts
 {
 public:
-  Loop_cuts(Number number_of_other_nodes, Number number_of_edges)
+  Contour_cuts(Number number_of_other_nodes, Number number_of_edges)
     : number_of_other_nodes_(number_of_other_nodes),
       number_of_edges_(number_of_edges)
   {}
 
   // Adds a contour just below the critical vertex `critical`, the top of whose sublevel component is
   // `sublevel_class`. Critical vertices have to come in descending order: an edge keeps its lowest contour.
-  void add(Swept_index critical, Slab_node sublevel_class, const Plain_vector<Halfedge_index>& crossed_edges)
+  void add(Swept_index critical, Tree_node sublevel_class, const Plain_vector<Halfedge_index>& crossed_edges)
   {
     critical_vertices_.push_back(critical);
     sublevel_classes_.push_back(sublevel_class);
@@ -73,14 +76,14 @@ public:
   Cut_index next_cut() const { return critical_vertices_.end_key(); }
 
   Number number_of_nodes() const { return number_of_other_nodes_ + 2 * size(); }
-  Slab_node node_below(Cut_index cut) const { return Slab_node(number_of_other_nodes_ + 2 * cut.number()); }
-  Slab_node node_above(Cut_index cut) const { return Slab_node(number_of_other_nodes_ + 2 * cut.number() + 1); }
+  Tree_node node_below(Cut_index cut) const { return Tree_node(number_of_other_nodes_ + 2 * cut.number()); }
+  Tree_node node_above(Cut_index cut) const { return Tree_node(number_of_other_nodes_ + 2 * cut.number() + 1); }
 
-  bool is_cut_node(Slab_node node) const { return node.number() >= number_of_other_nodes_; }
-  Cut_index cut_of_node(Slab_node node) const { return Cut_index(place_of_node(node) / 2); }
+  bool is_cut_node(Tree_node node) const { return node.number() >= number_of_other_nodes_; }
+  Cut_index cut_of_node(Tree_node node) const { return Cut_index(place_of_node(node) / 2); }
 
   Swept_index critical_vertex(Cut_index cut) const { return critical_vertices_[cut]; }
-  Slab_node sublevel_class(Cut_index cut) const { return sublevel_classes_[cut]; }
+  Tree_node sublevel_class(Cut_index cut) const { return sublevel_classes_[cut]; }
 
   bool has_registered_edges() const { return !is_edge_cut_.empty(); }
 
@@ -108,12 +111,12 @@ private:
     few_lowest_cuts_.clear();
   }
 
-  Number place_of_node(Slab_node node) const { return node.number() - number_of_other_nodes_; }
+  Number place_of_node(Tree_node node) const { return node.number() - number_of_other_nodes_; }
 
   Number number_of_other_nodes_;
   Number number_of_edges_;
   Indexed_vector<Cut_index, Swept_index> critical_vertices_;
-  Indexed_vector<Cut_index, Slab_node> sublevel_classes_;
+  Indexed_vector<Cut_index, Tree_node> sublevel_classes_;
   Plain_vector<Halfedge_index> unregistered_edges_;
   Plain_vector<std::size_t> ends_of_unregistered_; // by one of the last cuts: where its unregistered edges end
   // The lowest cuts at edges. With few cut edges, to touch the pages of an array would take longer than all else that
@@ -126,12 +129,12 @@ private:
 // Arcs that end at a cut go on to the vertex just above, and the short arcs from the cut to there are dropped: no
 // vertex is on one of these. Calls rename(arc, its new name) for the other ones.
 template <class Rename>
-void glue_cuts(const Loop_cuts& cuts, Slab_arcs& arcs, const Rename& rename)
+void glue_cuts(const Contour_cuts& cuts, Swept_arcs& arcs, const Rename& rename)
 {
-  Slab_arc_index next(0);
-  for(const Slab_arc_index i : arcs.keys())
+  Swept_arc_index next(0);
+  for(const Swept_arc_index i : arcs.keys())
   {
-    Slab_arc arc = arcs[i];
+    Swept_arc arc = arcs[i];
     if(cuts.is_cut_node(arc.lower))
       continue;
     if(cuts.is_cut_node(arc.upper))
@@ -181,15 +184,15 @@ public:
   }
 
   // The class of a regular vertex; see Merge_tree_sweep.
-  Slab_node class_of(Vertex_index vertex)
+  Tree_node class_of(Vertex_index vertex)
   {
     return are_paths_walked_late_ ? Base::class_of(vertex, end_at_cut_or_level(), passed_) : Base::class_of(vertex);
   }
 
-  // Cuts along a contour just below the critical vertex that has been merged at last; see Loop_cuts. Its halfedges are
+  // Cuts along a contour just below the critical vertex that has been merged at last; see Contour_cuts. Its halfedges are
   // ascending.
   void cut(Swept_index critical,
-           Slab_node sublevel_class,
+           Tree_node sublevel_class,
            const Plain_vector<Halfedge_index>& crossed_edges,
            bool has_border)
   {
@@ -203,7 +206,7 @@ public:
       cuts_.register_edges();
   }
 
-  Loop_cuts take_cuts() { return std::move(cuts_); }
+  Contour_cuts take_cuts() { return std::move(cuts_); }
 
   // How many edges and sectors corrections have looked at.
   std::size_t number_of_steps() const { return number_of_steps_; }
@@ -298,7 +301,7 @@ private:
     }
   }
 
-  // What correct_components() and the ends of paths need, which lead from one to the next.
+  // Prefetches what correct_components() and the ends of paths need, which lead from one to the next.
   void prefetch_ahead(const Plain_vector<Vertex_index>& vertices, std::size_t i) const
   {
     constexpr std::size_t far_ahead = 24, ahead = 16, near_ahead = 8;
@@ -335,7 +338,7 @@ private:
   using Base::path_ends_;
 
   const Complex& complex_;
-  Loop_cuts cuts_;
+  Contour_cuts cuts_;
   Indexed_vector<Cut_index, Component_index> components_of_cuts_;
   Indexed_vector<Vertex_index, Number> critical_numbers_; // from 1 on; 0 if it is not critical
   bool are_paths_walked_late_ = true;                     // each when its vertex is merged

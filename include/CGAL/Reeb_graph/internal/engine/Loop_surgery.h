@@ -14,6 +14,8 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
 #include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
 
@@ -27,7 +29,7 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// What complexes need that may be no surface; who has one includes them.
+// Helpers for complexes that may be no surface, which only headers for soups include.
 class Components_of_complex;
 class Contour_search;
 
@@ -184,7 +186,7 @@ private:
     Number result = number_of_lower_sectors;
     for(Number i = 0; i != number_of_upper_sectors; ++i)
     {
-      const Slab_node upper_class = split_tree_.classes[Sector_index(first.number() + i)];
+      const Tree_node upper_class = split_tree_.classes[Sector_index(first.number() + i)];
       const auto range = std::equal_range(classes_.begin(), classes_.end(), upper_class);
       // On the border, an upper sector at an end of the link has one lower sector beside it.
       const bool is_at_end = is_on_border && (is_first_upper ? i : i + 1) % number_of_lower_sectors == 0;
@@ -273,7 +275,7 @@ private:
   // A lower contour of a vertex, and one sector that it passes.
   struct Lower_contour
   {
-    Slab_node sublevel_class;
+    Tree_node sublevel_class;
     Number name;
     Sector_index sector;
   };
@@ -284,7 +286,7 @@ private:
   const Merge_tree& join_tree_;
   const Merge_tree& split_tree_;
   std::conditional_t<Complex::is_surface, Contours_side_by_side<Complex>, Contour_search> search_;
-  Plain_vector<Slab_node> classes_;
+  Plain_vector<Tree_node> classes_;
   std::vector<Lower_contour> contours_of_vertex_; // of the last one
 
   // Of a complex that may be no surface:

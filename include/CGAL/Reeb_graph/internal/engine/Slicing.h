@@ -14,7 +14,10 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/engine/Bounding_level.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -92,7 +95,7 @@ private:
     Plain_vector<Vertex_index> level_vertices;
     for(std::size_t slab = 1; slab != number_of_slabs; ++slab)
       level_vertices.push_back(critical_vertices_.vertex(critical_vertices_.ascending()[first_of_slab(slab) - 1]));
-    slabs_of_vertices_.renew(complex_.number_of_vertices(), Slab_index(0));
+    slabs_of_vertices_.reset(complex_.number_of_vertices(), Slab_index(0));
     for_each_block<ConcurrencyTag>(slabs_of_vertices_.size(), [&](std::size_t begin, std::size_t end) {
       for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
       {
@@ -147,7 +150,7 @@ private:
 
   void distribute_critical_vertices()
   {
-    names_in_slabs_.renew(critical_vertices_.size());
+    names_in_slabs_.reset(critical_vertices_.size());
     for(const Swept_index i : critical_vertices_.indices())
     {
       Indexed_vector<Swept_index, Swept_index>& names = parts_[slabs_of_vertices_[critical_vertices_.vertex(i)]].names;
@@ -182,41 +185,41 @@ private:
 // Joins the arcs of the slabs where they end and begin at the same contour of a bounding level. An arc of the surface
 // can pass any number of slabs. (The paper, Section 5.3.)
 template <class Complex>
-Slab_arcs glue_slabs(const Slicing<Complex>& slicing,
-                     const Indexed_vector<Slab_index, Slab_arcs>& arcs_of_slabs,
-                     Number number_of_critical_vertices)
+Swept_arcs glue_slabs(const Slicing<Complex>& slicing,
+                      const Indexed_vector<Slab_index, Swept_arcs>& arcs_of_slabs,
+                      Number number_of_critical_vertices)
 {
   // The surface has the contours of all levels as nodes, behind its critical vertices.
   Plain_vector<Number> first_contours = {number_of_critical_vertices}; // by level
   for(const Bounding_level& level : slicing.levels())
     first_contours.push_back(checked_index(std::size_t(first_contours.back()) + level.number_of_contours()));
-  const auto is_contour = [&](Slab_node node) { return node.number() >= number_of_critical_vertices; };
-  Indexed_vector<Slab_node, Slab_node> upper_ends(first_contours.back(), no_index); // of arcs from contours
+  const auto is_contour = [&](Tree_node node) { return node.number() >= number_of_critical_vertices; };
+  Indexed_vector<Tree_node, Tree_node> upper_ends(first_contours.back(), no_index); // of arcs from contours
 
-  Slab_arcs arcs;
+  Swept_arcs arcs;
   for(const Slab_index i : arcs_of_slabs.keys())
   {
     const Slab<Complex> slab = slicing.slab(i);
-    const auto node_of_surface = [&](Slab_node node) {
+    const auto node_of_surface = [&](Tree_node node) {
       if(!slab.is_contour(node))
         return node_of(slicing.critical_vertex(i, critical_vertex_of(node)));
       const std::size_t level = slab.side_of_contour(node) == Side::UPPER ? i.number() : i.number() - 1;
-      return Slab_node(first_contours[level] + slab.contour_of_node(node).number());
+      return Tree_node(first_contours[level] + slab.contour_of_node(node).number());
     };
-    for(const Slab_arc& arc : arcs_of_slabs[i])
+    for(const Swept_arc& arc : arcs_of_slabs[i])
     {
-      const Slab_node lower = node_of_surface(arc.lower), upper = node_of_surface(arc.upper);
+      const Tree_node lower = node_of_surface(arc.lower), upper = node_of_surface(arc.upper);
       if(is_contour(lower))
         upper_ends[lower] = upper;
       else
         arcs.push_back({lower, upper, arc.first_step});
     }
   }
-  for(Slab_arc& arc : arcs)
+  for(Swept_arc& arc : arcs)
   {
     while(is_contour(arc.upper))
     {
-      const Slab_node above = upper_ends[arc.upper];
+      const Tree_node above = upper_ends[arc.upper];
       if(above == no_index || (is_contour(above) && above <= arc.upper))
         slicing.complex().throw_contradiction_near(arc.first_step.target);
       arc.upper = above;

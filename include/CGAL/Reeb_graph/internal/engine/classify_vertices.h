@@ -18,8 +18,9 @@
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
 #include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
 #include <CGAL/Reeb_graph/internal/complex/Unchecked_complex.h>
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
+#include <CGAL/Reeb_graph/internal/engine/vertex_links.h>
 
 #include <algorithm>
 #include <array>
@@ -30,7 +31,7 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// What has been found of a part of the vertices.
+// Findings in a part of the vertices.
 struct Found_vertices
 {
   struct Vertex

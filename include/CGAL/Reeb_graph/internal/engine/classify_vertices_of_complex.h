@@ -16,9 +16,10 @@
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
+#include <CGAL/Reeb_graph/internal/engine/vertex_links.h>
 
 #include <algorithm>
 #include <array>
@@ -74,7 +75,7 @@ public:
     complex_.for_each_edge_around(vertex, [&](Vertex_index neighbor, Halfedge_index halfedge) {
       const Side side = side_of(order_(vertex, neighbor));
       const Edge_index root = sets_[side].find(edge_of(halfedge));
-      // What is found there may be left from another vertex.
+      // A sector found there may be left from another vertex.
       const Number sector = sector_at_root_[root];
       if(sector < roots_[side].size() && roots_[side][sector] == root)
         return add_to_sector(places[side][sector], order_, side, neighbor, halfedge);
@@ -123,9 +124,8 @@ private:
   By_side<Plain_vector<Edge_index>> roots_;           // by sector of that vertex
 };
 
-// What is done above for surfaces, for any complex: finds the vertices that is_wanted(vertex, its numbers of
-// lower and upper sectors) takes. Both sides count, as they do not alternate around a vertex. Two sweeps on one
-// thread; only sorting uses more.
+// Finds the wanted vertices of any complex; `is_wanted` gets the vertex, and its numbers of lower and upper sectors.
+// Links need not alternate, so both sides are counted. Two sweeps on one thread; only sorting uses more.
 template <class ConcurrencyTag, class Order, class IsWanted>
 Swept_vertices find_vertices_of_complex(const Simplicial_complex& complex,
                                         const Order& order,

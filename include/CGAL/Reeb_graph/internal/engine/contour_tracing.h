@@ -108,7 +108,7 @@ bool trace_oriented_contour(const Complex& complex,
                             const IsBelow& is_below,
                             Plain_vector<Halfedge_index>& crossed)
 {
-  // Who enters a triangle over an edge has the source of that edge on the left.
+  // A walk that enters a triangle over an edge has the source of that edge on the left.
   const Halfedge_index forward = is_below(complex.source(start)) ? opposite_of(start) : start;
   Contour_walk walk(complex, forward, is_below);
   crossed.clear();
@@ -198,7 +198,7 @@ private:
   std::size_t number_of_steps_ = 0;
 };
 
-// The same on a surface, by walks. Where a walk comes to the start of another one, both are along one contour.
+// Contours of a surface, side by side, by walks. Where a walk comes to the start of another one, both are along one contour.
 template <class Complex>
 class Contours_side_by_side : public Contours_by_turns<Contours_side_by_side<Complex>>
 {

@@ -16,12 +16,16 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/engine/Bounding_level.h>
 #include <CGAL/Reeb_graph/internal/engine/Contour_trees_engine.h>
+#include <CGAL/Reeb_graph/internal/engine/Locate_on_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/Slicing.h>
-#include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
 #include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
+#include <CGAL/Reeb_graph/internal/engine/vertex_links.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
@@ -50,7 +54,7 @@ public:
   // An edge keeps the contour of the lowest level: that is where an ascending path meets it first. Calls
   // report(fraction) now and then.
   template <class Report>
-  Slab_arcs find_arcs(const Report& report)
+  Swept_arcs find_arcs(const Report& report)
   {
     for(const Contour_index i : slab_.contours(Side::UPPER))
       arcs_.push_back({no_index, slab_.contour_node(Side::UPPER, i), {no_index, no_index}});
@@ -87,7 +91,7 @@ private:
     }
   }
 
-  Slab_arc_index contour_at(Halfedge_index halfedge) const { return contour_at_edge_[edge_of(halfedge)]; }
+  Swept_arc_index contour_at(Halfedge_index halfedge) const { return contour_at_edge_[edge_of(halfedge)]; }
 
   void climb_from(Swept_index critical)
   {
@@ -95,7 +99,7 @@ private:
     {
       const Link_sector& sector = critical_vertices_.sector(Side::UPPER, i);
       const Ascending_step first_step = {sector.edge, sector.extreme_neighbor};
-      Slab_arc& arc = arcs_[contour_above(first_step)];
+      Swept_arc& arc = arcs_[contour_above(first_step)];
       // Several sectors can lead to one arc, whose chain begins in the highest one.
       if(arc.lower == no_index || order_(arc.first_step.target, first_step.target))
         arc.first_step = first_step;
@@ -103,13 +107,13 @@ private:
     }
   }
 
-  Slab_arc_index contour_above(Ascending_step step) const
+  Swept_arc_index contour_above(Ascending_step step) const
   {
     for(Number steps = 0; contour_at(step.edge) == no_index; ++steps)
     {
       const Contour_index contour = slab_.contour_at_step(Side::UPPER, step.target, [&] { return step.edge; });
       if(contour != no_index)
-        return Slab_arc_index(contour.number()); // as the first arcs end at the contours of the upper level
+        return Swept_arc_index(contour.number()); // as the first arcs end at the contours of the upper level
       const Vertex_index vertex = step.target;
       step = steepest_step(complex_, order_, vertex);
       if(step.edge == no_index || steps == complex_.number_of_vertices())
@@ -122,21 +126,21 @@ private:
   const Complex& complex_;
   const Order& order_;
   const Swept_vertices& critical_vertices_;
-  Indexed_vector<Edge_index, Slab_arc_index> contour_at_edge_; // a contour has the name of the arc that ends there
-  Slab_arcs arcs_;
+  Indexed_vector<Edge_index, Swept_arc_index> contour_at_edge_; // a contour has the name of the arc that ends there
+  Swept_arcs arcs_;
 };
 
-// What a program does not choose is a type: what it never asks for is not compiled.
+// Options that a program leaves at their defaults are types: what it never asks for is not compiled.
 typedef std::integral_constant<Method, Method::CONTOUR_TREES> Default_method;
 typedef std::integral_constant<std::size_t, 1> Default_number_of_slabs;
 
 // Throws if an arc lacks a node of the slab at an end, or has no step to begin with at a vertex: the order of the
 // vertices has contradicted itself.
 template <class Complex>
-void check_arcs(const Slab<Complex>& slab, const Slab_arcs& arcs)
+void check_arcs(const Slab<Complex>& slab, const Swept_arcs& arcs)
 {
-  const Slab_node end_of_nodes(slab.number_of_nodes());
-  for(const Slab_arc& arc : arcs)
+  const Tree_node end_of_nodes(slab.number_of_nodes());
+  for(const Swept_arc& arc : arcs)
   {
     const bool has_first_step = arc.first_step.edge != no_index || slab.is_contour(arc.lower);
     if(arc.lower >= end_of_nodes || arc.upper >= end_of_nodes || !has_first_step)
@@ -147,37 +151,37 @@ void check_arcs(const Slab<Complex>& slab, const Slab_arcs& arcs)
 // Finds the arcs between the nodes of a slab by the engine for the method. All return the same arcs, in any order.
 // First steps are those of arcs that begin at a critical vertex.
 template <class ConcurrencyTag, class Complex, class Order, class Report>
-Slab_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Order& order, Default_method, const Report& report)
+Swept_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Order& order, Default_method, const Report& report)
 {
-  No_vertex_queries no_queries;
-  Slab_arcs arcs =
+  Locate_nothing no_queries;
+  Swept_arcs arcs =
     Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report, no_queries);
   check_arcs(slab, arcs);
   return arcs;
 }
 
 template <class ConcurrencyTag, class Complex, class Order, class Report>
-Slab_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Order& order, Method method, const Report& report)
+Swept_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Order& order, Method method, const Report& report)
 {
   if(method != Method::CRITICAL_SETS)
     return find_arcs_of_slab<ConcurrencyTag>(slab, order, Default_method(), report);
-  Slab_arcs arcs = Critical_sets_engine<Complex, Order>(slab, order).find_arcs(report);
+  Swept_arcs arcs = Critical_sets_engine<Complex, Order>(slab, order).find_arcs(report);
   check_arcs(slab, arcs);
   return arcs;
 }
 
 // Cuts the surface into several slabs, finds the arcs slab by slab, and glues them.
 template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class Report>
-Slab_arcs find_and_glue_arcs(const Complex& complex,
-                             const Order& order,
-                             const Swept_vertices& critical_vertices,
-                             ChosenMethod method,
-                             Number number_of_slabs,
-                             const Report& report)
+Swept_arcs find_and_glue_arcs(const Complex& complex,
+                              const Order& order,
+                              const Swept_vertices& critical_vertices,
+                              ChosenMethod method,
+                              Number number_of_slabs,
+                              const Report& report)
 {
   const Slicing<Complex> slicing(ConcurrencyTag(), complex, order, critical_vertices, number_of_slabs);
   report(0.2);
-  Indexed_vector<Slab_index, Slab_arcs> arcs_of_slabs(slicing.number_of_slabs());
+  Indexed_vector<Slab_index, Swept_arcs> arcs_of_slabs(slicing.number_of_slabs());
   for_each_index<ConcurrencyTag>(arcs_of_slabs.size(), [&](std::size_t i) {
     arcs_of_slabs[Slab_index(i)] =
       find_arcs_of_slab<ConcurrencyTag>(slicing.slab(Slab_index(i)), order, method, No_progress());
@@ -188,12 +192,12 @@ Slab_arcs find_and_glue_arcs(const Complex& complex,
 // The slab stage between partition and gluing: finds the arcs between critical vertices, slab by slab. With one slab,
 // which needs neither, the engine itself runs in parallel where it can.
 template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class ChosenNumberOfSlabs, class Report>
-Slab_arcs find_arcs(const Complex& complex,
-                    const Order& order,
-                    const Swept_vertices& critical_vertices,
-                    ChosenMethod method,
-                    ChosenNumberOfSlabs chosen_number_of_slabs,
-                    const Report& report)
+Swept_arcs find_arcs(const Complex& complex,
+                     const Order& order,
+                     const Swept_vertices& critical_vertices,
+                     ChosenMethod method,
+                     ChosenNumberOfSlabs chosen_number_of_slabs,
+                     const Report& report)
 {
   if constexpr(!std::is_same_v<ChosenNumberOfSlabs, Default_number_of_slabs>)
   {
@@ -204,35 +208,35 @@ Slab_arcs find_arcs(const Complex& complex,
   return find_arcs_of_slab<ConcurrencyTag>(Slab(complex, critical_vertices), order, method, report);
 }
 
-// The same arcs by the default method, and the one of each regular vertex.
+// Finds the arcs by the default method, and the one that each regular vertex is on.
 template <class ConcurrencyTag, class Complex, class Order>
-Slab_arcs find_arcs_of_vertices(const Complex& complex,
-                                const Order& order,
-                                const Swept_vertices& critical_vertices,
-                                Arc_of_vertex& arc_of_vertex,
-                                const Stage_progress& progress)
+Swept_arcs find_arcs_and_locate_vertices(const Complex& complex,
+                                         const Order& order,
+                                         const Swept_vertices& critical_vertices,
+                                         Arc_of_vertex& arc_of_vertex,
+                                         const Stage_progress& progress)
 {
   const Slab slab(complex, critical_vertices);
   const auto find = [&](auto& queries) {
-    Slab_arcs arcs =
+    Swept_arcs arcs =
       Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(progress, queries);
     check_arcs(slab, arcs);
     arc_of_vertex = queries.take_arc_of_vertex();
     return arcs;
   };
-  if(Climbing_queries<Complex, Order>::are_fast(complex, critical_vertices))
+  if(Locate_by_climbing<Complex, Order>::are_fast(complex, critical_vertices))
   {
-    Climbing_queries<Complex, Order> queries(complex, order, critical_vertices);
+    Locate_by_climbing<Complex, Order> queries(complex, order, critical_vertices);
     return find(queries);
   }
-  Vertex_queries<Complex, Order> queries(complex, order, critical_vertices);
+  Locate_by_sorting<Complex, Order> queries(complex, order, critical_vertices);
   queries.template sort<ConcurrencyTag>();
   return find(queries);
 }
 
 #define CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, METHOD, NUMBER_OF_SLABS)                            \
-  PREFIX template Slab_arcs find_arcs<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, const Swept_vertices&,        \
-                                           METHOD, NUMBER_OF_SLABS, const Stage_progress&);
+  PREFIX template Swept_arcs find_arcs<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, const Swept_vertices&,       \
+                                            METHOD, NUMBER_OF_SLABS, const Stage_progress&);
 #define CGAL_REEB_GRAPH_FIND_ARCS(PREFIX, TAG, COMPLEX, SCALAR)                                                        \
   CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Default_method, Default_number_of_slabs)
 #define CGAL_REEB_GRAPH_FIND_ARCS_BY_CHOICE(PREFIX, TAG, COMPLEX, SCALAR)                                              \
@@ -240,8 +244,8 @@ Slab_arcs find_arcs_of_vertices(const Complex& complex,
   CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Default_method, std::size_t)                              \
   CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Method, std::size_t)
 #define CGAL_REEB_GRAPH_FIND_ARCS_OF_VERTICES(PREFIX, TAG, COMPLEX, SCALAR)                                            \
-  PREFIX template Slab_arcs find_arcs_of_vertices<TAG>(const COMPLEX&, const Natural_order<SCALAR>&,                   \
-                                                       const Swept_vertices&, Arc_of_vertex&, const Stage_progress&);
+  PREFIX template Swept_arcs find_arcs_and_locate_vertices<TAG>(                                                       \
+    const COMPLEX&, const Natural_order<SCALAR>&, const Swept_vertices&, Arc_of_vertex&, const Stage_progress&);
 CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_FIND_ARCS)
 CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_ARCS_OF_VERTICES)
 CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_ARCS_BY_CHOICE)

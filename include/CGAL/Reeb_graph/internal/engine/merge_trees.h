@@ -16,8 +16,12 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
+#include <CGAL/Reeb_graph/internal/engine/Bounding_level.h>
 #include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
+#include <CGAL/Reeb_graph/internal/engine/vertex_links.h>
 
 #include <cstddef>
 #include <utility>
@@ -27,13 +31,13 @@ namespace CGAL::Reeb_graph::internal {
 // A join tree or a split tree. Its nodes are those of a slab, and two of each loop cut.
 struct Merge_tree
 {
-  Indexed_vector<Slab_node, Slab_node> parents;      // where the component of a node merges; no_index at a root
-  Indexed_vector<Slab_node, bool> is_border_reached; // whether the component of which the node is the top has border
+  Indexed_vector<Tree_node, Tree_node> parents;      // where the component of a node merges; no_index at a root
+  Indexed_vector<Tree_node, bool> is_border_reached; // whether the component of which the node is the top has border
   Indexed_vector<Swept_index, bool> is_class_shared; // whether two sectors of the vertex are in one component
 
   // By lower link sector in the join tree, by upper one in the split tree: the class of the sector, which is the top of
   // the component that it is in when the sweep arrives at its vertex.
-  Indexed_vector<Sector_index, Slab_node> classes;
+  Indexed_vector<Sector_index, Tree_node> classes;
 };
 
 // The sweep over the critical vertices that builds a merge tree from the ends of monotone paths: the join tree from
@@ -53,10 +57,10 @@ public:
   {
     tree_.parents.reserve(slab.number_of_nodes() + slab.number_of_nodes() / 16); // There may be a few cuts.
     tree_.parents.assign(slab.number_of_nodes(), no_index);
-    tree_.is_border_reached.renew(slab.number_of_nodes(), false);
-    tree_.is_class_shared.renew(critical_vertices_.size(), false);
-    sector_components_.renew(critical_vertices_.total_number_of_sectors(side));
-    tree_.classes.renew(sector_components_.size());
+    tree_.is_border_reached.reset(slab.number_of_nodes(), false);
+    tree_.is_class_shared.reset(critical_vertices_.size(), false);
+    sector_components_.reset(critical_vertices_.total_number_of_sectors(side));
+    tree_.classes.reset(sector_components_.size());
     for(const Swept_index i : critical_vertices_.indices())
     {
       if(is_extremum(i))
@@ -68,7 +72,7 @@ public:
     number_of_extrema_ = components_.size();
     for(const Contour_index i : slab.contours(side))
     {
-      const Slab_node node = slab.contour_node(side, i);
+      const Tree_node node = slab.contour_node(side, i);
       components_.add(node);
       tree_.is_border_reached[node] = slab.is_border_reached(side, i);
     }
@@ -126,9 +130,9 @@ public:
   }
 
   // The class of a regular vertex at which the sweep has arrived: the top of the component that it is in.
-  Slab_node class_of(Vertex_index vertex) { return class_of(vertex, end_at_level(), passed_); }
+  Tree_node class_of(Vertex_index vertex) { return class_of(vertex, end_at_level(), passed_); }
   template <class EndOfStep>
-  Slab_node class_of(Vertex_index vertex, const EndOfStep& end_of_step, Plain_vector<Vertex_index>& passed)
+  Tree_node class_of(Vertex_index vertex, const EndOfStep& end_of_step, Plain_vector<Vertex_index>& passed)
   {
     return components_.top(components_.find(path_ends_.end_of_path(vertex, end_of_step, passed)));
   }
@@ -205,7 +209,7 @@ protected:
 
   // Puts a node on the component in which the critical vertex is that has been merged at last. An extremum has begun
   // one of its own; on a surface, none has a node to be put there.
-  void put_on_last(Swept_index critical, Slab_node node)
+  void put_on_last(Swept_index critical, Tree_node node)
   {
     add_nodes_up_to(node);
     const Vertex_index vertex = critical_vertices_.vertex(critical);
@@ -213,7 +217,7 @@ protected:
   }
 
   // Adds a component that begins with a new node. Returns its number.
-  Component_index add_component_of_cut(Slab_node node, bool is_border_reached)
+  Component_index add_component_of_cut(Tree_node node, bool is_border_reached)
   {
     add_nodes_up_to(node);
     tree_.is_border_reached[node] = is_border_reached;
@@ -230,7 +234,7 @@ protected:
 private:
   bool is_extremum(Swept_index critical) const { return critical_vertices_.number_of_sectors(critical, side) == 0; }
 
-  void add_nodes_up_to(Slab_node node)
+  void add_nodes_up_to(Tree_node node)
   {
     if(tree_.parents.contains(node))
       return;
@@ -238,9 +242,9 @@ private:
     tree_.is_border_reached.resize(node.number() + 1, false);
   }
 
-  void put_on(Component_index component, Slab_node top)
+  void put_on(Component_index component, Tree_node top)
   {
-    const Slab_node old_top = components_.top(component);
+    const Tree_node old_top = components_.top(component);
     tree_.parents[old_top] = top;
     if(tree_.is_border_reached[old_top])
       tree_.is_border_reached[top] = true;
@@ -248,7 +252,7 @@ private:
   }
 
   Number number_of_extrema_;
-  Merging_components<Slab_node> components_;
+  Merging_components<Tree_node> components_;
   Plain_vector<Component_index> merged_components_;
   Merge_tree tree_;
 };
@@ -260,14 +264,14 @@ class Shrinking_tree
 public:
   Shrinking_tree() = default;
   // Room that is left for more nodes is left here too.
-  explicit Shrinking_tree(const Indexed_vector<Slab_node, Slab_node>& parents)
+  explicit Shrinking_tree(const Indexed_vector<Tree_node, Tree_node>& parents)
   {
     nodes_.reserve(parents.capacity());
     nodes_.assign(parents.size(), Node{no_index, 0, 0});
     constexpr Number ahead = 16;
-    for(const Slab_node node : parents.keys())
+    for(const Tree_node node : parents.keys())
     {
-      const Slab_node later(node.number() + ahead);
+      const Tree_node later(node.number() + ahead);
       if(parents.contains(later) && parents[later] != no_index)
         prefetch(&nodes_[parents[later]]);
       nodes_[node].parent = parents[node];
@@ -285,15 +289,15 @@ public:
   void resize(std::size_t number_of_nodes) { nodes_.resize(number_of_nodes); }
 
   // The child is no root.
-  void put_above(Slab_node child, Slab_node node)
+  void put_above(Tree_node child, Tree_node node)
   {
-    const Slab_node parent = nodes_[child].parent;
+    const Tree_node parent = nodes_[child].parent;
     nodes_[node] = {parent, 1, child.number()};
     nodes_[child].parent = node;
     nodes_[parent].child_names ^= node.number() ^ child.number();
   }
 
-  void put_leaf_below(Slab_node parent, Slab_node node)
+  void put_leaf_below(Tree_node parent, Tree_node node)
   {
     nodes_[node] = {parent, 0, 0};
     ++nodes_[parent].number_of_children;
@@ -303,11 +307,11 @@ public:
   // How many roots the tree has before any node is removed.
   Number number_of_roots() const { return number_of_roots_; }
 
-  Slab_node parent(Slab_node node) const { return nodes_[node].parent; }
-  Number number_of_children(Slab_node node) const { return nodes_[node].number_of_children; }
-  Slab_node only_child(Slab_node node) const { return Slab_node(nodes_[node].child_names); }
+  Tree_node parent(Tree_node node) const { return nodes_[node].parent; }
+  Number number_of_children(Tree_node node) const { return nodes_[node].number_of_children; }
+  Tree_node only_child(Tree_node node) const { return Tree_node(nodes_[node].child_names); }
 
-  void remove_leaf(Slab_node node)
+  void remove_leaf(Tree_node node)
   {
     Node& parent = nodes_[nodes_[node].parent];
     --parent.number_of_children;
@@ -315,9 +319,9 @@ public:
   }
 
   // The only child takes the place of the node.
-  void remove_inner_node(Slab_node node)
+  void remove_inner_node(Tree_node node)
   {
-    const Slab_node child = only_child(node), parent = nodes_[node].parent;
+    const Tree_node child = only_child(node), parent = nodes_[node].parent;
     nodes_[child].parent = parent;
     if(parent != no_index)
       nodes_[parent].child_names ^= node.number() ^ child.number();
@@ -327,18 +331,18 @@ public:
 private:
   struct Node
   {
-    Slab_node parent;
+    Tree_node parent;
     Number number_of_children;
     Number child_names;
   };
 
-  Indexed_vector<Slab_node, Node> nodes_;
+  Indexed_vector<Tree_node, Node> nodes_;
   Number number_of_roots_ = 0;
 };
 
 // By node of the join tree and of the split tree: the arc that the arc to the parent of the node has gone to, the first
 // one if it has been split; no_index if none.
-typedef By_side<Indexed_vector<Slab_node, Slab_arc_index>> Arcs_of_classes;
+typedef By_side<Indexed_vector<Tree_node, Swept_arc_index>> Arcs_of_classes;
 
 // Combines a join tree and a split tree of the same nodes to the arcs of the contour tree, leaf by leaf. (H. Carr,
 // J. Snoeyink, U. Axen, Computing contour trees in all dimensions, 2003.) On request, it keeps what
@@ -349,33 +353,33 @@ class Tree_combination
 public:
   Tree_combination(Shrinking_tree join_tree,
                    Shrinking_tree split_tree,
-                   Indexed_vector<Slab_node, Ascending_step> first_steps)
+                   Indexed_vector<Tree_node, Ascending_step> first_steps)
     : trees_{{std::move(join_tree), std::move(split_tree)}},
       first_steps_(std::move(first_steps))
   {
     arcs_.reserve(first_steps_.size());
   }
 
-  Slab_arcs operator()()
+  Swept_arcs operator()()
   {
-    for(const Slab_node node : first_steps_.keys())
+    for(const Tree_node node : first_steps_.keys())
       take_leaves_from(node);
     return std::move(arcs_);
   }
 
   // Follows the classes to the arcs that have been found: in the tree where a leaf of the other one is no leaf, the
   // only child takes its place, and goes later.
-  Arcs_of_classes find_arcs_of_classes(const Slab_arcs& arcs) const
+  Arcs_of_classes find_arcs_of_classes(const Swept_arcs& arcs) const
   {
     static_assert(are_leaves_kept);
     Arcs_of_classes result;
     for(const Side side : both_sides)
-      result[side].renew(first_steps_.size(), no_index);
+      result[side].reset(first_steps_.size(), no_index);
     for(std::size_t i = arcs.size(); i != 0;)
     {
-      const Slab_arc_index arc(--i);
+      const Swept_arc_index arc(--i);
       const Side side = sides_of_leaves_[i];
-      const Slab_node leaf = side == Side::LOWER ? arcs[arc].lower : arcs[arc].upper;
+      const Tree_node leaf = side == Side::LOWER ? arcs[arc].lower : arcs[arc].upper;
       const Side other = opposite_of(side);
       result[side][leaf] = arc;
       result[other][leaf] = result[other][trees_[other].only_child(leaf)];
@@ -387,14 +391,14 @@ private:
   // Whether the node is a leaf that is left at one side: the lower one in the join tree, the upper one in the split tree.
   // A root is no leaf, as it is none of trees of the same order.
   template <Side side>
-  bool is_leaf(Slab_node node) const
+  bool is_leaf(Tree_node node) const
   {
     return trees_[side].number_of_children(node) == 0 && trees_[opposite_of(side)].number_of_children(node) == 1
         && trees_[side].parent(node) != no_index;
   }
 
   // Takes the node away if it is a leaf, and then its neighbor if that makes it one, and so on.
-  void take_leaves_from(Slab_node node)
+  void take_leaves_from(Tree_node node)
   {
     while(node != no_index)
     {
@@ -409,12 +413,12 @@ private:
 
   // Returns the other end of the leaf's arc.
   template <Side side>
-  Slab_node take_leaf(Slab_node leaf)
+  Tree_node take_leaf(Tree_node leaf)
   {
-    const Slab_node end = trees_[side].parent(leaf);
+    const Tree_node end = trees_[side].parent(leaf);
     if constexpr(side == Side::LOWER)
     {
-      const Slab_node child = trees_[Side::UPPER].only_child(leaf);
+      const Tree_node child = trees_[Side::UPPER].only_child(leaf);
       arcs_.push_back({leaf, end, first_steps_[child]});
       first_steps_[child] = first_steps_[leaf];
     }
@@ -428,8 +432,8 @@ private:
   }
 
   By_side<Shrinking_tree> trees_;
-  Indexed_vector<Slab_node, Ascending_step> first_steps_; // from its parent in the split tree towards it
-  Slab_arcs arcs_;
+  Indexed_vector<Tree_node, Ascending_step> first_steps_; // from its parent in the split tree towards it
+  Swept_arcs arcs_;
   Plain_vector<Side> sides_of_leaves_; // by arc
 };
 

@@ -17,7 +17,8 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
 #include <CGAL/Reeb_graph/options.h>
 
@@ -28,12 +29,8 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-struct Node_tag;
-struct Arc_tag;
-struct Piece_tag;
-typedef Index_of<Node_tag> Node_index;
-typedef Index_of<Arc_tag> Arc_index;
-typedef Index_of<Piece_tag> Piece_index;
+struct Chain_segment_tag;
+typedef Index_of<Chain_segment_tag> Chain_segment_index;
 
 struct Flat_node
 {
@@ -50,9 +47,9 @@ inline Node_kind node_kind(Number in_degree, Number out_degree)
   return in_degree == 1 && out_degree == 1 ? Node_kind::DEGREE_TWO : Node_kind::SADDLE;
 }
 
-// A piece of a chain: steepest steps from the first one on, up to the level just below a vertex. An arc has one, and
+// A segment of a chain: steepest steps from the first one on, up to the level just below a vertex. An arc has one, and
 // one more for each plateau of several critical vertices that it passes.
-struct Chain_piece
+struct Chain_segment
 {
   Ascending_step first_step;
   Vertex_index upper_vertex;
@@ -62,8 +59,8 @@ struct Flat_arc
 {
   Node_index lower;
   Node_index upper;
-  Piece_index first_piece;
-  Number number_of_pieces;
+  Chain_segment_index first_segment;
+  Number number_of_segments;
 };
 
 // The Reeb graph by indices: nodes in ascending order, arcs sorted.
@@ -71,14 +68,14 @@ struct Flat_graph
 {
   Indexed_vector<Node_index, Flat_node> nodes;
   Indexed_vector<Arc_index, Flat_arc> arcs;
-  Indexed_vector<Piece_index, Chain_piece> pieces;
+  Indexed_vector<Chain_segment_index, Chain_segment> segments;
 
   // By critical vertex: the node that it is part of, or else, on request, the arc that passes it.
   Indexed_vector<Swept_index, Node_index> node_of_critical;
   Indexed_vector<Swept_index, Arc_index> arc_of_critical;
 
   // By arc between critical vertices, on request: the arc that it is part of, no_index if it has been contracted.
-  Indexed_vector<Slab_arc_index, Arc_index> arc_of_critical_arc;
+  Indexed_vector<Swept_arc_index, Arc_index> arc_of_critical_arc;
 };
 
 // The groups that critical vertices form: each one alone, or if ties are contracted, those that arcs of length zero
@@ -87,16 +84,16 @@ template <class Order>
 class Tie_groups
 {
 public:
-  Tie_groups(const Order& order, const Swept_vertices& critical_vertices, const Slab_arcs& arcs, Ties ties)
+  Tie_groups(const Order& order, const Swept_vertices& critical_vertices, const Swept_arcs& arcs, Ties ties)
     : order_(order),
       critical_vertices_(critical_vertices),
       are_ties_contracted_(ties == Ties::CONTRACT)
   {
     if(!are_ties_contracted_)
       return;
-    is_on_plateau_.renew(critical_vertices.size(), false);
+    is_on_plateau_.reset(critical_vertices.size(), false);
     Disjoint_sets<Swept_index> groups(critical_vertices.size());
-    for(const Slab_arc& arc : arcs)
+    for(const Swept_arc& arc : arcs)
     {
       if(!is_contracted(arc))
         continue;
@@ -108,7 +105,7 @@ public:
 
   bool are_ties_contracted() const { return are_ties_contracted_; }
 
-  bool is_contracted(const Slab_arc& arc) const
+  bool is_contracted(const Swept_arc& arc) const
   {
     return are_ties_contracted_
         && order_.are_tied(critical_vertices_.vertex(arc.lower_vertex()),
@@ -139,7 +136,7 @@ public:
   Arc_reduction(const Complex& complex,
                 const Order& order,
                 const Swept_vertices& critical_vertices,
-                const Slab_arcs& arcs,
+                const Swept_arcs& arcs,
                 Ties ties,
                 bool are_degree_two_nodes_kept)
     : complex_(complex),
@@ -156,8 +153,8 @@ public:
     make_nodes();
     if(are_passing_arcs_named)
     {
-      first_piece_of_group_.renew(critical_vertices_.size(), no_index);
-      first_piece_of_arc_.renew(arcs_.size(), no_index);
+      first_segment_of_group_.reset(critical_vertices_.size(), no_index);
+      first_segment_of_arc_.reset(arcs_.size(), no_index);
     }
     make_arcs();
     sort_arcs_of_nodes();
@@ -169,9 +166,9 @@ public:
 private:
   void count_degrees()
   {
-    degrees_.renew(critical_vertices_.size(), Degrees{0, 0, no_index});
-    ranks_.renew(arcs_.size());
-    for(const Slab_arc_index i : arcs_.keys())
+    degrees_.reset(critical_vertices_.size(), Degrees{0, 0, no_index});
+    ranks_.reset(arcs_.size());
+    for(const Swept_arc_index i : arcs_.keys())
     {
       if(groups_.is_contracted(arcs_[i]))
         continue;
@@ -187,7 +184,7 @@ private:
   void make_nodes()
   {
     const Number size = critical_vertices_.size();
-    graph_.node_of_critical.renew(size, no_index);
+    graph_.node_of_critical.reset(size, no_index);
     Indexed_vector<Swept_index, Node_index>& node_of_group = graph_.node_of_critical;
     graph_.nodes.reserve(size);
     begins_of_arcs_.reserve(size + 1);
@@ -213,43 +210,43 @@ private:
       number_of_arcs += degrees_[group].out;
     }
     begins_of_arcs_.push_back(Arc_index(number_of_arcs));
-    graph_.arcs.renew(number_of_arcs);
+    graph_.arcs.reset(number_of_arcs);
     if(!groups_.are_ties_contracted())
       return;
     for(const Swept_index i : critical_vertices_.indices())
       graph_.node_of_critical[i] = node_of_group[groups_.group_of(i)];
   }
 
-  // Puts the arcs in order by lower node, and their pieces in the order of the critical arcs that they begin with.
+  // Puts the arcs in order by lower node, and their segments in the order of the critical arcs that they begin with.
   void make_arcs()
   {
     const std::size_t number_of_parts = internal::number_of_parts<ConcurrencyTag>(arcs_.size());
-    const Plain_vector<std::size_t> begins_of_pieces = find_begins_of_pieces(number_of_parts);
-    graph_.pieces.renew(begins_of_pieces.back());
+    const Plain_vector<std::size_t> begins_of_segments = find_begins_of_segments(number_of_parts);
+    graph_.segments.reset(begins_of_segments.back());
     const auto make_arcs_of_part = [&](std::size_t part, std::size_t begin, std::size_t end) {
-      Piece_index piece(begins_of_pieces[part]);
-      for_each_first_arc(begin, end, [&](Slab_arc_index i, Node_index lower) {
-        graph_.arcs[Arc_index(begins_of_arcs_[lower].number() + ranks_[i])] = make_arc(i, lower, piece);
+      Chain_segment_index segment(begins_of_segments[part]);
+      for_each_first_arc(begin, end, [&](Swept_arc_index i, Node_index lower) {
+        graph_.arcs[Arc_index(begins_of_arcs_[lower].number() + ranks_[i])] = make_arc(i, lower, segment);
       });
     };
     for_each_part<ConcurrencyTag>(number_of_parts, arcs_.size(), make_arcs_of_part);
   }
 
-  // The places where the pieces of each part of the critical arcs begin in the sequence of all pieces; and the end.
-  Plain_vector<std::size_t> find_begins_of_pieces(std::size_t number_of_parts) const
+  // The places where the segments of each part of the critical arcs begin in the sequence of all segments; and the end.
+  Plain_vector<std::size_t> find_begins_of_segments(std::size_t number_of_parts) const
   {
-    Plain_vector<std::size_t> begins_of_pieces(number_of_parts + 1, 0);
-    const auto count_pieces = [&](std::size_t part, std::size_t begin, std::size_t end) {
+    Plain_vector<std::size_t> begins_of_segments(number_of_parts + 1, 0);
+    const auto count_segments = [&](std::size_t part, std::size_t begin, std::size_t end) {
       std::size_t count = 0;
-      for_each_first_arc(begin, end, [&](Slab_arc_index i, Node_index) {
+      for_each_first_arc(begin, end, [&](Swept_arc_index i, Node_index) {
         follow_arc(
-          i, [&](const Chain_piece&) { ++count; }, [](Swept_index, Slab_arc_index) {});
+          i, [&](const Chain_segment&) { ++count; }, [](Swept_index, Swept_arc_index) {});
       });
-      begins_of_pieces[part + 1] = count;
+      begins_of_segments[part + 1] = count;
     };
-    for_each_part<ConcurrencyTag>(number_of_parts, arcs_.size(), count_pieces);
-    std::partial_sum(begins_of_pieces.begin(), begins_of_pieces.end(), begins_of_pieces.begin());
-    return begins_of_pieces;
+    for_each_part<ConcurrencyTag>(number_of_parts, arcs_.size(), count_segments);
+    std::partial_sum(begins_of_segments.begin(), begins_of_segments.end(), begins_of_segments.begin());
+    return begins_of_segments;
   }
 
   // Calls visit(critical arc, lower node) where an arc of the graph begins.
@@ -257,8 +254,8 @@ private:
   void for_each_first_arc(std::size_t begin, std::size_t end, const Visit& visit) const
   {
     constexpr std::size_t far_ahead = 32, ahead = 16;
-    const auto lower_vertex = [&](std::size_t i) { return arcs_[Slab_arc_index(i)].lower_vertex(); };
-    const auto upper_vertex = [&](std::size_t i) { return arcs_[Slab_arc_index(i)].upper_vertex(); };
+    const auto lower_vertex = [&](std::size_t i) { return arcs_[Swept_arc_index(i)].lower_vertex(); };
+    const auto upper_vertex = [&](std::size_t i) { return arcs_[Swept_arc_index(i)].upper_vertex(); };
     for(std::size_t i = begin; i != end; ++i)
     {
       if(i + far_ahead < end)
@@ -270,57 +267,59 @@ private:
       if(i + ahead < end)
         prefetch_element(begins_of_arcs_, graph_.node_of_critical[lower_vertex(i + ahead)]);
       const Node_index lower = graph_.node_of_critical[lower_vertex(i)];
-      if(lower != no_index && !groups_.is_contracted(arcs_[Slab_arc_index(i)]))
-        visit(Slab_arc_index(i), lower);
+      if(lower != no_index && !groups_.is_contracted(arcs_[Swept_arc_index(i)]))
+        visit(Swept_arc_index(i), lower);
     }
   }
 
-  Flat_arc make_arc(Slab_arc_index i, Node_index lower, Piece_index& piece)
+  Flat_arc make_arc(Swept_arc_index i, Node_index lower, Chain_segment_index& segment)
   {
-    const Piece_index first_piece = piece;
-    name_piece(first_piece_of_arc_, i, first_piece);
-    const auto add_piece = [&](const Chain_piece& chain_piece) {
-      graph_.pieces[piece] = chain_piece;
-      ++piece;
+    const Chain_segment_index first_segment = segment;
+    name_segment(first_segment_of_arc_, i, first_segment);
+    const auto add_segment = [&](const Chain_segment& added) {
+      graph_.segments[segment] = added;
+      ++segment;
     };
-    const Node_index upper = follow_arc(i, add_piece, [&](Swept_index group, Slab_arc_index next_arc) {
-      name_piece(first_piece_of_group_, group, first_piece);
-      name_piece(first_piece_of_arc_, next_arc, first_piece);
+    const Node_index upper = follow_arc(i, add_segment, [&](Swept_index group, Swept_arc_index next_arc) {
+      name_segment(first_segment_of_group_, group, first_segment);
+      name_segment(first_segment_of_arc_, next_arc, first_segment);
     });
     if(upper <= lower)
       complex_.throw_contradiction_near(graph_.nodes[upper].vertex);
-    return {lower, upper, first_piece, piece.number() - first_piece.number()};
+    return {lower, upper, first_segment, segment.number() - first_segment.number()};
   }
 
-  // Follows an arc over the groups that are no nodes. Calls add_piece(piece of its chain), and pass(group, critical arc
+  // Follows an arc over the groups that are no nodes. Calls add_segment(segment of its chain), and pass(group, critical arc
   // that leaves it). At a single vertex every ascending path goes on inside the arc; on a plateau it can end, and a new
-  // piece begins where the arc leaves. Returns the upper node.
-  template <class AddPiece, class Pass>
-  Node_index follow_arc(Slab_arc_index i, const AddPiece& add_piece, const Pass& pass) const
+  // segment begins where the arc leaves. Returns the upper node.
+  template <class AddSegment, class Pass>
+  Node_index follow_arc(Swept_arc_index i, const AddSegment& add_segment, const Pass& pass) const
   {
     Ascending_step first_step = arcs_[i].first_step;
     while(true)
     {
       const Swept_index critical = arcs_[i].upper_vertex();
       const Node_index node = graph_.node_of_critical[critical];
-      const bool is_piece_ended = node != no_index || groups_.is_on_plateau(critical);
-      if(is_piece_ended)
-        add_piece(Chain_piece{first_step, critical_vertices_.vertex(critical)});
+      const bool is_segment_ended = node != no_index || groups_.is_on_plateau(critical);
+      if(is_segment_ended)
+        add_segment(Chain_segment{first_step, critical_vertices_.vertex(critical)});
       if(node != no_index)
         return node;
       const Swept_index group = groups_.group_of(critical);
       i = degrees_[group].last_out_arc;
       pass(group, i);
-      if(is_piece_ended)
+      if(is_segment_ended)
         first_step = arcs_[i].first_step;
     }
   }
 
   template <class Key>
-  static void name_piece(Indexed_vector<Key, Piece_index>& first_pieces, Key i, Piece_index first_piece)
+  static void name_segment(Indexed_vector<Key, Chain_segment_index>& first_segments,
+                           Key i,
+                           Chain_segment_index first_segment)
   {
-    if(!first_pieces.empty())
-      first_pieces[i] = first_piece;
+    if(!first_segments.empty())
+      first_segments[i] = first_segment;
   }
 
   // The canonical order of the arcs that leave one node: by upper node, then by the second and the first vertex of their
@@ -335,8 +334,8 @@ private:
     const auto is_before = [&](const Flat_arc& arc_a, const Flat_arc& arc_b) {
       if(arc_a.upper != arc_b.upper)
         return arc_a.upper < arc_b.upper;
-      const Ascending_step& a = graph_.pieces[arc_a.first_piece].first_step;
-      const Ascending_step& b = graph_.pieces[arc_b.first_piece].first_step;
+      const Ascending_step& a = graph_.segments[arc_a.first_segment].first_step;
+      const Ascending_step& b = graph_.segments[arc_b.first_segment].first_step;
       if(a.target != b.target)
         return order_(a.target, b.target);
       const Vertex_index first_of_a = first_vertex(a), first_of_b = first_vertex(b);
@@ -355,39 +354,39 @@ private:
     });
   }
 
-  // Sorting has moved the arcs, but each keeps its first piece.
+  // Sorting has moved the arcs, but each keeps its first segment.
   void name_passing_arcs()
   {
-    Indexed_vector<Piece_index, Arc_index> arc_of_first_piece(graph_.pieces.size(), no_index);
+    Indexed_vector<Chain_segment_index, Arc_index> arc_of_first_segment(graph_.segments.size(), no_index);
     for(const Arc_index i : graph_.arcs.keys())
-      arc_of_first_piece[graph_.arcs[i].first_piece] = i;
-    const auto arc_of = [&](Piece_index first_piece) -> Arc_index {
-      return first_piece == no_index ? no_index : arc_of_first_piece[first_piece];
+      arc_of_first_segment[graph_.arcs[i].first_segment] = i;
+    const auto arc_of = [&](Chain_segment_index first_segment) -> Arc_index {
+      return first_segment == no_index ? no_index : arc_of_first_segment[first_segment];
     };
     for(const Swept_index i : critical_vertices_.indices())
-      graph_.arc_of_critical.push_back(arc_of(first_piece_of_group_[groups_.group_of(i)]));
-    for(const Piece_index first_piece : first_piece_of_arc_)
-      graph_.arc_of_critical_arc.push_back(arc_of(first_piece));
+      graph_.arc_of_critical.push_back(arc_of(first_segment_of_group_[groups_.group_of(i)]));
+    for(const Chain_segment_index first_segment : first_segment_of_arc_)
+      graph_.arc_of_critical_arc.push_back(arc_of(first_segment));
   }
 
   struct Degrees
   {
     Number in;
     Number out;
-    Slab_arc_index last_out_arc; // the only one of a group that is no node
+    Swept_arc_index last_out_arc; // the only one of a group that is no node
   };
 
   const Complex& complex_;
   const Order& order_;
   const Swept_vertices& critical_vertices_;
-  const Slab_arcs& arcs_;
+  const Swept_arcs& arcs_;
   const Tie_groups<Order> groups_;
   const bool are_degree_two_nodes_kept_;
-  Indexed_vector<Swept_index, Degrees> degrees_;                   // by group
-  Indexed_vector<Slab_arc_index, Number> ranks_;                   // how many arcs before leave the same group
-  Indexed_vector<Node_index, Arc_index> begins_of_arcs_;           // that leave a node; and the end of the last ones
-  Indexed_vector<Swept_index, Piece_index> first_piece_of_group_;  // that of the arc that passes the group
-  Indexed_vector<Slab_arc_index, Piece_index> first_piece_of_arc_; // that of the arc that it becomes part of
+  Indexed_vector<Swept_index, Degrees> degrees_;         // by group
+  Indexed_vector<Swept_arc_index, Number> ranks_;        // how many arcs before leave the same group
+  Indexed_vector<Node_index, Arc_index> begins_of_arcs_; // that leave a node; and the end of the last ones
+  Indexed_vector<Swept_index, Chain_segment_index> first_segment_of_group_;   // that of the arc that passes the group
+  Indexed_vector<Swept_arc_index, Chain_segment_index> first_segment_of_arc_; // that of the arc that it becomes part of
   Flat_graph graph_;
 };
 
@@ -395,7 +394,7 @@ template <class ConcurrencyTag, class Complex, class Order>
 Flat_graph reduce_arcs(const Complex& complex,
                        const Order& order,
                        const Swept_vertices& critical_vertices,
-                       const Slab_arcs& arcs,
+                       const Swept_arcs& arcs,
                        Ties ties,
                        bool are_degree_two_nodes_kept,
                        bool are_passing_arcs_named)
@@ -406,7 +405,7 @@ Flat_graph reduce_arcs(const Complex& complex,
 
 #define CGAL_REEB_GRAPH_REDUCE_ARCS(PREFIX, TAG, COMPLEX, SCALAR)                                                      \
   PREFIX template Flat_graph reduce_arcs<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, const Swept_vertices&,     \
-                                              const Slab_arcs&, Ties, bool, bool);
+                                              const Swept_arcs&, Ties, bool, bool);
 CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_REDUCE_ARCS)
 
 } // namespace CGAL::Reeb_graph::internal

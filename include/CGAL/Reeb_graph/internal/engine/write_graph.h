@@ -34,30 +34,30 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// The chains of all arcs, one behind the other as their pieces are.
+// The chains of all arcs, one behind the other as their segments are.
 struct Flat_chains
 {
   std::vector<Plain_vector<Halfedge_index>> parts; // of the sequence of all halfedges, which are ascending
   Plain_vector<std::size_t> begins_of_parts;
-  Indexed_vector<Piece_index, std::size_t> begins_of_pieces; // and the end of the last one
+  Indexed_vector<Chain_segment_index, std::size_t> begins_of_segments; // and the end of the last one
 
-  std::size_t size() const { return begins_of_pieces.back(); }
-  std::size_t begin(const Flat_arc& arc) const { return begins_of_pieces[arc.first_piece]; }
+  std::size_t size() const { return begins_of_segments.back(); }
+  std::size_t begin(const Flat_arc& arc) const { return begins_of_segments[arc.first_segment]; }
   std::size_t end(const Flat_arc& arc) const
   {
-    return begins_of_pieces[Piece_index(arc.first_piece.number() + arc.number_of_pieces)];
+    return begins_of_segments[Chain_segment_index(arc.first_segment.number() + arc.number_of_segments)];
   }
 };
 
-// Walks the pieces of chains from `begin` to `end`. A path that has entered an arc cannot leave it below the upper
+// Walks the segments of chains from `begin` to `end`. A path that has entered an arc cannot leave it below the upper
 // node, so comparisons tell the end, and the chain does not depend on how the arc was found. No vertex is passed twice,
 // unless the order contradicts itself.
 template <class Complex, class Order>
-Plain_vector<Halfedge_index> walk_pieces(const Complex& complex,
-                                         const Order& order,
-                                         const Chain_piece* begin,
-                                         const Chain_piece* end,
-                                         std::size_t* begins_of_pieces)
+Plain_vector<Halfedge_index> walk_segments(const Complex& complex,
+                                           const Order& order,
+                                           const Chain_segment* begin,
+                                           const Chain_segment* end,
+                                           std::size_t* begins_of_segments)
 {
   Plain_vector<Halfedge_index> halfedges;
   halfedges.reserve(3 * static_cast<std::size_t>(end - begin));
@@ -66,12 +66,12 @@ Plain_vector<Halfedge_index> walk_pieces(const Complex& complex,
     const bool is_ascending = complex.target(step.edge) == step.target;
     halfedges.push_back(is_ascending ? step.edge : opposite_of(step.edge));
   };
-  for(const Chain_piece* piece = begin; piece != end; ++piece)
+  for(const Chain_segment* segment = begin; segment != end; ++segment)
   {
-    *begins_of_pieces++ = halfedges.size();
-    add(piece->first_step);
-    const auto is_below = [&](Vertex_index vertex) { return order(vertex, piece->upper_vertex); };
-    climb(complex, order, piece->first_step.target, is_below, [&](Vertex_index vertex, const Ascending_step& step) {
+    *begins_of_segments++ = halfedges.size();
+    add(segment->first_step);
+    const auto is_below = [&](Vertex_index vertex) { return order(vertex, segment->upper_vertex); };
+    climb(complex, order, segment->first_step.target, is_below, [&](Vertex_index vertex, const Ascending_step& step) {
       if(halfedges.size() == most)
         complex.throw_contradiction_near(vertex);
       add(step);
@@ -80,18 +80,18 @@ Plain_vector<Halfedge_index> walk_pieces(const Complex& complex,
   return halfedges;
 }
 
-// Engines find arcs by and large in the order of where they begin on the mesh, and pieces have kept that order.
+// Engines find arcs by and large in the order of where they begin on the mesh, and segments have kept that order.
 template <class ConcurrencyTag, class Complex, class Order>
 Flat_chains find_arc_chains(const Complex& complex, const Order& order, const Flat_graph& graph)
 {
-  const std::size_t size = graph.pieces.size();
+  const std::size_t size = graph.segments.size();
   Flat_chains chains;
   constexpr std::size_t smallest_part = 4; // On a smooth field there are few chains, but long ones.
   chains.parts.resize(number_of_parts<ConcurrencyTag>(size, smallest_part));
-  chains.begins_of_pieces.renew(size + 1);
+  chains.begins_of_segments.reset(size + 1);
   for_each_part<ConcurrencyTag>(chains.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
-    chains.parts[part] = walk_pieces(complex, order, graph.pieces.data() + begin, graph.pieces.data() + end,
-                                     chains.begins_of_pieces.data() + begin);
+    chains.parts[part] = walk_segments(complex, order, graph.segments.data() + begin, graph.segments.data() + end,
+                                       chains.begins_of_segments.data() + begin);
   });
   std::size_t sum = 0;
   for(const Plain_vector<Halfedge_index>& part : chains.parts)
@@ -99,10 +99,10 @@ Flat_chains find_arc_chains(const Complex& complex, const Order& order, const Fl
     chains.begins_of_parts.push_back(sum);
     sum += part.size();
   }
-  chains.begins_of_pieces.back() = sum;
+  chains.begins_of_segments.back() = sum;
   for_each_part<ConcurrencyTag>(chains.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
     for(std::size_t i = begin; part != 0 && i != end; ++i)
-      chains.begins_of_pieces[Piece_index(i)] += chains.begins_of_parts[part];
+      chains.begins_of_segments[Chain_segment_index(i)] += chains.begins_of_parts[part];
   });
   return chains;
 }
@@ -211,7 +211,7 @@ void write_chains(const std::shared_ptr<const std::vector<HalfedgeDescriptor>>& 
   {
     const Arc_index later(i.number() + ahead);
     if(flat_graph.arcs.contains(later))
-      prefetch(&chains.begins_of_pieces[flat_graph.arcs[later].first_piece]);
+      prefetch(&chains.begins_of_segments[flat_graph.arcs[later].first_segment]);
     const Flat_arc& flat_arc = flat_graph.arcs[i];
     set_arc_index(graph, arc, i.number());
     ++i;

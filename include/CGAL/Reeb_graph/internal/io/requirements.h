@@ -20,7 +20,7 @@
 #include <type_traits>
 #include <utility>
 
-// What functions that read and write graphs ask of the types of their arguments.
+// Requirements of functions that read and write graphs on the types of their arguments.
 
 namespace CGAL::Reeb_graph::internal {
 
@@ -59,15 +59,15 @@ struct Keys_are_vertices_of_nodes : Has_key<Map, Vertex_of_node<Graph>>
 };
 
 template <class Graph, class Map>
-struct Graph_and_vertex_map : Then<Then<Augmented_reeb_graph<Graph>::value, Map_is_property_map<Map>>::value,
-                                   Keys_are_vertices_of_nodes<Graph, Map>>
+struct Graph_and_vertex_map
+  : std::conjunction<Augmented_reeb_graph<Graph>, Map_is_property_map<Map>, Keys_are_vertices_of_nodes<Graph, Map>>
 {
 };
 
 // A graph and a map of the vertices of its mesh, for functions that write its values.
 template <class Graph, class Map, class NamedParameters>
 struct Graph_to_write
-  : Then<Graph_and_vertex_map<Graph, Map>::value, Scalars_can_be_written<Traits_of_nodes<Graph, NamedParameters>>>
+  : std::conjunction<Graph_and_vertex_map<Graph, Map>, Scalars_can_be_written<Traits_of_nodes<Graph, NamedParameters>>>
 {
 };
 

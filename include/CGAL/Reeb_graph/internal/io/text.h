@@ -131,7 +131,7 @@ std::string to_round_trip_string(const Value& value)
     return to_short_string(value);
 }
 
-// What is written for a scalar value: itself, or its number if it has no operator<<.
+// The text of a scalar value: itself, or its number if it has no operator<<.
 template <class Traits>
 auto written_scalar(const Scalar_conversion<Traits>& conversion, const typename Traits::Scalar& value)
 {

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
@@ -70,7 +71,7 @@ public:
   {
     check_is_arc(on_complex_.graph(), arc);
     if(!(t > 0 && t < 1))
-      throw Parameter_error(t);
+      throw Parameter_error("the place on an arc must be greater than 0 and less than 1, not " + std::to_string(t));
     return trace(arc, level_at_parameter(arc, t, parametrization...));
   }
 
@@ -78,7 +79,7 @@ public:
   {
     check_is_arc(on_complex_.graph(), arc);
     if(!is_alive_at(arc, value))
-      throw Level_error();
+      throw Parameter_error("the arc has no contour at this level");
     return trace(arc, level_at_value(value));
   }
 
@@ -88,7 +89,7 @@ public:
     const Level level = level_beside(side, checked_number(on_complex_, v));
     check_is_arc(on_complex_.graph(), arc);
     if(!level.is_below(on_complex_.lower_vertex(arc)) || level.is_below(on_complex_.upper_vertex(arc)))
-      throw Level_error();
+      throw Parameter_error("the arc has no contour at this level");
     return trace(arc, level);
   }
 

@@ -20,7 +20,7 @@
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
-#include <CGAL/Reeb_graph/internal/way_back/Vertex_places.h>
+#include <CGAL/Reeb_graph/internal/way_back/find_vertex_places.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -74,8 +74,8 @@ public:
     return number.number() < end_of_vertices() && numbers().vertices.contains(number) && vertex(number) == v;
   }
 
-  // What Vertex_lists needs. It can outlive this object and the mesh.
-  auto list_vertices(const std::shared_ptr<const Vertex_places>& places, std::size_t number_of_places) const
+  // The maker that Vertex_lists needs. It can outlive this object and the mesh.
+  auto list_vertices(const std::shared_ptr<const Place_of_vertex>& places, std::size_t number_of_places) const
   {
     return [flat_values = flat_values_, order = order_, places, number_of_places] {
       return sort_vertices_by_place(flat_values->mesh->numbers.vertices, order, *places, number_of_places);

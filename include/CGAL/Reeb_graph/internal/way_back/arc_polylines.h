@@ -107,7 +107,7 @@ private:
   Coordinates first_ = {}, sum_ = {};
 };
 
-// What an embedding asks of a contour, of any kind: one on a mesh, in triangles, or in tetrahedra.
+// Questions of an embedding to a contour of any kind: one on a mesh, in triangles, or in tetrahedra.
 
 template <class Contour>
 struct Is_contour_on_mesh : std::false_type

@@ -60,7 +60,7 @@ private:
   Buckets<Vertex_index, Number> cells_of_vertices_;
 };
 
-// What points of a range have that are those of a three-dimensional kernel, so that tetrahedra have an orientation.
+// The orientation of tetrahedra, which points of a three-dimensional kernel have.
 template <class Points>
 using Orientation_of = decltype(CGAL::orientation(*std::begin(std::declval<const Points&>()),
                                                   *std::begin(std::declval<const Points&>()),

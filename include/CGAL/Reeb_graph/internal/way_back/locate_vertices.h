@@ -16,12 +16,13 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
+#include <CGAL/Reeb_graph/internal/engine/Locate_on_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
-#include <CGAL/Reeb_graph/internal/way_back/Vertex_places.h>
+#include <CGAL/Reeb_graph/internal/way_back/find_vertex_places.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -160,7 +161,7 @@ template <class ReebGraph>
 void check_is_node(const ReebGraph& graph, typename boost::graph_traits<ReebGraph>::vertex_descriptor node)
 {
   if(node >= num_vertices(graph))
-    throw Unknown_node_error();
+    throw Graph_mismatch_error("the node is not one of the graph");
 }
 
 template <class ReebGraph>
@@ -168,30 +169,30 @@ void check_is_arc(const ReebGraph& graph, typename boost::graph_traits<ReebGraph
 {
   const auto lower = source(arc, graph), upper = target(arc, graph);
   if(lower >= num_vertices(graph) || upper >= num_vertices(graph))
-    throw Unknown_arc_error();
+    throw Graph_mismatch_error("the arc is not one of the graph");
   const auto is_in = [&](const auto& range) { return std::find(range.first, range.second, arc) != range.second; };
   // Nodes of high degree mostly have neighbors of low degree.
   const bool is_known =
     out_degree(lower, graph) < in_degree(upper, graph) ? is_in(out_edges(lower, graph)) : is_in(in_edges(upper, graph));
   if(!is_known)
-    throw Unknown_arc_error();
+    throw Graph_mismatch_error("the arc is not one of the graph");
 }
 
 // The places of all vertices in the exact graph, which is computed once more. Nothing but the surface and the order of
 // its vertices is asked. check_graph(graph) may throw.
 template <class ConcurrencyTag, class Complex, class Order>
-Vertex_places find_places(const Complex& complex,
-                          const Order& order,
-                          Ties ties,
-                          bool are_degree_two_nodes_kept,
-                          const std::function<void(const Flat_graph&)>& check_graph,
-                          const Progress& progress)
+Place_of_vertex find_places(const Complex& complex,
+                            const Order& order,
+                            Ties ties,
+                            bool are_degree_two_nodes_kept,
+                            const std::function<void(const Flat_graph&)>& check_graph,
+                            const Progress& progress)
 {
   progress.report(0);
   const Swept_vertices critical_vertices = classify_vertices<ConcurrencyTag>(complex, order);
   Arc_of_vertex arc_of_vertex;
-  const Slab_arcs arcs = find_arcs_of_vertices<ConcurrencyTag>(complex, order, critical_vertices, arc_of_vertex,
-                                                               Stage_progress(progress, 0.3, 0.85));
+  const Swept_arcs arcs = find_arcs_and_locate_vertices<ConcurrencyTag>(
+    complex, order, critical_vertices, arc_of_vertex, Stage_progress(progress, 0.3, 0.85));
   progress.report(0.9);
   const Flat_graph graph =
     reduce_arcs<ConcurrencyTag>(complex, order, critical_vertices, arcs, ties, are_degree_two_nodes_kept, true);
@@ -202,10 +203,10 @@ Vertex_places find_places(const Complex& complex,
 
 // The places of all vertices in the exact graph as a map has them, which compute_reeb_graph() has been given.
 template <class GraphOnMesh, class PlaceMap>
-Vertex_places read_places(const GraphOnMesh& on_mesh, const PlaceMap& map, std::size_t number_of_places)
+Place_of_vertex read_places(const GraphOnMesh& on_mesh, const PlaceMap& map, std::size_t number_of_places)
 {
   using boost::get; // for a pointer, whatever has been included before
-  Vertex_places places(on_mesh.complex().number_of_vertices(), no_index);
+  Place_of_vertex places(on_mesh.complex().number_of_vertices(), no_index);
   for(const Vertex_index v : places.keys())
   {
     if(!on_mesh.complex().has_vertex(v))
@@ -219,19 +220,19 @@ Vertex_places read_places(const GraphOnMesh& on_mesh, const PlaceMap& map, std::
 }
 
 // The places of all vertices in the graph, which has to be the exact one, or one that this has been simplified to.
-template <class ConcurrencyTag, class VertexLocations, class GraphOnMesh, class NamedParameters>
-VertexLocations locate_vertices(const GraphOnMesh& on_mesh,
-                                Ties ties,
-                                bool are_degree_two_nodes_kept,
-                                const Simplified_places& simplified_places,
-                                const NamedParameters& np)
+template <class ConcurrencyTag, class VertexPlaces, class GraphOnMesh, class NamedParameters>
+VertexPlaces locate_vertices(const GraphOnMesh& on_mesh,
+                             Ties ties,
+                             bool are_degree_two_nodes_kept,
+                             const Simplified_places& simplified_places,
+                             const NamedParameters& np)
 {
   typedef typename GraphOnMesh::vertex_descriptor vertex_descriptor;
   const Progress progress(np);
   const auto& graph = on_mesh.graph();
   const std::size_t number_of_places = num_vertices(graph) + num_edges(graph);
   const auto given_map = parameters::get_parameter(np, vertex_place_map);
-  auto place_of_vertex = std::make_shared<Vertex_places>();
+  auto place_of_vertex = std::make_shared<Place_of_vertex>();
   if constexpr(is_given<decltype(given_map)>)
     *place_of_vertex =
       read_places(on_mesh, given_map, simplified_places ? simplified_places->size() : number_of_places);
@@ -250,14 +251,14 @@ VertexLocations locate_vertices(const GraphOnMesh& on_mesh,
   }
   const auto arcs = edges(graph);
   progress.report_end();
-  return VertexLocations(
+  return VertexPlaces(
     on_mesh.vertex_numbers(), num_vertices(graph), {arcs.first, arcs.second}, place_of_vertex,
     std::make_shared<Vertex_lists<vertex_descriptor>>(on_mesh.list_vertices(place_of_vertex, number_of_places)));
 }
 
 #define CGAL_REEB_GRAPH_FIND_PLACES(PREFIX, TAG, COMPLEX, SCALAR)                                                      \
-  PREFIX template Vertex_places find_places<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, Ties, bool,             \
-                                                 const std::function<void(const Flat_graph&)>&, const Progress&);
+  PREFIX template Place_of_vertex find_places<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, Ties, bool,           \
+                                                   const std::function<void(const Flat_graph&)>&, const Progress&);
 CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_PLACES)
 
 } // namespace CGAL::Reeb_graph::internal

@@ -20,11 +20,13 @@
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
+#include <CGAL/Reeb_graph/internal/graph/Leaf_pruning.h>
+#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 #include <CGAL/Reeb_graph/simplification/internal/Moved_pieces.h>
-#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
 #include <CGAL/Reeb_graph/simplification/internal/prune_graph.h>
+#include <CGAL/Reeb_graph/simplification/internal/write_simplified_graph.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/compute_reeb_graph.h>
 
@@ -260,7 +262,7 @@ std::vector<Index> compute_with_places(const FlatField& flat_field,
   const auto np_of_graph = np.callback(progress.callback());
   compute_reeb_graph(
     flat_field.mesh(), flat_field, graph,
-    Own_named_parameters<decltype(place_map), vertex_place_map_t, decltype(np_of_graph)>(place_map, np_of_graph));
+    Reeb_parameters<decltype(place_map), vertex_place_map_t, decltype(np_of_graph)>(place_map, np_of_graph));
   return places;
 }
 

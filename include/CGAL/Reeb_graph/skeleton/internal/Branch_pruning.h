@@ -113,7 +113,7 @@ private:
       queue_.push({branch.persistence, tip});
   }
 
-  // That of a tip over a node: for values that are no distances, how far it is away.
+  // The height of a tip over a node: for values that are no distances, how far it is away.
   double height(Index tip, Index node) const
   {
     return are_values_distances_ ? std::abs(graph_.value(tip) - graph_.value(node))

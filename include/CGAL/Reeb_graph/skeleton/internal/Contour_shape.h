@@ -28,14 +28,14 @@ inline constexpr double pi = 3.14159265358979323846;
 inline double length(const Vector& v) { return std::sqrt(v.squared_length()); }
 inline double distance(const Point& p, const Point& q) { return length(q - p); }
 
-// What is measured of a closed polygon in space.
+// Measures of a closed polygon in space.
 struct Contour_shape
 {
   Point centroid; // of the disc that the polygon spans, or of the polygon where that is flat
   Vector area;    // of that disc, seen from three sides
   double length = 0;
 
-  // That of the circle of the same area.
+  // The radius of the circle of the same area.
   double radius() const { return std::sqrt(skeleton::length(area) / pi); }
 };
 

@@ -72,7 +72,7 @@ public:
   Mesh::Vertex_index vertex(Index node) const { return graph_[node].vertex; }
   const Point& point(Index node) const { return mesh().point(vertex(node)); }
 
-  // That of a node, or, after those, of an arc.
+  // The number of a node, or, after those, of an arc.
   Index place(Mesh::Vertex_index v) const { return places_[v.idx()]; }
 
   // The contour at a place of an arc, 0 at the lower end and 1 at the upper one, not quite at the ends.

@@ -37,7 +37,7 @@ struct Line_point
   Vector area = NULL_VECTOR; // that of the contour
 };
 
-// What a node of the skeleton is.
+// The kinds of nodes of the skeleton.
 enum class Line_end
 {
   TIP,

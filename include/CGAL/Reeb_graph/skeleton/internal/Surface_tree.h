@@ -39,7 +39,7 @@
 
 namespace CGAL::Reeb_graph::internal::skeleton {
 
-// What is inside of a closed surface, how far from it, and whether a segment crosses it.
+// A tree over a closed surface: tells what is inside, how far from it, and whether a segment crosses it.
 class Surface_tree
 {
 public:
@@ -180,7 +180,7 @@ private:
     return slope != 0 ? normal * (a - origin) / slope : std::numeric_limits<double>::infinity();
   }
 
-  // That of the first part of a ray from the surface that is inside.
+  // The middle of the first part of a ray from the surface that is inside.
   std::optional<Point> middle_of_chord(const Point& origin, const Vector& ray) const
   {
     const double size = length(ray);

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_ENGINE_VERTEX_QUERIES_H
-#define CGAL_REEB_GRAPH_INTERNAL_ENGINE_VERTEX_QUERIES_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_ENGINE_LOCATE_ON_ARCS_H
+#define CGAL_REEB_GRAPH_INTERNAL_ENGINE_LOCATE_ON_ARCS_H
 
 #include <CGAL/license/Reeb_graph.h>
 
@@ -16,8 +16,10 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/engine/Cutting_sweep.h>
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
+#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,17 +28,17 @@
 namespace CGAL::Reeb_graph::internal {
 
 // By vertex, the arc between critical vertices that it is on; no_index if it is critical.
-typedef Indexed_vector<Vertex_index, Slab_arc_index> Arc_of_vertex;
+typedef Indexed_vector<Vertex_index, Swept_arc_index> Arc_of_vertex;
 
 // The join tree and the split tree of all of the surface, and the cuts, whose edges are registered.
 struct Trees_with_cuts
 {
   By_side<const Merge_tree*> trees;
-  const Loop_cuts& cuts;
+  const Contour_cuts& cuts;
 };
 
-// What the engine is asked besides the arcs between critical vertices: nothing.
-class No_vertex_queries
+// Asks the engine for nothing besides the arcs between critical vertices.
+class Locate_nothing
 {
 public:
   static constexpr bool are_any = false, are_in_order = false;
@@ -49,7 +51,7 @@ public:
 // Asks the sweeps for the regular vertices, each at its place in the order of the field: its class in a merge tree is
 // the top of the component that it is in. The two classes tell its arc.
 template <class Complex, class Order>
-class Vertex_queries
+class Locate_by_sorting
 {
   struct Query_tag;
   typedef Index_of<Query_tag> Query;
@@ -57,7 +59,7 @@ class Vertex_queries
 public:
   static constexpr bool are_any = true, are_in_order = true;
 
-  Vertex_queries(const Complex& complex, const Order& order, const Swept_vertices& critical_vertices)
+  Locate_by_sorting(const Complex& complex, const Order& order, const Swept_vertices& critical_vertices)
     : complex_(complex),
       order_(order),
       critical_vertices_(critical_vertices)
@@ -82,7 +84,7 @@ public:
         vertices_[Query(i)] = keys[i].name;
     });
     for(const Side side : both_sides)
-      classes_[side].renew(vertices_.size(), no_index);
+      classes_[side].reset(vertices_.size(), no_index);
   }
 
   // Asks a sweep, that for the join tree, which comes from below, or that for the split tree, for the vertices beyond the
@@ -125,10 +127,10 @@ public:
             prefetch_element(arcs_of_classes[side], classes_[side][Query(i + ahead)]);
           prefetch_element(arc_of_vertex_, vertices_[Query(i + ahead)]);
         }
-        Slab_arc_index arc = no_index;
+        Swept_arc_index arc = no_index;
         for(const Side side : both_sides)
         {
-          const Slab_node node = classes_[side][Query(i)];
+          const Tree_node node = classes_[side][Query(i)];
           if(node != no_index)
             arc = (std::min)(arc, arcs_of_classes[side][node]);
         }
@@ -182,7 +184,7 @@ private:
   const Swept_vertices& critical_vertices_;
   Indexed_vector<Query, Vertex_index> vertices_; // in ascending order, when sorted
   Plain_vector<Number> bounds_; // 0, how many are below each critical vertex in ascending order, the number of all
-  By_side<Indexed_vector<Query, Slab_node>> classes_;
+  By_side<Indexed_vector<Query, Tree_node>> classes_;
   Arc_of_vertex arc_of_vertex_;
 };
 
@@ -190,12 +192,12 @@ private:
 // vertex in a tree is that of any neighbor from which the sweep comes, or further on towards the root. So classes go from
 // vertex to vertex, in the order of the mesh. Where critical vertices are many, there are many nodes on the way.
 template <class Complex, class Order>
-class Climbing_queries
+class Locate_by_climbing
 {
 public:
   static constexpr bool are_any = true, are_in_order = false;
 
-  Climbing_queries(const Complex& complex, const Order& order, const Swept_vertices& critical_vertices)
+  Locate_by_climbing(const Complex& complex, const Order& order, const Swept_vertices& critical_vertices)
     : complex_(complex),
       order_(order),
       critical_vertices_(critical_vertices)
@@ -236,7 +238,7 @@ public:
   Arc_of_vertex take_arc_of_vertex() { return std::move(arc_of_vertex_); }
 
 private:
-  // What is known of a vertex: the number behind that of a neighbor, or its class with a bit; else 0.
+  // Links of vertices: the number behind that of a neighbor, or the class with a bit; 0 where nothing is known.
   typedef Indexed_vector<Vertex_index, Relaxed_value<Number>> Links;
   static constexpr Number is_class = Number(1) << 31;
 
@@ -246,26 +248,26 @@ private:
   struct Node
   {
     Vertex_index vertex;
-    Slab_node parent;
-    Slab_node jump; // the node itself at a root
+    Tree_node parent;
+    Tree_node jump; // the node itself at a root
     Number depth;   // 1 at a root
   };
-  typedef Indexed_vector<Slab_node, Node> Nodes;
+  typedef Indexed_vector<Tree_node, Node> Nodes;
 
   void set_nodes(Side side, const Trees_with_cuts& found)
   {
     const auto& parents = found.trees[side]->parents;
     Nodes& nodes = nodes_[side];
-    nodes.renew(parents.size());
-    for(const Slab_node node : parents.keys())
+    nodes.reset(parents.size());
+    for(const Tree_node node : parents.keys())
     {
       const Swept_index critical = found.cuts.is_cut_node(node)
                                    ? found.cuts.critical_vertex(found.cuts.cut_of_node(node))
                                    : critical_vertex_of(node);
       nodes[node] = {critical_vertices_.vertex(critical), parents[node], node, 0};
     }
-    Plain_vector<Slab_node> path;
-    for(Slab_node node : parents.keys())
+    Plain_vector<Tree_node> path;
+    for(Tree_node node : parents.keys())
     {
       for(; nodes[node].depth == 0; node = nodes[node].parent)
       {
@@ -278,7 +280,7 @@ private:
     }
   }
 
-  static void set_jump(Nodes& nodes, Slab_node node)
+  static void set_jump(Nodes& nodes, Tree_node node)
   {
     Node& set = nodes[node];
     set.depth = 1;
@@ -291,7 +293,7 @@ private:
   }
 
   // Any lower and any higher neighbor will do. On an edge that is cut, the cut is what comes above the lower end.
-  void set_neighbors(Edge_index edge, const Loop_cuts& cuts)
+  void set_neighbors(Edge_index edge, const Contour_cuts& cuts)
   {
     if(!complex_.has_edge(edge))
       return;
@@ -319,7 +321,7 @@ private:
   }
 
   template <Side side>
-  Slab_node find_class(Vertex_index vertex, Plain_vector<Vertex_index>& passed)
+  Tree_node find_class(Vertex_index vertex, Plain_vector<Vertex_index>& passed)
   {
     Number link;
     for(; (link = links_[side][vertex].get()) < is_class; vertex = Vertex_index(link - 1))
@@ -328,7 +330,7 @@ private:
       if(link == 0 || passed.size() > complex_.number_of_vertices())
         complex_.throw_contradiction_near(vertex);
     }
-    Slab_node node(link - is_class);
+    Tree_node node(link - is_class);
     for(; !passed.empty(); passed.pop_back())
     {
       node = climb<side>(node, passed.back());
@@ -339,16 +341,16 @@ private:
 
   // The last node from `node` on that the sweep meets before the vertex.
   template <Side side>
-  Slab_node climb(Slab_node node, Vertex_index vertex) const
+  Tree_node climb(Tree_node node, Vertex_index vertex) const
   {
     const Nodes& nodes = nodes_[side];
-    const auto is_met_before = [&](Slab_node i) { return side_of(order_(vertex, nodes[i].vertex)) == side; };
-    for(Slab_node parent; (parent = nodes[node].parent) != no_index && is_met_before(parent);)
+    const auto is_met_before = [&](Tree_node i) { return side_of(order_(vertex, nodes[i].vertex)) == side; };
+    for(Tree_node parent; (parent = nodes[node].parent) != no_index && is_met_before(parent);)
       node = is_met_before(nodes[node].jump) ? nodes[node].jump : parent;
     return node;
   }
 
-  void set_class(Side side, Vertex_index vertex, Slab_node node) { links_[side][vertex].set(node.number() + is_class); }
+  void set_class(Side side, Vertex_index vertex, Tree_node node) { links_[side][vertex].set(node.number() + is_class); }
 
   const Complex& complex_;
   const Order& order_;
@@ -360,4 +362,4 @@ private:
 
 } // namespace CGAL::Reeb_graph::internal
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_VERTEX_QUERIES_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_ENGINE_LOCATE_ON_ARCS_H

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_VERTEX_PLACES_H
-#define CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_VERTEX_PLACES_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_FIND_VERTEX_PLACES_H
+#define CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_FIND_VERTEX_PLACES_H
 
 #include <CGAL/license/Reeb_graph.h>
 
@@ -17,8 +17,9 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Vertex_queries.h>
+#include <CGAL/Reeb_graph/internal/engine/Locate_on_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -35,7 +36,7 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-typedef Indexed_vector<Vertex_index, Index> Vertex_places; // no_index where there is no vertex
+typedef Indexed_vector<Vertex_index, Index> Place_of_vertex; // no_index where there is no vertex
 
 struct Place_tag;
 typedef Index_of<Place_tag> Place_index;
@@ -70,7 +71,7 @@ private:
 template <class VertexList, class Order>
 auto sort_vertices_by_place(const VertexList& vertex_list,
                             const Order& order,
-                            const Vertex_places& places,
+                            const Place_of_vertex& places,
                             std::size_t number_of_places)
 {
   typedef typename Order::template Key<Vertex_index> Key;
@@ -93,13 +94,13 @@ auto sort_vertices_by_place(const VertexList& vertex_list,
 // The place of each vertex in the exact graph, from the arcs between critical vertices and what they have been reduced
 // to: the number of a node, or the number of nodes plus that of an arc.
 template <class ConcurrencyTag, class Complex, class Order>
-Vertex_places find_vertex_places(const Complex& complex,
-                                 const Order& order,
-                                 const Swept_vertices& critical_vertices,
-                                 const Slab_arcs& critical_arcs,
-                                 const Arc_of_vertex& arc_of_vertex,
-                                 const Flat_graph& graph,
-                                 Ties ties)
+Place_of_vertex find_vertex_places(const Complex& complex,
+                                   const Order& order,
+                                   const Swept_vertices& critical_vertices,
+                                   const Swept_arcs& critical_arcs,
+                                   const Arc_of_vertex& arc_of_vertex,
+                                   const Flat_graph& graph,
+                                   Ties ties)
 {
   checked_index(graph.nodes.size() + graph.arcs.size());
   const auto place_of_arc = [&](Arc_index arc, Vertex_index vertex) {
@@ -113,7 +114,7 @@ Vertex_places find_vertex_places(const Complex& complex,
                             : place_of_arc(graph.arc_of_critical[critical], critical_vertices.vertex(critical));
   };
   // The place of a regular vertex on an arc between critical vertices. On a plateau, it is where the end of the arc is.
-  const auto place_on_arc = [&](Vertex_index vertex, Slab_arc_index critical_arc) {
+  const auto place_on_arc = [&](Vertex_index vertex, Swept_arc_index critical_arc) {
     if(critical_arc == no_index)
       complex.throw_contradiction_near(vertex);
     if(ties == Ties::CONTRACT)
@@ -123,7 +124,7 @@ Vertex_places find_vertex_places(const Complex& complex,
           return place_of_critical(end);
     return place_of_arc(graph.arc_of_critical_arc[critical_arc], vertex);
   };
-  Vertex_places places(complex.number_of_vertices(), no_index);
+  Place_of_vertex places(complex.number_of_vertices(), no_index);
   for(const Swept_index critical : critical_vertices.indices())
     places[critical_vertices.vertex(critical)] = place_of_critical(critical);
   for_each_block<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {
@@ -136,7 +137,7 @@ Vertex_places find_vertex_places(const Complex& complex,
   return places;
 }
 
-// What the pipeline finds besides the graph if no places of vertices are wanted: nothing.
+// Finds nothing besides the graph, where no places of vertices are wanted.
 struct No_vertex_places
 {
   static constexpr bool are_wanted = false;
@@ -160,19 +161,19 @@ public:
   explicit Vertex_places_for_map(const PlaceMap& map) : map_(map) {}
 
   template <class ConcurrencyTag, class Complex, class Order>
-  Slab_arcs find_arcs(const Complex& complex,
-                      const Order& order,
-                      const Swept_vertices& critical_vertices,
-                      const Stage_progress& progress)
+  Swept_arcs find_arcs(const Complex& complex,
+                       const Order& order,
+                       const Swept_vertices& critical_vertices,
+                       const Stage_progress& progress)
   {
-    return find_arcs_of_vertices<ConcurrencyTag>(complex, order, critical_vertices, arc_of_vertex_, progress);
+    return find_arcs_and_locate_vertices<ConcurrencyTag>(complex, order, critical_vertices, arc_of_vertex_, progress);
   }
 
   template <class ConcurrencyTag, class Complex, class Order>
   void find(const Complex& complex,
             const Order& order,
             const Swept_vertices& critical_vertices,
-            const Slab_arcs& critical_arcs,
+            const Swept_arcs& critical_arcs,
             const Flat_graph& graph,
             Ties ties)
   {
@@ -196,7 +197,7 @@ public:
 private:
   const PlaceMap map_;
   Arc_of_vertex arc_of_vertex_;
-  Vertex_places places_;
+  Place_of_vertex places_;
 };
 
 template <class NamedParameters>
@@ -211,4 +212,4 @@ auto choose_places(const NamedParameters& np)
 
 } // namespace CGAL::Reeb_graph::internal
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_VERTEX_PLACES_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_FIND_VERTEX_PLACES_H

@@ -6,12 +6,11 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_CURVES_INTERNAL_CURVE_OPENING_H
-#define CGAL_REEB_GRAPH_CURVES_INTERNAL_CURVE_OPENING_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_COMPLEX_CURVE_OPENING_H
+#define CGAL_REEB_GRAPH_INTERNAL_COMPLEX_CURVE_OPENING_H
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -25,7 +24,7 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// What an opening calls as its visitor: `on_vertex` comes before that of the user.
+// The visitor that an opening calls: `on_vertex` comes before the visitor of the user.
 template <class OnVertex, class Visitor>
 struct Opening_visitor
 {
@@ -55,7 +54,6 @@ class Curve_opening
   typedef boost::graph_traits<Mesh> Graph_traits;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
-  typedef std::vector<Curve<halfedge_descriptor>> Curves;
 
 public:
   Curve_opening(Mesh& mesh, const VertexPointMap& vertex_point_map, Visitor& visitor)
@@ -64,18 +62,22 @@ public:
       visitor_(visitor)
   {}
 
-  // Can be called once.
-  void operator()(Curve<halfedge_descriptor>& curve)
+  // Opens one curve, which has the members `halfedges` and `lower_halfedges` of a `Reeb_graph::Curve`. One call is
+  // allowed.
+  template <class Curve>
+  void operator()(Curve& curve)
   {
-    Curves curves = {std::move(curve)};
+    std::vector<Curve> curves;
+    curves.push_back(std::move(curve));
     (*this)(curves);
     curve = std::move(curves.front());
   }
 
-  void operator()(Curves& curves)
+  template <class Curve>
+  void operator()(std::vector<Curve>& curves)
   {
     count_edges(curves);
-    for(Curve<halfedge_descriptor>& curve : curves)
+    for(Curve& curve : curves)
     {
       first_added_.push_back(added_.size());
       if(!is_alone(curve))
@@ -92,6 +94,7 @@ public:
 
 private:
   // Counts the edges of curves at each of their vertices.
+  template <class Curves>
   void count_edges(const Curves& curves)
   {
     for(const auto& curve : curves)
@@ -100,7 +103,8 @@ private:
           ++number_of_edges_[v];
   }
 
-  bool is_alone(const Curve<halfedge_descriptor>& curve) const
+  template <class Curve>
+  bool is_alone(const Curve& curve) const
   {
     const halfedge_descriptor h = curve.halfedges.front();
     const auto is_end = [&](vertex_descriptor v) { return number_of_edges_.at(v) == 1 && !is_border(v, mesh_); };
@@ -108,7 +112,8 @@ private:
   }
 
   // Gives the faces on the right of the curve new edges in the place of those of the curve.
-  void add_edges(Curve<halfedge_descriptor>& curve)
+  template <class Curve>
+  void add_edges(Curve& curve)
   {
     for(std::size_t i = 0; i != curve.halfedges.size(); ++i)
     {
@@ -189,4 +194,4 @@ private:
 
 } // namespace CGAL::Reeb_graph::internal
 
-#endif // CGAL_REEB_GRAPH_CURVES_INTERNAL_CURVE_OPENING_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_CURVE_OPENING_H

@@ -6,22 +6,18 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_LEAF_PRUNING_H
-#define CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_LEAF_PRUNING_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_GRAPH_LEAF_PRUNING_H
+#define CGAL_REEB_GRAPH_INTERNAL_GRAPH_LEAF_PRUNING_H
 
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/simplification/internal/persistence.h>
+#include <CGAL/Reeb_graph/internal/graph/Leaf_queue.h>
+#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <functional>
-#include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
@@ -46,66 +42,6 @@ double persistence_of_leaf_arc(const Weighted_leaf_arc<Weight>& arc, const Diffe
   return (std::max)(difference(arc.lowest, arc.saddle), difference(arc.saddle, arc.highest));
 }
 
-// Leaves by their measures, from the least one. A leaf that is pushed again has a new measure. Those that are there at
-// first are sorted, and only later ones are in a heap: a sweep over memory instead of jumps.
-class Leaf_queue
-{
-public:
-  typedef std::pair<double, Index> Sized_leaf;
-
-  explicit Leaf_queue(Index number_of_nodes) : measures_(number_of_nodes) {}
-
-  // A leaf whose measure is NaN is not there.
-  void push(double measure, Index leaf)
-  {
-    measures_[leaf] = measure;
-    if(std::isnan(measure))
-      return;
-    if(is_sorted_)
-      later_.emplace(measure, leaf);
-    else
-      first_.emplace_back(measure, leaf);
-  }
-
-  // To be called once, before the first pop().
-  void sort()
-  {
-    std::sort(first_.begin(), first_.end());
-    is_sorted_ = true;
-  }
-
-  // The least measure and its leaf, which stays; NaN and no_index if there is none.
-  Sized_leaf top()
-  {
-    while(next_ != first_.size() || !later_.empty())
-    {
-      const Sized_leaf& leaf = is_first() ? first_[next_] : later_.top();
-      if(measures_[leaf.second] == leaf.first)
-        return leaf;
-      pop();
-    }
-    return {std::numeric_limits<double>::quiet_NaN(), no_index};
-  }
-
-  // Removes the leaf of least measure; there has to be one.
-  void pop()
-  {
-    if(is_first())
-      ++next_;
-    else
-      later_.pop();
-  }
-
-private:
-  bool is_first() const { return later_.empty() || (next_ != first_.size() && first_[next_] < later_.top()); }
-
-  std::vector<double> measures_; // the last ones
-  std::vector<Sized_leaf> first_;
-  std::size_t next_ = 0;
-  bool is_sorted_ = false;
-  std::priority_queue<Sized_leaf, std::vector<Sized_leaf>, std::greater<Sized_leaf>> later_;
-};
-
 // Removes leaf arcs from a graph, the one of least measure first; of equal ones the one whose leaf has the lower
 // number. What is removed is taken up by the saddle at which it was. A node that is left with one arc below and one
 // above is taken up by these two, which become one arc. An arc is not removed if it is the only one on its side of the
@@ -118,7 +54,7 @@ template <class Weight>
 class Weighted_leaf_pruning
 {
 public:
-  typedef Pruned_arc Arc;
+  typedef Ascending_arc Arc;
   typedef Weighted_leaf_arc<Weight> Leaf_arc;
 
   // By place, how much each weighs.
@@ -286,7 +222,7 @@ private:
     Index last_piece; // of this arc
   };
 
-  // What a place is made of: itself and all that it has taken up.
+  // The content of a place: itself and all that it has taken up.
   struct Content
   {
     Weight weight;
@@ -402,4 +338,4 @@ typedef Weighted_leaf_pruning<double> Leaf_pruning;
 
 } // namespace CGAL::Reeb_graph::internal
 
-#endif // CGAL_REEB_GRAPH_SIMPLIFICATION_INTERNAL_LEAF_PRUNING_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_GRAPH_LEAF_PRUNING_H

@@ -1,1 +1,0 @@
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>

@@ -1,0 +1,1 @@
+#include <CGAL/Reeb_graph/internal/complex/climbing.h>

@@ -1,0 +1,1 @@
+#include <CGAL/Reeb_graph/fields/internal/solve.h>
