@@ -219,7 +219,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(extrema_are_removed_from_any_field, Scalar, Scalar
         flipped.triangles.push_back({mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))});
       }
       const fields::Indexed_mesh<Surface_mesh> surface(mesh, CGAL::parameters::default_values());
-      const fields::Weighted_graph graph = fields::laplacian_graph(surface, Laplacian_weights::UNIFORM);
+      const auto graph = fields::laplacian_graph(surface, Laplacian_weights::UNIFORM);
       const Fixed_values fixed = random_constraints(soup, random);
       const std::size_t number_of_values = 1 + random.below(20);
       std::vector<bool> is_fixed(soup.points.size(), false);
@@ -244,7 +244,7 @@ BOOST_AUTO_TEST_CASE(values_are_moved_no_more_than_it_takes)
   Surface_mesh mesh;
   mesh_builders::build(mesh, mesh_builders::make_soup(random_meshes::disk(5)));
   const fields::Indexed_mesh<Surface_mesh> surface(mesh, CGAL::parameters::default_values());
-  const fields::Weighted_graph graph = fields::laplacian_graph(surface, Laplacian_weights::UNIFORM);
+  const auto graph = fields::laplacian_graph(surface, Laplacian_weights::UNIFORM);
   std::vector<double> values = {5, 0, 1, 2, 3, 4};
   fields::remove_extrema(graph, {false, true, true, true, true, true}, values);
   BOOST_TEST(values[0] == std::nextafter(4., 0.));

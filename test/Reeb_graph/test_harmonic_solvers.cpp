@@ -13,8 +13,8 @@
 #include "random_meshes.h"
 
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
+#include <CGAL/Reeb_graph/fields/internal/iterate.h>
 #include <CGAL/Reeb_graph/fields/internal/solve.h>
-#include <CGAL/Reeb_graph/fields/internal/solve_iteratively.h>
 
 #include <algorithm>
 #include <cmath>

@@ -30,7 +30,7 @@
 #include <type_traits>
 #include <vector>
 
-// From the graph of any complex back to it: contours, critical sets and places against the oracle.
+// From the graph of any complex back to it: contours, critical sets and vertex_places against the oracle.
 
 BOOST_AUTO_TEST_SUITE(test_soup_augmentation)
 
@@ -58,9 +58,9 @@ void check_complex(const Complex& complex, const std::vector<double>& values, Ti
                                      np.vertex_place_map(places.data()));
     const Soup_augmentation augmentation(complex.number_of_vertices, complex.triangles, values, graph, np);
     Augmentation_check(complex, values, oracle, augmentation).run(ties);
-    const auto places = augmentation.locate_vertices();
+    const auto vertex_places = augmentation.locate_vertices();
     for(std::size_t v = 0; v != places.size(); ++v)
-      BOOST_TEST(places[v] == places.index(v));
+      BOOST_TEST(places[v] == vertex_places.index(v));
   }
   else
   {
@@ -69,9 +69,9 @@ void check_complex(const Complex& complex, const std::vector<double>& values, Ti
                                            np.vertex_place_map(places.data()));
     const Tetrahedra_augmentation augmentation(complex.number_of_vertices, complex.tetrahedra, values, graph, np);
     Augmentation_check(complex, values, oracle, augmentation).run(ties);
-    const auto places = augmentation.locate_vertices();
+    const auto vertex_places = augmentation.locate_vertices();
     for(std::size_t v = 0; v != places.size(); ++v)
-      BOOST_TEST(places[v] == places.index(v));
+      BOOST_TEST(places[v] == vertex_places.index(v));
   }
 }
 } // namespace
@@ -217,14 +217,14 @@ BOOST_AUTO_TEST_CASE(the_way_back_from_a_simplified_graph)
       const Soup_augmentation augmentation(values.size(), complex.triangles, values, graph, np);
       const Soup_augmentation of_simplified(values.size(), complex.triangles, values, simplified,
                                             np.simplification(simplification));
-      const auto places = augmentation.locate_vertices(), new_locations = of_simplified.locate_vertices();
+      const auto vertex_places = augmentation.locate_vertices(), new_places = of_simplified.locate_vertices();
       for(std::size_t v = 0; v < values.size(); ++v)
       {
-        const std::size_t place = places.index(v);
+        const std::size_t place = vertex_places.index(v);
         const std::size_t expected = place < num_vertices(graph)
                                      ? simplification.index_of_node(place)
                                      : simplification.index_of_arc(place - num_vertices(graph));
-        BOOST_TEST(new_locations.index(v) == expected);
+        BOOST_TEST(new_places.index(v) == expected);
       }
       for(const auto arc : CGAL::make_range(edges(simplified)))
         BOOST_TEST(fault_of_polylines(of_simplified.contour(arc, 0.5), different(complex.triangles)) == "");
@@ -250,7 +250,7 @@ BOOST_AUTO_TEST_CASE(climbing_gives_the_arcs_of_complexes_that_sweeping_gives)
       const auto np = CGAL::parameters::keep_degree_two_nodes(true).edges(complex.edges);
       Graph graph;
       CGAL::compute_reeb_graph_of_soup(size, complex.triangles, values, graph, np);
-      const auto places = Soup_augmentation(size, complex.triangles, values, graph, np).locate_vertices();
+      const auto vertex_places = Soup_augmentation(size, complex.triangles, values, graph, np).locate_vertices();
 
       const CGAL::Reeb_graph_soup_traits<double> traits;
       const auto soup = internal::flatten_cells<Tag, 3>(size, complex.triangles, complex.edges, values, traits);
@@ -263,7 +263,7 @@ BOOST_AUTO_TEST_CASE(climbing_gives_the_arcs_of_complexes_that_sweeping_gives)
       const std::vector<arc_descriptor> graph_arcs(edges(graph).first, edges(graph).second);
       for(std::size_t v = 0; v < size; ++v)
       {
-        const std::size_t place = places.index(v);
+        const std::size_t place = vertex_places.index(v);
         const internal::Swept_arc_index arc = arc_of_vertex[internal::Vertex_index(v)];
         BOOST_TEST((arc == internal::no_index) == (place < num_vertices(graph)));
         if(arc == internal::no_index || place < num_vertices(graph))

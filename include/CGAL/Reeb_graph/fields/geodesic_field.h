@@ -14,14 +14,13 @@
 #include <CGAL/Reeb_graph/fields/internal/Geodesic_distances.h>
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
 #include <CGAL/Reeb_graph/fields/internal/Intrinsic_triangulation.h>
-#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/fields/internal/constraints.h>
+#include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -80,7 +79,7 @@ void compute_geodesic_field(const FaceListGraph& mesh,
     fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
     fields::Constraints<double> fixed(surface.number_of_vertices());
     for(const auto v : sources)
-      fixed.fix(surface.position(v), 0);
+      fixed.fix(surface.dense_vertex(v), 0);
     fields::Intrinsic_triangulation triangulation(surface, fields::find_opposites(mesh, surface));
     triangulation.make_delaunay({progress, 0.1, 0.5});
     std::vector<double> distances =

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
+#include <CGAL/Reeb_graph/fields/internal/Triangle_geometry.h>
 #include <CGAL/Reeb_graph/fields/internal/constraints.h>
 #include <CGAL/Reeb_graph/fields/internal/differential_operators.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>

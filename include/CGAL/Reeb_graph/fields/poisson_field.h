@@ -14,16 +14,18 @@
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
-#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
+#include <CGAL/Reeb_graph/fields/internal/Triangle_geometry.h>
+#include <CGAL/Reeb_graph/fields/internal/component_vertices.h>
 #include <CGAL/Reeb_graph/fields/internal/constraints.h>
 #include <CGAL/Reeb_graph/fields/internal/differential_operators.h>
+#include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 #include <CGAL/Reeb_graph/fields/internal/solve.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
+#include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 
 #include <cstddef>
 #include <utility>
@@ -46,7 +48,7 @@ Field_report solve_poisson_equation(const FaceListGraph& mesh,
   const auto solve = [&](const auto& surface, const Weighted_graph& graph, const Constraints<double>& fixed,
                          const Progress& progress, double fraction, Field_report& report) {
     std::vector<double> right_side = integrated_right_side(surface, graph);
-    for(Position v = 0; v != graph.number_of_vertices(); ++v)
+    for(Dense_vertex v = 0; v != graph.number_of_vertices(); ++v)
       if(fixed.is_fixed[v])
         right_side[v] = fixed.values[v];
     progress.report(fraction);
@@ -96,7 +98,7 @@ Field_report compute_mean_curvature(const FaceListGraph& mesh,
     fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
     Field_report report = fields::make_triangles_proper(surface);
     const auto weights = Laplacian_weights::COTANGENT;
-    const auto curvatures_of = [&](const fields::Weighted_graph& graph, double) {
+    const auto curvatures_of = [&](const internal::Weighted_graph& graph, double) {
       auto values = fields::scaled_integrated_mean_curvatures(surface, graph);
       const auto areas = fields::scaled_mixed_areas(surface);
       for(std::size_t v = 0; v != areas.size(); ++v)
@@ -104,7 +106,7 @@ Field_report compute_mean_curvature(const FaceListGraph& mesh,
       fields::check_finite(values);
       return values;
     };
-    const fields::Weighted_graph cotangents = fields::laplacian_graph(surface, weights);
+    const internal::Weighted_graph cotangents = fields::laplacian_graph(surface, weights);
     progress.report(0.5);
     const auto curvatures = fields::solve_or_lengthen_edges(surface, cotangents, weights, report, curvatures_of);
     progress.report(0.9);
@@ -256,7 +258,7 @@ Field_report compute_unit_gradient_field(const FaceListGraph& mesh,
     mesh, field_map, np,
     [&](const auto& surface, const auto& graph, auto& fixed) {
       values = fields::read_field(surface, scalar_map);
-      for(const fields::Position v : fields::lowest_vertices_of_components(graph, values))
+      for(const internal::Dense_vertex v : fields::lowest_vertices_of_components(graph, values))
         fixed.fix(v, 0);
     },
     [&](const auto& surface, const auto&) {

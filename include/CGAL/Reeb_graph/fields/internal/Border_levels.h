@@ -11,8 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ namespace CGAL::Reeb_graph::internal::scalar_fields {
 template <class Scalar>
 struct Field_border
 {
-  std::vector<Position> adjacent_borders;                       // those that share an edge with it
+  std::vector<Index> adjacent_borders;                          // those that share an edge with it
   Scalar lowest, highest, middle;                               // of its vertices; middle: that of the median one
   std::optional<Scalar> lowest_neighbor, highest_neighbor;      // of the vertices next to it that are on no border
   std::optional<Scalar> kept_level;                             // if it is an extremal level already
@@ -42,32 +43,32 @@ struct Field_border
 template <class Scalar, class Less>
 std::vector<Field_border<Scalar>> find_field_borders(const Weighted_graph& graph,
                                                      const std::vector<Scalar>& values,
-                                                     const std::vector<std::vector<Position>>& borders,
+                                                     const std::vector<std::vector<Dense_vertex>>& borders,
                                                      const Less& less)
 {
-  std::vector<Position> number_of_vertex(graph.number_of_vertices(), no_position);
+  std::vector<Index> border_of_vertex(graph.number_of_vertices(), no_index);
   for(std::size_t b = 0; b != borders.size(); ++b)
-    for(const Position v : borders[b])
-      number_of_vertex[v] = static_cast<Position>(b);
+    for(const Dense_vertex v : borders[b])
+      border_of_vertex[v] = static_cast<Index>(b);
   std::vector<Field_border<Scalar>> result;
   for(std::size_t b = 0; b != borders.size(); ++b)
   {
     std::vector<Scalar> own_values, neighbors;
-    for(const Position v : borders[b])
+    for(const Dense_vertex v : borders[b])
       own_values.push_back(values[v]);
     std::sort(own_values.begin(), own_values.end(), less);
     const Scalar &lowest = own_values.front(), &highest = own_values.back();
     Field_border<Scalar> border = {{}, lowest, highest, own_values[own_values.size() / 2], {}, {}, {}};
-    for(const Position v : borders[b])
+    for(const Dense_vertex v : borders[b])
       for(const auto& neighbor : graph.neighbors(v))
       {
-        const Position number = number_of_vertex[neighbor.vertex];
+        const Index number = border_of_vertex[neighbor.vertex];
         if(number == b)
           continue;
         const Scalar& value = values[neighbor.vertex];
         border.has_lower_neighbor = border.has_lower_neighbor || less(value, lowest);
         border.has_higher_neighbor = border.has_higher_neighbor || less(highest, value);
-        if(number == no_position)
+        if(number == no_index)
           neighbors.push_back(value);
         else
           border.adjacent_borders.push_back(number);
@@ -114,13 +115,13 @@ class Border_levels
 public:
   Border_levels(const Weighted_graph& graph,
                 const std::vector<Scalar>& values,
-                const std::vector<std::vector<Position>>& borders,
+                const std::vector<std::vector<Dense_vertex>>& borders,
                 const Traits& traits)
     : less_(traits.less_scalar_object()),
       conversion_(traits),
       borders_(find_field_borders(graph, values, borders, less_)),
       kinds_(borders.size()),
-      groups_of_borders_(borders.size(), no_position)
+      groups_of_borders_(borders.size(), no_index)
   {}
 
   // The levels of the borders. Those that are extremal levels already keep theirs, unless they touch others that leave
@@ -128,14 +129,14 @@ public:
   std::vector<Scalar> operator()(Border_extremum wish)
   {
     choose_kinds(wish);
-    for(Position b = 0; b != borders_.size(); ++b)
+    for(Index b = 0; b != borders_.size(); ++b)
     {
-      if(groups_of_borders_[b] == no_position)
+      if(groups_of_borders_[b] == no_index)
         add_group(b);
     }
     part_groups();
     std::vector<Scalar> levels;
-    for(Position b = 0; b != borders_.size(); ++b)
+    for(Index b = 0; b != borders_.size(); ++b)
       levels.push_back(groups_[groups_of_borders_[b]].level);
     return levels;
   }
@@ -232,8 +233,8 @@ private:
 
   void choose_kinds(Border_extremum wish)
   {
-    std::vector<Position> decided;
-    for(Position b = 0; b != borders_.size(); ++b)
+    std::vector<Index> decided;
+    for(Index b = 0; b != borders_.size(); ++b)
     {
       if(borders_[b].kept_level && borders_[b].has_lower_neighbor != borders_[b].has_higher_neighbor)
         kinds_[b] = borders_[b].has_lower_neighbor ? Border_extremum::MAXIMUM : Border_extremum::MINIMUM;
@@ -243,7 +244,7 @@ private:
         decided.push_back(b);
     }
     spread_kinds(std::move(decided));
-    for(Position b = 0; b != borders_.size(); ++b)
+    for(Index b = 0; b != borders_.size(); ++b)
     {
       if(!kinds_[b])
         choose_kinds_around(b);
@@ -252,15 +253,15 @@ private:
 
   // Gives the borders that are connected with the decided ones the kind opposite to that of a decided neighbor, or the
   // one that changes less where they have neighbors of both kinds. Returns all that are decided then.
-  std::vector<Position> spread_kinds(std::vector<Position> decided)
+  std::vector<Index> spread_kinds(std::vector<Index> decided)
   {
     for(std::size_t i = 0; i != decided.size(); ++i)
-      for(const Position b : borders_[decided[i]].adjacent_borders)
+      for(const Index b : borders_[decided[i]].adjacent_borders)
       {
         if(kinds_[b])
           continue;
         kinds_[b] = opposite_kind(*kinds_[decided[i]]);
-        const auto has_same_kind = [&](Position a) { return kinds_[a] == kinds_[b]; };
+        const auto has_same_kind = [&](Index a) { return kinds_[a] == kinds_[b]; };
         const auto& adjacent = borders_[b].adjacent_borders;
         if(std::any_of(adjacent.begin(), adjacent.end(), has_same_kind))
           kinds_[b] = kind_of_less_change(borders_[b]);
@@ -282,39 +283,39 @@ private:
   }
 
   // Decides a border and all that are connected with it so that the largest change is the smaller one of two choices.
-  void choose_kinds_around(Position first)
+  void choose_kinds_around(Index first)
   {
-    std::vector<Position> decided;
+    std::vector<Index> decided;
     double changes[2] = {0, 0};
     for(const Border_extremum kind : {Border_extremum::MINIMUM, Border_extremum::MAXIMUM})
     {
       double& largest_change = changes[kind == Border_extremum::MAXIMUM];
       decided = decide(first, kind);
-      for(const Position b : decided)
+      for(const Index b : decided)
         largest_change = (std::max)(largest_change, change(borders_[b], *kinds_[b]));
-      for(const Position b : decided)
+      for(const Index b : decided)
         kinds_[b].reset();
     }
     decide(first, changes[0] < changes[1] ? Border_extremum::MINIMUM : Border_extremum::MAXIMUM);
   }
 
-  std::vector<Position> decide(Position border, Border_extremum kind)
+  std::vector<Index> decide(Index border, Border_extremum kind)
   {
     kinds_[border] = kind;
     return spread_kinds({border});
   }
 
   // Adds the group of a border, all borders of its kind that touch each other.
-  void add_group(Position first)
+  void add_group(Index first)
   {
-    const auto number = static_cast<Position>(groups_.size());
+    const auto number = static_cast<Index>(groups_.size());
     Group group = {*kinds_[first], borders_[first], borders_[first].lowest};
-    std::vector<Position> members = {first};
+    std::vector<Index> members = {first};
     groups_of_borders_[first] = number;
     for(std::size_t i = 0; i != members.size(); ++i)
-      for(const Position b : borders_[members[i]].adjacent_borders)
+      for(const Index b : borders_[members[i]].adjacent_borders)
       {
-        if(kinds_[b] != kinds_[first] || groups_of_borders_[b] != no_position)
+        if(kinds_[b] != kinds_[first] || groups_of_borders_[b] != no_index)
           continue;
         groups_of_borders_[b] = number;
         members.push_back(b);
@@ -328,8 +329,8 @@ private:
   template <class Visit>
   void for_each_touching_pair(const Visit& visit) const
   {
-    for(Position b = 0; b != borders_.size(); ++b)
-      for(const Position a : borders_[b].adjacent_borders)
+    for(Index b = 0; b != borders_.size(); ++b)
+      for(const Index a : borders_[b].adjacent_borders)
       {
         if(kinds_[b] == Border_extremum::MAXIMUM && kinds_[a] == Border_extremum::MINIMUM)
           visit(groups_of_borders_[b], groups_of_borders_[a]);
@@ -342,7 +343,7 @@ private:
     std::vector<Scalar> levels;
     for(const Group& group : groups_)
       levels.push_back(group.level);
-    for_each_touching_pair([&](Position above, Position below) {
+    for_each_touching_pair([&](Index above, Index below) {
       const Scalar &low = groups_[above].level, &high = groups_[below].level;
       if(!less_(low, high))
         return;
@@ -355,7 +356,7 @@ private:
     });
     for(std::size_t i = 0; i != groups_.size(); ++i)
       groups_[i].level = levels[i];
-    for_each_touching_pair([&](Position above, Position below) {
+    for_each_touching_pair([&](Index above, Index below) {
       Group &upper = groups_[above], &lower = groups_[below];
       if(less_(lower.level, upper.level) || (is_kept(upper) && is_kept(lower)))
         return;
@@ -372,7 +373,7 @@ private:
   const Scalar_conversion<Traits> conversion_;
   std::vector<Border> borders_;
   std::vector<Kind> kinds_;
-  std::vector<Position> groups_of_borders_;
+  std::vector<Index> groups_of_borders_;
   std::vector<Group> groups_;
 };
 

@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,7 @@ public:
                        }
                      }),
       distances_(surface.number_of_vertices(), std::numeric_limits<double>::infinity()),
-      origins_(surface.number_of_vertices(), no_position),
+      origins_(surface.number_of_vertices(), no_vertex),
       is_final_(surface.number_of_vertices(), false)
   {
     for(Halfedge h = 0; h != triangulation.number_of_halfedges(); ++h)
@@ -63,12 +64,12 @@ public:
   // The distances from the sources, for the points divided by surface.scale(): infinite where there is no source.
   std::vector<double> operator()(const std::vector<bool>& is_source, const Stage_progress& progress)
   {
-    for(Position v = 0; v != surface_.number_of_vertices(); ++v)
+    for(Dense_vertex v = 0; v != surface_.number_of_vertices(); ++v)
       if(is_source[v])
         reach(v, 0, v);
     for(std::size_t step = 0; !queue_.empty();)
     {
-      const Position v = queue_.top().second;
+      const Dense_vertex v = queue_.top().second;
       queue_.pop();
       if(is_final_[v])
         continue;
@@ -81,16 +82,16 @@ public:
 
 private:
   typedef Intrinsic_triangulation::Halfedge Halfedge;
-  typedef std::pair<double, Position> Entry;
+  typedef std::pair<double, Dense_vertex> Entry;
 
   struct End
   {
-    Position vertex;
+    Dense_vertex vertex;
     double length;
   };
 
   // Reaches the neighbors of a vertex that has just got its distance.
-  void leave(Position v)
+  void leave(Dense_vertex v)
   {
     for(const End& end : flipped_edges_[Vertex_index(v)])
       reach(end.vertex, distances_[v] + end.length, v);
@@ -109,7 +110,8 @@ private:
   void cross_triangle(Halfedge h)
   {
     const Halfedge next = triangulation_.next(h), previous = triangulation_.previous(h);
-    const Position v = triangulation_.source(h), a = triangulation_.source(next), b = triangulation_.source(previous);
+    const Dense_vertex v = triangulation_.source(h), a = triangulation_.source(next),
+                       b = triangulation_.source(previous);
     const double va = triangulation_.length(h), ab = triangulation_.length(next), bv = triangulation_.length(previous);
     reach(a, distances_[v] + va, v);
     reach(b, distances_[v] + bv, v);
@@ -121,11 +123,12 @@ private:
 
   // Reaches c through the edge from v, the last vertex with a distance, to a: straight from the one point in the plane
   // of the triangle, beyond the edge, that has the right distances from both, if there is one.
-  void reach_through(Position v, Position a, double va, Position c, double vc, double ac)
+  void reach_through(Dense_vertex v, Dense_vertex a, double va, Dense_vertex c, double vc, double ac)
   {
-    const Position origin_of_v = origins_[a] == v ? v : origins_[v], origin_of_a = origins_[v] == a ? a : origins_[a];
-    const Position origin = common_origin(origin_of_v, origin_of_a);
-    const double offset = origin == no_position ? 0 : distances_[origin];
+    const Dense_vertex origin_of_v = origins_[a] == v ? v : origins_[v],
+                       origin_of_a = origins_[v] == a ? a : origins_[a];
+    const Dense_vertex origin = common_origin(origin_of_v, origin_of_a);
+    const double offset = origin == no_vertex ? 0 : distances_[origin];
     const double from_v = distances_[v] - offset, from_a = distances_[a] - offset;
     if(from_v + from_a < va)
       return;
@@ -138,24 +141,24 @@ private:
     const double bound_of_v = bound(origin_of_v, c), bound_of_a = bound(origin_of_a, c);
     const double distance = offset + std::hypot(x - x_of_source, y + y_of_source);
     reach(c, (std::max)({distance, (std::min)(bound_of_v, bound_of_a), distances_[v]}),
-          origin != no_position ? origin : (bound_of_v < bound_of_a ? origin_of_v : origin_of_a));
+          origin != no_vertex ? origin : (bound_of_v < bound_of_a ? origin_of_v : origin_of_a));
   }
 
-  // The origin that two of them have in common, if one is the other one's, or no_position.
-  Position common_origin(Position a, Position b) const
+  // The origin that two of them have in common, if one is the other one's, or no_vertex.
+  Dense_vertex common_origin(Dense_vertex a, Dense_vertex b) const
   {
     if(a == b || origins_[a] == b)
       return b;
-    return origins_[b] == a ? a : no_position;
+    return origins_[b] == a ? a : no_vertex;
   }
 
   // The length of no way by an origin is less.
-  double bound(Position origin, Position v) const
+  double bound(Dense_vertex origin, Dense_vertex v) const
   {
     return distances_[origin] + length(surface_.point(v) - surface_.point(origin));
   }
 
-  void reach(Position v, double distance, Position origin)
+  void reach(Dense_vertex v, double distance, Dense_vertex origin)
   {
     if(is_final_[v] || !(distance < distances_[v]))
       return;
@@ -169,7 +172,7 @@ private:
   std::vector<Halfedge> outgoing_; // of each vertex, at a border vertex from which all others come counterclockwise
   const Buckets<Vertex_index, End> flipped_edges_;
   std::vector<double> distances_;
-  std::vector<Position> origins_;
+  std::vector<Dense_vertex> origins_;
   std::vector<bool> is_final_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
 };

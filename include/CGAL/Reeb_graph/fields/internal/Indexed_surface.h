@@ -12,13 +12,12 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/fields/Field_report.h>
-#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
+#include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 
 #include <CGAL/Origin.h>
 #include <CGAL/Simple_cartesian.h>
@@ -29,7 +28,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -53,7 +51,7 @@ inline Vector normalized(const Vector& vector)
 // The vertices of a triangle, and for each i whether the edge from corner i to corner i + 1 is on the border.
 struct Indexed_triangle
 {
-  std::array<Position, 3> vertices;
+  std::array<Dense_vertex, 3> vertices;
   std::array<bool, 3> is_on_border;
 };
 
@@ -62,15 +60,15 @@ struct Indexed_triangle
 class Indexed_surface
 {
 public:
-  Position number_of_vertices() const { return static_cast<Position>(points_.size()); }
+  Dense_vertex number_of_vertices() const { return static_cast<Dense_vertex>(points_.size()); }
   const std::vector<Indexed_triangle>& triangles() const { return triangles_; }
 
-  const Vector& point(Position v) const { return points_[v]; }
+  const Vector& point(Dense_vertex v) const { return points_[v]; }
   double scale() const { return scale_; }
 
   // The length of an edge between two vertices, for the points divided by scale(). All edges can be made longer, by the
   // same length; the points stay.
-  double edge_length(Position u, Position v) const { return length(point(v) - point(u)) + added_length_; }
+  double edge_length(Dense_vertex u, Dense_vertex v) const { return length(point(v) - point(u)) + added_length_; }
   double added_length() const { return added_length_; }
   void set_added_length(double added_length) { added_length_ = added_length; }
 
@@ -91,7 +89,7 @@ protected:
       p = p / scale_;
   }
 
-  void add_triangle(const std::array<Position, 3>& vertices, const std::array<bool, 3>& is_on_border)
+  void add_triangle(const std::array<Dense_vertex, 3>& vertices, const std::array<bool, 3>& is_on_border)
   {
     triangles_.push_back({vertices, is_on_border});
   }
@@ -102,151 +100,7 @@ private:
   double scale_ = 1, added_length_ = 0;
 };
 
-// The geometry of a triangle with the corners 0, 1, 2: `edges[i]` leads from corner i to corner i + 1.
-struct Triangle_geometry
-{
-  std::array<Vector, 3> edges;
-  Vector normal; // its length is twice the area
-  double double_area;
-
-  // The cotangent of the angle at corner i.
-  double cotangent(int i) const { return -(edges[i] * edges[(i + 2) % 3]) / double_area; }
-
-  // The tangent of half the angle at corner i, without cancellation.
-  double half_tangent(int i) const
-  {
-    const double product = length(edges[i]) * length(edges[(i + 2) % 3]);
-    const double cosine = -(edges[i] * edges[(i + 2) % 3]);
-    return cosine > 0 ? double_area / (product + cosine) : (product - cosine) / double_area;
-  }
-
-  // The gradient of the function that is 1 at corner i and 0 at the other ones.
-  Vector hat_gradient(int i) const
-  {
-    return (1 / double_area) * cross_product((1 / double_area) * normal, edges[(i + 1) % 3]);
-  }
-
-  int longest_edge() const
-  {
-    int longest = 0;
-    for(int i = 1; i != 3; ++i)
-      if(edges[i].squared_length() > edges[longest].squared_length())
-        longest = i;
-    return longest;
-  }
-
-  // Whether the triangle has an area, and one that is not so small that cotangents are beyond the range of numbers.
-  bool is_proper() const
-  {
-    for(int i = 0; i != 3; ++i)
-      if(!(double_area > 0) || !std::isfinite(cotangent(i)) || !std::isfinite(half_tangent(i))
-         || !(half_tangent(i) > 0))
-        return false;
-    return true;
-  }
-};
-
-// The geometry of the points of a triangle.
-inline Triangle_geometry geometry_of_points(const Indexed_surface& surface, std::size_t triangle)
-{
-  const auto& v = surface.triangles()[triangle].vertices;
-  Triangle_geometry geometry;
-  for(int i = 0; i != 3; ++i)
-    geometry.edges[i] = surface.point(v[(i + 1) % 3]) - surface.point(v[i]);
-  // The product of the two short edges is the one with the least cancellation.
-  const int longest = geometry.longest_edge();
-  geometry.normal = cross_product(geometry.edges[(longest + 1) % 3], geometry.edges[(longest + 2) % 3]);
-  geometry.double_area = length(geometry.normal);
-  return geometry;
-}
-
-// A vector of unit length that is perpendicular to one of unit length.
-inline Vector perpendicular(const Vector& x)
-{
-  int smallest = 0;
-  for(int i = 1; i != 3; ++i)
-    if(std::abs(x[i]) < std::abs(x[smallest]))
-      smallest = i;
-  const Vector axis(smallest == 0 ? 1. : 0., smallest == 1 ? 1. : 0., smallest == 2 ? 1. : 0.);
-  return normalized(cross_product(x, axis));
-}
-
-// The triangle each of whose sides is longer by `added_length`, in the plane of the given one as far as that has a
-// plane. Its sides have to fulfil the triangle inequality.
-inline Triangle_geometry lengthened(const Triangle_geometry& given, double added_length)
-{
-  const int longest = given.longest_edge(), next = (longest + 1) % 3, previous = (longest + 2) % 3;
-  const auto side = [&](int i) { return length(given.edges[i]) + added_length; };
-  const double a = side(longest), b = (std::max)(side(next), side(previous)),
-               c = (std::min)(side(next), side(previous));
-  // Heron's formula as W. Kahan has it, without cancellation
-  const double area = std::sqrt((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))) / 4;
-  // the longest side is on the x-axis
-  const double height = 2 * area / a;
-  const double foot = (a + (side(previous) - side(next)) * ((side(previous) + side(next)) / a)) / 2;
-
-  const bool has_direction = length(given.edges[longest]) > 0;
-  const Vector x = has_direction ? normalized(given.edges[longest]) : Vector(1, 0, 0);
-  const Vector y = given.double_area > 0 ? normalized(cross_product(given.normal, x)) : perpendicular(x);
-  Triangle_geometry geometry;
-  geometry.edges[longest] = a * x;
-  geometry.edges[next] = (foot - a) * x + height * y;
-  geometry.edges[previous] = -foot * x + -height * y;
-  geometry.double_area = 2 * area;
-  geometry.normal = geometry.double_area * cross_product(x, y);
-  return geometry;
-}
-
-inline Triangle_geometry triangle_geometry(const Indexed_surface& surface, std::size_t triangle)
-{
-  const Triangle_geometry geometry = geometry_of_points(surface, triangle);
-  return surface.added_length() > 0 ? lengthened(geometry, surface.added_length()) : geometry;
-}
-
-// Makes all edges longer by the least length after which any two sides of a triangle are longer than the third one by a
-// margin: intrinsic mollification. See Field_report.
-inline void lengthen_edges(Indexed_surface& surface, Field_report& report)
-{
-  constexpr double margin_of_mean = 1e-6, margin_of_longest = 1e-12;
-  double sum = 0, number_of_edges = 0, longest = 0;
-  // The least of the sums of two sides of a triangle less the third one; it can be negative by rounding.
-  double least_slack = std::numeric_limits<double>::infinity();
-  for(const Indexed_triangle& t : surface.triangles())
-  {
-    std::array<double, 3> sides;
-    for(int i = 0; i != 3; ++i)
-    {
-      sides[i] = length(surface.point(t.vertices[(i + 1) % 3]) - surface.point(t.vertices[i]));
-      sum += t.is_on_border[i] ? sides[i] : sides[i] / 2;
-      number_of_edges += t.is_on_border[i] ? 1 : 0.5;
-    }
-    std::sort(sides.begin(), sides.end());
-    longest = (std::max)(longest, sides[2]);
-    least_slack = (std::min)(least_slack, sides[0] - (sides[2] - sides[1]));
-  }
-  // If all points are the same, the unit is that of the coordinates.
-  const double mean = sum > 0 ? sum / number_of_edges : 1;
-  const double added_length = (std::max)(margin_of_mean * mean, margin_of_longest * longest) - least_slack;
-  if(!(added_length > 0))
-    return;
-  surface.set_added_length(added_length);
-  report.mean_length = sum > 0 ? mean * surface.scale() : 0;
-  report.added_length = surface.added_length() * surface.scale();
-}
-
-// Makes the edges longer if there is a triangle that is not proper.
-inline Field_report make_triangles_proper(Indexed_surface& surface)
-{
-  Field_report report;
-  for(std::size_t t = 0; t != surface.triangles().size(); ++t)
-    if(!geometry_of_points(surface, t).is_proper())
-      ++report.number_of_bad_faces;
-  if(report.number_of_bad_faces > 0)
-    lengthen_edges(surface, report);
-  return report;
-}
-
-// The surface of a mesh, checked as that of a Reeb graph is, and the way from positions to vertices and back.
+// The surface of a mesh, checked as that of a Reeb graph is, and the way from its vertices to dense ones and back.
 template <class FaceListGraph>
 class Indexed_mesh : public Indexed_surface
 {
@@ -261,12 +115,13 @@ public:
   {
     set_points(read_points<Vector>(mesh, choose_point_map(mesh, np)));
     flat_mesh_ = make_flat_mesh(mesh);
-    positions_ = list_positions(*flat_mesh_);
+    dense_vertices_ = list_positions(*flat_mesh_);
     const auto& complex = flat_mesh_->complex;
     for_each_face(mesh, *flat_mesh_, [&](Halfedge_index a) {
       const Halfedge_index b = complex.next(a), c = complex.previous(a);
-      add_triangle({positions_[complex.source(a)], positions_[complex.source(b)], positions_[complex.source(c)]},
-                   {complex.is_on_border_edge(a), complex.is_on_border_edge(b), complex.is_on_border_edge(c)});
+      add_triangle(
+        {dense_vertices_[complex.source(a)], dense_vertices_[complex.source(b)], dense_vertices_[complex.source(c)]},
+        {complex.is_on_border_edge(a), complex.is_on_border_edge(b), complex.is_on_border_edge(c)});
     });
   }
 
@@ -274,20 +129,20 @@ public:
   const Vertex_handles& vertex_handles() const { return vertices_; }
   const Flat_mesh<FaceListGraph>& flat_mesh() const { return *flat_mesh_; }
 
-  // The position of a vertex, no_position if it is not one of the mesh.
-  Position position(vertex_descriptor v) const
+  // The number of a vertex, no_vertex if it is not one of the mesh.
+  Dense_vertex dense_vertex(vertex_descriptor v) const
   {
     if(v == boost::graph_traits<Mesh>::null_vertex())
-      return no_position;
+      return no_vertex;
     const Vertex_index number = flat_mesh_->numbers.number_of(v);
-    const Position position = positions_.contains(number) ? positions_[number] : no_position;
-    return position != no_position && vertex_handle(position) == v ? position : no_position;
+    const Dense_vertex vertex = dense_vertices_.contains(number) ? dense_vertices_[number] : no_vertex;
+    return vertex != no_vertex && vertex_handle(vertex) == v ? vertex : no_vertex;
   }
 
 private:
   Vertex_handles vertices_;
   std::shared_ptr<const Flat_mesh<FaceListGraph>> flat_mesh_;
-  Indexed_vector<Vertex_index, Position> positions_; // by number
+  Indexed_vector<Vertex_index, Dense_vertex> dense_vertices_; // by number
 };
 
 } // namespace CGAL::Reeb_graph::internal::scalar_fields

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
+#include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 
 #include <algorithm>
 #include <array>
@@ -42,7 +43,7 @@ public:
 
   struct Edge
   {
-    Position source, target;
+    Dense_vertex source, target;
     double length;
   };
 
@@ -55,18 +56,18 @@ public:
     for(Halfedge h = 0; h != records_.size(); ++h)
     {
       const auto& corners = surface.triangles()[h / 3].vertices;
-      const Position v = corners[h % 3], w = corners[(h + 1) % 3];
+      const Dense_vertex v = corners[h % 3], w = corners[(h + 1) % 3];
       records_[h] = {v, opposites[h], surface.edge_length(v, w)};
     }
   }
 
-  Position number_of_vertices() const { return number_of_vertices_; }
+  Dense_vertex number_of_vertices() const { return number_of_vertices_; }
   Number number_of_halfedges() const { return static_cast<Number>(records_.size()); }
 
   static Halfedge next(Halfedge h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Halfedge previous(Halfedge h) { return h % 3 == 0 ? h + 2 : h - 1; }
   Halfedge opposite(Halfedge h) const { return records_[h].opposite; }
-  Position source(Halfedge h) const { return records_[h].source; }
+  Dense_vertex source(Halfedge h) const { return records_[h].source; }
   double length(Halfedge h) const { return records_[h].length; }
 
   // Flips edges until none of them faces angles of more than 180 degrees together: A. I. Bobenko and B. A. Springborn,
@@ -99,7 +100,7 @@ public:
 private:
   struct Record
   {
-    Position source;
+    Dense_vertex source;
     Halfedge opposite;
     double length;
   };
@@ -151,7 +152,7 @@ private:
     // The new triangles are h, previous(h), next(g), and g, previous(g), next(h).
     const std::array<Halfedge, 4> old_places = {previous(h), next(g), previous(g), next(h)};
     const std::array<Halfedge, 4> new_places = {next(h), previous(h), next(g), previous(g)};
-    const Position end_of_g = source(previous(g)), end_of_h = source(previous(h));
+    const Dense_vertex end_of_g = source(previous(g)), end_of_h = source(previous(h));
     std::array<Record, 4> moved;
     std::array<bool, 4> is_new;
     for(std::size_t i = 0; i != 4; ++i)
@@ -175,7 +176,7 @@ private:
     return true;
   }
 
-  Position number_of_vertices_;
+  Dense_vertex number_of_vertices_;
   std::vector<Record> records_; // of halfedges
   std::vector<bool> is_new_;    // for halfedges that have come by a flip
   std::vector<Edge> flipped_edges_;

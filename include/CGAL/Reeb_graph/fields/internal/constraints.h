@@ -13,14 +13,16 @@
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/field_constraints.h>
-#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
+#include <CGAL/Reeb_graph/fields/internal/Triangle_geometry.h>
+#include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
+#include <CGAL/Reeb_graph/internal/complex/Breadth_first_search.h>
+#include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/complex/border_cycles.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -52,9 +54,9 @@ struct Constraints
       values(number_of_vertices, Scalar(0))
   {}
 
-  void fix(Position v, Scalar value)
+  void fix(Dense_vertex v, Scalar value)
   {
-    if(v == no_position)
+    if(v == no_vertex)
       throw Unknown_vertex_error();
     if(!std::isfinite(value))
       throw Non_finite_scalar_error(v);
@@ -70,17 +72,17 @@ template <class Surface, class ConstraintRange, class Scalar>
 void fix_vertices(const Surface& surface, const ConstraintRange& range, Constraints<Scalar>& constraints)
 {
   for(const auto& [vertex, value] : range)
-    constraints.fix(surface.position(vertex), static_cast<Scalar>(CGAL::to_double(value)));
+    constraints.fix(surface.dense_vertex(vertex), static_cast<Scalar>(CGAL::to_double(value)));
 }
 
 inline void check_components(const Weighted_graph& graph, const std::vector<bool>& is_fixed)
 {
-  const std::vector<Position> labels = label_components(graph);
+  const std::vector<Index> labels = label_components(graph);
   std::vector<bool> is_constrained(graph.number_of_vertices(), false); // by component
-  for(Position v = 0; v != graph.number_of_vertices(); ++v)
+  for(Dense_vertex v = 0; v != graph.number_of_vertices(); ++v)
     if(is_fixed[v])
       is_constrained[labels[v]] = true;
-  for(Position v = 0; v != graph.number_of_vertices(); ++v)
+  for(Dense_vertex v = 0; v != graph.number_of_vertices(); ++v)
     if(!is_constrained[labels[v]])
       throw Unconstrained_component_error(labels[v], v);
 }

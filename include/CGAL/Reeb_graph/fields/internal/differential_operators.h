@@ -12,8 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
-#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
-#include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
+#include <CGAL/Reeb_graph/fields/internal/Triangle_geometry.h>
+#include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Weights/mixed_voronoi_region_weights.h>
@@ -119,7 +119,7 @@ inline std::vector<double> scaled_integrated_mean_curvatures(const Indexed_surfa
 {
   std::vector<double> curvatures;
   curvatures.reserve(surface.number_of_vertices());
-  for(Position v = 0; v != surface.number_of_vertices(); ++v)
+  for(Dense_vertex v = 0; v != surface.number_of_vertices(); ++v)
   {
     Vector sum = NULL_VECTOR;
     for(const auto& n : cotangents.neighbors(v))

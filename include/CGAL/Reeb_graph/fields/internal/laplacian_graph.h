@@ -14,16 +14,11 @@
 #include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
-#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
+#include <CGAL/Reeb_graph/fields/internal/Triangle_geometry.h>
+#include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 #include <CGAL/Reeb_graph/options.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <limits>
-#include <queue>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Reeb_graph::internal::scalar_fields {
 
@@ -31,7 +26,7 @@ namespace CGAL::Reeb_graph::internal::scalar_fields {
 inline Weighted_graph laplacian_graph(const Indexed_surface& surface, Laplacian_weights weights)
 {
   return Weighted_graph(surface.number_of_vertices(), [&](const auto& visit) {
-    const auto visit_both = [&](Position u, Position v, double weight) {
+    const auto visit_both = [&](Dense_vertex u, Dense_vertex v, double weight) {
       visit(Weighted_graph::Contribution{u, v, weight});
       visit(Weighted_graph::Contribution{v, u, weight});
     };
@@ -79,67 +74,6 @@ auto solve_or_lengthen_edges(Indexed_surface& surface,
   {}
   lengthen_edges(surface, report);
   return solve(laplacian_graph(surface, weights), 0.6);
-}
-
-// The vertex of least value of each component, the first one if there are several.
-inline std::vector<Position> lowest_vertices_of_components(const Weighted_graph& graph,
-                                                           const std::vector<double>& values)
-{
-  const std::vector<Position> labels = label_components(graph);
-  std::vector<Position> lowest_vertices;
-  for(Position v = 0; v != graph.number_of_vertices(); ++v)
-    if(labels[v] == lowest_vertices.size())
-      lowest_vertices.push_back(v);
-    else if(values[v] < values[lowest_vertices[labels[v]]])
-      lowest_vertices[labels[v]] = v;
-  return lowest_vertices;
-}
-
-// Two vertices of each component: the one farthest from its first vertex along the edges, and the one farthest from
-// that; of several the first one. They are the same only in a component of a single vertex.
-inline std::vector<std::pair<Position, Position>> far_apart_vertices(const Indexed_surface& surface,
-                                                                     const Weighted_graph& graph)
-{
-  typedef std::pair<double, Position> Entry;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::vector<double> distances(graph.number_of_vertices(), infinity); // between two searches
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  const auto farthest_from = [&](Position source) {
-    std::vector<Position> reached;
-    const auto reach = [&](double distance, Position v) {
-      if(!(distance < distances[v]))
-        return;
-      distances[v] = distance;
-      reached.push_back(v);
-      queue.emplace(distance, v);
-    };
-    Entry farthest(0, source);
-    for(reach(0, source); !queue.empty();)
-    {
-      const Entry entry = queue.top();
-      queue.pop();
-      if(entry.first > distances[entry.second])
-        continue;
-      if(entry.first > farthest.first)
-        farthest = entry;
-      for(const auto& n : graph.neighbors(entry.second))
-        reach(entry.first + length(surface.point(n.vertex) - surface.point(entry.second)), n.vertex);
-    }
-    for(const Position v : reached)
-      distances[v] = infinity;
-    return farthest.second;
-  };
-  const std::vector<Position> labels = label_components(graph);
-  std::vector<std::pair<Position, Position>> pairs;
-  for(Position v = 0; v != graph.number_of_vertices(); ++v)
-    if(labels[v] == pairs.size())
-    {
-      const Position lowest = farthest_from(v), highest = farthest_from(lowest);
-      const auto neighbors = graph.neighbors(lowest);
-      const bool do_all_points_coincide = lowest == highest && !neighbors.empty();
-      pairs.emplace_back(lowest, do_all_points_coincide ? neighbors.begin()->vertex : highest);
-    }
-  return pairs;
 }
 
 } // namespace CGAL::Reeb_graph::internal::scalar_fields

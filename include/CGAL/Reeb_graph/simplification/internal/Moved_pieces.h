@@ -11,8 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/complex/St_numbering.h>
+#include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 
 #include <algorithm>
@@ -32,15 +33,12 @@ namespace CGAL::Reeb_graph::internal {
 template <class Complex, class Scalar>
 class Moved_pieces
 {
-  typedef scalar_fields::Position Position;
-  typedef scalar_fields::Weighted_graph Vertex_graph;
-
 public:
   // `saddles` has for each vertex that is to be moved the vertex of the saddle, and no_index for each other one.
   // `rooms` has for the vertex of a saddle how far the next values of nodes are: a saddle in a piece must not pass
   // them.
   Moved_pieces(const Complex& complex,
-               const Vertex_graph& graph,
+               const Weighted_graph& graph,
                const std::vector<Index>& saddles,
                const std::vector<Scalar>& rooms,
                const std::vector<Scalar>& values,
@@ -60,7 +58,7 @@ public:
   {
     std::vector<Scalar> moved = values_;
     Index number = 0;
-    for(Position v = 0; v != graph_.number_of_vertices(); ++v)
+    for(Dense_vertex v = 0; v != graph_.number_of_vertices(); ++v)
     {
       if(saddles_[v] == no_index || numbers_[v] != no_index)
         continue;
@@ -68,8 +66,8 @@ public:
       if(!piece.has_source || !piece.has_sink)
         continue;
       const auto order = st_numbering_(
-        piece.vertices, [&](Position u) { return numbers_[u] == number - 1; },
-        [&](Position u) { return is_source(u, piece); });
+        piece.vertices, [&](Dense_vertex u) { return numbers_[u] == number - 1; },
+        [&](Dense_vertex u) { return is_source(u, piece); });
       put_values(order, choose_values(piece), moved);
     }
     return moved;
@@ -78,24 +76,27 @@ public:
 private:
   struct Piece
   {
-    std::vector<Position> vertices;
-    Position saddle = 0;
+    std::vector<Dense_vertex> vertices;
+    Dense_vertex saddle = 0;
     bool is_above = false;     // whether it is moved to just above the saddle
     bool has_source, has_sink; // among the vertices around it
     Scalar highest_source, lowest_sink;
   };
 
-  bool is_lower(Position u, Position v) const { return std::make_pair(values_[u], u) < std::make_pair(values_[v], v); }
+  bool is_lower(Dense_vertex u, Dense_vertex v) const
+  {
+    return std::make_pair(values_[u], u) < std::make_pair(values_[v], v);
+  }
 
   // Where a vertex around a piece is when all pieces have been moved: at itself, or next to its saddle.
-  Position place(Position u) const { return saddles_[u] == no_index ? u : saddles_[u]; }
+  Dense_vertex place(Dense_vertex u) const { return saddles_[u] == no_index ? u : saddles_[u]; }
 
-  bool is_source(Position u, const Piece& piece) const
+  bool is_source(Dense_vertex u, const Piece& piece) const
   {
     return place(u) == piece.saddle ? piece.is_above : is_lower(place(u), piece.saddle);
   }
 
-  Piece collect_piece(Position first, Index number)
+  Piece collect_piece(Dense_vertex first, Index number)
   {
     Piece piece;
     piece.saddle = saddles_[first];
@@ -103,7 +104,7 @@ private:
     numbers_[first] = number;
     for(std::size_t i = 0; i != piece.vertices.size(); ++i)
     {
-      const Position v = piece.vertices[i];
+      const Dense_vertex v = piece.vertices[i];
       piece.is_above = piece.is_above || is_lower(v, piece.saddle);
       for(const auto& neighbor : graph_.neighbors(v))
         if(saddles_[neighbor.vertex] == piece.saddle && numbers_[neighbor.vertex] == no_index)
@@ -128,10 +129,10 @@ private:
     piece.has_source = piece.has_sink = false;
     piece.highest_source = -infinity;
     piece.lowest_sink = infinity;
-    for(const Position v : piece.vertices)
+    for(const Dense_vertex v : piece.vertices)
       for(const auto& neighbor : graph_.neighbors(v))
       {
-        const Position u = neighbor.vertex;
+        const Dense_vertex u = neighbor.vertex;
         if(numbers_[u] == number)
           continue;
         (is_source(u, piece) ? piece.has_source : piece.has_sink) = true;
@@ -171,7 +172,7 @@ private:
     return values;
   }
 
-  void put_values(const std::vector<Position>& order,
+  void put_values(const std::vector<Dense_vertex>& order,
                   const std::vector<Scalar>& values,
                   std::vector<Scalar>& moved) const
   {
@@ -183,26 +184,26 @@ private:
     }
   }
 
-  [[noreturn]] void throw_too_few_numbers(Position v) const
+  [[noreturn]] void throw_too_few_numbers(Dense_vertex v) const
   {
     throw Perturbed_ties_error(complex_.position(Vertex_index(v)));
   }
 
-  Scalar largest_distance(const std::vector<Position>& vertices, Scalar value) const
+  Scalar largest_distance(const std::vector<Dense_vertex>& vertices, Scalar value) const
   {
     Scalar distance = 0;
-    for(const Position v : vertices)
+    for(const Dense_vertex v : vertices)
       distance = (std::max)(distance, std::abs(values_[v] - value));
     return distance;
   }
 
   const Complex& complex_;
-  const Vertex_graph& graph_; // its edges
+  const Weighted_graph& graph_; // its edges
   const std::vector<Index>& saddles_;
   const std::vector<Scalar>& rooms_;
   const std::vector<Scalar>& values_;
   const double threshold_;
-  scalar_fields::St_numbering st_numbering_;
+  St_numbering st_numbering_;
   std::vector<Index> numbers_; // by vertex, of its piece
 };
 

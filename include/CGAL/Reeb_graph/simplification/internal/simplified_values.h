@@ -13,13 +13,13 @@
 
 #include <CGAL/Reeb_graph/Flat_field.h>
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/fields/internal/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
+#include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/graph/Leaf_pruning.h>
 #include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -63,7 +63,7 @@ struct Tied_saddles
 // These saddles, by value: those of pieces with a neighbor of the value of the saddle, as no number is between the two.
 // `saddles` are those of Moved_pieces.
 template <class Scalar>
-std::map<Scalar, Tied_saddles<Scalar>> find_tied_saddles(const scalar_fields::Weighted_graph& graph,
+std::map<Scalar, Tied_saddles<Scalar>> find_tied_saddles(const Weighted_graph& graph,
                                                          const std::vector<Index>& saddles,
                                                          const std::vector<Scalar>& values,
                                                          Scalar threshold)
@@ -235,7 +235,7 @@ std::vector<Scalar> perturbed_values(const Complex& complex,
 {
   for(Index& saddle : saddles)
     saddle = saddle == no_index ? no_index : nodes[saddle];
-  const auto graph = scalar_fields::edge_graph(complex);
+  const auto graph = edge_graph(complex);
   const std::vector<Scalar> spread =
     spread_ties(complex, values, find_tied_saddles(graph, saddles, values, static_cast<Scalar>(threshold)));
   const std::vector<Scalar> rooms = rooms_of_nodes(nodes, spread);
