@@ -47,11 +47,11 @@ int main(int argc, char* argv[])
       std::cout << graph[node].kind << " at " << skeleton.node_points[node] << std::endl;
 
     // For ParaView: the skeleton with numbers of its arcs, and the mesh with its field and the arcs of its vertices.
-    const auto locations = augmentation.locate_vertices();
+    const auto vertex_places = augmentation.locate_vertices();
     const std::vector<CGAL::Reeb_graph::Attribute> arc_attributes = {
       {"persistence", CGAL::Reeb_graph::arc_persistences(graph)},
       {"length", CGAL::Reeb_graph::arc_lengths(mesh, scalar_map, graph)},
-      {"area", CGAL::Reeb_graph::arc_areas(mesh, graph, locations)}};
+      {"area", CGAL::Reeb_graph::arc_areas(mesh, graph, vertex_places)}};
     CGAL::Reeb_graph::write_vtp("skeleton.vtp", graph, skeleton, get(boost::vertex_index, mesh),
                                 CGAL::parameters::arc_attributes(arc_attributes));
     std::vector<double> values;
@@ -59,7 +59,7 @@ int main(int argc, char* argv[])
     for(Mesh::Vertex_index v : vertices(mesh))
     {
       values.push_back(scalar_map[v]);
-      places.push_back(static_cast<std::int64_t>(locations.index(v)));
+      places.push_back(static_cast<std::int64_t>(vertex_places.index(v)));
     }
     CGAL::Reeb_graph::write_mesh_vtp("mesh.vtp", mesh,
                                      CGAL::parameters::vertex_attributes({{"height", values}, {"place", places}}));

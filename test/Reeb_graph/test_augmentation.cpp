@@ -187,7 +187,7 @@ std::vector<double> coordinate_field(const Triangle_soup& soup, double x, double
 // The arcs between critical vertices, and that of each vertex, by the order of the surface alone.
 struct Arcs_of_vertices
 {
-  CGAL::Reeb_graph::internal::Slab_arcs arcs;
+  CGAL::Reeb_graph::internal::Swept_arcs arcs;
   CGAL::Reeb_graph::internal::Arc_of_vertex climbed, swept;
 };
 
@@ -203,10 +203,10 @@ Arcs_of_vertices climb_and_sweep(const Surface_mesh& mesh, const std::vector<dou
   const internal::Slab slab(surface.mesh->complex, critical_vertices);
   const internal::Contour_trees_engine engine(slab, order);
   Arcs_of_vertices result;
-  internal::Climbing_queries climbing(surface.mesh->complex, order, critical_vertices);
+  internal::Locate_by_climbing climbing(surface.mesh->complex, order, critical_vertices);
   result.arcs = engine.find_arcs<Tag>(internal::No_progress(), climbing);
   result.climbed = climbing.take_arc_of_vertex();
-  internal::Vertex_queries sweeping(surface.mesh->complex, order, critical_vertices);
+  internal::Locate_by_sorting sweeping(surface.mesh->complex, order, critical_vertices);
   sweeping.sort<Tag>();
   engine.find_arcs<Tag>(internal::No_progress(), sweeping);
   result.swept = sweeping.take_arc_of_vertex();
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(climbing_gives_the_arcs_that_sweeping_gives)
     for(const auto v : vertices(mesh))
     {
       const std::size_t place = vertex_places.index(v);
-      const internal::Slab_arc_index arc = arc_of_vertex[internal::Vertex_index(v)];
+      const internal::Swept_arc_index arc = arc_of_vertex[internal::Vertex_index(v)];
       BOOST_TEST((arc == internal::no_index) == (place < num_vertices(a.graph)));
       if(arc == internal::no_index || place < num_vertices(a.graph))
         continue;

@@ -74,9 +74,9 @@ void test_arcs(const Sample& sample, const NamedParameters& np)
   std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, std::size_t> places;
   {
     const Augmentation augmentation(mesh, scalar_map, graph, np);
-    const auto locations = augmentation.locate_vertices();
+    const auto vertex_places = augmentation.locate_vertices();
     for(const auto v : vertices(mesh))
-      places[v] = locations.index(v);
+      places[v] = vertex_places.index(v);
   }
   Patches_of<Mesh> patches;
   const std::size_t number_of_patches =

@@ -41,14 +41,14 @@ struct Soup
     CGAL::compute_reeb_graph_of_soup(n, cells, values, graph);
   }
   static const auto& cells(const Triangle_soup& soup) { return soup.triangles; }
-  template <class Locations>
+  template <class VertexPlaces>
   static std::size_t measure(const Augmentation& augmentation,
                              const std::vector<Point>& points,
-                             const Locations& locations)
+                             const VertexPlaces& vertex_places)
   {
     return 0
-         * (arc_areas(augmentation, points, locations).size()
-            + arc_mean_values(augmentation, points, locations).size());
+         * (arc_areas(augmentation, points, vertex_places).size()
+            + arc_mean_values(augmentation, points, vertex_places).size());
   }
 };
 
@@ -63,14 +63,14 @@ struct Solid
     CGAL::compute_reeb_graph_of_tetrahedra(n, cells, values, graph);
   }
   static const auto& cells(const generated_surfaces::Tetrahedron_soup& soup) { return soup.tetrahedra; }
-  template <class Locations>
+  template <class VertexPlaces>
   static std::size_t measure(const Augmentation& augmentation,
                              const std::vector<Point>& points,
-                             const Locations& locations)
+                             const VertexPlaces& vertex_places)
   {
     return 0
-         * (arc_volumes(augmentation, points, locations).size()
-            + arc_mean_values(augmentation, points, locations).size());
+         * (arc_volumes(augmentation, points, vertex_places).size()
+            + arc_mean_values(augmentation, points, vertex_places).size());
   }
 };
 

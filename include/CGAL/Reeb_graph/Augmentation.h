@@ -48,8 +48,8 @@ namespace CGAL::Reeb_graph {
 /// It is made by `Augmentation::locate_vertices()`. The vertices of arcs and nodes are sorted when they are asked for
 /// the first time, in \f$ O(n \log n) \f$ for \f$ n \f$ vertices of the mesh; several threads may ask at a time. It can
 /// outlive the `Augmentation` and the mesh, but holds copies of the arc descriptors and of a `vertex_index_map`: as
-/// long as it is used, the graph must not lose arcs, and the map must stay valid. `get(vertex_locations, v)` is the
-/// same as `vertex_locations[v]`.
+/// long as it is used, the graph must not lose arcs, and the map must stay valid. `get(vertex_places, v)` is the
+/// same as `vertex_places[v]`.
 ///
 /// \tparam VertexDescriptor a vertex descriptor of the mesh
 /// \tparam ReebGraph the type of the Reeb graph

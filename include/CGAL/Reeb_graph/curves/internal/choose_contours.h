@@ -179,13 +179,13 @@ std::vector<Branch_weight> branch_weights(const RankedMesh& ranked,
   {
     const typename Simple_reeb_graph<RankedMesh>::Place_map& places;
     std::size_t index(typename RankedMesh::vertex_descriptor v) const { return get(places, v); }
-  } const locations = {*simple.places};
+  } const vertex_places = {*simple.places};
   for(const auto v : simple.given_vertices)
-    ++weights[locations.index(v)].vertex_count;
+    ++weights[vertex_places.index(v)].vertex_count;
   if(thresholds.needs_areas())
   {
-    const auto areas =
-      areas_of_places(ranked.mesh(), simple.graph, locations, parameters::vertex_point_map(ranked.vertex_point_map()));
+    const auto areas = areas_of_places(ranked.mesh(), simple.graph, vertex_places,
+                                       parameters::vertex_point_map(ranked.vertex_point_map()));
     for(std::size_t place = 0; place != weights.size(); ++place)
       weights[place].area = areas[place];
   }

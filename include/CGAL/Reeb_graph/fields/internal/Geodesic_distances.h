@@ -137,7 +137,7 @@ private:
     const double crossing = x_of_source + (x - x_of_source) * (y_of_source / (y_of_source + y));
     if(!(crossing >= 0 && crossing <= va))
       return;
-    // That point is too near where ways from both sides meet.
+    // The point is too near where ways from both sides meet.
     const double bound_of_v = bound(origin_of_v, c), bound_of_a = bound(origin_of_a, c);
     const double distance = offset + std::hypot(x - x_of_source, y + y_of_source);
     reach(c, (std::max)({distance, (std::min)(bound_of_v, bound_of_a), distances_[v]}),
