@@ -11,7 +11,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
+#include <mutex>
 
 namespace reeb_graph_program {
 namespace {
@@ -21,10 +23,25 @@ const std::function<bool(double)>*& listener_of_thread()
   return listener;
 }
 
+Progress_bar*& innermost_bar_of_thread()
+{
+  thread_local Progress_bar* bar = nullptr;
+  return bar;
+}
+
+// Bars, and what shows them, may belong to several threads.
+std::mutex& mutex_of_terminal()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
 } // namespace
 
 Progress_bar::Progress_bar(const std::string& name_of_work)
-  : Progress_bar(name_of_work, isatty(STDERR_FILENO) == 1 ? &std::cerr : nullptr, 0.5)
+  : Progress_bar(name_of_work,
+                 listener_of_thread() == nullptr && isatty(STDERR_FILENO) == 1 ? &std::cerr : nullptr,
+                 0.5)
 {
   listener_ = listener_of_thread();
 }
@@ -32,29 +49,89 @@ Progress_bar::Progress_bar(const std::string& name_of_work)
 Progress_bar::Progress_bar(const std::string& name_of_work, std::ostream* terminal, double seconds_until_shown)
   : name_of_work_(name_of_work),
     terminal_(terminal),
-    seconds_until_shown_(seconds_until_shown)
-{}
+    seconds_until_shown_(seconds_until_shown),
+    outer_(innermost_bar_of_thread())
+{
+  innermost_bar_of_thread() = this;
+  if(outer_ != nullptr)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_of_terminal());
+    outer_->is_covered_ = true;
+    outer_->remove_line();
+  }
+  if(terminal_ != nullptr && seconds_until_shown_ > 0)
+    timer_ = std::thread([this] { wait_and_show(); });
+}
 
-Progress_bar::~Progress_bar() { clear(); }
+Progress_bar::~Progress_bar()
+{
+  innermost_bar_of_thread() = outer_;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_of_terminal());
+    is_done_ = true;
+    remove_line();
+    if(outer_ != nullptr)
+    {
+      outer_->is_covered_ = false;
+      outer_->show_if_long();
+    }
+  }
+  end_of_work_.notify_one();
+  if(timer_.joinable())
+    timer_.join();
+}
+
+// Work without steps shows its name, too.
+void Progress_bar::wait_and_show()
+{
+  std::unique_lock<std::mutex> lock(mutex_of_terminal());
+  const std::chrono::duration<double> time(seconds_until_shown_);
+  if(!end_of_work_.wait_for(lock, time, [&] { return is_done_; }) && shown_width_ == 0)
+    show();
+}
 
 bool Progress_bar::operator()(double fraction)
 {
   if(listener_ != nullptr)
     return (*listener_)(fraction);
-  if(terminal_ == nullptr || stopwatch_.seconds() < seconds_until_shown_)
+  if(terminal_ == nullptr)
     return true;
-  constexpr std::size_t width = 40;
-  const double part = std::clamp(fraction, 0., 1.);
-  const auto filled = static_cast<std::size_t>(part * width);
-  const std::string percentage = std::to_string(static_cast<int>(100 * part));
-  const std::string line = name_of_work_ + " [" + std::string(filled, '#') + std::string(width - filled, ' ') + "] "
-                         + std::string(3 - std::min<std::size_t>(3, percentage.size()), ' ') + percentage + " %";
-  *terminal_ << '\r' << line << std::flush;
-  shown_width_ = line.size();
+  const std::lock_guard<std::mutex> lock(mutex_of_terminal());
+  fraction_ = std::clamp(fraction, 0., 1.);
+  show_if_long();
   return true;
 }
 
+void Progress_bar::show_if_long()
+{
+  if(terminal_ != nullptr && stopwatch_.seconds() >= seconds_until_shown_)
+    show();
+}
+
+void Progress_bar::show()
+{
+  if(is_covered_)
+    return;
+  std::string line = name_of_work_ + " ...";
+  if(fraction_)
+  {
+    constexpr std::size_t width = 40;
+    const auto filled = static_cast<std::size_t>(*fraction_ * width);
+    const std::string percentage = std::to_string(static_cast<int>(100 * *fraction_));
+    line = name_of_work_ + " [" + std::string(filled, '#') + std::string(width - filled, ' ') + "] "
+         + std::string(3 - std::min<std::size_t>(3, percentage.size()), ' ') + percentage + " %";
+  }
+  *terminal_ << '\r' << line << std::flush;
+  shown_width_ = line.size();
+}
+
 void Progress_bar::clear()
+{
+  const std::lock_guard<std::mutex> lock(mutex_of_terminal());
+  remove_line();
+}
+
+void Progress_bar::remove_line()
 {
   if(shown_width_ > 0)
     *terminal_ << '\r' << std::string(shown_width_, ' ') << '\r' << std::flush;

@@ -11,13 +11,18 @@
 
 #include "base/stopwatch.h"
 
+#include <condition_variable>
 #include <cstddef>
 #include <functional>
+#include <mutex>
+#include <optional>
 #include <ostream>
 #include <string>
+#include <thread>
 
 namespace reeb_graph_program {
-// Shows how far long work is. It appears after a while only, and is gone when the work is done.
+// Shows how far long work is. It appears after a while only, also if the work does not say how far it is, and is gone
+// when the work is done. Of several bars of a thread, the last one is shown.
 class Progress_bar
 {
 public:
@@ -36,12 +41,23 @@ public:
   void clear();
 
 private:
+  void show();
+  void show_if_long();
+  void wait_and_show();
+  void remove_line();
+
   std::string name_of_work_;
   std::ostream* terminal_; // null if nothing is shown
   double seconds_until_shown_;
   Stopwatch stopwatch_;
+  std::optional<double> fraction_;
   std::size_t shown_width_ = 0;
   const std::function<bool(double)>* listener_ = nullptr;
+  Progress_bar* outer_;
+  bool is_covered_ = false; // by one within it
+  bool is_done_ = false;
+  std::condition_variable end_of_work_;
+  std::thread timer_;
 };
 
 // As long as it lives, the bars that its thread makes show nothing, and ask this function instead whether to go on. It

@@ -6,6 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "base/progress_bar.h"
 #include "base/stopwatch.h"
 #include "base/vertex_properties.h"
 #include "commands/commands.h"
@@ -22,9 +23,11 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -94,6 +97,7 @@ void run_repair(const Repair_command_options& options)
   check_outputs(outputs, {options.mesh_path});
   Repair_report report;
   const Stopwatch stopwatch;
+  std::optional<Progress_bar> progress_bar(std::in_place, "reading");
   Input_findings findings;
   Polygon_soup soup = read_checked_soup(options.mesh_path, true, "", findings);
   if(!soup.tetrahedra.empty())
@@ -107,6 +111,7 @@ void run_repair(const Repair_command_options& options)
   report.lines_left_out = soup.edges.size();
   report.add_seconds("read", stopwatch.seconds());
   const Stopwatch repair_stopwatch;
+  progress_bar.emplace("repair");
   const Repair_result result = repair_soup(soup, options.repair);
   report.counts = result.counts;
   Surface surface = unconnected_surface(soup.points, soup.polygons);

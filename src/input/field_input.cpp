@@ -8,6 +8,7 @@
 
 #include "input/field_input.h"
 
+#include "base/progress_bar.h"
 #include "base/stopwatch.h"
 #include "computation/complex_counts.h"
 #include "computation/distances_along_edges.h"
@@ -73,6 +74,7 @@ std::string way_out(const Mesh& mesh)
 Mesh read_mesh(const Input_options& options, Work_report& report)
 {
   const Stopwatch stopwatch;
+  const Progress_bar progress_bar("reading");
   check_field_options(options);
   Mesh mesh = read_mesh(options.mesh_path, options.are_faces_triangulated, vertex_property(options));
   report.add_seconds("read", stopwatch.seconds());

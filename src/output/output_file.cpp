@@ -8,6 +8,7 @@
 
 #include "output/output_file.h"
 
+#include "base/progress_bar.h"
 #include "output/File_buffer.h"
 
 #include <fcntl.h>
@@ -23,6 +24,7 @@
 #include <iostream>
 #include <list>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -328,6 +330,7 @@ void replace_file(const fs::path& path, const std::function<void(const fs::path&
   if(place.is_at_once)
     throw std::runtime_error(path.string() + ": this is written at several places at once, which need a file");
   write_stream(place, [](std::ostream&) {});
+  const Progress_bar progress_bar("writing");
   write(place.temporary_path);
   group.put_in_place();
 }
@@ -335,7 +338,11 @@ void replace_file(const fs::path& path, const std::function<void(const fs::path&
 void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write)
 {
   Output_group group;
-  write_stream(files_of_thread->list.emplace_back(path).place, write);
+  const Place& place = files_of_thread->list.emplace_back(path).place;
+  std::optional<Progress_bar> progress_bar;
+  if(!place.is_at_once) // which may be on the terminal, too
+    progress_bar.emplace("writing");
+  write_stream(place, write);
   group.put_in_place();
 }
 

@@ -8,6 +8,7 @@
 
 #include "page/page_output.h"
 
+#include "base/progress_bar.h"
 #include "computation/simplification.h"
 #include "output/output_file.h"
 #include "page/page_template.h"
@@ -118,6 +119,7 @@ void check_page(const fs::path& path, const std::string& up)
 
 void write_page(const fs::path& path, const Page_request& request)
 {
+  const Progress_bar progress_bar("page");
   const Graph& given = request.graph.given();
   const Graph& wanted = request.graph.result();
   const std::optional<double> threshold = threshold_for_page(given, wanted, request.graph.threshold());

@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(distances_in_the_plane_depend_little_on_triangles,
       }
 }
 
-// Errors of the kind that the manual's table has, on other meshes, are printed.
+// Rows of the manual's table on generated meshes are what this test prints with --log_level=message.
 BOOST_AUTO_TEST_CASE(distances_are_close_to_exact_ones)
 {
   struct Row
@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(distances_are_close_to_exact_ones)
     BOOST_TEST_CONTEXT(row.name)
     {
       const Surface_mesh mesh = make_mesh<Surface_mesh>(row.soup);
-      double error = 0, maxima = 0, exact_maxima = 0, steepness = 0;
+      double error = 0, largest_error = 0, maxima = 0, exact_maxima = 0, steepness = 0;
       constexpr std::size_t number_of_trials = 3;
       for(std::size_t trial = 0; trial != number_of_trials; ++trial)
       {
@@ -189,13 +189,15 @@ BOOST_AUTO_TEST_CASE(distances_are_close_to_exact_ones)
         const std::vector<double> values = distances(mesh, sources), expected = exact_distances(row.soup, sources);
         BOOST_TEST(fault_of_distances(mesh, values, sources) == "");
         error += mean_error(values, expected) / number_of_trials;
+        largest_error =
+          (std::max)(largest_error, distance(values, expected) / *std::max_element(expected.begin(), expected.end()));
         steepness = (std::max)(steepness, *std::max_element(values.begin(), values.end())
                                             / *std::max_element(expected.begin(), expected.end()));
         maxima += static_cast<double>(number_of_maxima(mesh, values));
         exact_maxima += static_cast<double>(number_of_maxima(mesh, expected));
       }
-      BOOST_TEST_MESSAGE(row.name << ": mean error " << 100 * error << " %, maxima " << maxima << ", exact "
-                                  << exact_maxima);
+      BOOST_TEST_MESSAGE(row.name << ": mean error " << 100 * error << " %, largest " << 100 * largest_error
+                                  << " %, maxima " << maxima << ", exact " << exact_maxima);
       BOOST_TEST(error < row.largest_mean_error);
       BOOST_TEST(steepness < 1.05);
       BOOST_TEST(maxima <= 1.5 * exact_maxima + 1);

@@ -82,22 +82,6 @@ public:
 private:
   Eigen::VectorXd diagonal_;
 };
-
-// A symmetric matrix with an entry beside the diagonal for each edge.
-Eigen_matrix matrix_of_graph(int size, const std::vector<std::pair<int, int>>& edges)
-{
-  std::vector<Eigen::Triplet<double>> entries;
-  for(int i = 0; i != size; ++i)
-    entries.emplace_back(i, i, 4);
-  for(const auto& [i, j] : edges)
-  {
-    entries.emplace_back(i, j, -1);
-    entries.emplace_back(j, i, -1);
-  }
-  Eigen_matrix matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
-}
 } // namespace
 
 BOOST_AUTO_TEST_CASE(where_iteration_fails_the_unsymmetric_equations_are_solved)
@@ -270,26 +254,6 @@ BOOST_AUTO_TEST_CASE(a_larger_tolerance_takes_fewer_steps)
     for(const double tolerance : {0., -1e-12, std::nan(""), HUGE_VAL})
       BOOST_CHECK_THROW(with_tolerance(tolerance), CGAL::Reeb_graph::Solver_tolerance_error);
   }
-}
-
-BOOST_AUTO_TEST_CASE(an_order_of_rows_that_fills_the_factor_is_replaced)
-{
-  constexpr int size = 400;
-  std::vector<std::pair<int, int>> path, star;
-  for(int i = 1; i != size; ++i)
-  {
-    path.emplace_back(i - 1, i);
-    star.emplace_back(0, i);
-  }
-  const CGAL::Reeb_graph::internal::scalar_fields::Given_or_minimum_degree_ordering order;
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
-  order(matrix_of_graph(size, path), permutation);
-  for(int i = 0; i != size; ++i)
-    BOOST_TEST(permutation.indices()[i] == i);
-  // To eliminate the center first would join all others to each other. Two rows are left when its degree is least.
-  order(matrix_of_graph(size, star), permutation);
-  const int* indices = permutation.indices().data();
-  BOOST_TEST(std::find(indices, indices + size, 0) - indices >= size - 2);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -9,10 +9,12 @@
 #include "base/progress_bar.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <thread>
 
 // The progress bar as a terminal shows it; a run of the program is too short for one.
 
@@ -69,5 +71,17 @@ int main()
     expect(bar_without_terminal(0.5), "the bar stops the work");
   }
   expect(other_terminal.str().empty(), "short work shows a bar");
+
+  std::ostringstream third_terminal;
+  {
+    const Progress_bar bar("page", &third_terminal, 0.01);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    Progress_bar inner_bar("embedding", &third_terminal, 0);
+    inner_bar(0.5);
+  }
+  const std::string shown = third_terminal.str();
+  expect(shown.find("\rpage ...\r        \r\rembedding [#") == 0,
+         "not the name of work without steps, then that in it");
+  expect(last_line(third_terminal.str()).find_first_not_of(' ') == std::string::npos, "bars are left behind");
   return EXIT_SUCCESS;
 }

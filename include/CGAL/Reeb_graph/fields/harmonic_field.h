@@ -70,12 +70,10 @@ namespace CGAL::Reeb_graph {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_linear_solver}
 ///     \cgalParamDescription{a solver that takes the place of multigrid and of the default factorization. All matrices
-///                           that it gets are symmetric and, unless there are negative weights, diagonally dominant.
-///                           Their rows come in the order of a nested dissection.}
+///                           that it gets are symmetric and, unless there are negative weights, diagonally dominant.}
 ///     \cgalParamType{a model of `SparseLinearAlgebraWithFactorTraits_d`}
-///     \cgalParamDefault{multigrid on large meshes; else `Eigen_solver_traits` with `Eigen::SimplicialLDLT`, which
-///                       keeps the order of the rows as long as its factor fills little. Both need the macro
-///                       `CGAL_EIGEN3_ENABLED`.}
+///     \cgalParamDefault{multigrid on large meshes; else `Eigen_solver_traits` with `Eigen::SimplicialLDLT`. Both need
+///                       the macro `CGAL_EIGEN3_ENABLED`.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{solver_tolerance}
 ///     \cgalParamDescription{the error at which iteration stops, as a part of the range of the field. It is estimated

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
 #include <CGAL/Reeb_graph/fields/internal/iterate.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/complex/Breadth_first_search.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 #include <CGAL/Reeb_graph/options.h>
 
@@ -41,17 +42,17 @@ struct Dirichlet_equations
   const std::vector<double>& values;
 };
 
-// The rows of the equations, in an order of the vertices. Mean value weights are not symmetric, but their rows are
+// The rows of the equations, in the order of a breadth-first search. Mean value weights are not symmetric, but their rows are
 // scaled so that they come close to symmetric ones: the geometric means of tangents on both ends of an edge.
 class Dirichlet_problem
 {
 public:
-  Dirichlet_problem(const Dirichlet_equations& equations, const std::vector<Dense_vertex>& order)
+  explicit Dirichlet_problem(const Dirichlet_equations& equations)
     : equations_(equations),
       graph_(equations.graph),
       rows_(graph_.number_of_vertices(), no_index)
   {
-    for(const Dense_vertex v : order)
+    for(const Dense_vertex v : Breadth_first_search(graph_).order)
       if(!equations.is_fixed[v])
       {
         rows_[v] = static_cast<Index>(vertices_.size());

@@ -18,7 +18,6 @@
 #include <CGAL/Reeb_graph/fields/internal/solve_directly.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/complex/Breadth_first_search.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -41,7 +40,7 @@ Dirichlet_solution solve_by_default([[maybe_unused]] const Equations& equations,
 #ifdef CGAL_EIGEN3_ENABLED
   if(equations.graph.number_of_vertices() >= smallest_size_for_multigrid)
   {
-    const Dirichlet_problem problem(equations, Breadth_first_search(equations.graph).order);
+    const Dirichlet_problem problem(equations);
     constexpr std::size_t largest_number_of_steps = 40;
     Multigrid_system system(problem);
     const Iterative_solution solution =

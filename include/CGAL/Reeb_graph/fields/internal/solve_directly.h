@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/internal/Dirichlet_problem.h>
-#include <CGAL/Reeb_graph/fields/internal/Nested_dissection.h>
 #include <CGAL/Reeb_graph/fields/internal/iterate.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/options.h>
@@ -77,8 +76,7 @@ private:
 
 #ifdef CGAL_EIGEN3_ENABLED
 typedef Eigen_sparse_matrix<double>::EigenType Eigen_matrix;
-typedef Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen_matrix, Eigen::Lower, Given_or_minimum_degree_ordering>>
-  Default_solver;
+typedef Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen_matrix>> Default_solver;
 typedef Eigen_solver_traits<Eigen::SparseLU<Eigen_matrix>> Unsymmetric_solver;
 #endif
 
@@ -98,7 +96,7 @@ Values solve_unsymmetric([[maybe_unused]] const Problem& problem)
 template <class Solver>
 Dirichlet_solution solve_directly(const Dirichlet_equations& equations, const Accuracy& accuracy, Solver& solver)
 {
-  const Dirichlet_problem problem(equations, Nested_dissection(equations.surface, equations.graph).vertices());
+  const Dirichlet_problem problem(equations);
   const bool is_unsymmetric = equations.weights == Laplacian_weights::MEAN_VALUE;
   Factorized_system<Solver> system(solver, problem, is_unsymmetric);
   if(!is_unsymmetric)
