@@ -434,6 +434,32 @@ BOOST_AUTO_TEST_CASE(what_intersects_itself_has_no_inside)
   check_list(mesh, found);
 }
 
+// A vertex at the top of the tube is moved through its bottom.
+BOOST_AUTO_TEST_CASE(a_spike_through_the_wall_makes_no_loop_longer)
+{
+  typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> Mesh;
+  generated_surfaces::Triangle_soup soup = generated_surfaces::torus(24, 60);
+  const auto whole = make_mesh<Mesh>(soup);
+  soup.points[7 * 24 + 6][2] = -0.6;
+  const auto mesh = make_mesh<Mesh>(soup);
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
+  CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+  BOOST_TEST(!pairs.empty());
+  const auto expected = find_loops(whole, 17);
+  for(const bool are_ignored : {false, true})
+  {
+    const auto found = find_loops(mesh, 17, parameters::ignore_self_intersections(are_ignored));
+    BOOST_TEST(found.number_of_self_intersections(0) == (are_ignored ? pairs.size() : 0u));
+    BOOST_REQUIRE(found.loops().size() == 2u);
+    for(std::size_t i : {0, 1})
+    {
+      BOOST_TEST((found.loops()[i].kind == (are_ignored ? expected.loops()[i].kind : Loop_kind::LOOP)));
+      BOOST_TEST(std::abs(found.loops()[i].length / expected.loops()[i].length - 1) < 0.05);
+    }
+    check_list(mesh, found);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_test_for_self_intersections_agrees_with_that_of_cgal)
 {
   std::size_t number_of_crossed = 0;
