@@ -140,7 +140,7 @@ Loops_of_surface find_loops(const Surface& surface,
     row.component = loop.component;
     row.is_simple = loop.is_simple;
     const std::size_t self_intersections = found.number_of_self_intersections(loop.component);
-    row.is_certain = self_intersections == 0;
+    row.is_certain = self_intersections == 0 || loop.kind == CGAL::Reeb_graph::Loop_kind::LOOP;
     if(components.insert(loop.component).second)
       result.self_intersections += self_intersections;
     result.polylines.push_back(CGAL::Reeb_graph::polyline_of_curve(surface, loop));
