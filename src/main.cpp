@@ -229,6 +229,8 @@ void add_handles_command(CLI::App& app, Handles_options& options)
            "Write the loops, after the removal, to this file, .vtp, .obj, or .polylines.txt");
   command->add_flag_callback(
     "--no-shortening", [&options] { options.are_loops_shortened = false; }, "Do not shorten the loops");
+  command->add_flag("--ignore-self-intersections", options.are_self_intersections_ignored,
+                    "Tell handles from tunnels where triangles intersect too; it is not certain there");
   add_file(*command, "--output", options.mesh_path,
            "Write the mesh after the removal to this file, .off, .ply, .obj, .stl, or .vtp");
   add_page_options(*command, options.page_path, options.unit, options.up);

@@ -279,6 +279,25 @@ def draw_pants_decomposition(name):
     draw_mesh("double.ply", name, read_polylines("double.polylines.txt"), size=LANDSCAPE, view="above")
 
 
+def draw_levels_and_disks(name):
+    """The bands between levels, and the surface cut to a disk."""
+    torus = data / "double_torus.off"
+    run("curves", torus, "--field", "x", "--type", "levels", "--levels", "12", "--curves", "levels.polylines.txt",
+        "--mesh-out", "bands.ply")
+    run("curves", torus, "--type", "disks", "--curves", "disk.polylines.txt", "--mesh-out", "disk.ply")
+    points, corners, colours = read_ply("bands.ply")
+    whole, corners_of_whole, _ = read_ply("disk.ply")
+    away = numpy.array([1.1 * numpy.ptp(points[:, 0]), 0, 0])
+    picture = Picture(numpy.concatenate([points, whole + away]), (760, 240), view="above")
+    picture.draw_surface(points, corners, colours)
+    picture.draw_surface(whole + away, corners_of_whole, numpy.full((len(corners_of_whole), 3), 205))
+    for line in read_polylines("levels.polylines.txt"):
+        picture.draw_line(line, (60, 60, 60), 1.5, 4.0)
+    for line in read_polylines("disk.polylines.txt"):
+        picture.draw_line(line + away, (200, 30, 30), 3, 4.0)
+    picture.write(name)
+
+
 def draw_reeb_graph_of_genus_3(name):
     """The surface and its level sets, and beside it the graph, which is put there by its embedding."""
     points, faces = read_off(data / "genus_3.off")
@@ -557,7 +576,8 @@ figures = {
     "diagram.svg": draw_diagram, "paraview.png": draw_paraview,
     "own_field.png": draw_own_field, "simplified.svg": draw_simplified, "drawing.svg": draw_drawing,
     "cutting_system.png": draw_cutting_system,
-    "pants_decomposition.png": draw_pants_decomposition, "handles_of_a_knot.png": draw_handles_of_a_knot,
+    "pants_decomposition.png": draw_pants_decomposition, "levels_and_disks.png": draw_levels_and_disks,
+    "handles_of_a_knot.png": draw_handles_of_a_knot,
     "false_handles.png": draw_false_handles, "skeletons.png": draw_skeletons, "skeleton.png": draw_skeletons,
     "bad_skeleton.png": draw_bad_skeleton, "page_arcs.png": draw_page, "page_contour.png": draw_page}
 figures |= {f"python_{picture}.svg": draw_python for picture in (

@@ -15,6 +15,8 @@ branches            cuts branches off a surface
 repair              merges points, orients and splits
 cut_along_levels    cuts a surface where the scalars have given values
 cut_to_disks        cuts a surface to disks, to flatten it
+handles             short handles and tunnels of a surface, and where they are
+remove_handles      cuts small ones
 skeleton            lines inside of a surface, with radii: a `Skeleton`
 mesh_arrays         takes the arrays of a mesh of trimesh, PyVista, or meshio
 
@@ -43,12 +45,13 @@ from ._errors import MeshError, NumberError, StoppedError
 from ._functions import Cut, branches, cutting_system, geodesic, harmonic, height, make_borders_level, pants, poisson
 from ._functions import Repaired, cut_along_levels, cut_to_disks, repair, unit_gradient
 from ._graph import ReebGraph, compute
+from ._handles import Handles, Loop, WithoutHandles, handles, remove_handles
 from ._results import Contour, CriticalSet, Embedding
 from ._skeleton import Skeleton, skeleton
 
 __version__ = _core.__version__
 # Without `Contour`, whose 2,000 inherited lines would be most of what `help(reeb_graph)` shows.
-__all__ = ["CriticalSet", "Cut", "Embedding", "Mesh", "MeshError", "NumberError", "ReebGraph", "Repaired"]
-__all__ += ["Skeleton", "StoppedError", "branches", "compute", "cut_along_levels", "cut_to_disks", "cutting_system"]
-__all__ += ["geodesic", "harmonic", "height", "make_borders_level", "mesh_arrays", "pants", "poisson", "repair"]
-__all__ += ["skeleton", "unit_gradient"]
+__all__ = ["CriticalSet", "Cut", "Embedding", "Handles", "Loop", "Mesh", "MeshError", "NumberError", "ReebGraph"]
+__all__ += ["Repaired", "Skeleton", "StoppedError", "WithoutHandles", "branches", "compute", "cut_along_levels"]
+__all__ += ["cut_to_disks", "cutting_system", "geodesic", "handles", "harmonic", "height", "make_borders_level"]
+__all__ += ["mesh_arrays", "pants", "poisson", "remove_handles", "repair", "skeleton", "unit_gradient"]

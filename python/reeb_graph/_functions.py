@@ -252,6 +252,8 @@ def _of_columns(columns: list[np.ndarray], like: np.ndarray) -> np.ndarray:
 
 
 def _take_columns(vertex_arrays: Any, number: int) -> tuple[dict[str, np.ndarray], dict[str, list[np.ndarray]]]:
+    for array in (vertex_arrays or {}).values():
+        _arrays.refuse_mask(array, "vertex")
     given = {name: np.asarray(array) for name, array in (vertex_arrays or {}).items()}
     return given, {name: _columns(array, name, number) for name, array in given.items()}
 
@@ -274,8 +276,6 @@ def _cut(
     if mesh.points is None:
         raise ValueError("to cut a surface needs its points: they come behind the scalars")
     values = _arrays.doubles(_arrays.scalars_of(mesh, scalars))
-    for array in (vertex_arrays or {}).values():
-        _arrays.refuse_mask(array, "vertex")
     given, columns = _take_columns(vertex_arrays, len(values))
     arguments = mesh.checked(len(values)), values, sum(columns.values(), []), options, max_triangles or 2**62
     *found, of_result = run(_core.cut, *arguments, threads=threads, progress=progress, name="cut")

@@ -13,6 +13,7 @@
 #include "computation/complex_counts.h"
 #include "computation/curves.h"
 #include "computation/distances_along_edges.h"
+#include "computation/handles.h"
 #include "computation/levels_and_disks.h"
 #include "computation/longest_loop.h"
 #include "computation/scalar_fields.h"
@@ -390,6 +391,60 @@ py::object cut(const Mesh_arrays& arrays,
                                    columns_of(properties)));
 }
 
+// Where a loop is, as rows of the program have it.
+auto place_arrays(const Loop_place& place) { return std::make_tuple(place.center, place.box, place.vertices); }
+
+// Loops, what is known of each, and the number of pairs of triangles that intersect, if they are ignored.
+py::object handles(const Mesh_arrays& arrays,
+                   std::size_t number_of_vertices,
+                   const std::optional<Value_array>& scalars,
+                   bool are_shortened,
+                   bool are_self_intersections_ignored,
+                   Run& run)
+{
+  const Polygon_soup soup = copy_arrays(arrays, number_of_vertices);
+  const Value_array* const given = scalars ? &*scalars : nullptr;
+  Loops_of_surface found;
+  run([&] {
+    Mesh mesh = make_surface(soup, "finding handles");
+    const Scalar_map map = add_map(mesh.surface, "v:scalar", given);
+    if(!given)
+      write_least_rough_height(mesh.surface, map);
+    found = find_loops(mesh.surface, map, are_shortened, are_self_intersections_ignored);
+  });
+  py::list rows;
+  for(const Loop_row& row : found.rows)
+    rows.append(to_object(std::make_tuple(row.kind, row.length, row.component, place_arrays(row.place), row.partner,
+                                          row.persistence, row.area, row.is_simple, row.is_certain)));
+  return py::make_tuple(rows, found.self_intersections);
+}
+
+// Triangles, points, and vertex arrays of what is left; the loops of handles that are removed or refused, and why.
+py::object remove(const Mesh_arrays& arrays,
+                  std::size_t number_of_vertices,
+                  const std::vector<Value_array>& vertex_arrays,
+                  double size,
+                  std::size_t number,
+                  bool are_self_intersections_ignored,
+                  Run& run)
+{
+  const Polygon_soup soup = copy_arrays(arrays, number_of_vertices);
+  Mesh mesh;
+  std::vector<Any_vertex_property> properties;
+  std::vector<Removal_row> removals;
+  run([&] {
+    mesh = make_surface(soup, "removing handles");
+    properties = add_vertex_arrays(mesh.surface, vertex_arrays);
+    const Scalar_map unused = add_map(mesh.surface, "v:scalar", nullptr);
+    removals = remove_handles(mesh.surface, unused, properties, size, number, are_self_intersections_ignored);
+  });
+  py::list rows;
+  for(const Removal_row& row : removals)
+    rows.append(to_object(std::make_tuple(row.kind, row.length, row.component, place_arrays(row.place), row.reason)));
+  return py::make_tuple(to_object(triangles_of(mesh)), to_object(points_of(mesh.surface)),
+                        to_object(columns_of(properties)), rows);
+}
+
 // Triangles, points, and the new number of each given one, -1 for none.
 py::object repair(const Mesh_arrays& arrays, std::size_t number_of_points, const Repair_options& options, Run& run)
 {
@@ -488,6 +543,8 @@ void add_functions(py::module_& module)
     .value("branches", Curves_type::BRANCH);
   py::class_<Repair_options>(module, "RepairOptions").def(py::init<bool, std::optional<double>, bool, bool, bool>());
   module.def("repair", &repair);
+  module.def("handles", &handles);
+  module.def("remove_handles", &remove);
   module.def("field", &field);
   module.def("cut", &cut);
   module.def("cut_levels", &cut_levels);

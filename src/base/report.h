@@ -143,6 +143,7 @@ struct Loop_row
   std::optional<double> area;        // of the disc that fills it, where one does
   std::size_t component = 0;
   bool is_simple = true;
+  bool is_certain = true; // its kind, as its component does not intersect itself
   Loop_place place = {};
 };
 
@@ -212,6 +213,7 @@ struct Repair_report : Work_report
 
 struct Handles_report : Work_report
 {
+  std::optional<std::size_t> self_intersections;    // pairs of triangles, if they are ignored
   std::string field;                                // its name
   std::vector<Loop_row> loops;                      // in the order of the file
   std::optional<std::vector<Removal_row>> removals; // if any were to be removed

@@ -90,6 +90,7 @@ struct Handles_options
   std::string mesh_path;                       // without the handles
   std::string page_path, unit, up;
   bool are_loops_shortened = true;
+  bool are_self_intersections_ignored = false;
   bool is_report_json = false;
   std::size_t number_of_threads = 0; // 0: one per core
 };

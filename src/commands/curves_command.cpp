@@ -155,6 +155,34 @@ void write_graph_file(const Curves_options& options, Mesh_graph& graph)
   write_graph(options.graph_path, graph.result(), field_label(options.input, options.unit), {}, attributes);
 }
 
+void write_page_of_curves(const Curves_options& options,
+                          Scalar_map scalar_map,
+                          Mesh_graph& graph,
+                          const std::vector<Polyline>& curves,
+                          const std::optional<Patch_map>& patch_map,
+                          Curves_report& report)
+{
+  const Stopwatch stopwatch;
+  Page_request request = {scalar_map, graph, std::filesystem::path(options.input.mesh_path).filename().string(),
+                          field_label(options.input, options.unit)};
+  request.up = options.up;
+  request.patch_map = patch_map;
+  request.curves = curves;
+  write_page(options.page_path, request);
+  report.add_seconds("page", stopwatch.seconds());
+}
+
+// The page of disks shows the mesh as it was before, as a cut leaves little of its graph.
+void write_page_of_disks(const Curves_options& options, Mesh& whole, const Cut_result& result, Curves_report& report)
+{
+  const Scalar_map scalar_map = whole.surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
+  Graph_options graph_options = options.graph;
+  graph_options.are_places_wanted = true;
+  Report unused;
+  const auto graph = compute_mesh_graph(whole, scalar_map, graph_options, {}, 0, unused);
+  write_page_of_curves(options, scalar_map, *graph, result.polylines, std::nullopt, report);
+}
+
 // What shows the graph of the field on the cut mesh: the graph file, the mesh with results, and the page have the same
 // nodes and arcs.
 void write_files_of_graph(const Curves_options& options,
@@ -185,16 +213,7 @@ void write_files_of_graph(const Curves_options& options,
     report.add_seconds("mesh", stopwatch.seconds());
   }
   if(!options.page_path.empty())
-  {
-    const Stopwatch stopwatch;
-    Page_request request = {scalar_map, *graph, std::filesystem::path(options.input.mesh_path).filename().string(),
-                            field_label(options.input, options.unit)};
-    request.up = options.up;
-    request.patch_map = result.patch_map;
-    request.curves = result.polylines;
-    write_page(options.page_path, request);
-    report.add_seconds("page", stopwatch.seconds());
-  }
+    write_page_of_curves(options, scalar_map, *graph, result.polylines, result.patch_map, report);
 }
 
 // The mesh, and the field, which is harmonic if none is asked for: between the borders if there are any. Disks need
@@ -304,6 +323,10 @@ void run_curves(Curves_options options)
   const Scalar_map scalar_map = has_field ? add_field(options.input, surface, report) : Scalar_map();
   if(options.simplification.is_anything_removed())
     simplify(mesh, scalar_map, options.simplification, report);
+  Mesh whole;
+  const bool is_whole_shown = options.cut.type == Curves_type::DISKS && !options.page_path.empty();
+  if(is_whole_shown)
+    whole.surface = surface;
   const Stopwatch cut_stopwatch;
   const Cut_result result = cut(surface, scalar_map, options, report);
   report.add_seconds("cut", cut_stopwatch.seconds());
@@ -311,6 +334,11 @@ void run_curves(Curves_options options)
   Output_group files;
   write_files(options, surface, result);
   report.add_seconds("output", output_stopwatch.seconds());
+  if(is_whole_shown)
+  {
+    write_page_of_disks(options, whole, result, report);
+    options.page_path.clear();
+  }
   write_files_of_graph(options, mesh, scalar_map, result, report);
   files.put_in_place();
   report.curves = result.polylines.size();

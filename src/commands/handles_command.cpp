@@ -65,7 +65,8 @@ void remove(const Handles_options& options, Surface& surface, Scalar_map scalar_
   report.removals =
     remove_handles(surface, scalar_map, properties_to_keep(options.input.mesh_path, options.mesh_path, surface),
                    options.size_to_remove.value_or(std::numeric_limits<double>::infinity()),
-                   options.number_to_remove.value_or((std::numeric_limits<std::size_t>::max)()));
+                   options.number_to_remove.value_or((std::numeric_limits<std::size_t>::max)()),
+                   options.are_self_intersections_ignored);
   report.add_seconds("removal", stopwatch.seconds());
 }
 
@@ -106,9 +107,12 @@ void run_handles(const Handles_options& options)
   if(!options.mesh_path.empty())
     remove(options, surface, scalar_map, report);
   const Stopwatch stopwatch;
-  const Loops_of_surface loops = find_loops(surface, scalar_map, options.are_loops_shortened);
+  const Loops_of_surface loops =
+    find_loops(surface, scalar_map, options.are_loops_shortened, options.are_self_intersections_ignored);
   report.add_seconds("handles", stopwatch.seconds());
   report.loops = loops.rows;
+  if(options.are_self_intersections_ignored)
+    report.self_intersections = loops.self_intersections;
   const Stopwatch output_stopwatch;
   Output_group files;
   if(!options.mesh_path.empty())

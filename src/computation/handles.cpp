@@ -23,6 +23,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <variant>
 
 namespace reeb_graph_program {
@@ -80,7 +81,8 @@ std::vector<Removal_row> remove_handles(Surface& surface,
                                         Scalar_map scalar_map,
                                         const std::vector<Any_vertex_property>& properties,
                                         double size,
-                                        std::size_t number)
+                                        std::size_t number,
+                                        bool are_self_intersections_ignored)
 {
   CGAL::Reeb_graph::Interpolating_visitor<Surface> visitor;
   visitor.add_vertex_map(scalar_map);
@@ -88,8 +90,11 @@ std::vector<Removal_row> remove_handles(Surface& surface,
     std::visit([&](const auto& map) { visitor.add_vertex_map(map); }, property);
   Progress_bar progress_bar("removal");
   std::vector<Removal_row> result;
-  for(const auto& handle : CGAL::Reeb_graph::remove_handles(
-        surface, size, CGAL::parameters::number_of_handles(number).visitor(visitor).callback(std::ref(progress_bar))))
+  for(const auto& handle : CGAL::Reeb_graph::remove_handles(surface, size,
+                                                            CGAL::parameters::number_of_handles(number)
+                                                              .check_self_intersections(!are_self_intersections_ignored)
+                                                              .visitor(visitor)
+                                                              .callback(std::ref(progress_bar))))
   {
     const bool is_removed = handle.result == CGAL::Reeb_graph::Removal_result::REMOVED;
     Polyline polyline;
@@ -103,16 +108,23 @@ std::vector<Removal_row> remove_handles(Surface& surface,
   return result;
 }
 
-Loops_of_surface find_loops(const Surface& surface, Scalar_map scalar_map, bool are_shortened)
+Loops_of_surface find_loops(const Surface& surface,
+                            Scalar_map scalar_map,
+                            bool are_shortened,
+                            bool are_self_intersections_ignored)
 {
   Progress_bar progress_bar("handles");
-  const auto found = CGAL::Reeb_graph::handle_and_tunnel_loops(
-    surface, scalar_map, CGAL::parameters::shorten_loops(are_shortened).callback(std::ref(progress_bar)));
+  const auto found =
+    CGAL::Reeb_graph::handle_and_tunnel_loops(surface, scalar_map,
+                                              CGAL::parameters::shorten_loops(are_shortened)
+                                                .ignore_self_intersections(are_self_intersections_ignored)
+                                                .callback(std::ref(progress_bar)));
   std::vector<std::vector<Surface::Halfedge_index>> walks;
   for(const auto& loop : found.loops())
     walks.push_back(loop.is_simple ? loop.halfedges : std::vector<Surface::Halfedge_index>());
   const auto areas = CGAL::Reeb_graph::areas_of_filling_discs(surface, walks);
   Loops_of_surface result;
+  std::set<std::size_t> components;
   for(std::size_t i = 0; i != found.loops().size(); ++i)
   {
     const auto& loop = found.loops()[i];
@@ -127,6 +139,10 @@ Loops_of_surface find_loops(const Surface& surface, Scalar_map scalar_map, bool 
     row.area = areas[i];
     row.component = loop.component;
     row.is_simple = loop.is_simple;
+    const std::size_t self_intersections = found.number_of_self_intersections(loop.component);
+    row.is_certain = self_intersections == 0 || loop.kind == CGAL::Reeb_graph::Loop_kind::LOOP;
+    if(components.insert(loop.component).second)
+      result.self_intersections += self_intersections;
     result.polylines.push_back(CGAL::Reeb_graph::polyline_of_curve(surface, loop));
     row.place = place_of(result.polylines.back());
     for(const Surface::Halfedge_index h : loop.halfedges)

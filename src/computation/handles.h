@@ -20,7 +20,8 @@ namespace reeb_graph_program {
 struct Loops_of_surface
 {
   std::vector<Loop_row> rows;
-  std::vector<Polyline> polylines; // in the same order
+  std::vector<Polyline> polylines;    // in the same order
+  std::size_t self_intersections = 0; // pairs of triangles, if they are ignored
 };
 
 // The place of a closed polyline, without vertices.
@@ -31,10 +32,14 @@ std::vector<Removal_row> remove_handles(Surface& surface,
                                         Scalar_map scalar_map,
                                         const std::vector<Any_vertex_property>& properties,
                                         double size,
-                                        std::size_t number);
+                                        std::size_t number,
+                                        bool are_self_intersections_ignored);
 
 // Handles, tunnels, holes, and loops of what has no inside.
-Loops_of_surface find_loops(const Surface& surface, Scalar_map scalar_map, bool are_shortened);
+Loops_of_surface find_loops(const Surface& surface,
+                            Scalar_map scalar_map,
+                            bool are_shortened,
+                            bool are_self_intersections_ignored);
 
 // Writes the coordinate, of the three, whose extrema have the least persistence in all, and returns its name.
 std::string write_least_rough_height(const Surface& surface, Scalar_map scalar_map);

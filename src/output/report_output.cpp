@@ -276,6 +276,9 @@ void write_text(std::ostream& out, const Handles_report& report)
   out << "field    " << report.field << '\n';
   for(const std::string& note : report.notes)
     out << "         " << note << '\n';
+  if(report.self_intersections && *report.self_intersections != 0)
+    out << "crossed  " << count(*report.self_intersections, "pair")
+        << " of triangles: kinds of loops are not certain\n";
   if(report.removals)
     write_removals(out, *report.removals);
   if(report.loops.empty())
@@ -297,7 +300,8 @@ void write_text(std::ostream& out, const Handles_report& report)
     out << std::setw(16) << row.length;
     write(row.persistence, 16);
     write(row.area, 16);
-    out << std::setw(11) << row.component << (row.is_simple ? "" : "  crosses itself") << '\n';
+    out << std::setw(11) << row.component << (row.is_simple ? "" : "  crosses itself")
+        << (row.is_certain ? "" : "  not certain") << '\n';
   }
   out << "\n loop    place\n";
   for(std::size_t i = 0; i != report.loops.size(); ++i)
@@ -311,6 +315,8 @@ void write_json(std::ostream& out, const Handles_report& report)
 {
   nlohmann::ordered_json json;
   json["field"] = report.field;
+  if(report.self_intersections)
+    json["intersecting_pairs"] = *report.self_intersections;
   json["loops"] = nlohmann::ordered_json::array();
   for(const Loop_row& row : report.loops)
   {
@@ -322,6 +328,7 @@ void write_json(std::ostream& out, const Handles_report& report)
     loop["area"] = json_number(row.area);
     loop["component"] = row.component;
     loop["simple"] = row.is_simple;
+    loop["certain"] = row.is_certain;
     add_place(loop, row.place);
     json["loops"].push_back(loop);
   }

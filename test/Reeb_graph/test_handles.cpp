@@ -43,6 +43,8 @@ using mesh_builders::Surface_mesh;
 namespace parameters = CGAL::parameters;
 
 typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
+typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> Exact_mesh;
+typedef std::vector<std::pair<Exact_mesh::Face_index, Exact_mesh::Face_index>> Pairs_of_faces;
 
 namespace {
 template <class Mesh>
@@ -434,6 +436,49 @@ BOOST_AUTO_TEST_CASE(what_intersects_itself_has_no_inside)
   check_list(mesh, found);
 }
 
+// Some vertices are moved through the wall on the other side of a tube.
+BOOST_AUTO_TEST_CASE(spikes_through_walls_make_no_loop_longer)
+{
+  const generated_surfaces::Triangle_soup torus = generated_surfaces::torus(24, 60);
+  const auto moved = handle_samples::scaled_and_moved(torus, 1, {9, 0, 0});
+  for(const generated_surfaces::Triangle_soup& given : {torus, handle_samples::together(torus, moved)})
+    for(const std::size_t number_of_spikes : {1, 2, 5})
+    {
+      generated_surfaces::Triangle_soup soup = given;
+      for(std::size_t spike = 0; spike != number_of_spikes; ++spike)
+        soup.points[7 * spike * 24 + 6][2] = -0.6;
+      const auto whole = make_mesh<Exact_mesh>(given), mesh = make_mesh<Exact_mesh>(soup);
+      Pairs_of_faces pairs;
+      CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+      BOOST_TEST(!pairs.empty());
+      const auto expected = find_loops(whole, 17);
+      for(const bool are_ignored : {false, true})
+      {
+        const auto found = find_loops(mesh, 17, parameters::ignore_self_intersections(are_ignored));
+        BOOST_TEST(found.number_of_self_intersections(0) == (are_ignored ? pairs.size() : 0u));
+        BOOST_TEST(found.number_of_self_intersections(1) == 0u);
+        BOOST_REQUIRE(found.loops().size() == expected.loops().size());
+        std::vector<double> lengths, expected_lengths;
+        for(std::size_t i = 0; i != expected.loops().size(); ++i)
+        {
+          const auto& loop = found.loops()[i];
+          const bool has_inside = are_ignored || loop.component == 1;
+          BOOST_TEST((loop.kind == Loop_kind::LOOP) == !has_inside);
+          lengths.push_back(loop.length);
+          expected_lengths.push_back(expected.loops()[i].length);
+        }
+        if(are_ignored)
+          for(const Loop_kind kind : {Loop_kind::HANDLE, Loop_kind::TUNNEL})
+            BOOST_TEST(count(found.loops(), kind) == count(expected.loops(), kind));
+        std::sort(lengths.begin(), lengths.end());
+        std::sort(expected_lengths.begin(), expected_lengths.end());
+        for(std::size_t i = 0; i != lengths.size(); ++i)
+          BOOST_TEST(std::abs(lengths[i] / expected_lengths[i] - 1) < 0.05);
+        check_list(mesh, found);
+      }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(the_test_for_self_intersections_agrees_with_that_of_cgal)
 {
   std::size_t number_of_crossed = 0;
@@ -451,10 +496,13 @@ BOOST_AUTO_TEST_CASE(the_test_for_self_intersections_agrees_with_that_of_cgal)
       for(std::size_t i = 0; i != number_of_moved; ++i)
         for(double& coordinate : soup.points[is_fine ? random.below(soup.points.size()) : i])
           coordinate += noise * static_cast<double>(random.below(steps)) / static_cast<double>(steps);
-      const auto mesh =
-        make_mesh<CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>>(soup);
-      const bool is_crossed = CGAL::Polygon_mesh_processing::does_self_intersect(mesh);
+      const auto mesh = make_mesh<Exact_mesh>(soup);
+      Pairs_of_faces pairs;
+      CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+      const bool is_crossed = !pairs.empty();
       BOOST_TEST(count(find_loops(mesh, seed).loops(), Loop_kind::LOOP) == (is_crossed ? 2u : 0u));
+      const auto found = find_loops(mesh, seed, parameters::ignore_self_intersections(true));
+      BOOST_TEST(found.number_of_self_intersections(0) == pairs.size());
       number_of_crossed += is_crossed ? 1 : 0;
     }
   BOOST_TEST(number_of_crossed > number_of_seeds / 5);

@@ -87,6 +87,13 @@ foreach(open "" --cut-open)
   expect_page(page genus_3.off mesh=cut.off patches=patches.txt curves=curves.polylines.txt curves.length=6)
 endforeach()
 
+# levels with their patches, and disks on the mesh as it was
+expect_success(curves ${genus_3} --field x --type levels --levels 3 --curves curves.polylines.txt --cut-mesh cut.off
+               --patches patches.txt --html page.html)
+expect_page(page genus_3.off mesh=cut.off patches=patches.txt curves=curves.polylines.txt)
+expect_success(curves ${genus_3} --field x --type disks --curves curves.polylines.txt --html page.html)
+expect_page(page genus_3.off mesh=${genus_3} curves=curves.polylines.txt graph.arcs.length=10)
+
 # handles and tunnels
 expect_success(handles ${genus_3} --field x --loops loops.polylines.txt --html page.html)
 expect_page(page genus_3.off mesh=${genus_3} curves=loops.polylines.txt curves.length=6 loops.length=6

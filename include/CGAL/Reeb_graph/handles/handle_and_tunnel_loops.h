@@ -93,12 +93,24 @@ public:
     return found_->is_bounding(walk(halfedges), false);
   }
 
+  /// \brief returns the number of pairs of faces of a component that intersect, and of its faces without area: kinds are
+  /// not certain where it is not 0. They are counted with the named parameter `ignore_self_intersections`, where a
+  /// component has handles and no holes, else it is 0.
+  ///
+  /// \param component the number of the component
+  std::size_t number_of_self_intersections(std::size_t component) const
+  {
+    return component < self_intersections_.size() ? self_intersections_[component] : 0;
+  }
+
 #ifndef DOXYGEN_RUNNING
   Handle_and_tunnel_loops(std::shared_ptr<const internal::Loop_finder> found,
                           std::shared_ptr<const internal::Surface_closing<FaceListGraph>> closing,
-                          const std::vector<internal::Surface_loop>& loops)
+                          const std::vector<internal::Surface_loop>& loops,
+                          std::vector<std::size_t> self_intersections)
     : found_(std::move(found)),
-      closing_(std::move(closing))
+      closing_(std::move(closing)),
+      self_intersections_(std::move(self_intersections))
   {
     for(const internal::Surface_loop& loop : loops)
     {
@@ -135,6 +147,7 @@ private:
   std::shared_ptr<const internal::Surface_closing<FaceListGraph>> closing_;
   std::vector<internal::Halfedge_walk> walks_;
   std::vector<Loop> loops_;
+  std::vector<std::size_t> self_intersections_;
 };
 
 /// \ingroup PkgReebGraphHandles
@@ -155,7 +168,8 @@ private:
 /// its class by more than 4 percent, unless the search for it takes too much memory.
 ///
 /// A component with holes has no inside. Each hole gives a `Loop_kind::HOLE`, and the genus that is left once all are
-/// filled gives pairs of `Loop_kind::LOOP`. So does a component that intersects itself.
+/// filled gives pairs of `Loop_kind::LOOP`. So does a component that intersects itself; its loops are as short
+/// where linking numbers are those of a surface with two sides.
 ///
 /// Without shortening, it takes \f$ O(n + g^3 + k \log^2 k + c) \f$ time, where \f$ n \f$ is the number of vertices and
 /// faces, \f$ k \f$ the number of edges on the loops of a tree, and \f$ c \f$ the number of their crossings as they are
@@ -190,6 +204,13 @@ private:
 ///     \cgalParamDefault{`true`}
 ///     \cgalParamExtra{use the function `parameters::check_self_intersections()`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{ignore_self_intersections}
+///     \cgalParamDescription{whether loops of a component that intersects itself get the kinds that their linking numbers
+///                           tell, if these are those of a surface with two sides. They are not certain then.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{use the function `parameters::ignore_self_intersections()`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{an instance of a traits class, for scalar values ordered by another function object}
 ///     \cgalParamType{a model of `ReebGraphTraits`}
@@ -222,15 +243,22 @@ Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGra
     mesh, flat_field.flat_values(mesh)->mesh, internal::choose_point_map(mesh, np));
   const std::shared_ptr<internal::Loop_finder> found =
     internal::make_loop_finder(std::move(closing->surface()), internal::Stage_progress(progress, 0.1, 0.2));
+  const bool are_ignored = choose_parameter(get_parameter(np, internal::ignore_self_intersections), false);
+  std::vector<std::size_t> self_intersections;
   if(choose_parameter(get_parameter(np, internal::check_self_intersections), true))
-    found->refuse_self_intersections(found->self_intersections());
+  {
+    self_intersections = found->self_intersections(are_ignored);
+    if(!are_ignored)
+      found->refuse_self_intersections(self_intersections);
+  }
   const bool are_short = choose_parameter(get_parameter(np, internal::shorten_loops), true);
   auto loops = found->make_loops(are_short ? std::numeric_limits<double>::infinity() : 0,
                                  (std::numeric_limits<std::size_t>::max)(), internal::Stage_progress(progress, 0.2, 1));
   internal::set_persistences(
     reeb_loops, [&](const auto h) { return closing->number(h); }, loops);
   progress.report_end();
-  return Handle_and_tunnel_loops<FaceListGraph>(found, closing, loops);
+  return Handle_and_tunnel_loops<FaceListGraph>(found, closing, loops,
+                                                are_ignored ? self_intersections : std::vector<std::size_t>());
 }
 
 } // namespace CGAL::Reeb_graph

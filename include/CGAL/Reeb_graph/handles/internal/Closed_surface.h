@@ -465,10 +465,10 @@ public:
   virtual const Closed_surface& surface() const = 0;
   virtual std::size_t number_of_components() const = 0;
   virtual Index component_of(Index v) const = 0;
-  // Whether each component intersects itself.
-  virtual std::vector<bool> self_intersections() const = 0;
+  // The number of pairs of faces of each component that intersect, or another number than 0 if they are not counted.
+  virtual std::vector<std::size_t> self_intersections(bool are_counted) const = 0;
   // A component that intersects itself has no inside.
-  virtual void refuse_self_intersections(const std::vector<bool>& is_crossed) = 0;
+  virtual void refuse_self_intersections(const std::vector<std::size_t>& self_intersections) = 0;
   // Loops are made shorter than `bound`, and than the `number`-th size of a pair, where that can be.
   virtual std::vector<Surface_loop> make_loops(double bound, std::size_t number, const Stage_progress& progress) = 0;
   // Whether a loop of the surface bounds inside, or outside, but not on the surface.

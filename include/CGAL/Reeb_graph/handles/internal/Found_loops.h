@@ -38,18 +38,15 @@ public:
   std::size_t number_of_components() const override { return homology_.trees().components().size(); }
   Index component_of(Index v) const override { return homology_.trees().component_of(v); }
 
-  std::vector<bool> self_intersections() const override
+  std::vector<std::size_t> self_intersections(bool are_counted) const override
   {
-    return Self_intersections(homology_.surface(), homology_.trees())();
+    return Self_intersections(homology_.surface(), homology_.trees(), are_counted)();
   }
 
-  void refuse_self_intersections(const std::vector<bool>& is_crossed) override
+  void refuse_self_intersections(const std::vector<std::size_t>& self_intersections) override
   {
     for(auto& component : homology_.components())
-    {
-      if(is_crossed[component.number])
-        component.projection.clear();
-    }
+      component.is_refused = self_intersections[component.number] != 0;
   }
 
   std::vector<Surface_loop> make_loops(double bound, std::size_t number, const Stage_progress& progress) override
@@ -66,7 +63,7 @@ public:
   bool is_bounding(const Halfedge_walk& walk, bool is_inside) const override
   {
     const auto* component = homology_component_of(walk);
-    if(!component || component->projection.empty())
+    if(!component || !component->has_inside())
       return false;
     const Class loop = component->coordinates(walk);
     if(std::all_of(loop.begin(), loop.end(), [](const Integer& number) { return number == 0; }))
@@ -89,7 +86,7 @@ public:
   long long linking_number(const Halfedge_walk& a, const Halfedge_walk& b) const override
   {
     const auto* component = homology_component_of(a);
-    if(!component || component != homology_component_of(b) || component->projection.empty())
+    if(!component || component != homology_component_of(b) || !component->has_inside())
       return 0;
     const Class loop = component->coordinates(a), other = component->coordinates(b);
     const long long in_front = crossing(*component, other, combination(loop, component->projection));
@@ -102,7 +99,7 @@ private:
 
   void add_pairs(const Component& component, const std::vector<Pair_of_loops>& pairs, std::vector<Surface_loop>& loops)
   {
-    const bool has_inside = !component.projection.empty();
+    const bool has_inside = component.has_inside();
     std::vector<std::array<Surface_loop, 2>> made;
     for(const Pair_of_loops& pair : pairs)
     {

@@ -55,11 +55,13 @@ public:
       numbers_.emplace(component_.left_over[k], k);
   }
 
-  std::size_t number; // among all components of the surface
-  Rows projection;    // empty if there is no inside
+  std::size_t number;      // among all components of the surface
+  Rows projection;         // empty if linking numbers split no loops
+  bool is_refused = false; // as it intersects itself: the projection makes loops short, but tells no sides
   bool is_front_outside = true;
   std::size_t number_of_vertices = 0;
 
+  bool has_inside() const { return !projection.empty() && !is_refused; }
   std::size_t size() const { return component_.left_over.size(); } // twice the genus
   const Tree_and_cotree::Component& component() const { return component_; }
   Halfedge_walk walk(std::size_t k) const { return trees_.walk_through(component_.left_over[k]); }

@@ -93,8 +93,8 @@ private:
     {
       // A cut makes none, so they are looked for once.
       if(is_crossed_.empty())
-        is_crossed_ = found->self_intersections();
-      std::vector<bool> is_crossed;
+        is_crossed_ = found->self_intersections(false);
+      std::vector<std::size_t> is_crossed;
       for(const std::size_t component : components)
         is_crossed.push_back(is_crossed_[component]);
       found->refuse_self_intersections(is_crossed);
@@ -315,7 +315,7 @@ private:
   Mesh& mesh_;
   const PointMap& point_map_;
   Visitor& visitor_;
-  std::vector<bool> is_crossed_;                     // by component
+  std::vector<std::size_t> is_crossed_;              // by component
   std::vector<halfedge_descriptor> representatives_; // of the components
   std::deque<Plan> plans_;
   std::vector<std::size_t> components_; // of the faces

@@ -217,16 +217,18 @@ private:
 class Self_intersections
 {
 public:
-  Self_intersections(const Closed_surface& surface, const Tree_and_cotree& trees)
+  // Each pair is counted, or else one of a component is enough.
+  Self_intersections(const Closed_surface& surface, const Tree_and_cotree& trees, bool are_counted)
     : surface_(surface),
       trees_(trees),
+      are_counted_(are_counted),
       ball_(surface),
       flatness_(surface.points.size(), Flatness::UNKNOWN),
-      result_(trees.components().size(), false)
+      numbers_(trees.components().size(), 0)
   {}
 
-  // By number of the component.
-  std::vector<bool> operator()()
+  // The number of pairs, and of faces without area, by number of the component.
+  std::vector<std::size_t> operator()()
   {
     make_patches();
     std::vector<Numbered_box> boxes;
@@ -258,7 +260,7 @@ public:
       marked = flat;
       test_patches(patch, patches_[other]);
     }
-    return result_;
+    return numbers_;
   }
 
 private:
@@ -387,15 +389,15 @@ private:
     return flatness_[v] == Flatness::FLAT;
   }
 
-  bool is_crossed(const Patch& patch) const { return result_[component_of(patch)]; }
+  bool is_done(const Patch& patch) const { return !are_counted_ && numbers_[component_of(patch)] != 0; }
 
   void test_patch(const Patch& patch)
   {
-    for(std::size_t i = patch.begin; i != patch.end && !is_crossed(patch); ++i)
+    for(std::size_t i = patch.begin; i != patch.end && !is_done(patch); ++i)
     {
       const auto [u, v, w] = surface_.corners(faces_[i].number);
       if(!is_flat(u) && !is_flat(v) && !is_flat(w) && triangle(faces_[i]).triangle().is_degenerate())
-        result_[component_of(faces_[i])] = true;
+        ++numbers_[component_of(faces_[i])];
       for(std::size_t k = patch.begin; k != i; ++k)
         if(do_overlap(faces_[i].box, faces_[k].box) && !are_around_flat_vertex(faces_[i], faces_[k]))
           test(faces_[i], faces_[k]);
@@ -407,7 +409,7 @@ private:
   void test_patches(const Patch& a, const Patch& b)
   {
     near_.clear();
-    for(std::size_t i = b.begin; i != b.end && !is_crossed(a); ++i)
+    for(std::size_t i = b.begin; i != b.end && !is_done(a); ++i)
       if(!(a.is_flat() && ball_.contains(faces_[i].number)) && do_overlap(faces_[i].box, a.box))
         near_.push_back(i);
     for(std::size_t i = a.begin; i != a.end && !near_.empty(); ++i)
@@ -432,7 +434,7 @@ private:
   void test(const Face& a, const Face& b)
   {
     if(!is_plane_between(a, b) && !is_plane_between(b, a) && do_intersect(triangle(a), triangle(b)))
-      result_[component_of(a)] = true;
+      ++numbers_[component_of(a)];
   }
 
   // Whether the plane of `a`, or one across it through an edge, has `b` on its other side. The margin is as above.
@@ -464,13 +466,14 @@ private:
 
   const Closed_surface& surface_;
   const Tree_and_cotree& trees_;
+  const bool are_counted_;
   Surface_ball ball_;
   std::vector<Face> faces_; // patch by patch
   std::vector<Patch> patches_;
   std::vector<Index> faces_of_balls_;
   std::vector<Flatness> flatness_; // by vertex
   std::vector<std::size_t> near_;
-  std::vector<bool> result_;
+  std::vector<std::size_t> numbers_;
 };
 
 } // namespace CGAL::Reeb_graph::internal

@@ -39,6 +39,7 @@ CGAL_REEB_GRAPH_NAMED_PARAMETER(face_attributes, std::vector<Reeb_graph::Attribu
 CGAL_REEB_GRAPH_NAMED_PARAMETER(shorten_loops, bool)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(number_of_handles, std::size_t)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(check_self_intersections, bool)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(ignore_self_intersections, bool)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(pruning_ratio, double)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(sampling_ratio, double)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(ends_at_borders, bool)
