@@ -48,7 +48,7 @@ def test_options():
     assert of_field.n_loops == 1 and of_field.counts["ends"] == 2
     triangles, points = meshes.grid(20, 12, False, True)
     filled = reeb_graph.skeleton(triangles, points * [1, 1, 9], ends_at_borders=False)
-    assert filled.counts["border_ends"] == 0 and filled.counts["ends"] == 2
+    assert filled.counts["ends"] == 2 and filled.counts["genus"] == 0
 
 
 def test_networkx():
