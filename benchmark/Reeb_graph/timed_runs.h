@@ -178,7 +178,7 @@ inline double time_vertex_places(const Input& input, const Graph& graph)
 {
   const Stopwatch stopwatch;
   const CGAL::Reeb_graph::Augmentation augmentation(input.mesh(), input.scalar_map(), graph);
-  const auto locations = augmentation.locate_vertices();
+  const auto vertex_places = augmentation.locate_vertices();
   return stopwatch.milliseconds();
 }
 

@@ -59,6 +59,7 @@ void write_page_of_skeleton(const Skeleton_command_options& options,
                           {report.field, options.unit}};
   request.up = options.up;
   request.curves = polylines_of(report.skeleton);
+  request.is_graph_shown = false; // Its unpruned lines would hide them.
   write_page(options.page_path, request);
 }
 

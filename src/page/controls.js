@@ -24,6 +24,7 @@ function setUpControls(page) {
   element("reset_view").addEventListener("click", () => scene.eye.reset());
   element("up").value = page.data.up;
   element("up").addEventListener("change", event => scene.setUp(event.target.value));
+  setUpGraph(page);
   if (page.data.surface.facePatches)
     setUpPatches(page);
   if (page.data.loops.length > 0)
@@ -71,12 +72,15 @@ function setUpPatches(page) {
   })), number => scene.setLitPatch(number));
 }
 
-// Handles, tunnels and other loops, the shortest first: a click shows one from near. Where there are handles, the graph
-// is hidden at first, as it lies on them.
+// Where there are handles, or lines of a skeleton, the graph is hidden at first, as it lies on them.
+function setUpGraph({scene, data}) {
+  element("show_graph").checked = data.isGraphShown && !data.loops.some(loop => loop.kind === "handle");
+  scene.setLayers({graph: element("show_graph").checked, curves: true});
+}
+
+// Handles, tunnels and other loops, the shortest first: a click shows one from near.
 function setUpLoops(page) {
   const {scene, data} = page;
-  element("show_graph").checked = !data.loops.some(loop => loop.kind === "handle");
-  scene.setLayers({graph: element("show_graph").checked, curves: true});
   const loops = data.loops.map((loop, number) => Object.assign({number}, loop)).sort((a, b) => a.length - b.length);
   const isOfGraph = loops.length === 1 && loops[0].kind === "loop"; // what --longest-loop writes
   const heading = isOfGraph ? "most persistent loop" : plural(loops.length, "loop");

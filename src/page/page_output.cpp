@@ -136,6 +136,7 @@ void write_page(const fs::path& path, const Page_request& request)
   nlohmann::ordered_json data =
     page_data({shown.surface_augmentation(), shown.places(), shown.arc_table(), request.scalar_map, request.title,
                request.field_label, request.up, request.patch_map, request.curves, request.loops});
+  data["graph"]["is_shown"] = request.is_graph_shown;
   data["graph"]["is_simplified"] = threshold.has_value();
   data["graph"]["arcs_of_input"] = num_edges(wanted);
   data["graph"]["threshold"] = threshold.value_or(0);

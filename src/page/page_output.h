@@ -39,6 +39,7 @@ struct Page_request
   std::optional<Patch_map> patch_map = std::nullopt;
   std::vector<Polyline> curves = {};
   std::vector<Loop_row> loops = {};
+  bool is_graph_shown = true; // at first
 };
 
 // Writes a page that shows the simplified graph on its surface, in one file. A graph of more than 2000 arcs is

@@ -251,6 +251,25 @@ def check_colours(vtk_rendering, data):
                 check(low == high or len(tuples) > 1, f"{array.GetName()} has one colour")
 
 
+def check_skeleton_by_vtk(vtk_io):
+    report = run("skeleton", mesh, "--output", "skeleton.vtp", "--output", "skeleton.polylines.txt")
+    data = read_by_vtk(vtk_io, "skeleton.vtp")
+    check(data.GetNumberOfPoints() == report["points"], "the points of the skeleton are others")
+    check(data.GetNumberOfLines() == data.GetNumberOfCells() == len(report["arcs"]), "there is not a line for each arc")
+    of_points, of_cells = data.GetPointData(), data.GetCellData()
+    for name in ("MaximumInscribedSphereRadius", "Radius"):
+        array = of_points.GetArray(name)
+        check(array.GetNumberOfTuples() == report["points"], f"there is not a number for each point: {name}")
+        check(all(array.GetValue(i) >= 0 for i in range(report["points"])), f"a radius is negative: {name}")
+    lines = [line.split() for line in (folder / "skeleton.polylines.txt").read_text().splitlines()]
+    for i, line in enumerate(lines):
+        ids = data.GetCell(i).GetPointIds()
+        points = [c for j in range(ids.GetNumberOfIds()) for c in data.GetPoint(ids.GetId(j))]
+        check(int(line[0]) * 3 == len(points) and are_close(map(float, line[1:]), points), "a line of a skeleton is another")
+        found = [of_cells.GetArray(name).GetValue(i) for name in ("GroupIds", "CenterlineIds", "Blanking")]
+        check(found == [i, 0, 0] and of_cells.GetArray("TractIds").GetValue(i) >= 0, "the numbers of an arc are others")
+
+
 def check_by_vtk():
     vtk_io = load("vtkmodules.vtkIOXML", "python3-vtk9")
     vtk_rendering = load("vtkmodules.vtkRenderingCore", "python3-vtk9")
@@ -301,6 +320,7 @@ def check_by_vtk():
     patches = data.GetCellData().GetArray("patch")
     check(patches.GetNumberOfTuples() == data.GetNumberOfPolys() > 0, "there is not a patch for each face")
     check_colours(vtk_rendering, data)
+    check_skeleton_by_vtk(vtk_io)
     compute("graph.dot", "--mesh-out", "mesh.ply")
     ply = vtk_ply.vtkPLYReader()
     ply.SetFileName(str(folder / "mesh.ply"))

@@ -43,8 +43,8 @@ struct Skeleton_vertex
   /// the vertices of the mesh that it stands for, in the order of the mesh: each vertex of a face is in one such list
   std::vector<VertexDescriptor> vertices;
 
-  /// the radius of a circle with the area of the contour there: \f$ \sqrt{A / \pi} \f$. At a junction it is the mean of
-  /// what is around, at the end of a tube without border that of the neighbor.
+  /// the radius of a circle with the area of the contour there: \f$ \sqrt{A / \pi} \f$, but at least the inscribed radius.
+  /// At a junction it is the mean of what is around, at the end of a tube without border that of the neighbor.
   double radius = 0;
 
   /// the distance from the surface, borders filled: the radius of the largest ball around the point that is inside. It is

@@ -152,8 +152,8 @@ void add_component(const Reading& reading,
 /// in multi-saddles, which are counted.
 ///
 /// Then points that are outside are moved inside, and edges that cross the surface are bent until they do not. So no
-/// vertex is outside, and no edge crosses a component that does not intersect itself, but for a few on surfaces of few and
-/// spiky faces. What remains, there and on others, is counted.
+/// vertex is outside, and no edge crosses a component that does not intersect itself. What remains on others, or where the
+/// numbers of the points end, is counted.
 /// Each component is looked at without the others. The lines are not promised to be centered: where the surface is no
 /// tube, as in flat or ball-shaped parts, a center of a contour is as good as any other place.
 ///
@@ -188,7 +188,8 @@ void add_component(const Reading& reading,
 ///     \cgalParamExtra{use the functions `parameters::pruning_ratio()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sampling_ratio}
-///     \cgalParamDescription{how far the points of an arc are apart, as a share of the radius, from 0.01 to 100}
+///     \cgalParamDescription{how far the points of an arc are apart, as a share of the radius, or of half a mean edge
+///                           where the radius is less, from 0.01 to 100}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.5}
 ///     \cgalParamExtra{use the functions `parameters::sampling_ratio()`}

@@ -209,7 +209,7 @@ private:
   bool is_bump(Index tip, double persistence) const
   {
     const auto inwards = tree_.inward_direction(graph_.vertex(tip));
-    const double depth = tree_.depth_beneath(graph_.point(tip), inwards);
+    const double depth = tree_.depth_beneath(graph_.vertex(tip), inwards);
     const int number_of_steps = 8;
     for(int i = 1; i != number_of_steps; ++i)
     {

@@ -47,9 +47,16 @@ public:
     for(auto& [index, node] : lines.nodes())
       if(node.kind != Line_end::TIP)
         measure(node.point, node.kind == Line_end::JUNCTION);
-    for(auto& line : lines.lines())
+    for(Index chain = 0; chain != lines.lines().size(); ++chain)
+    {
+      Skeleton_lines::Line& line = lines.lines()[chain];
       for(Line_point& point : line)
         measure(point, true);
+      for(const bool is_last : {false, true})
+        if(auto& end = lines.nodes().at(chains.chains()[chain].ends[is_last ? 1 : 0]);
+           end.kind == Line_end::TIP && !line.empty())
+          end.point.radius = (is_last ? line.back() : line.front()).radius;
+    }
   }
 
   std::size_t number_outside() const { return number_outside_; }
@@ -59,13 +66,14 @@ private:
   struct Place
   {
     Line_point point;
-    bool is_on_surface = false; // a tip, or on a border
-    std::optional<Mesh::Vertex_index> vertex;
+    std::optional<Mesh::Vertex_index> vertex; // of the filled surface, at an end
+
+    Surface_place surface_place() const { return {point.point, vertex}; }
   };
 
   void bring_inside(Line_point& p) const
   {
-    if(tree_.is_inside(p.point))
+    if(tree_.is_well_inside(p.point, p.on_surface))
       return;
     if(const auto inside = tree_.pulled_inside(p.point, p.on_surface))
       p.point = *inside;
@@ -79,6 +87,7 @@ private:
       p.inscribed_radius = 0;
       ++number_outside_;
     }
+    p.radius = (std::max)(p.radius, p.inscribed_radius); // A contour that folds has less area than a flat one.
   }
 
   Place place_of_end(Index chain, bool is_last) const
@@ -86,18 +95,11 @@ private:
     const Graph_chains::Chain& whole = chains_.chains()[chain];
     const Index node = whole.ends[is_last ? 1 : 0];
     const Skeleton_lines::Node& end = lines_.nodes().at(node);
-    Place place = {end.point, end.kind != Line_end::JUNCTION, std::nullopt};
+    Place place = {end.point, std::nullopt};
     place.point.place = is_last ? whole.length : 0;
-    if(place.is_on_surface)
+    if(end.kind != Line_end::JUNCTION)
       place.vertex = graph_.vertex(node);
     return place;
-  }
-
-  bool is_crossed(const Place& a, const Place& b) const
-  {
-    const Point &p = a.point.point, &q = b.point.point;
-    const Vector step = 1e-6 * (q - p);
-    return tree_.is_crossed(a.is_on_surface ? p + step : p, b.is_on_surface ? q - step : q);
   }
 
   void refine(Index chain)
@@ -107,7 +109,7 @@ private:
     Place last = place_of_end(chain, false);
     for(std::size_t i = 0; i <= line.size(); ++i)
     {
-      const Place next = i == line.size() ? place_of_end(chain, true) : Place{line[i], false, std::nullopt};
+      const Place next = i == line.size() ? place_of_end(chain, true) : Place{line[i], std::nullopt};
       connect(chain, last, next, 0, result);
       if(i != line.size())
         result.push_back(next.point);
@@ -119,11 +121,11 @@ private:
   // Adds what is needed between two points: centers of further contours, or a way beneath the surface.
   void connect(Index chain, const Place& a, const Place& b, int depth, std::vector<Line_point>& line)
   {
-    if(!is_crossed(a, b))
+    if(!tree_.is_crossed(a.surface_place(), b.surface_place()))
       return;
     if(depth != greatest_depth)
     {
-      Place middle = {lines_.make_point(chain, (a.point.place + b.point.place) / 2), false, std::nullopt};
+      Place middle = {lines_.make_point(chain, (a.point.place + b.point.place) / 2), std::nullopt};
       bring_inside(middle.point);
       if(tree_.is_inside(middle.point.point))
       {
@@ -133,7 +135,7 @@ private:
         return;
       }
     }
-    const std::vector<Point> way = tree_.way_beneath(a.point.point, b.point.point, a.vertex, b.vertex);
+    const std::vector<Point> way = tree_.way_beneath(a.surface_place(), b.surface_place());
     if(way.empty())
       ++number_of_crossings_;
     for(std::size_t i = 1; i + 1 < way.size(); ++i)

@@ -15,6 +15,8 @@
 #include <CGAL/Reeb_graph/skeleton/internal/Graph_chains.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
 
+#include <CGAL/Bbox_3.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -67,7 +69,8 @@ public:
     : graph_(graph),
       chains_(chains),
       ratio_(ratio),
-      are_values_distances_(are_values_distances)
+      are_values_distances_(are_values_distances),
+      least_radius_(least_radius(graph.mesh()))
   {
     for(const Graph_chains::Chain& chain : chains.chains())
     {
@@ -128,11 +131,23 @@ public:
   }
 
 private:
+  // Half of a mean edge, but no more than a fiftieth of the surface.
+  static double least_radius(const Mesh& mesh)
+  {
+    double mean = 0;
+    for(const auto e : mesh.edges())
+      mean +=
+        distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))) / static_cast<double>(mesh.num_edges());
+    const auto box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+    return (std::min)(mean / 2,
+                      distance({box.xmin(), box.ymin(), box.zmin()}, {box.xmax(), box.ymax(), box.zmax()}) / 50);
+  }
+
   bool is_covered(const Surface_tree& tree, Index tip, Index of_tip, double ratio) const
   {
     const Point& top = nodes_.at(tip).point.point;
     const Vector inwards = tree.inward_direction(graph_.vertex(tip));
-    const double depth = tree.depth_beneath(top, inwards);
+    const double depth = tree.depth_beneath(graph_.vertex(tip), inwards);
     const int number_of_steps = 8;
     for(int i = 1; i != number_of_steps; ++i)
     {
@@ -177,16 +192,19 @@ private:
     return result;
   }
 
-  // Places a mean step apart, then half of it where two samples are farther apart than the radius allows.
+  // How far samples are to be apart: nearer ones tell no more of a surface of large triangles.
+  double step(double radius) const { return ratio_ * (std::max)(radius, least_radius_); }
+
+  // Places twice a step apart for the widest contour, then half of it where two samples are farther apart than the radius allows.
   Line sample_chain(Index chain) const
   {
     const auto& [ends, pieces, length] = chains_.chains()[chain];
-    const Line_point middle = make_point(chain, length / 2);
-    const bool is_ring = ends[0] == ends[1];
-    const double wanted = middle.radius > 0 ? length / (2 * ratio_ * middle.radius) : 1;
-    const std::size_t least = is_ring ? 8 : 4;
-    const std::size_t number =
-      are_values_distances_ ? static_cast<std::size_t>((std::min)((std::max)(wanted, double(least)), 1e4)) : 16;
+    const std::size_t least = ends[0] == ends[1] ? 8 : 4;
+    double radius = 0;
+    for(const double t : {0.125, 0.375, 0.5, 0.625, 0.875})
+      radius = (std::max)(radius, make_point(chain, t * length).radius);
+    const double wanted = length / step(radius) / 2;
+    const std::size_t number = are_values_distances_ ? (std::max)(static_cast<std::size_t>(wanted), least) : 16;
     Line line;
     for(std::size_t i = 0; i != number; ++i)
     {
@@ -213,7 +231,7 @@ private:
 
   void add_between(Index chain, const Line_point& a, const Line_point& b, int depth, Line& line) const
   {
-    if(depth == greatest_depth || !(gap(a, b) > 1.5 * ratio_ * (a.radius + b.radius) / 2))
+    if(depth == greatest_depth || !(gap(a, b) > 1.5 * step((a.radius + b.radius) / 2)))
       return;
     const Line_point middle = make_point(chain, (a.place + b.place) / 2);
     add_between(chain, a, middle, depth + 1, line);
@@ -233,7 +251,7 @@ private:
     {
       const double rest =
         are_values_distances_ ? std::abs(last.place - end) : distance(last.point, nodes_.at(node).point.point);
-      if(!(rest > 2 * last.radius))
+      if(!(rest > 2 * (std::max)(last.radius, least_radius_)))
         break;
       const Line_point nearer = make_point(chain, (last.place + end) / 2);
       Line between;
@@ -355,11 +373,10 @@ private:
     for(const auto& [chain, is_last] : chain_ends)
     {
       const Line& line = lines_[chain];
+      radius += from_end(line.empty() ? lines_before_[chain] : line, is_last, 0).radius;
       if(line.empty())
         continue;
-      const Line_point& first = from_end(line, is_last, 0);
-      sum = sum + (first.point - ORIGIN);
-      radius += first.radius;
+      sum = sum + (from_end(line, is_last, 0).point - ORIGIN);
       ++count;
       Line part;
       for(std::size_t i = 0;
@@ -368,12 +385,12 @@ private:
       if(const auto axis = axis_of(part))
         axes.push_back(*axis);
     }
-    if(count == 0)
-      return;
-    nodes_[node].point.radius = radius / static_cast<double>(count);
-    const Point mean = ORIGIN + sum / static_cast<double>(count);
+    nodes_[node].point.radius = radius / static_cast<double>(chain_ends.size());
     nodes_[node].point.on_surface =
       from_end(lines_before_[chain_ends.front().chain], chain_ends.front().is_last, 0).on_surface;
+    if(count == 0)
+      return;
+    const Point mean = ORIGIN + sum / static_cast<double>(count);
     const Point base = is_first_turn ? mean : center;
     const Vector away = meeting_point(axes, mean) - base;
     const double size = length(away);
@@ -438,6 +455,7 @@ private:
   const Graph_chains& chains_;
   const double ratio_;
   const bool are_values_distances_;
+  const double least_radius_;
   std::map<Index, std::size_t> ends_of_;
   std::map<std::pair<Index, Index>, std::size_t> chains_between_;
   std::map<Index, Node> nodes_;

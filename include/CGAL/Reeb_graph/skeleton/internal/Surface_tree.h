@@ -39,6 +39,13 @@
 
 namespace CGAL::Reeb_graph::internal::skeleton {
 
+// A point that is not outside of a surface, and the vertex that it is, if any.
+struct Surface_place
+{
+  Point point;
+  std::optional<Mesh::Vertex_index> vertex;
+};
+
 // A tree over a closed surface: tells what is inside, how far from it, and whether a segment crosses it.
 class Surface_tree
 {
@@ -55,6 +62,8 @@ public:
       volume += cross_product(a - origin, b - origin) * (c - origin);
     }
     is_inward_ = volume < 0;
+    const auto box = tree_.bbox();
+    size_ = distance({box.xmin(), box.ymin(), box.zmin()}, {box.xmax(), box.ymax(), box.zmax()});
   }
 
   bool is_inside(const Point& p) const { return (*side_)(p) == ON_BOUNDED_SIDE; }
@@ -62,9 +71,18 @@ public:
   // The distance from the surface, which has a point near `p`.
   double distance_from(const Point& p, const Point& hint) const { return distance(p, tree_.closest_point(p, hint)); }
 
-  bool is_crossed(const Point& p, const Point& q) const
+  // Whether a segment meets the surface, other than in a vertex that is its end, by exact predicates.
+  bool is_crossed(const Surface_place& from, const Surface_place& to) const
   {
-    return p != q && tree_.do_intersect(Kernel::Segment_3(p, q));
+    if(from.point == to.point)
+      return false;
+    const Kernel::Segment_3 segment(from.point, to.point);
+    if(!from.vertex && !to.vertex)
+      return tree_.do_intersect(segment);
+    bool result = false;
+    const auto add = [&](Mesh::Face_index f) { result = result || !is_met_in_end(f, from, to); };
+    tree_.all_intersected_primitives(segment, boost::make_function_output_iterator(std::cref(add)));
+    return result;
   }
 
   // The mean direction into the surface at a vertex.
@@ -83,60 +101,57 @@ public:
     return size > 0 ? sum / size : sum;
   }
 
-  // How far the other side is, from a point of the surface in a direction of length 1; 0 if it is not found.
-  double depth_beneath(const Point& p, const Vector& direction) const
+  // How far the other side is, from a vertex in a direction of length 1; 0 if it is not found.
+  double depth_beneath(Mesh::Vertex_index v, const Vector& direction) const
   {
-    const auto middle = middle_of_chord(p, direction);
+    const Point& p = mesh_.point(v);
+    const auto middle = middle_of_chord(p, direction, [&](auto f) { return has_corner(f, v); });
     return middle ? 2 * distance(p, *middle) : 0;
   }
 
-  // A point inside near one that is not: in the middle between the closest point of the surface and what is seen from
-  // there, away from the point or straight into the surface; or else right beneath a face.
+  // Whether a point is inside, and farther from the surface than by rounding.
+  bool is_well_inside(const Point& p, const Point& hint) const
+  {
+    return is_inside(p) && distance_from(p, hint) > 1e-9 * size_;
+  }
+
+  // A point inside near one that is not, or hardly: in the middle between the closest point of the surface and what is seen
+  // from there, away from the point or straight into the surface; or else right beneath a face.
   std::optional<Point> pulled_inside(const Point& p, const Point& hint) const
   {
     const auto closest = tree_.closest_point_and_primitive(p, {hint, *mesh_.faces().begin()});
     const Vector normal = inward_normal(closest.second);
-    for(const Vector& direction : {closest.first - p, normal})
-      if(const auto middle = middle_of_chord(closest.first, direction))
+    for(const Vector& direction : {is_inside(p) ? normal : closest.first - p, normal})
+      if(const auto middle = middle_of_chord(closest.first, direction, [&](auto f) { return f == closest.second; }))
         return middle;
     const auto [a, b, c] = corners(closest.second);
     const double size = (std::max)({distance(a, b), distance(b, c), distance(c, a)});
     for(double depth = size; normal != NULL_VECTOR && depth > 1e-9 * size; depth /= 4)
-      if(const Point sunk = sunk_center(closest.second, depth); is_inside(sunk))
-        return sunk;
+      if(const Point beneath = center(closest.second) + depth * normal; is_inside(beneath))
+        return beneath;
     return std::nullopt;
   }
 
-  // A way from a point to another one that does not cross the surface: beneath its faces, as close as need be, with
-  // shortcuts. An end can be a vertex of the surface. It is empty if there is none.
-  std::vector<Point> way_beneath(const Point& from,
-                                 const Point& to,
-                                 std::optional<Mesh::Vertex_index> first_vertex,
-                                 std::optional<Mesh::Vertex_index> last_vertex) const
+  // A way from a place to another one that does not cross the surface: beneath its faces, as close as need be, with
+  // shortcuts. It is empty if there is none.
+  std::vector<Point> way_beneath(const Surface_place& from, const Surface_place& to) const
   {
-    const auto begin = foot(from, first_vertex), end = foot(to, last_vertex);
-    const std::vector<Mesh::Halfedge_index> crossed = path_of_faces(begin.second, end.second);
-    for(double depth = distance(from, to); depth > 1e-9 * distance(from, to); depth /= 4)
+    std::vector<Sunk_place> way = {{from, NULL_VECTOR, 0}};
+    const Mesh::Face_index begin = add_foot(from, way);
+    std::vector<Sunk_place> end = {{to, NULL_VECTOR, 0}};
+    const Mesh::Face_index last = add_foot(to, end);
+    way.push_back(sunk_center(begin));
+    for(const auto h : path_of_faces(begin, last))
     {
-      std::vector<Point> way = {from};
-      if(!first_vertex)
-        way.push_back(beneath(begin.first, from, depth));
-      way.push_back(sunk_center(begin.second, depth));
-      for(const auto h : crossed)
-      {
-        const Vector normal = inward_normal(mesh_.face(h)) + inward_normal(mesh_.face(mesh_.opposite(h)));
-        const double size = length(normal);
-        const Point middle = CGAL::midpoint(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)));
-        way.push_back(size > 0 ? middle + depth / size * normal : middle);
-        way.push_back(sunk_center(mesh_.face(mesh_.opposite(h)), depth));
-      }
-      if(!last_vertex)
-        way.push_back(beneath(end.first, to, depth));
-      way.push_back(to);
-      if(is_free(way, first_vertex.has_value(), last_vertex.has_value()))
-        return shortened(way, first_vertex.has_value(), last_vertex.has_value());
+      const Mesh::Face_index f = mesh_.face(h), g = mesh_.face(mesh_.opposite(h));
+      const Point middle = CGAL::midpoint(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)));
+      const Vector normal = inward_normal(f) + inward_normal(g);
+      if(const double size = length(normal); size > 0)
+        way.push_back(sunk(middle, normal / size, f, g));
+      way.push_back(sunk_center(g));
     }
-    return {};
+    way.insert(way.end(), end.rbegin(), end.rend());
+    return raise_until_free(way) ? shortened(way) : std::vector<Point>();
   }
 
 private:
@@ -149,6 +164,29 @@ private:
   typedef AABB_tree<Traits> Tree;
   typedef boost::property_map<Mesh, vertex_point_t>::const_type Point_map;
   typedef Side_of_triangle_mesh<Mesh, Kernel, Point_map, Tree> Side;
+
+  // A place of a way, which can be brought nearer to the surface.
+  struct Sunk_place
+  {
+    Surface_place place;
+    Vector inwards; // of length 1, or null if the place is to stay
+    double depth;
+  };
+
+  bool has_corner(Mesh::Face_index f, Mesh::Vertex_index v) const
+  {
+    const auto h = mesh_.halfedge(f);
+    return mesh_.source(h) == v || mesh_.target(h) == v || mesh_.target(mesh_.next(h)) == v;
+  }
+
+  bool is_met_in_end(Mesh::Face_index f, const Surface_place& from, const Surface_place& to) const
+  {
+    const auto has = [&](const Surface_place& place) { return place.vertex && has_corner(f, *place.vertex); };
+    if(has(from) == has(to))
+      return false;
+    const auto [a, b, c] = corners(f);
+    return !coplanar(a, b, c, has(from) ? to.point : from.point);
+  }
 
   std::array<Point, 3> corners(Mesh::Face_index f) const
   {
@@ -180,44 +218,66 @@ private:
     return slope != 0 ? normal * (a - origin) / slope : std::numeric_limits<double>::infinity();
   }
 
-  // The middle of the first part of a ray from the surface that is inside.
-  std::optional<Point> middle_of_chord(const Point& origin, const Vector& ray) const
+  // The middle of the first part of a ray from the surface that is inside. The faces that the ray begins on are left out, as the
+  // depth of these is rounded to anything near 0.
+  template <class IsOwn>
+  std::optional<Point> middle_of_chord(const Point& origin, const Vector& ray, const IsOwn& is_own) const
   {
     const double size = length(ray);
     if(!(size > 0))
       return std::nullopt;
     const Vector direction = ray / size;
     std::vector<double> depths = {0};
-    const auto add = [&](Mesh::Face_index f) { depths.push_back(depth_of(f, origin, direction)); };
+    const auto add = [&](Mesh::Face_index f) {
+      if(!is_own(f))
+        depths.push_back(depth_of(f, origin, direction));
+    };
     tree_.all_intersected_primitives(Kernel::Ray_3(origin, direction),
                                      boost::make_function_output_iterator(std::cref(add)));
     std::sort(depths.begin(), depths.end());
     for(std::size_t i = 1; i != depths.size() && std::isfinite(depths[i]); ++i)
     {
       const Point middle = origin + (depths[i - 1] + depths[i]) / 2 * direction;
-      if(depths[i - 1] >= 0 && depths[i] - depths[i - 1] > 1e-6 * depths[i] && is_inside(middle))
+      if(depths[i - 1] >= 0 && depths[i] - depths[i - 1] > 1e-9 * size_ && is_inside(middle))
         return middle;
     }
     return std::nullopt;
   }
 
-  Point sunk_center(Mesh::Face_index f, double depth) const { return center(f) + depth * inward_normal(f); }
-
-  static Point beneath(const Point& foot, const Point& p, double depth)
+  // In the middle between a point of the surface and what is seen from there.
+  Sunk_place sunk(const Point& p, const Vector& inwards, Mesh::Face_index f, Mesh::Face_index g) const
   {
-    const double height = distance(foot, p);
-    return height > depth ? foot + depth / height * (p - foot) : p;
+    const auto middle = middle_of_chord(p, inwards, [&](auto face) { return face == f || face == g; });
+    const double depth = middle ? distance(p, *middle) : 1e-6 * size_;
+    return {{p + depth * inwards, std::nullopt}, inwards, depth};
+  }
+
+  Sunk_place sunk_center(Mesh::Face_index f) const { return sunk(center(f), inward_normal(f), f, f); }
+
+  // A face at a place, and, if that is inside, on a way to it a point on a ray to the face.
+  Mesh::Face_index add_foot(const Surface_place& from, std::vector<Sunk_place>& way) const
+  {
+    if(from.vertex)
+      return mesh_.face(mesh_.halfedge(*from.vertex));
+    const auto [foot, f] = seen_foot(from.point);
+    const double height = distance(foot, from.point);
+    if(height > 0)
+      way.push_back({from, (from.point - foot) / height, height});
+    return f;
   }
 
   // A place on the surface that is seen from a point, and its face. That of the closest point can be hidden if this is at
-  // a corner, behind other faces there.
-  std::pair<Point, Mesh::Face_index> foot(const Point& p, std::optional<Mesh::Vertex_index> v) const
+  // a corner, behind other faces there: then another one that is near, or any one.
+  std::pair<Point, Mesh::Face_index> seen_foot(const Point& p) const
   {
-    if(v)
-      return {p, mesh_.face(mesh_.halfedge(*v))};
     const auto closest = tree_.closest_point_and_primitive(p);
-    for(double t = 0.5; t > 1e-6; t /= 2)
-      if(const auto seen = first_seen(p, closest.first + t * (center(closest.second) - closest.first) - p))
+    std::vector<Vector> rays;
+    for(double t = 0.5; t > 1e-3; t /= 2)
+      rays.push_back(closest.first + t * (center(closest.second) - closest.first) - p);
+    for(int i = 0; i != 27; ++i)
+      rays.push_back(Vector(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+    for(const Vector& ray : rays)
+      if(const auto seen = first_seen(p, ray))
         return *seen;
     return closest;
   }
@@ -240,39 +300,48 @@ private:
     return std::make_pair(origin + met.front().first * direction, met.front().second);
   }
 
-  bool is_crossed(const std::vector<Point>& way, std::size_t i, std::size_t j, bool is_first_on, bool is_last_on) const
+  // Brings the ends of segments that cross the surface nearer to it until none does: faces that share an edge hide nothing
+  // from each other right beneath them.
+  bool raise_until_free(std::vector<Sunk_place>& way) const
   {
-    const Vector step = 1e-6 * (way[j] - way[i]);
-    const Point p = i == 0 && is_first_on ? way[i] + step : way[i];
-    const Point q = j + 1 == way.size() && is_last_on ? way[j] - step : way[j];
-    return is_crossed(p, q);
-  }
-
-  bool is_free(const std::vector<Point>& way, bool is_first_on, bool is_last_on) const
-  {
-    for(std::size_t i = 0; i + 1 < way.size(); ++i)
-      if(is_crossed(way, i, i + 1, is_first_on, is_last_on))
-        return false;
-    return true;
+    const int number_of_turns = 24;
+    for(int turn = 0; turn != number_of_turns; ++turn)
+    {
+      std::vector<bool> is_bad(way.size(), false);
+      for(std::size_t i = 0; i + 1 < way.size(); ++i)
+        if(is_crossed(way[i].place, way[i + 1].place))
+          is_bad[i] = is_bad[i + 1] = true;
+      if(std::find(is_bad.begin(), is_bad.end(), true) == is_bad.end())
+        return true;
+      for(std::size_t i = 0; i != way.size(); ++i)
+        if(is_bad[i])
+        {
+          const double rise = 0.75 * way[i].depth;
+          way[i].place.point = way[i].place.point - rise * way[i].inwards;
+          way[i].depth -= rise;
+        }
+    }
+    return false;
   }
 
   // Leaves points out as long as nothing is crossed.
-  std::vector<Point> shortened(const std::vector<Point>& way, bool is_first_on, bool is_last_on) const
+  std::vector<Point> shortened(const std::vector<Sunk_place>& way) const
   {
-    std::vector<Point> result = {way.front()};
+    const auto is_free = [&](std::size_t i, std::size_t j) { return !is_crossed(way[i].place, way[j].place); };
+    std::vector<Point> result = {way.front().place.point};
     for(std::size_t i = 0; i + 1 < way.size();)
     {
       std::size_t j = i + 1;
-      for(std::size_t step = 2; i + step < way.size() && !is_crossed(way, i, i + step, is_first_on, is_last_on);
+      for(std::size_t step = 2; i + step < way.size() && is_free(i, i + step);
           step = (std::min)(2 * step, way.size() - 1 - i))
       {
         j = i + step;
         if(j + 1 == way.size())
           break;
       }
-      while(j + 1 < way.size() && !is_crossed(way, i, j + 1, is_first_on, is_last_on))
+      while(j + 1 < way.size() && is_free(i, j + 1))
         ++j;
-      result.push_back(way[j]);
+      result.push_back(way[j].place.point);
       i = j;
     }
     return result;
@@ -318,6 +387,7 @@ private:
   Tree tree_;
   std::optional<Side> side_;
   bool is_inward_ = false;
+  double size_ = 0; // of the bounding box
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton
