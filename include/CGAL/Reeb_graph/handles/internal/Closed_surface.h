@@ -255,6 +255,7 @@ public:
   explicit Tree_and_cotree(const Closed_surface& surface)
     : surface_(surface),
       to_vertex_(surface.points.size(), no_index),
+      parents_(surface.points.size(), no_index),
       component_of_(surface.points.size(), no_index),
       distances_(surface.points.size(), 0),
       to_parent_(surface.halfedge.size(), no_index),
@@ -279,7 +280,7 @@ public:
   // side; no_index for roots.
   Index to_vertex(Index v) const { return to_vertex_[v]; }
   Index to_parent(Index face) const { return to_parent_[face]; }
-  Index parent(Index v) const { return to_vertex_[v] == no_index ? Index(no_index) : surface_.source(to_vertex_[v]); }
+  Index parent(Index v) const { return parents_[v]; }
   Index parent_face(Index f) const
   {
     return to_parent_[f] == no_index ? Index(no_index) : surface_.face[surface_.opposite(to_parent_[f])];
@@ -329,6 +330,7 @@ private:
         return;
       component_of_[w] = component_of_[v];
       to_vertex_[w] = h;
+      parents_[w] = v;
       is_in_tree_[h / 2] = true;
       distances_[w] = distances_[v] + surface_.length(h);
       queue.push_back(w);
@@ -375,7 +377,7 @@ private:
   }
 
   const Closed_surface& surface_;
-  std::vector<Index> to_vertex_, component_of_;
+  std::vector<Index> to_vertex_, parents_, component_of_; // a parent beside its halfedge, as walks to roots are many
   std::vector<double> distances_;
   std::vector<Index> to_parent_, face_order_;
   std::vector<bool> is_in_tree_, is_in_cotree_; // by edge

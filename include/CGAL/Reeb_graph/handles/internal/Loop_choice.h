@@ -45,6 +45,7 @@ class Loop_choice
     double length;
     int half;
     Halfedge_walk walk;
+    std::vector<Integer> coordinates;
   };
 
 public:
@@ -59,7 +60,8 @@ public:
   {
     reduce(walk);
     const double length = surface_.length(walk);
-    candidates_.push_back({length, half, std::move(walk)});
+    std::vector<Integer> its_coordinates = coordinates(half, walk);
+    candidates_.push_back({length, half, std::move(walk), std::move(its_coordinates)});
   }
 
   void choose()
@@ -71,7 +73,7 @@ public:
       walks.assign(halves_.size(), Halfedge_walk());
     for(const Candidate& candidate : candidates_)
     {
-      const auto choice = bases_.choose(candidate.half, coordinates(candidate.half, candidate.walk));
+      const auto choice = bases_.choose(candidate.half, candidate.coordinates);
       if(choice)
         walks_[candidate.half][choice->place] = choice->sign > 0 ? candidate.walk : reversed(candidate.walk);
     }

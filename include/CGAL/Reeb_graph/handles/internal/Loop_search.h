@@ -36,7 +36,8 @@ class Crossing_bounds
 public:
   explicit Crossing_bounds(const Closed_surface& surface)
     : surface_(surface),
-      distances_(surface.points.size(), infinity)
+      distances_(surface.points.size(), infinity),
+      positions_(surface.points.size(), no_index)
   {}
 
   // For each vertex of a walk, by the halfedge that leaves it, the least length of the parts that come back there;
@@ -44,37 +45,18 @@ public:
   // bound of one of its vertices, or longer.
   std::vector<double> operator()(const Halfedge_walk& walk, double bound)
   {
-    positions_.clear();
-    for(std::size_t k = 0; k != walk.size(); ++k)
-      positions_.emplace(surface_.source(walk[k]), k);
-    if(positions_.size() != walk.size())
-      return std::vector<double>(walk.size(), 0);
-    least_.assign(walk.size(), infinity);
-    from_right_.clear();
+    bool is_simple = true;
     for(std::size_t k = 0; k != walk.size(); ++k)
     {
-      const Index back = surface_.opposite(walk[(k + walk.size() - 1) % walk.size()]);
-      for(Index h = surface_.turned(back); h != walk[k]; h = surface_.turned(h))
-        from_right_.insert(surface_.opposite(h));
+      Index& position = positions_[surface_.source(walk[k])];
+      is_simple = is_simple && position == no_index;
+      position = static_cast<Index>(k);
     }
-    for(std::size_t k = 0; k != walk.size(); ++k)
-    {
-      const Index back = surface_.opposite(walk[(k + walk.size() - 1) % walk.size()]);
-      for(Index h = surface_.turned(walk[k]); h != back; h = surface_.turned(h))
-        follow(h, 0);
-    }
-    while(!queue_.empty() && queue_.top().first < bound)
-    {
-      const double distance = queue_.top().first;
-      const Index v = queue_.top().second;
-      queue_.pop();
-      if(distance == distances_[v])
-        surface_.for_each_outgoing(v, [&](Index h) { follow(h, distances_[v]); });
-    }
-    queue_ = {};
-    for(const Index v : reached_)
-      distances_[v] = infinity;
-    reached_.clear();
+    least_.assign(walk.size(), is_simple ? infinity : 0);
+    if(is_simple)
+      search_from(walk, bound);
+    for(const Index h : walk)
+      positions_[surface_.source(h)] = no_index;
     return least_;
   }
 
@@ -82,23 +64,54 @@ private:
   typedef std::pair<double, Index> Queued;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
+  void search_from(const Halfedge_walk& walk, double bound)
+  {
+    const auto back = [&](std::size_t k) { return surface_.opposite(walk[(k + walk.size() - 1) % walk.size()]); };
+    from_right_.clear();
+    for(std::size_t k = 0; k != walk.size(); ++k)
+      for(Index h = surface_.turned(back(k)); h != walk[k]; h = surface_.turned(h))
+        from_right_.insert(surface_.opposite(h));
+    bound_ = bound;
+    number_to_reach_ = walk.size();
+    for(std::size_t k = 0; k != walk.size(); ++k)
+      for(Index h = surface_.turned(walk[k]); h != back(k); h = surface_.turned(h))
+        follow(h, 0);
+    while(!queue_.empty() && queue_.top().first < bound_)
+    {
+      const auto [distance, v] = queue_.top();
+      queue_.pop();
+      if(distance != distances_[v])
+        continue;
+      surface_.for_each_outgoing(v, [&, from = distance](Index h) { follow(h, from); });
+      if(number_to_reach_ != 0)
+        continue;
+      bound_ = *std::max_element(least_.begin(), least_.end()); // What is farther is on no shorter way back.
+      number_to_reach_ = no_index;
+    }
+    queue_ = {};
+    for(const Index v : reached_)
+      distances_[v] = infinity;
+    reached_.clear();
+  }
+
   void follow(Index h, double distance)
   {
     if(!surface_.is_given(h))
       return;
     distance += surface_.length(h);
-    const Index w = surface_.target[h];
-    const auto position = positions_.find(w);
-    if(position != positions_.end())
+    const Index w = surface_.target[h], position = positions_[w];
+    if(position != no_index)
     {
-      if(from_right_.count(h) != 0)
-        least_[position->second] = (std::min)(least_[position->second], distance);
-      return;
+      if(distance < least_[position] && from_right_.count(h) != 0)
+      {
+        number_to_reach_ -= least_[position] == infinity ? 1 : 0;
+        least_[position] = distance;
+      }
     }
-    if(distances_[w] == infinity)
-      reached_.push_back(w);
-    if(distance < distances_[w])
+    else if(distance < distances_[w] && distance < bound_)
     {
+      if(distances_[w] == infinity)
+        reached_.push_back(w);
       distances_[w] = distance;
       queue_.emplace(distance, w);
     }
@@ -106,10 +119,12 @@ private:
 
   const Closed_surface& surface_;
   std::vector<double> distances_; // infinity between two searches
+  std::vector<Index> positions_;  // of the vertices of the walk in it; no_index for others, and between two searches
   std::vector<Index> reached_;
-  std::unordered_map<Index, std::size_t> positions_; // of the vertices of the walk
-  std::unordered_set<Index> from_right_;             // halfedges that lead to the walk
+  std::unordered_set<Index> from_right_; // halfedges that lead to the walk
   std::vector<double> least_;
+  std::size_t number_to_reach_ = 0; // of vertices of the walk
+  double bound_ = 0;                // of what is looked for
   std::priority_queue<Queued, std::vector<Queued>, std::greater<Queued>> queue_;
 };
 
@@ -187,11 +202,11 @@ public:
       if(2 * places_[place].distance >= best.length)
         break;
       places_[place].is_settled = true;
-      settle(place, closed_half, best, [&](std::uint64_t code, const Halfedge_walk& walk) {
+      settle(place, closed_half, best, [&](std::uint64_t code, const auto& make_walk) {
         const auto known = is_accepted.find(code);
         if(known != is_accepted.end())
           return known->second;
-        return is_accepted[code] = is_accepted[std::uint64_t(0) - code] = accept(walk);
+        return is_accepted[code] = is_accepted[std::uint64_t(0) - code] = accept(make_walk());
       });
     }
     best.is_shortest = places_.size() < largest_number_of_places;
@@ -219,7 +234,7 @@ private:
   {
     places_.clear();
     queue_ = {};
-    add(root, 0, no_index, no_index, 0, 0);
+    add(root, 0, no_index, no_index, 0, 0, true);
   }
 
   void end()
@@ -228,12 +243,13 @@ private:
       first_places_[place.vertex] = no_index;
   }
 
-  void add(Index v, std::uint64_t sheet, Index from, Index h, std::uint64_t code, double distance)
+  void add(Index v, std::uint64_t sheet, Index from, Index h, std::uint64_t code, double distance, bool is_queued)
   {
     const Index place = static_cast<Index>(places_.size());
     places_.push_back({v, first_places_[v], from, h, sheet, code, distance, false});
     first_places_[v] = place;
-    queue_.emplace(distance, place);
+    if(is_queued)
+      queue_.emplace(distance, place);
   }
 
   Index find(Index v, std::uint64_t sheet) const
@@ -264,19 +280,23 @@ private:
     if(other == no_index)
     {
       if(2 * distance < best.length + 2 * surface_.length(h))
-        add(w, sheet, place, h, code, distance);
+        add(w, sheet, place, h, code, distance, 2 * distance < best.length);
       return;
     }
     const double length = distance + places_[other].distance;
     if(places_[other].code != code && length < best.length)
     {
       least_length_ = (std::min)(least_length_, length);
-      Halfedge_walk walk = walk_to(place);
-      walk.push_back(h);
-      const Halfedge_walk back = reversed(walk_to(other));
-      walk.insert(walk.end(), back.begin(), back.end());
-      if(accept(code - places_[other].code, walk))
+      const auto make_walk = [&] {
+        Halfedge_walk walk = walk_to(place);
+        walk.push_back(h);
+        const Halfedge_walk back = reversed(walk_to(other));
+        walk.insert(walk.end(), back.begin(), back.end());
+        return walk;
+      };
+      if(accept(code - places_[other].code, make_walk))
       {
+        Halfedge_walk walk = make_walk();
         reduce(walk);
         best = {surface_.length(walk), std::move(walk)};
       }
