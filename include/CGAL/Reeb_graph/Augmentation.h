@@ -381,7 +381,7 @@ public:
 
   /// \brief writes the point at which a contour crosses each of its halfedges, by linear interpolation.
   ///
-  /// \tparam OutputIterator a model of `OutputIterator` for the points of the mesh
+  /// \tparam OutputIterator a model of `OutputIterator` for the value type of `vertex_point_map`
   ///
   /// \param contour a contour of this object
   /// \param points the output; the first point is not repeated at the end
