@@ -12,6 +12,7 @@
 #include "computation/skeleton.h"
 #include "input/field_input.h"
 #include "output/output_file.h"
+#include "output/report_parts.h"
 #include "output/skeleton_output.h"
 #include "page/page_output.h"
 
@@ -53,9 +54,11 @@ void write_page_of_skeleton(const Skeleton_command_options& options,
   graph_options.are_places_wanted = true;
   Report unused;
   const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, {}, 0, unused);
+  const auto& known = report.skeleton.certificate;
   Page_request request = {scalar_map,
                           *graph,
-                          std::filesystem::path(options.input.mesh_path).filename().string(),
+                          std::filesystem::path(options.input.mesh_path).filename().string() + ": skeleton with "
+                            + count(known.number_of_ends, "end") + ", " + count(known.number_of_loops, "loop"),
                           {report.field, options.unit}};
   request.up = options.up;
   request.curves = polylines_of(report.skeleton);

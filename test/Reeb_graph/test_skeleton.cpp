@@ -270,6 +270,22 @@ BOOST_AUTO_TEST_CASE(tubes_have_their_ends_loops_and_centerlines)
     }
 }
 
+BOOST_AUTO_TEST_CASE(fronts_that_meet_in_fat_rings_make_no_end)
+{
+  for(std::size_t seed = 0; seed != 60; ++seed)
+  {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const auto mesh = make_mesh<Surface_mesh>(tube_samples::surface(tube_samples::fat_ring(seed), 0, 1));
+      Curve_skeleton<Surface_mesh> skeleton;
+      const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton);
+      check(mesh, skeleton, known);
+      BOOST_TEST(known.number_of_loops == 1u);
+      BOOST_TEST(known.number_of_ends == 0u);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(holes_in_a_wall_make_no_cycle)
 {
   for(const double radius : {0.25, 0.4, 0.6, 0.8})
@@ -334,6 +350,8 @@ BOOST_AUTO_TEST_CASE(ends_are_at_the_centers_of_borders)
   const Tubes sample = tube_samples::tree(true);
   const auto mesh = make_mesh<Surface_mesh>(tube_samples::surface(sample, 0, 1));
   Curve_skeleton<Surface_mesh> skeleton;
+  BOOST_TEST(extract_curve_skeleton(mesh, skeleton, parameters::ends_at_borders(false)).number_of_border_ends == 0u);
+  BOOST_TEST(number_of_ends(skeleton) == sample.ends);
   BOOST_TEST(extract_curve_skeleton(mesh, skeleton).number_of_border_ends == sample.holes.size());
   for(const auto& hole : sample.holes)
   {

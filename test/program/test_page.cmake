@@ -40,6 +40,9 @@ expect_success(compute tetrahedron.off --field z --unit mm --html page.html)
 expect_page(page tetrahedron.off mesh=tetrahedron.off coordinate=2 field.name="z" field.unit="mm" graph.arcs.length=1
             graph.is_simplified=false levels.length=1 curves.length=0)
 
+expect_success(skeleton tetrahedron.off --html page.html)
+expect_page(page "tetrahedron.off: skeleton with 2 ends, 0 loops" curves.length=1)
+
 # names that are code, and such that are no UTF-8
 set(unit "</script><script>alert(1)</script>&amp<!--")
 configure_file(${FOLDER}/tetrahedron.off "${FOLDER}/<script><b>&amp.off" COPYONLY)

@@ -212,6 +212,27 @@ inline Tubes ring()
   return sample;
 }
 
+// A ring whose hole is hardly wider than its tube, with bends.
+inline Tubes fat_ring(std::size_t seed)
+{
+  Tubes sample;
+  sample.name = "fat ring";
+  random_meshes::Random random(seed);
+  const auto share = [&] { return static_cast<double>(random.below(1001)) / 1000; };
+  const double radius = 1.6 + 0.8 * share();
+  std::vector<Point> points;
+  for(int i = 0; i != 12; ++i)
+  {
+    const double angle = i * 3.14159265358979 / 6;
+    points.push_back({radius * std::cos(angle), radius * (0.9 + 0.2 * share()) * std::sin(angle), 0.4 * share()});
+  }
+  for(std::size_t i = 0; i != points.size(); ++i)
+    sample.tubes.push_back({points[i], points[(i + 1) % points.size()], 1, 1});
+  sample.loops = 1;
+  sample.cell_size = 0.3;
+  return sample;
+}
+
 // Two rails with one rung more than there are loops.
 inline Tubes ladder(std::size_t loops)
 {

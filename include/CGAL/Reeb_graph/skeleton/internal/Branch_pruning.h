@@ -29,7 +29,7 @@ namespace CGAL::Reeb_graph::internal::skeleton {
 
 // Takes branches off a graph, the least persistent ones first: paths from a leaf to the node where they leave the trunk,
 // or, if the rest is a loop, where they leave that. A branch goes if its persistence is below a share of the radius of
-// the trunk there, or if it protrudes from the trunk by less. One to a border stays.
+// the trunk there, if it protrudes from the trunk by less, or if it leads across a tube. One to a border stays.
 class Branch_pruning
 {
 public:
@@ -163,7 +163,18 @@ private:
       for(const Point& middle : middles(samples[i - 1], farther[i - 1], samples[i], farther[i]))
         compare(middle, samples[i].on_surface);
     const double least = ratio_ * radius;
-    return branch.persistence < least || protrusion < least || is_bump(tip, branch.persistence);
+    return branch.persistence < least || protrusion < least || is_bump(tip, branch.persistence)
+        || is_across_tube(branch, tip);
+  }
+
+  // Whether a ball touches both ends of a branch, and the contour where it leaves the trunk goes around the ball on both
+  // sides: the fronts that part or meet there are two sections of one tube.
+  bool is_across_tube(const Branch& branch, Index tip) const
+  {
+    const Point &top = graph_.point(tip), &bottom = graph_.point(branch.end);
+    const double inscribed = tree_.distance_from(CGAL::midpoint(top, bottom), top);
+    const double contour_length = graph_.sample_beside(branch.arcs.back(), branch.end).shape.length;
+    return distance(top, bottom) / 2 < (1 + ratio_ / 2) * inscribed && contour_length > 3 * pi * inscribed;
   }
 
   // A contour on the way from a node along an arc, and on through nodes with two arcs, about a distance away.

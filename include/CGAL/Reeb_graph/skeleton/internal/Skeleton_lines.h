@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Component_skeleton.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Graph_chains.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
 
@@ -64,11 +65,12 @@ public:
   Skeleton_lines(const Sampled_graph& graph,
                  const Graph_chains& chains,
                  const Filled_component& component,
-                 double ratio,
+                 const Skeleton_options& options,
                  bool are_values_distances)
     : graph_(graph),
       chains_(chains),
-      ratio_(ratio),
+      ratio_(options.sampling_ratio),
+      are_borders_ends_(options.are_borders_ends),
       are_values_distances_(are_values_distances),
       least_radius_(least_radius(graph.mesh()))
   {
@@ -180,7 +182,7 @@ private:
     const auto v = graph_.vertex(node);
     Node result;
     if(degree == 1)
-      result.kind = component.is_apex(v) ? Line_end::BORDER : Line_end::TIP;
+      result.kind = are_borders_ends_ && component.is_apex(v) ? Line_end::BORDER : Line_end::TIP;
     if(result.kind == Line_end::BORDER)
     {
       const Filled_border& border = component.borders[v.idx() - component.given.size()];
@@ -454,6 +456,7 @@ private:
   const Sampled_graph& graph_;
   const Graph_chains& chains_;
   const double ratio_;
+  const bool are_borders_ends_;
   const bool are_values_distances_;
   const double least_radius_;
   std::map<Index, std::size_t> ends_of_;

@@ -145,7 +145,7 @@ inline void remove_covered_tips(const Sampled_graph& graph,
   while(options.pruning_ratio > 0)
   {
     const Graph_chains chains(graph, pruning);
-    const Skeleton_lines lines(graph, chains, component, options.sampling_ratio, component.values.empty());
+    const Skeleton_lines lines(graph, chains, component, options, component.values.empty());
     const std::vector<Index> tips = lines.covered_tips(tree, options.pruning_ratio);
     if(tips.empty())
       return;
@@ -179,7 +179,7 @@ Component_skeleton make_component_skeleton(Component component,
   progress(0.8);
   remove_covered_tips(graph, tree, component, options, pruning);
   Graph_chains chains(graph, pruning);
-  Skeleton_lines lines(graph, chains, component, options.sampling_ratio, are_distances);
+  Skeleton_lines lines(graph, chains, component, options, are_distances);
   const Inside_lines inside(graph, chains, tree, lines);
   result.number_outside = inside.number_outside();
   result.number_of_crossings = inside.number_of_crossings();
