@@ -285,9 +285,6 @@ private:
                                 double reach,
                                 const SearchFrom& search_from) const
   {
-    std::vector<double> positions(1, 0);
-    for(const Index h : partner)
-      positions.push_back(positions.back() + surface_.length(h));
     Loop_search::Loop best = {bound, {}};
     std::vector<double> least_lengths = crossing_bounds(partner, best.length);
     std::vector<std::size_t> order = coarse_to_fine(partner.size());
@@ -302,15 +299,28 @@ private:
       auto loop = search_from(surface_.source(partner[k]), reach * best.length);
       if(!loop.is_shortest && ++number_of_failures == 2)
         break;
-      for(std::size_t i = 0; i != partner.size(); ++i)
-      {
-        const double way = std::abs(positions[i] - positions[k]);
-        least_lengths[i] = (std::max)(least_lengths[i], loop.length - 2 * (std::min)(way, positions.back() - way));
-      }
+      raise_near(partner, k, loop.length, least_lengths);
       if(!loop.walk.empty() && loop.length < best.length)
         best = std::move(loop);
     }
     return best.walk;
+  }
+
+  // Raises least lengths near a vertex where that is `length`: they fall by at most twice the way from there.
+  void raise_near(const Halfedge_walk& walk, std::size_t k, double length, std::vector<double>& least_lengths) const
+  {
+    for(const std::size_t step : {std::size_t(1), walk.size() - 1})
+    {
+      double way = 0;
+      std::size_t i = k;
+      for(std::size_t n = 0; n != walk.size() && 2 * way < length; ++n)
+      {
+        least_lengths[i] = (std::max)(least_lengths[i], length - 2 * way);
+        const std::size_t next = (i + step) % walk.size();
+        way += surface_.length(walk[step == 1 ? i : next]);
+        i = next;
+      }
+    }
   }
 
   static std::vector<std::size_t> coarse_to_fine(std::size_t size)
