@@ -92,7 +92,7 @@ std::vector<Removal_row> remove_handles(Surface& surface,
   std::vector<Removal_row> result;
   for(const auto& handle : CGAL::Reeb_graph::remove_handles(surface, size,
                                                             CGAL::parameters::number_of_handles(number)
-                                                              .check_self_intersections(!are_self_intersections_ignored)
+                                                              .ignore_self_intersections(are_self_intersections_ignored)
                                                               .visitor(visitor)
                                                               .callback(std::ref(progress_bar))))
   {

@@ -10,6 +10,7 @@
 
 #include "handle_samples.h"
 #include "linking_oracle.h"
+#include "shortest_loop_oracle.h"
 #include "voxel_solids.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -86,23 +87,6 @@ bool is_closed_walk(const Mesh& mesh, const Loop& loop)
   return !loop.halfedges.empty();
 }
 
-// The halfedges that a closed walk crosses once it is pushed a little to its left, and how often from right to left.
-template <class Mesh, class Walk>
-auto crossings_on_the_left(const Mesh& mesh, const Walk& walk)
-{
-  std::map<typename boost::graph_traits<Mesh>::halfedge_descriptor, int> crossings;
-  for(std::size_t k = 0; k != walk.size(); ++k)
-  {
-    const auto back = opposite(walk[(k + walk.size() - 1) % walk.size()], mesh);
-    for(auto h = opposite(prev(walk[k], mesh), mesh); h != back; h = opposite(prev(h, mesh), mesh))
-    {
-      ++crossings[h];
-      --crossings[opposite(h, mesh)];
-    }
-  }
-  return crossings;
-}
-
 // Each loop crosses its partner once, and no other one: counted without a tree or a basis. So the loops of a component of
 // genus g are 2g with a unimodular matrix, that is, a basis of its homology over the integers.
 template <class Mesh, class Found>
@@ -111,7 +95,7 @@ void check_intersections(const Mesh& mesh, const Found& found)
   const auto& loops = found.loops();
   for(std::size_t i = 0; i != loops.size(); ++i)
   {
-    const auto crossings = crossings_on_the_left(mesh, loops[i].halfedges);
+    const auto crossings = shortest_loop_oracle::crossings_on_the_left(mesh, loops[i].halfedges);
     for(std::size_t j = 0; j != loops.size(); ++j)
     {
       long long number = 0;
@@ -338,6 +322,46 @@ BOOST_AUTO_TEST_CASE(short_loops_of_a_torus)
   BOOST_TEST(found.loops()[0].length == handle, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(found.loops()[1].length < 1.05 * tunnel);
   BOOST_TEST(found.loops()[1].length > 0.999 * tunnel);
+}
+
+// Solids of cubes have loops that bound; random points make all kinds of lengths.
+generated_surfaces::Triangle_soup small_surface(std::size_t seed)
+{
+  if(seed % 2 == 0)
+    return Voxel_solid(3, seed).surface();
+  random_meshes::Random random(seed);
+  auto soup = mesh_builders::make_soup(random_meshes::random_closed_surface(1 + seed / 2 % 4, 10, random));
+  for(auto& point : soup.points)
+    for(double& coordinate : point)
+      coordinate = static_cast<double>(random.below(1000)) / 1000;
+  return soup;
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(loops_are_nearly_the_shortest_of_their_classes, Mesh, Meshes)
+{
+  std::size_t number_of_loops = 0, number_of_long_ones = 0;
+  for(std::size_t seed = 0; seed != 16; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const Mesh mesh = make_mesh<Mesh>(small_surface(seed));
+      for(const bool are_short : {true, false})
+      {
+        const auto found = find_loops(mesh, seed, parameters::shorten_loops(are_short));
+        const auto& loops = found.loops();
+        if(loops.size() > (are_short && seed % 2 == 1 ? 8u : 4u))
+          continue; // too many paths
+        const shortest_loop_oracle::Shortest_loops<Mesh> shortest(mesh, loops);
+        for(const auto& loop : loops)
+        {
+          const double bound = loop.length / 1.0401;
+          const bool is_long = shortest(loop.halfedges, loops[loop.partner].halfedges, bound) < bound;
+          BOOST_TEST((!are_short || !is_long));
+          (are_short ? number_of_loops : number_of_long_ones) += are_short || is_long ? 1 : 0;
+        }
+      }
+    }
+  BOOST_TEST(number_of_loops > 40u);
+  BOOST_TEST(number_of_long_ones > 0u); // where nothing is shortened
 }
 
 BOOST_AUTO_TEST_CASE(the_handle_of_a_tube_is_where_it_is_narrow)

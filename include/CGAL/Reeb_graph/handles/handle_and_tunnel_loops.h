@@ -165,7 +165,8 @@ private:
 ///
 /// By default the loops are short: they are chosen by length, the shortest first, as long as the choice is part of such
 /// a basis, among loops that an edge closes with a tree of shortest paths. A loop is not longer than the shortest one of
-/// its class by more than 4 percent, unless the search for it takes too much memory.
+/// its class by more than 4 percent, unless searches stop as they see too much. This is common at high genus, most of all
+/// for the longer loop of a pair, and lets it be several times as long.
 ///
 /// A component with holes has no inside. Each hole gives a `Loop_kind::HOLE`, and the genus that is left once all are
 /// filled gives pairs of `Loop_kind::LOOP`. So does a component that intersects itself; its loops are as short

@@ -76,6 +76,12 @@ namespace CGAL::Reeb_graph {
 ///     \cgalParamDefault{`true`}
 ///     \cgalParamExtra{use the function `parameters::check_self_intersections()`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{ignore_self_intersections}
+///     \cgalParamDescription{as for `handle_and_tunnel_loops()`; they are not looked for then}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{use the function `parameters::ignore_self_intersections()`}
+///   \cgalParamNEnd
 ///   \reebGraphCallback
 /// \cgalNamedParamsEnd
 ///
@@ -113,7 +119,9 @@ std::vector<Handle_removal<typename boost::graph_traits<MutableFaceGraph>::verte
       remove(mesh, point_map, visitor);
     const auto result = remove(
       size, choose_parameter(get_parameter(np, internal::number_of_handles), (std::numeric_limits<std::size_t>::max)()),
-      choose_parameter(get_parameter(np, internal::check_self_intersections), true), progress);
+      choose_parameter(get_parameter(np, internal::check_self_intersections), true)
+        && !choose_parameter(get_parameter(np, internal::ignore_self_intersections), false),
+      progress);
     progress.report_end();
     return result;
   }

@@ -27,6 +27,7 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -94,33 +95,24 @@ public:
   {
     add_loops_at_left_over_edges(search, bound, progress.part(0, 0.3));
     choose();
-    std::set<Pair_of_loops> searched; // loops behind the partners across which a search has found no shorter ones
     for(int pass = 0; pass != 2; ++pass)
     {
       bool is_any_found = false;
-      for_each_loop(progress.part(0.3 * (pass + 1), 0.3 * (pass + 2)),
+      for_each_loop(progress.part(0.2 * pass + 0.3, 0.2 * pass + 0.5),
                     [&](int half, std::size_t i, const Stage_progress& step) {
                       step(0);
-                      const Halfedge_walk partner = walk(1 - half, i);
-                      if(searched.count({partner, walks_[half][i]}) != 0)
-                        return;
-                      Halfedge_walk found = shortest_across(search, crossing_bounds, half, i, bound, false, step);
-                      searched.insert({partner, found.empty() ? walks_[half][i] : found});
-                      is_any_found = is_any_found || !found.empty();
-                      if(!found.empty())
-                        add_candidate(half, std::move(found));
+                      if(add_loop_across(search, crossing_bounds, half, i, bound, step))
+                        is_any_found = true;
                     });
       if(!is_any_found)
         break;
       choose();
     }
-    for_each_loop(progress.part(0.9, 1), [&](int half, std::size_t i, const Stage_progress& step) {
-      if(!walks_[half][i].empty())
-        return;
-      Halfedge_walk found = shortest_across(search, crossing_bounds, half, i, bound, true, step);
-      if(!found.empty())
-        walks_[half][i] = coordinates(half, found) == bases_.vector(half, i) ? found : reversed(found);
+    for_each_loop(progress.part(0.7, 0.8), [&](int half, std::size_t i, const Stage_progress& step) {
+      if(walks_[half][i].empty())
+        find_in_class(search, crossing_bounds, half, i, bound, step);
     });
+    shorten_in_classes(search, crossing_bounds, bound, progress.part(0.8, 1));
   }
 
   std::vector<Pair_of_loops> take_pairs()
@@ -186,54 +178,149 @@ private:
   // So many places of the cover may be seen in one search, so that all searches together take a time that is linear.
   std::size_t largest_search() const { return 4000 + 8 * loops_.number_of_vertices / halves_.size(); }
 
-  // The shortest loop found that crosses the partner of one once, or is in the class of that one. Empty if none is
-  // shorter than that one, and than `bound`. Each such loop has a vertex in common with the partner: the search begins
-  // there. From one vertex to the next, the length of the shortest loop through it changes by at most twice the way
-  // between, and what crosses the partner at a vertex is not shorter than the way from it to its other side. So few
-  // have to be tried to come near to the shortest one.
-  Halfedge_walk shortest_across(Loop_search& search,
-                                Crossing_bounds& crossing_bounds,
-                                int half,
-                                std::size_t place,
-                                double bound,
-                                bool is_class_fixed,
-                                const Stage_progress& progress)
+  bool is_short(int half, std::size_t place) const
   {
-    const Halfedge_walk partner = walk(1 - half, place);
-    std::vector<double> positions(1, 0);
-    for(const Index h : partner)
-      positions.push_back(positions.back() + surface_.length(h));
-    const auto wanted = bases_.vector(half, place), crossed = bases_.vector(1 - half, place);
+    return !walks_[half][place].empty() && searched_.count({walk(1 - half, place), walks_[half][place]}) != 0;
+  }
+
+  // Adds a loop that crosses the partner of a loop once, as that one does, and is shorter. Returns whether one is found.
+  bool add_loop_across(Loop_search& search,
+                       Crossing_bounds& crossing_bounds,
+                       int half,
+                       std::size_t place,
+                       double bound,
+                       const Stage_progress& progress)
+  {
+    const Halfedge_walk partner = walk(1 - half, place), given = walks_[half][place];
+    if(searched_.count({partner, given}) != 0)
+      return false;
+    const auto crossed = bases_.vector(1 - half, place);
+    // A shortest loop among those that cross the partner an odd number of times is closed by an edge with the tree. If
+    // it crosses it 3 times, one that crosses it once can be missed.
+    bool is_any_odd = false;
     const auto accept = [&](const Halfedge_walk& walk) {
-      const auto found = coordinates(half, walk);
-      if(!is_class_fixed)
-        return abs(dot_product(found, crossed)) == 1;
-      std::vector<Integer> opposite;
-      for(const Integer& coordinate : found)
-        opposite.push_back(-coordinate);
-      return found == wanted || opposite == wanted;
+      const Integer number = abs(dot_product(coordinates(half, walk), crossed));
+      is_any_odd = is_any_odd || (number != 1 && number % 2 != 0);
+      return number == 1;
     };
-    const Halfedge_walk& given = walks_[half][place];
-    Loop_search::Loop best = {given.empty() ? bound : (std::min)(bound, surface_.length(given)), {}};
-    const std::vector<double> least_lengths = crossing_bounds(partner, best.length);
+    const double length = given.empty() ? bound : (std::min)(bound, surface_.length(given));
+    Halfedge_walk found =
+      shortest_across(crossing_bounds, partner, length, progress, 1, [&](Index root, double its_bound) {
+        return search(root, 1 - half, its_bound, largest_search(), accept);
+      });
+    if(!is_any_odd)
+      searched_.insert({partner, found.empty() ? given : found});
+    if(found.empty())
+      return false;
+    add_candidate(half, std::move(found));
+    return true;
+  }
+
+  // One for a class of which none has been chosen.
+  void find_in_class(Loop_search& search,
+                     Crossing_bounds& crossing_bounds,
+                     int half,
+                     std::size_t place,
+                     double bound,
+                     const Stage_progress& progress)
+  {
+    const auto accept = [&](const Halfedge_walk& walk) { return is_in_class(half, place, walk); };
+    set_walk(
+      half, place,
+      shortest_across(crossing_bounds, walk(1 - half, place), bound, progress, 1, [&](Index root, double its_bound) {
+        return search(root, 1 - half, its_bound, largest_search(), accept);
+      }));
+  }
+
+  // Searches in the classes that are chosen for what the passes can have missed: the shortest loop across a partner may
+  // have had no room in any choice. The shortest loops come first, as the searches may see a sixteenth of what the passes
+  // have seen, so that they take little time, and some more on small surfaces.
+  void shorten_in_classes(Loop_search& search,
+                          Crossing_bounds& crossing_bounds,
+                          double bound,
+                          const Stage_progress& progress)
+  {
+    std::vector<std::tuple<double, int, std::size_t>> loops;
+    for(int half : {0, 1})
+      for(std::size_t i = 0; i != halves_.size(); ++i)
+        if(!is_short(half, i))
+          loops.emplace_back(surface_.length(walk(half, i)), half, i);
+    std::sort(loops.begin(), loops.end());
+    const std::size_t end = search.number_of_places() + search.number_of_places() / 16 + 100000;
+    for(const auto& [length, half, place] : loops)
+    {
+      const std::uint64_t code = search.code(walk(half, place));
+      const auto search_from = [&](Index root, double its_bound) {
+        const std::size_t seen = (std::min)(search.number_of_places(), end);
+        return search.of_class(root, code, its_bound, (std::min)(largest_search(), end - seen));
+      };
+      if(search.number_of_places() < end)
+        set_walk(half, place,
+                 shortest_across(crossing_bounds, walk(1 - half, place), (std::min)(bound, length), progress, 1.5,
+                                 search_from));
+    }
+  }
+
+  bool is_in_class(int half, std::size_t place, const Halfedge_walk& walk) const
+  {
+    const auto found = coordinates(half, walk), sought = bases_.vector(half, place);
+    return found == sought || coordinates(half, reversed(walk)) == sought;
+  }
+
+  void set_walk(int half, std::size_t place, const Halfedge_walk& found)
+  {
+    if(!found.empty())
+      walks_[half][place] = coordinates(half, found) == bases_.vector(half, place) ? found : reversed(found);
+  }
+
+  // The shortest loop that searches find from vertices of a loop that it crosses, to within 4 percent; empty if none is
+  // shorter than `bound`. From one vertex to the next, the length of the shortest loop through it changes by at most
+  // twice the way between, and what crosses the partner at a vertex is not shorter than the way from it to its other
+  // side. So few have to be tried, the fewer the farther a search sees.
+  template <class SearchFrom>
+  Halfedge_walk shortest_across(Crossing_bounds& crossing_bounds,
+                                const Halfedge_walk& partner,
+                                double bound,
+                                const Stage_progress& progress,
+                                double reach,
+                                const SearchFrom& search_from) const
+  {
+    Loop_search::Loop best = {bound, {}};
+    std::vector<double> least_lengths = crossing_bounds(partner, best.length);
     std::vector<std::size_t> order = coarse_to_fine(partner.size());
     const auto least = std::min_element(least_lengths.begin(), least_lengths.end()) - least_lengths.begin();
     order.insert(order.begin(), static_cast<std::size_t>(least));
-    std::set<double> tried;
     int number_of_failures = 0;
     for(const std::size_t k : order)
     {
-      if(least_lengths[k] >= 0.96 * best.length || is_near(tried, positions[k], positions.back(), 0.02 * best.length))
+      if(least_lengths[k] >= 0.96 * best.length)
         continue;
-      tried.insert(positions[k]);
       progress(0); // so that it can be cancelled
-      auto loop = search(surface_.source(partner[k]), 1 - half, best.length, largest_search(), accept);
+      auto loop = search_from(surface_.source(partner[k]), reach * best.length);
       if(!loop.is_shortest && ++number_of_failures == 2)
         break;
-      if(!loop.walk.empty())
+      raise_near(partner, k, loop.length, least_lengths);
+      if(!loop.walk.empty() && loop.length < best.length)
         best = std::move(loop);
     }
     return best.walk;
+  }
+
+  // Raises least lengths near a vertex where that is `length`: they fall by at most twice the way from there.
+  void raise_near(const Halfedge_walk& walk, std::size_t k, double length, std::vector<double>& least_lengths) const
+  {
+    for(const std::size_t step : {std::size_t(1), walk.size() - 1})
+    {
+      double way = 0;
+      std::size_t i = k;
+      for(std::size_t n = 0; n != walk.size() && 2 * way < length; ++n)
+      {
+        least_lengths[i] = (std::max)(least_lengths[i], length - 2 * way);
+        const std::size_t next = (i + step) % walk.size();
+        way += surface_.length(walk[step == 1 ? i : next]);
+        i = next;
+      }
+    }
   }
 
   static std::vector<std::size_t> coarse_to_fine(std::size_t size)
@@ -248,21 +335,12 @@ private:
     return result;
   }
 
-  static bool is_near(const std::set<double>& tried, double position, double whole, double distance)
-  {
-    if(tried.empty())
-      return false;
-    const auto above = tried.lower_bound(position);
-    const double to_above = above == tried.end() ? *tried.begin() + whole - position : *above - position;
-    const double to_below = above == tried.begin() ? position + whole - *tried.rbegin() : position - *std::prev(above);
-    return (std::min)(to_above, to_below) < distance;
-  }
-
   const Closed_surface& surface_;
   const Component_loops& loops_;
   const Loop_halves& halves_;
   Dual_bases bases_;
   std::vector<Candidate> candidates_;
+  std::set<Pair_of_loops> searched_;                // loops behind the partners across which there are no shorter ones
   std::array<std::vector<Halfedge_walk>, 2> walks_; // by half and place; empty if none has been chosen
 };
 

@@ -139,6 +139,9 @@ inline std::uint64_t code_of(const Class_codes& codes, Index h, int half)
   return h % 2 == 0 ? code : std::uint64_t(0) - code;
 }
 
+// The sum for both halves: 0 only for the class 0.
+inline std::uint64_t code_of(const Class_codes& codes, Index h) { return code_of(codes, h, 0) + code_of(codes, h, 1); }
+
 // Removes what a closed walk passes to and fro.
 inline void reduce(Halfedge_walk& walk)
 {
@@ -159,9 +162,7 @@ inline void reduce(Halfedge_walk& walk)
   walk.assign(reduced.begin() + begin, reduced.begin() + end);
 }
 
-// Shortest loops through a vertex among those whose class has no part in one half of the coordinates. They are the
-// closed ones of the cover of the surface in which only such loops close, and there shortest paths from a vertex form a
-// tree. Each edge that joins two of its branches closes a loop.
+// Shortest loops through a vertex, by shortest paths in a cover of the surface, which form a tree there.
 class Loop_search
 {
 public:
@@ -180,7 +181,8 @@ public:
   {}
 
   // Finds a loop shorter than `bound` whose class has no part in the half `closed_half`, and which is accepted: that is
-  // asked once for each class. The walk is empty if there is none, or if the search takes too many places.
+  // asked once for each class. The walk is empty if there is none, or if the search takes too many places. The cover is
+  // that in which only such loops close: each edge that joins two branches of the tree closes one.
   Loop operator()(Index root,
                   int closed_half,
                   double bound,
@@ -190,30 +192,51 @@ public:
     Loop best = {bound, {}};
     if(least_lengths_[closed_half][root] >= bound)
       return best;
-    begin(root);
     least_length_ = bound;
     std::unordered_map<std::uint64_t, bool> is_accepted;
-    while(!queue_.empty() && places_.size() < largest_number_of_places)
-    {
-      const Index place = queue_.top().second;
-      queue_.pop();
-      if(places_[place].is_settled)
-        continue;
-      if(2 * places_[place].distance >= best.length)
-        break;
-      places_[place].is_settled = true;
-      settle(place, closed_half, best, [&](std::uint64_t code, const auto& make_walk) {
-        const auto known = is_accepted.find(code);
-        if(known != is_accepted.end())
-          return known->second;
-        return is_accepted[code] = is_accepted[std::uint64_t(0) - code] = accept(make_walk());
-      });
-    }
-    best.is_shortest = places_.size() < largest_number_of_places;
+    const auto is_class_accepted = [&](std::uint64_t code, const auto& make_walk) {
+      const auto known = is_accepted.find(code);
+      if(known != is_accepted.end())
+        return known->second;
+      return is_accepted[code] = is_accepted[std::uint64_t(0) - code] = accept(make_walk());
+    };
+    visit_places(root, largest_number_of_places, best,
+                 [&](Index place, Index h) { follow(place, h, closed_half, best, is_class_accepted); });
     if(best.is_shortest)
       least_lengths_[closed_half][root] = least_length_;
-    end();
     return best;
+  }
+
+  // The same for loops of one class, or its negative, where the codes of a loop add up to `code`. In the cover no loop
+  // closes that has a class, and those of this one lead from the root to its copies: the halves of a shortest one are
+  // shortest paths, the second one moved to the root. An edge of a tree as above need not close a shortest one.
+  Loop of_class(Index root, std::uint64_t code, double bound, std::size_t largest_number_of_places)
+  {
+    Loop best = {bound, {}};
+    visit_places(root, largest_number_of_places, best, [&](Index place, Index h) {
+      const std::uint64_t sheet = places_[place].sheet + code_of(codes_, h);
+      const double distance = places_[place].distance + surface_.length(h);
+      for(const std::uint64_t moved : {sheet - code, sheet + code})
+      {
+        const Index other = find(surface_.target[h], moved);
+        if(other != no_index && distance + places_[other].distance < best.length)
+          best = make_loop(place, h, other);
+      }
+      reach(place, h, find(surface_.target[h], sheet), sheet, 0, best.length);
+    });
+    return best;
+  }
+
+  // How many places all searches have seen.
+  std::size_t number_of_places() const { return number_of_places_; }
+
+  // The sum of the codes of a walk.
+  std::uint64_t code(const Halfedge_walk& walk) const
+  {
+    std::uint64_t sum = 0;
+    for(const Index h : walk)
+      sum += code_of(codes_, h);
+    return sum;
   }
 
 private:
@@ -230,15 +253,31 @@ private:
   };
   typedef std::pair<double, Index> Queued;
 
-  void begin(Index root)
+  // Calls follow(place, halfedge) for each halfedge that leaves a place, the nearest place first, as long as a loop that
+  // is shorter than the best one can be found.
+  template <class Follow>
+  void visit_places(Index root, std::size_t largest_number_of_places, Loop& best, const Follow& follow)
   {
     places_.clear();
     queue_ = {};
     add(root, 0, no_index, no_index, 0, 0, true);
-  }
-
-  void end()
-  {
+    while(!queue_.empty() && places_.size() < largest_number_of_places)
+    {
+      const Index place = queue_.top().second;
+      queue_.pop();
+      if(places_[place].is_settled)
+        continue;
+      if(2 * places_[place].distance >= best.length)
+        break;
+      places_[place].is_settled = true;
+      const Index came_from = surface_.opposite(places_[place].halfedge);
+      surface_.for_each_outgoing(places_[place].vertex, [&](Index h) {
+        if(surface_.is_given(h) && h != came_from)
+          follow(place, h);
+      });
+    }
+    best.is_shortest = places_.size() < largest_number_of_places;
+    number_of_places_ += places_.size();
     for(const Place& place : places_)
       first_places_[place.vertex] = no_index;
   }
@@ -261,47 +300,34 @@ private:
   }
 
   template <class Accept>
-  void settle(Index place, int closed_half, Loop& best, const Accept& accept)
-  {
-    const Index came_from = surface_.opposite(places_[place].halfedge);
-    surface_.for_each_outgoing(places_[place].vertex, [&](Index h) {
-      if(surface_.is_given(h) && h != came_from)
-        follow(place, h, surface_.target[h], closed_half, best, accept);
-    });
-  }
-
-  template <class Accept>
-  void follow(Index place, Index h, Index w, int closed_half, Loop& best, const Accept& accept)
+  void follow(Index place, Index h, int closed_half, Loop& best, const Accept& accept)
   {
     const std::uint64_t sheet = places_[place].sheet + code_of(codes_, h, closed_half);
     const std::uint64_t code = places_[place].code + code_of(codes_, h, 1 - closed_half);
-    const double distance = places_[place].distance + surface_.length(h);
-    const Index other = find(w, sheet);
-    if(other == no_index)
+    const Index other = find(surface_.target[h], sheet);
+    if(other != no_index && places_[other].code != code)
     {
-      if(2 * distance < best.length + 2 * surface_.length(h))
-        add(w, sheet, place, h, code, distance, 2 * distance < best.length);
-      return;
-    }
-    const double length = distance + places_[other].distance;
-    if(places_[other].code != code && length < best.length)
-    {
-      least_length_ = (std::min)(least_length_, length);
-      const auto make_walk = [&] {
-        Halfedge_walk walk = walk_to(place);
-        walk.push_back(h);
-        const Halfedge_walk back = reversed(walk_to(other));
-        walk.insert(walk.end(), back.begin(), back.end());
-        return walk;
-      };
-      if(accept(code - places_[other].code, make_walk))
+      const double length = places_[place].distance + surface_.length(h) + places_[other].distance;
+      if(length < best.length)
       {
-        Halfedge_walk walk = make_walk();
-        reduce(walk);
-        best = {surface_.length(walk), std::move(walk)};
+        least_length_ = (std::min)(least_length_, length);
+        if(accept(code - places_[other].code, [&] { return walk_through(place, h, other); }))
+          best = make_loop(place, h, other);
       }
     }
-    if(!places_[other].is_settled && distance < places_[other].distance)
+    reach(place, h, other, sheet, code, best.length);
+  }
+
+  // Notes the path along a halfedge to a place, or to a new one if `other` is none, if it is the shortest one so far.
+  void reach(Index place, Index h, Index other, std::uint64_t sheet, std::uint64_t code, double bound)
+  {
+    const double distance = places_[place].distance + surface_.length(h);
+    if(other == no_index)
+    {
+      if(2 * distance < bound + 2 * surface_.length(h))
+        add(surface_.target[h], sheet, place, h, code, distance, 2 * distance < bound);
+    }
+    else if(!places_[other].is_settled && distance < places_[other].distance)
     {
       places_[other].from = place;
       places_[other].halfedge = h;
@@ -309,6 +335,23 @@ private:
       places_[other].distance = distance;
       queue_.emplace(distance, other);
     }
+  }
+
+  Loop make_loop(Index place, Index h, Index other) const
+  {
+    Halfedge_walk walk = walk_through(place, h, other);
+    reduce(walk);
+    return {surface_.length(walk), std::move(walk)};
+  }
+
+  // From the root along the halfedge, and back from the other place.
+  Halfedge_walk walk_through(Index place, Index h, Index other) const
+  {
+    Halfedge_walk walk = walk_to(place);
+    walk.push_back(h);
+    const Halfedge_walk back = reversed(walk_to(other));
+    walk.insert(walk.end(), back.begin(), back.end());
+    return walk;
   }
 
   Halfedge_walk walk_to(Index place) const
@@ -326,6 +369,7 @@ private:
   std::array<std::vector<double>, 2> least_lengths_; // by closed half and root: no loop of any class is shorter
   double least_length_ = 0;                          // of loops seen in this search, or its bound
   std::vector<Place> places_;
+  std::size_t number_of_places_ = 0;
   std::priority_queue<Queued, std::vector<Queued>, std::greater<Queued>> queue_;
 };
 
