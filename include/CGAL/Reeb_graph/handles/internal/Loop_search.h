@@ -207,7 +207,7 @@ public:
     return best;
   }
 
-  // The same for loops of one class, or its negative, where the codes of a loop add up to `code`. In the cover no loop
+  // Searches for loops of one class, or its negative, where the codes of a loop add up to `code`. In the cover no loop
   // closes that has a class, and those of this one lead from the root to its copies: the halves of a shortest one are
   // shortest paths, the second one moved to the root. An edge of a tree as above need not close a shortest one.
   Loop of_class(Index root, std::uint64_t code, double bound, std::size_t largest_number_of_places)
