@@ -263,9 +263,9 @@ BOOST_AUTO_TEST_CASE(noise_goes_and_the_handle_of_the_figure_stays)
     const std::size_t given = mesh.number_of_vertices();
     const auto rows = remove_and_check(mesh, 1);
     BOOST_TEST(2 * static_cast<long>(rows.size()) == -given_characteristic);
-    // Where noise is dense, some loops have no disc that meets nothing else; on other seeds two at most.
+    // Where noise is dense, some loops have no disc that meets nothing else: one or two of fifty, on most seeds.
     const auto number_of_refused = static_cast<long>(rows.size() - count(rows, Removal_result::REMOVED));
-    BOOST_TEST(number_of_refused <= 3);
+    BOOST_TEST(number_of_refused <= 2);
     BOOST_TEST(euler_characteristic(mesh) == -2 * number_of_refused);
     // Each point of one surface is near to the other one, and nothing has moved.
     const auto is_noise = [&](const Vector& p) {

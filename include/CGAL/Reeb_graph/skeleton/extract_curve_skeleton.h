@@ -188,8 +188,8 @@ void add_component(const Reading& reading,
 ///     \cgalParamExtra{use the functions `parameters::pruning_ratio()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sampling_ratio}
-///     \cgalParamDescription{how far the points of an arc are apart, as a share of the radius, or of half a mean edge
-///                           where the radius is less, from 0.01 to 100}
+///     \cgalParamDescription{how far the points of an arc are apart, as a share of the radius, from 0.01 to 100. A radius
+///                           below half a mean edge counts as that, or as a fiftieth of the size if that is less.}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.5}
 ///     \cgalParamExtra{use the functions `parameters::sampling_ratio()`}
