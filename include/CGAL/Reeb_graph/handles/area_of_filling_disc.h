@@ -31,12 +31,14 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -86,14 +88,32 @@ Disc_triangles triangulate_disc(const Polyline& polyline, const Polyline& third_
   Disc_triangles result;
   if(polyline.size() < 3 || polyline.size() > largest_loop_of_disc)
     return result;
+  // Among discs that are as good as each other, CGAL chooses by addresses in memory. So points are moved by a millionth of
+  // the size, seen from the first one.
+  const Polyline all_points[] = {polyline, third_points};
+  double size = 0;
+  for(const auto& p : polyline)
+    size = (std::max)(size, std::sqrt(CGAL::squared_distance(polyline.front(), p)));
+  std::mt19937 random;
+  Polyline moved[2];
+  for(std::size_t k : {0, 1})
+    for(const auto& p : all_points[k])
+    {
+      const auto coordinate = [&](int axis) {
+        return p[axis] - polyline.front()[axis] + 1e-6 * size * (static_cast<double>(random()) / random.max());
+      };
+      const double x = coordinate(0), y = coordinate(1), z = coordinate(2);
+      moved[k].emplace_back(x, y, z);
+    }
   std::vector<CGAL::Triple<int, int, int>> triangles;
   if(third_points.empty())
-    Polygon_mesh_processing::triangulate_hole_polyline(polyline, std::back_inserter(triangles));
+    Polygon_mesh_processing::triangulate_hole_polyline(moved[0], std::back_inserter(triangles));
   else
-    Polygon_mesh_processing::triangulate_hole_polyline(polyline, third_points, std::back_inserter(triangles));
+    Polygon_mesh_processing::triangulate_hole_polyline(moved[0], moved[1], std::back_inserter(triangles));
   for(const auto& t : triangles)
     result.push_back(
       {static_cast<std::size_t>(t.first), static_cast<std::size_t>(t.second), static_cast<std::size_t>(t.third)});
+  std::sort(result.begin(), result.end()); // They come in an order of addresses, another one in each run.
   return result;
 }
 #endif
