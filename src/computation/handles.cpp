@@ -90,11 +90,12 @@ std::vector<Removal_row> remove_handles(Surface& surface,
     std::visit([&](const auto& map) { visitor.add_vertex_map(map); }, property);
   Progress_bar progress_bar("removal");
   std::vector<Removal_row> result;
-  for(const auto& handle : CGAL::Reeb_graph::remove_handles(surface, size,
-                                                            CGAL::parameters::number_of_handles(number)
-                                                              .ignore_self_intersections(are_self_intersections_ignored)
-                                                              .visitor(visitor)
-                                                              .callback(std::ref(progress_bar))))
+  for(const auto& handle : CGAL::Reeb_graph::remove_handles<CGAL::Parallel_if_available_tag>(
+        surface, size,
+        CGAL::parameters::number_of_handles(number)
+          .ignore_self_intersections(are_self_intersections_ignored)
+          .visitor(visitor)
+          .callback(std::ref(progress_bar))))
   {
     const bool is_removed = handle.result == CGAL::Reeb_graph::Removal_result::REMOVED;
     Polyline polyline;
@@ -114,11 +115,11 @@ Loops_of_surface find_loops(const Surface& surface,
                             bool are_self_intersections_ignored)
 {
   Progress_bar progress_bar("handles");
-  const auto found =
-    CGAL::Reeb_graph::handle_and_tunnel_loops(surface, scalar_map,
-                                              CGAL::parameters::shorten_loops(are_shortened)
-                                                .ignore_self_intersections(are_self_intersections_ignored)
-                                                .callback(std::ref(progress_bar)));
+  const auto found = CGAL::Reeb_graph::handle_and_tunnel_loops<CGAL::Parallel_if_available_tag>(
+    surface, scalar_map,
+    CGAL::parameters::shorten_loops(are_shortened)
+      .ignore_self_intersections(are_self_intersections_ignored)
+      .callback(std::ref(progress_bar)));
   std::vector<std::vector<Surface::Halfedge_index>> walks;
   for(const auto& loop : found.loops())
     walks.push_back(loop.is_simple ? loop.halfedges : std::vector<Surface::Halfedge_index>());

@@ -417,9 +417,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(coarse_surfaces_stay_surfaces, Mesh, Meshes)
       const Surface_mesh coarse = coarse_surface(seed, 60 + seed % 60, seed % 2 == 0);
       Mesh mesh;
       CGAL::copy_face_graph(coarse, mesh);
-      const bool are_ignored = seed % 4 < 2; // means the same
-      const auto rows = remove_and_check(
-        mesh, infinity, parameters::check_self_intersections(are_ignored).ignore_self_intersections(are_ignored));
+      const auto rows = remove_and_check(mesh, infinity, parameters::ignore_self_intersections(seed % 4 < 2));
       number_of_removed += count(rows, Removal_result::REMOVED);
     }
   BOOST_TEST(number_of_removed > 100u);

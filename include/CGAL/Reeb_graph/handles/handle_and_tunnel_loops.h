@@ -17,8 +17,11 @@
 #include <CGAL/Reeb_graph/handles/internal/make_loops.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>
+
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -179,6 +182,8 @@ private:
 ///
 /// The idea to combine loops by linking numbers is that of \cgalCite{dfw-echtlr-13}.
 ///
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`. It has no influence on the
+///         result. `Parallel_tag` needs TBB; the threads are those of the calling `tbb::task_arena`.
 /// \tparam FaceListGraph a model of `FaceListGraph` with dynamic property maps, such as `Surface_mesh` and
 ///         `Polyhedron_3`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type
@@ -227,7 +232,10 @@ private:
 /// \exception Reeb_graph::Non_finite_point_error if a coordinate of a point is infinite or NaN
 ///
 /// and the exceptions of `compute_reeb_graph()`.
-template <class FaceListGraph, class ScalarMap, class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag,
+          class FaceListGraph,
+          class ScalarMap,
+          class NamedParameters = parameters::Default_named_parameters>
 Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGraph& mesh,
                                                                ScalarMap scalar_map,
                                                                const NamedParameters& np = parameters::default_values())
@@ -239,22 +247,25 @@ Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGra
   const auto traits = internal::choose_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>>(np);
   const auto flat_field = internal::make_flat_field(mesh, scalar_map, parameters::geom_traits(traits));
   const auto reeb_loops =
-    internal::find_reeb_loops(mesh, flat_field, traits, internal::Stage_progress(progress, 0, 0.1));
+    internal::find_reeb_loops<ConcurrencyTag>(mesh, flat_field, traits, internal::Stage_progress(progress, 0, 0.1));
   const auto closing = std::make_shared<internal::Surface_closing<FaceListGraph>>(
     mesh, flat_field.flat_values(mesh)->mesh, internal::choose_point_map(mesh, np));
   const std::shared_ptr<internal::Loop_finder> found =
     internal::make_loop_finder(std::move(closing->surface()), internal::Stage_progress(progress, 0.1, 0.2));
+  const bool are_checked = choose_parameter(get_parameter(np, internal::check_self_intersections), true);
   const bool are_ignored = choose_parameter(get_parameter(np, internal::ignore_self_intersections), false);
+  const bool are_short = choose_parameter(get_parameter(np, internal::shorten_loops), true);
   std::vector<std::size_t> self_intersections;
-  if(choose_parameter(get_parameter(np, internal::check_self_intersections), true))
-  {
+  const auto find_self_intersections = [&] {
+    if(!are_checked)
+      return;
     self_intersections = found->self_intersections(are_ignored);
     if(!are_ignored)
       found->refuse_self_intersections(self_intersections);
-  }
-  const bool are_short = choose_parameter(get_parameter(np, internal::shorten_loops), true);
+  };
   auto loops = found->make_loops(are_short ? std::numeric_limits<double>::infinity() : 0,
-                                 (std::numeric_limits<std::size_t>::max)(), internal::Stage_progress(progress, 0.2, 1));
+                                 (std::numeric_limits<std::size_t>::max)(), find_self_intersections,
+                                 internal::task_runner<ConcurrencyTag>(), internal::Stage_progress(progress, 0.2, 1));
   internal::set_persistences(
     reeb_loops, [&](const auto h) { return closing->number(h); }, loops);
   progress.report_end();

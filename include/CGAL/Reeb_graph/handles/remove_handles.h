@@ -16,12 +16,14 @@
 #include <CGAL/Reeb_graph/handles/internal/Handle_remover.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/exceptions.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -48,6 +50,7 @@ namespace CGAL::Reeb_graph {
 /// Loops that are not shorter than the size are not looked for. A round takes the time of `handle_and_tunnel_loops()` for
 /// short loops, and all handles that do not touch each other are removed in one round.
 ///
+/// \tparam ConcurrencyTag as for `handle_and_tunnel_loops()`
 /// \reebGraphRefinedMesh
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
@@ -70,14 +73,8 @@ namespace CGAL::Reeb_graph {
 ///     \cgalParamType{a model of `ReebGraphRefinementVisitor`, by value or as `std::reference_wrapper`}
 ///     \cgalParamDefault{`Reeb_graph::Default_refinement_visitor`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{check_self_intersections}
-///     \cgalParamDescription{as for `handle_and_tunnel_loops()`}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
-///     \cgalParamExtra{use the function `parameters::check_self_intersections()`}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{ignore_self_intersections}
-///     \cgalParamDescription{as for `handle_and_tunnel_loops()`; they are not looked for then}
+///     \cgalParamDescription{as for `handle_and_tunnel_loops()`; they are not looked for then, which is also faster}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///     \cgalParamExtra{use the function `parameters::ignore_self_intersections()`}
@@ -95,7 +92,9 @@ namespace CGAL::Reeb_graph {
 /// and the exceptions of `compute_reeb_graph()` for meshes. When one of these is thrown, the mesh is as it was before.
 ///
 /// \exception Reeb_graph::Cancelled_error if `callback` returns `false`; handles that are removed by then stay removed
-template <class MutableFaceGraph, class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag,
+          class MutableFaceGraph,
+          class NamedParameters = parameters::Default_named_parameters>
 std::vector<Handle_removal<typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor>> remove_handles(
   MutableFaceGraph& mesh,
   double size,
@@ -116,12 +115,10 @@ std::vector<Handle_removal<typename boost::graph_traits<MutableFaceGraph>::verte
       choose_parameter<Default_refinement_visitor<MutableFaceGraph>>(get_parameter(np, internal_np::visitor));
     auto& visitor = internal::unwrap_reference(visitor_parameter);
     internal::Handle_remover<MutableFaceGraph, std::decay_t<decltype(point_map)>, std::decay_t<decltype(visitor)>>
-      remove(mesh, point_map, visitor);
+      remove(mesh, point_map, visitor, internal::task_runner<ConcurrencyTag>());
     const auto result = remove(
       size, choose_parameter(get_parameter(np, internal::number_of_handles), (std::numeric_limits<std::size_t>::max)()),
-      choose_parameter(get_parameter(np, internal::check_self_intersections), true)
-        && !choose_parameter(get_parameter(np, internal::ignore_self_intersections), false),
-      progress);
+      !choose_parameter(get_parameter(np, internal::ignore_self_intersections), false), progress);
     progress.report_end();
     return result;
   }

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -26,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <unordered_set>
 #include <utility>
@@ -471,8 +473,13 @@ public:
   virtual std::vector<std::size_t> self_intersections(bool are_counted) const = 0;
   // A component that intersects itself has no inside.
   virtual void refuse_self_intersections(const std::vector<std::size_t>& self_intersections) = 0;
-  // Loops are made shorter than `bound`, and than the `number`-th size of a pair, where that can be.
-  virtual std::vector<Surface_loop> make_loops(double bound, std::size_t number, const Stage_progress& progress) = 0;
+  // Loops are made shorter than `bound`, and than the `number`-th size of a pair, where that can be. At the same time,
+  // find_crossed() tells which components have no inside.
+  virtual std::vector<Surface_loop> make_loops(double bound,
+                                               std::size_t number,
+                                               const std::function<void()>& find_crossed,
+                                               const Task_runner& run,
+                                               const Stage_progress& progress) = 0;
   // Whether a loop of the surface bounds inside, or outside, but not on the surface.
   virtual bool is_bounding(const Halfedge_walk& walk, bool is_inside) const = 0;
   virtual long long intersection_number(const Halfedge_walk& a, const Halfedge_walk& b) const = 0;

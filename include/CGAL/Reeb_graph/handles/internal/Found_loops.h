@@ -17,10 +17,12 @@
 #include <CGAL/Reeb_graph/handles/internal/triangle_intersections.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <unordered_set>
 #include <utility>
@@ -49,10 +51,20 @@ public:
       component.is_refused = self_intersections[component.number] != 0;
   }
 
-  std::vector<Surface_loop> make_loops(double bound, std::size_t number, const Stage_progress& progress) override
+  std::vector<Surface_loop> make_loops(double bound,
+                                       std::size_t number,
+                                       const std::function<void()>& find_crossed,
+                                       const Task_runner& run,
+                                       const Stage_progress& progress) override
   {
     std::vector<Surface_loop> result;
-    const auto pairs = All_loops(homology_)(bound, number, progress);
+    std::vector<std::vector<Pair_of_loops>> pairs;
+    run(2, [&](std::size_t task) {
+      if(task == 0)
+        find_crossed();
+      else
+        pairs = All_loops(homology_)(bound, number, run, progress);
+    });
     for(std::size_t place = 0; place != pairs.size(); ++place)
       add_pairs(homology_.components()[place], pairs[place], result);
     for(const Halfedge_walk& cycle : homology_.surface().border_cycles)

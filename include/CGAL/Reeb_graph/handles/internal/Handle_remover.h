@@ -53,10 +53,11 @@ class Handle_remover
   };
 
 public:
-  Handle_remover(Mesh& mesh, const PointMap& point_map, Visitor& visitor)
+  Handle_remover(Mesh& mesh, const PointMap& point_map, Visitor& visitor, const Task_runner& run)
     : mesh_(mesh),
       point_map_(point_map),
-      visitor_(visitor)
+      visitor_(visitor),
+      run_(run)
   {}
 
   // Removes handles that are smaller than `size`, at most `number` of them. The last ones of the list are refused.
@@ -89,17 +90,17 @@ private:
     Surface_closing<Mesh> closing(mesh_, make_flat_mesh(mesh_), point_map_);
     const auto found = make_loop_finder(std::move(closing.surface()), progress.part(0, 0.2));
     const std::vector<std::size_t> components = number_components(closing, *found);
-    if(are_checked)
-    {
-      // A cut makes none, so they are looked for once.
-      if(is_crossed_.empty())
+    const auto find_crossed = [&] {
+      if(!are_checked)
+        return;
+      if(is_crossed_.empty()) // A cut makes none, so they are looked for once.
         is_crossed_ = found->self_intersections(false);
       std::vector<std::size_t> is_crossed;
       for(const std::size_t component : components)
         is_crossed.push_back(is_crossed_[component]);
       found->refuse_self_intersections(is_crossed);
-    }
-    const std::vector<Surface_loop> loops = found->make_loops(size, number, progress.part(0.2, 1));
+    };
+    const std::vector<Surface_loop> loops = found->make_loops(size, number, find_crossed, run_, progress.part(0.2, 1));
     std::vector<const Surface_loop*> shorter;
     for(std::size_t i = 0; i != loops.size(); ++i)
     {
@@ -315,6 +316,7 @@ private:
   Mesh& mesh_;
   const PointMap& point_map_;
   Visitor& visitor_;
+  const Task_runner run_;
   std::vector<std::size_t> is_crossed_;              // by component
   std::vector<halfedge_descriptor> representatives_; // of the components
   std::deque<Plan> plans_;

@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <optional>
 #include <random>
 #include <set>
 #include <tuple>
@@ -91,28 +92,16 @@ public:
 
   // Adds loops that are shorter as candidates, and chooses again. Loops that are not shorter than `bound` are not looked
   // for.
-  void shorten(Loop_search& search, Crossing_bounds& crossing_bounds, double bound, const Stage_progress& progress)
+  void shorten(Loop_searchers& searchers, double bound, const Stage_progress& progress)
   {
-    add_loops_at_left_over_edges(search, bound, progress.part(0, 0.3));
+    add_loops_at_left_over_edges(searchers, bound, progress.part(0, 0.3));
     choose();
-    for(int pass = 0; pass != 2; ++pass)
-    {
-      bool is_any_found = false;
-      for_each_loop(progress.part(0.2 * pass + 0.3, 0.2 * pass + 0.5),
-                    [&](int half, std::size_t i, const Stage_progress& step) {
-                      step(0);
-                      if(add_loop_across(search, crossing_bounds, half, i, bound, step))
-                        is_any_found = true;
-                    });
-      if(!is_any_found)
-        break;
+    for(int pass = 0;
+        pass != 2 && add_loops_across(searchers, bound, progress.part(0.2 * pass + 0.3, 0.2 * pass + 0.5)); ++pass)
       choose();
-    }
-    for_each_loop(progress.part(0.7, 0.8), [&](int half, std::size_t i, const Stage_progress& step) {
-      if(walks_[half][i].empty())
-        find_in_class(search, crossing_bounds, half, i, bound, step);
-    });
-    shorten_in_classes(search, crossing_bounds, bound, progress.part(0.8, 1));
+    find_in_classes(searchers, bound, progress.part(0.7, 0.8));
+    searchers(1, progress.part(0.8, 1),
+              [&](std::size_t, auto& searcher, const auto& report) { shorten_in_classes(searcher, bound, report); });
   }
 
   std::vector<Pair_of_loops> take_pairs()
@@ -148,31 +137,34 @@ private:
   }
 
   // Where a handle is in the way of the tree, an edge is left over near by.
-  void add_loops_at_left_over_edges(Loop_search& search, double bound, const Stage_progress& progress)
+  void add_loops_at_left_over_edges(Loop_searchers& searchers, double bound, const Stage_progress& progress)
   {
-    std::set<Index> roots;
+    std::set<Index> sources;
     for(const Index h : loops_.component().left_over)
-      roots.insert(surface_.source(h));
-    std::size_t number = 0;
-    for(const Index root : roots)
-    {
-      progress.report_step(number++, roots.size());
-      for(int half : {0, 1})
-      {
-        auto loop = search(root, 1 - half, bound, largest_search(), [](const Halfedge_walk&) { return true; });
-        if(!loop.walk.empty())
-          add_candidate(half, std::move(loop.walk));
-      }
-    }
+      sources.insert(surface_.source(h));
+    const std::vector<Index> roots(sources.begin(), sources.end());
+    std::vector<Halfedge_walk> found(2 * roots.size());
+    searchers(found.size(), progress, [&](std::size_t k, auto& searcher, const auto&) {
+      const int closed_half = k % 2 == 0 ? 1 : 0;
+      found[k] =
+        searcher.search(roots[k / 2], closed_half, bound, largest_search(), [](const Halfedge_walk&) { return true; })
+          .walk;
+    });
+    add_candidates(found);
   }
 
-  template <class Visit>
-  void for_each_loop(const Stage_progress& progress, const Visit& visit)
+  // Walks of half 0 and half 1 in turns, of which some may be empty. Returns whether there is one.
+  bool add_candidates(std::vector<Halfedge_walk>& walks)
   {
-    const double number = static_cast<double>(halves_.size());
-    for(std::size_t i = 0; i != halves_.size(); ++i)
-      for(int half : {0, 1})
-        visit(half, i, progress.part(static_cast<double>(i) / number, static_cast<double>(i + 1) / number));
+    bool is_any_found = false;
+    for(std::size_t k = 0; k != walks.size(); ++k)
+    {
+      if(walks[k].empty())
+        continue;
+      add_candidate(k % 2 == 0 ? 0 : 1, std::move(walks[k]));
+      is_any_found = true;
+    }
+    return is_any_found;
   }
 
   // So many places of the cover may be seen in one search, so that all searches together take a time that is linear.
@@ -183,62 +175,74 @@ private:
     return !walks_[half][place].empty() && searched_.count({walk(1 - half, place), walks_[half][place]}) != 0;
   }
 
-  // Adds a loop that crosses the partner of a loop once, as that one does, and is shorter. Returns whether one is found.
-  bool add_loop_across(Loop_search& search,
-                       Crossing_bounds& crossing_bounds,
-                       int half,
-                       std::size_t place,
-                       double bound,
-                       const Stage_progress& progress)
+  // Adds loops that cross the partner of a loop once, as that one does, and are shorter. Returns whether one is found.
+  bool add_loops_across(Loop_searchers& searchers, double bound, const Stage_progress& progress)
   {
-    const Halfedge_walk partner = walk(1 - half, place), given = walks_[half][place];
-    if(searched_.count({partner, given}) != 0)
-      return false;
-    const auto crossed = bases_.vector(1 - half, place);
-    // A shortest loop among those that cross the partner an odd number of times is closed by an edge with the tree. If
-    // it crosses it 3 times, one that crosses it once can be missed.
-    bool is_any_odd = false;
+    std::vector<Halfedge_walk> found(2 * halves_.size());
+    std::vector<std::optional<Pair_of_loops>> searched(found.size());
+    searchers(found.size(), progress, [&](std::size_t k, auto& searcher, const auto& report) {
+      const int half = k % 2 == 0 ? 0 : 1;
+      const Halfedge_walk partner = walk(1 - half, k / 2), &given = walks_[half][k / 2];
+      if(searched_.count({partner, given}) != 0)
+        return;
+      bool is_any_odd = false;
+      found[k] = find_loop_across(searcher, half, k / 2, bound, is_any_odd, report);
+      if(!is_any_odd)
+        searched[k] = {partner, found[k].empty() ? given : found[k]};
+    });
+    for(auto& pair : searched)
+      if(pair)
+        searched_.insert(std::move(*pair));
+    return add_candidates(found);
+  }
+
+  // Tells whether there is a loop that crosses the partner an odd number of times greater than one. A shortest loop among
+  // those that cross it an odd number of times is closed by an edge with the tree. If it crosses it 3 times, one that
+  // crosses it once can be missed.
+  template <class Report>
+  Halfedge_walk find_loop_across(Loop_searchers::Searcher& searcher,
+                                 int half,
+                                 std::size_t place,
+                                 double bound,
+                                 bool& is_any_odd,
+                                 const Report& report) const
+  {
     const auto accept = [&](const Halfedge_walk& walk) {
-      const Integer number = abs(dot_product(coordinates(half, walk), crossed));
+      const Integer number = abs(dot_product(coordinates(half, walk), bases_.vector(1 - half, place)));
       is_any_odd = is_any_odd || (number != 1 && number % 2 != 0);
       return number == 1;
     };
+    const Halfedge_walk& given = walks_[half][place];
     const double length = given.empty() ? bound : (std::min)(bound, surface_.length(given));
-    Halfedge_walk found =
-      shortest_across(crossing_bounds, partner, length, progress, 1, [&](Index root, double its_bound) {
-        return search(root, 1 - half, its_bound, largest_search(), accept);
-      });
-    if(!is_any_odd)
-      searched_.insert({partner, found.empty() ? given : found});
-    if(found.empty())
-      return false;
-    add_candidate(half, std::move(found));
-    return true;
+    return shortest_across(searcher.crossing_bounds, walk(1 - half, place), length, report, 1,
+                           [&](Index root, double its_bound) {
+                             return searcher.search(root, 1 - half, its_bound, largest_search(), accept);
+                           });
   }
 
-  // One for a class of which none has been chosen.
-  void find_in_class(Loop_search& search,
-                     Crossing_bounds& crossing_bounds,
-                     int half,
-                     std::size_t place,
-                     double bound,
-                     const Stage_progress& progress)
+  // Finds loops for the classes of which none has been chosen.
+  void find_in_classes(Loop_searchers& searchers, double bound, const Stage_progress& progress)
   {
-    const auto accept = [&](const Halfedge_walk& walk) { return is_in_class(half, place, walk); };
-    set_walk(
-      half, place,
-      shortest_across(crossing_bounds, walk(1 - half, place), bound, progress, 1, [&](Index root, double its_bound) {
-        return search(root, 1 - half, its_bound, largest_search(), accept);
-      }));
+    searchers(halves_.size(), progress, [&](std::size_t place, auto& searcher, const auto& report) {
+      for(int half : {0, 1})
+      {
+        if(!walks_[half][place].empty())
+          continue;
+        const auto accept = [&](const Halfedge_walk& walk) { return is_in_class(half, place, walk); };
+        set_walk(half, place,
+                 shortest_across(searcher.crossing_bounds, walk(1 - half, place), bound, report, 1,
+                                 [&](Index root, double its_bound) {
+                                   return searcher.search(root, 1 - half, its_bound, largest_search(), accept);
+                                 }));
+      }
+    });
   }
 
   // Searches in the classes that are chosen for what the passes can have missed: the shortest loop across a partner may
-  // have had no room in any choice. The shortest loops come first, as the searches may see a sixteenth of what the passes
-  // have seen, so that they take little time, and some more on small surfaces.
-  void shorten_in_classes(Loop_search& search,
-                          Crossing_bounds& crossing_bounds,
-                          double bound,
-                          const Stage_progress& progress)
+  // have had no room in any choice. The shortest loops come first, as the searches together may see only some times the
+  // surface, so that they take little time, and some more of small surfaces.
+  template <class Report>
+  void shorten_in_classes(Loop_searchers::Searcher& searcher, double bound, const Report& report)
   {
     std::vector<std::tuple<double, int, std::size_t>> loops;
     for(int half : {0, 1})
@@ -246,18 +250,19 @@ private:
         if(!is_short(half, i))
           loops.emplace_back(surface_.length(walk(half, i)), half, i);
     std::sort(loops.begin(), loops.end());
-    const std::size_t end = search.number_of_places() + search.number_of_places() / 16 + 100000;
+    std::size_t left = 4 * loops_.number_of_vertices + 100000; // places that may be seen
     for(const auto& [length, half, place] : loops)
     {
-      const std::uint64_t code = search.code(walk(half, place));
+      const std::uint64_t code = searcher.search.code(walk(half, place));
       const auto search_from = [&](Index root, double its_bound) {
-        const std::size_t seen = (std::min)(search.number_of_places(), end);
-        return search.of_class(root, code, its_bound, (std::min)(largest_search(), end - seen));
+        auto loop = searcher.search.of_class(root, code, its_bound, (std::min)(largest_search(), left));
+        left -= (std::min)(left, loop.number_of_places);
+        return loop;
       };
-      if(search.number_of_places() < end)
+      if(left != 0)
         set_walk(half, place,
-                 shortest_across(crossing_bounds, walk(1 - half, place), (std::min)(bound, length), progress, 1.5,
-                                 search_from));
+                 shortest_across(searcher.crossing_bounds, walk(1 - half, place), (std::min)(bound, length), report,
+                                 1.5, search_from));
     }
   }
 
@@ -277,11 +282,11 @@ private:
   // shorter than `bound`. From one vertex to the next, the length of the shortest loop through it changes by at most
   // twice the way between, and what crosses the partner at a vertex is not shorter than the way from it to its other
   // side. So few have to be tried, the fewer the farther a search sees.
-  template <class SearchFrom>
+  template <class Report, class SearchFrom>
   Halfedge_walk shortest_across(Crossing_bounds& crossing_bounds,
                                 const Halfedge_walk& partner,
                                 double bound,
-                                const Stage_progress& progress,
+                                const Report& report,
                                 double reach,
                                 const SearchFrom& search_from) const
   {
@@ -295,7 +300,7 @@ private:
     {
       if(least_lengths[k] >= 0.96 * best.length)
         continue;
-      progress(0); // so that it can be cancelled
+      report(); // so that it can be cancelled
       auto loop = search_from(surface_.source(partner[k]), reach * best.length);
       if(!loop.is_shortest && ++number_of_failures == 2)
         break;
@@ -352,7 +357,10 @@ public:
   explicit All_loops(Handle_homology& homology) : homology_(homology), surface_(homology.surface()) {}
 
   // Loops are shortened as far as that makes them shorter than `bound`, and than the `number`-th size of a pair.
-  std::vector<std::vector<Pair_of_loops>> operator()(double bound, std::size_t number, const Stage_progress& progress)
+  std::vector<std::vector<Pair_of_loops>> operator()(double bound,
+                                                     std::size_t number,
+                                                     const Task_runner& run,
+                                                     const Stage_progress& progress)
   {
     Class_codes codes(surface_.next.size() / 2, {0, 0});
     for(auto& component : homology_.components())
@@ -389,12 +397,11 @@ public:
     }
     if(bound > 0)
     {
-      Loop_search search(surface_, codes);
-      Crossing_bounds crossing_bounds(surface_);
+      Loop_searchers searchers(surface_, codes, run);
       const double number_of_choices = static_cast<double>(choices_.size());
       for(std::size_t i = 0; i != choices_.size(); ++i)
         choices_[i].shorten(
-          search, crossing_bounds, bound,
+          searchers, bound,
           progress.part(static_cast<double>(i) / number_of_choices, static_cast<double>(i + 1) / number_of_choices));
     }
     std::vector<std::vector<Pair_of_loops>> result;

@@ -11,15 +11,20 @@
 
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 
 #include <CGAL/license/Reeb_graph.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <queue>
 #include <unordered_map>
 #include <unordered_set>
@@ -162,6 +167,10 @@ inline void reduce(Halfedge_walk& walk)
   walk.assign(reduced.begin() + begin, reduced.begin() + end);
 }
 
+// Lengths, by half and vertex: no loop through the vertex whose class has no part in that half is shorter. All threads add
+// to them, which has no influence on what is found: a search that is left out would have found nothing.
+typedef std::array<std::vector<Relaxed_value<double>>, 2> Least_lengths;
+
 // Shortest loops through a vertex, by shortest paths in a cover of the surface, which form a tree there.
 class Loop_search
 {
@@ -170,14 +179,15 @@ public:
   {
     double length = 0;
     Halfedge_walk walk;
-    bool is_shortest = true; // false if the search has stopped
+    bool is_shortest = true;          // false if the search has stopped
+    std::size_t number_of_places = 0; // that it has seen
   };
 
-  Loop_search(const Closed_surface& surface, const Class_codes& codes)
+  Loop_search(const Closed_surface& surface, const Class_codes& codes, Least_lengths& least_lengths)
     : surface_(surface),
       codes_(codes),
-      first_places_(surface.points.size(), no_index),
-      least_lengths_{std::vector<double>(surface.points.size(), 0), std::vector<double>(surface.points.size(), 0)}
+      least_lengths_(least_lengths),
+      first_places_(surface.points.size(), no_index)
   {}
 
   // Finds a loop shorter than `bound` whose class has no part in the half `closed_half`, and which is accepted: that is
@@ -190,7 +200,7 @@ public:
                   const std::function<bool(const Halfedge_walk&)>& accept)
   {
     Loop best = {bound, {}};
-    if(least_lengths_[closed_half][root] >= bound)
+    if(least_lengths_[closed_half][root].get() >= bound)
       return best;
     least_length_ = bound;
     std::unordered_map<std::uint64_t, bool> is_accepted;
@@ -203,7 +213,7 @@ public:
     visit_places(root, largest_number_of_places, best,
                  [&](Index place, Index h) { follow(place, h, closed_half, best, is_class_accepted); });
     if(best.is_shortest)
-      least_lengths_[closed_half][root] = least_length_;
+      least_lengths_[closed_half][root].set(least_length_);
     return best;
   }
 
@@ -226,9 +236,6 @@ public:
     });
     return best;
   }
-
-  // How many places all searches have seen.
-  std::size_t number_of_places() const { return number_of_places_; }
 
   // The sum of the codes of a walk.
   std::uint64_t code(const Halfedge_walk& walk) const
@@ -277,7 +284,7 @@ private:
       });
     }
     best.is_shortest = places_.size() < largest_number_of_places;
-    number_of_places_ += places_.size();
+    best.number_of_places = places_.size();
     for(const Place& place : places_)
       first_places_[place.vertex] = no_index;
   }
@@ -365,12 +372,74 @@ private:
 
   const Closed_surface& surface_;
   const Class_codes& codes_;
-  std::vector<Index> first_places_;                  // by vertex
-  std::array<std::vector<double>, 2> least_lengths_; // by closed half and root: no loop of any class is shorter
-  double least_length_ = 0;                          // of loops seen in this search, or its bound
+  Least_lengths& least_lengths_;
+  std::vector<Index> first_places_; // by vertex
+  double least_length_ = 0;         // of loops seen in this search, or its bound
   std::vector<Place> places_;
-  std::size_t number_of_places_ = 0;
   std::priority_queue<Queued, std::vector<Queued>, std::greater<Queued>> queue_;
+};
+
+// Searches on many threads, of which each has what it searches with.
+class Loop_searchers
+{
+public:
+  struct Searcher
+  {
+    Loop_search search;
+    Crossing_bounds crossing_bounds;
+  };
+
+  Loop_searchers(const Closed_surface& surface, const Class_codes& codes, const Task_runner& run)
+    : surface_(surface),
+      codes_(codes),
+      run_(run),
+      least_lengths_{Least_lengths::value_type(surface.points.size()), Least_lengths::value_type(surface.points.size())}
+  {}
+
+  // Calls function(i, searcher, report) for i from 0 to size - 1, where report() lets it be cancelled. The calls must not
+  // depend on each other.
+  template <class Function>
+  void operator()(std::size_t size, const Stage_progress& progress, const Function& function)
+  {
+    std::atomic<std::size_t> number_done{0};
+    const auto report = [&] { progress(static_cast<double>(number_done) / static_cast<double>(size)); };
+    run_(size, [&](std::size_t i) {
+      report();
+      std::unique_ptr<Searcher> searcher = take();
+      function(i, *searcher, report);
+      put_back(std::move(searcher));
+      ++number_done;
+    });
+  }
+
+private:
+  std::unique_ptr<Searcher> take()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if(!idle_.empty())
+      {
+        std::unique_ptr<Searcher> searcher = std::move(idle_.back());
+        idle_.pop_back();
+        return searcher;
+      }
+    }
+    return std::unique_ptr<Searcher>(
+      new Searcher{Loop_search(surface_, codes_, least_lengths_), Crossing_bounds(surface_)});
+  }
+
+  void put_back(std::unique_ptr<Searcher> searcher)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    idle_.push_back(std::move(searcher));
+  }
+
+  const Closed_surface& surface_;
+  const Class_codes& codes_;
+  const Task_runner& run_;
+  Least_lengths least_lengths_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Searcher>> idle_;
 };
 
 } // namespace CGAL::Reeb_graph::internal

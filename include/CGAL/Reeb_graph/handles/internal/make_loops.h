@@ -47,7 +47,7 @@ struct Reeb_loop
 
 // The loops of the Reeb graph of a field, the least persistent one first. The arcs that leave the forest when loops are
 // paired are as many as these loops, and what is left is a spanning forest.
-template <class Mesh, class ScalarMap, class Traits>
+template <class ConcurrencyTag, class Mesh, class ScalarMap, class Traits>
 auto find_reeb_loops(const Mesh& mesh,
                      const ScalarMap& scalar_map,
                      const Traits& traits,
@@ -57,8 +57,8 @@ auto find_reeb_loops(const Mesh& mesh,
   typedef typename boost::graph_traits<Graph>::vertex_descriptor node_descriptor;
   typedef Reeb_loop<typename boost::graph_traits<Mesh>::halfedge_descriptor> Loop;
   Graph graph;
-  compute_reeb_graph(mesh, scalar_map, graph,
-                     parameters::geom_traits(traits).callback(progress.part(0, 0.5).callback()));
+  compute_reeb_graph<ConcurrencyTag>(mesh, scalar_map, graph,
+                                     parameters::geom_traits(traits).callback(progress.part(0, 0.5).callback()));
   const std::vector<typename boost::graph_traits<Graph>::edge_descriptor> graph_arcs(edges(graph).first,
                                                                                      edges(graph).second);
   const std::vector<Ascending_arc> arcs = read_arcs(graph);

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <thread>
 
 namespace CGAL::Reeb_graph::internal {
 
@@ -32,12 +33,12 @@ public:
 
   void report(double fraction) const
   {
-    if(!callback_(fraction))
+    if(!call(fraction))
       throw Cancelled_error();
   }
 
   // How far it is where nothing can be cancelled.
-  void tell(double fraction) const { callback_(fraction); }
+  void tell(double fraction) const { call(fraction); }
 
   // The end: there is nothing left to cancel.
   void report_end() const { tell(1); }
@@ -48,7 +49,18 @@ private:
     bool operator()(double) const { return true; }
   };
 
+  // Only the thread that the callback is known on calls it, and never with less than before, as stages run side by side.
+  bool call(double fraction) const
+  {
+    if(std::this_thread::get_id() != thread_)
+      return true;
+    last_ = (std::max)(last_, fraction);
+    return callback_(last_);
+  }
+
   std::function<bool(double)> callback_;
+  std::thread::id thread_ = std::this_thread::get_id();
+  mutable double last_ = 0;
 };
 
 // Tells how far a stage is, which begins and ends at fractions of the whole. It refers to the progress of the whole.

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <type_traits>
@@ -78,6 +79,17 @@ void for_each_index(std::size_t size, const Function& function)
   else
     for(std::size_t i = 0; i != size; ++i)
       function(i);
+}
+
+// The same for what is compiled once for all tags.
+typedef std::function<void(std::size_t size, const std::function<void(std::size_t)>& function)> Task_runner;
+
+template <class ConcurrencyTag>
+Task_runner task_runner()
+{
+  return [](std::size_t size, const std::function<void(std::size_t)>& function) {
+    for_each_index<ConcurrencyTag>(size, function);
+  };
 }
 
 template <class ConcurrencyTag>
