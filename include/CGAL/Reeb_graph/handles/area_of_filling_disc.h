@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/handles/internal/triangle_intersections.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/space/triangle_intersections.h>
 
 // With the library, there is no need to read how holes are filled.
 #ifndef CGAL_REEB_GRAPH_ARE_LOOPS_COMPILED
@@ -26,6 +26,7 @@
 #include <CGAL/utility.h>
 #endif
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/number_utils.h>
 
@@ -68,6 +69,35 @@ Disc_kernel::Triangle_3 face_triangle(typename boost::graph_traits<Mesh>::face_d
 {
   const auto [u, v, w] = face_corners(f, mesh);
   return {disc_point(get(point_map, u)), disc_point(get(point_map, v)), disc_point(get(point_map, w))};
+}
+
+// The boxes of those faces that meet some of the given boxes, with their places in a list of faces. That is looked at in
+// blocks, as faces that follow each other are mostly near.
+template <class Face, class Mesh, class PointMap>
+std::vector<Numbered_box> boxes_of_faces_near(const std::vector<Face>& faces,
+                                              const Mesh& mesh,
+                                              const PointMap& point_map,
+                                              const std::vector<Bbox_3>& given)
+{
+  constexpr std::size_t size_of_block = 64;
+  std::vector<Numbered_box> result;
+  for(std::size_t begin = 0; begin < faces.size(); begin += size_of_block)
+  {
+    std::vector<Bbox_3> boxes, near;
+    Bbox_3 block;
+    for(std::size_t i = begin; i != (std::min)(begin + size_of_block, faces.size()); ++i)
+    {
+      boxes.push_back(face_triangle(faces[i], mesh, point_map).bbox());
+      block += boxes.back();
+    }
+    for(const Bbox_3& box : given)
+      if(do_overlap(box, block))
+        near.push_back(box);
+    for(std::size_t i = 0; i != boxes.size(); ++i)
+      if(std::any_of(near.begin(), near.end(), [&](const Bbox_3& box) { return do_overlap(box, boxes[i]); }))
+        result.push_back(Numbered_box(boxes[i], begin + i));
+  }
+  return result;
 }
 
 // Triangulating a loop of more edges takes too long, as it takes more than linear time.
@@ -174,11 +204,13 @@ std::vector<std::optional<double>> areas_of_discs(const Mesh& mesh, const LoopRa
   std::vector<std::optional<double>> areas;
   std::vector<std::set<typename boost::graph_traits<Mesh>::vertex_descriptor>> passed; // by the loop of a disc
   std::vector<std::pair<Disc_kernel::Triangle_3, std::size_t>> triangles;              // with the number of the disc
-  std::vector<Numbered_box> disc_boxes, face_boxes;
+  std::vector<Numbered_box> triangle_boxes;
+  std::vector<Bbox_3> disc_boxes;
   for(const auto& loop : loops)
   {
     areas.emplace_back();
     passed.emplace_back();
+    disc_boxes.emplace_back();
     std::vector<Disc_point> polyline;
     for(const auto h : loop)
     {
@@ -188,7 +220,8 @@ std::vector<std::optional<double>> areas_of_discs(const Mesh& mesh, const LoopRa
     for(const auto& t : triangulate_disc(polyline, {}))
     {
       const Disc_kernel::Triangle_3 triangle(polyline[t[0]], polyline[t[1]], polyline[t[2]]);
-      disc_boxes.push_back(Numbered_box(triangle.bbox(), triangles.size()));
+      triangle_boxes.push_back(Numbered_box(triangle.bbox(), triangles.size()));
+      disc_boxes.back() += triangle.bbox();
       triangles.emplace_back(triangle, areas.size() - 1);
       areas.back() = areas.back().value_or(0) + std::sqrt(CGAL::to_double(triangle.squared_area()));
     }
@@ -196,9 +229,8 @@ std::vector<std::optional<double>> areas_of_discs(const Mesh& mesh, const LoopRa
   if(triangles.empty())
     return areas;
   const std::vector<face_descriptor> all_faces(faces(mesh).begin(), faces(mesh).end());
-  for(const face_descriptor f : all_faces)
-    face_boxes.push_back(Numbered_box(face_triangle(f, mesh, point_map).bbox(), face_boxes.size()));
-  box_intersection_d(disc_boxes.begin(), disc_boxes.end(), face_boxes.begin(), face_boxes.end(),
+  std::vector<Numbered_box> face_boxes = boxes_of_faces_near(all_faces, mesh, point_map, disc_boxes);
+  box_intersection_d(triangle_boxes.begin(), triangle_boxes.end(), face_boxes.begin(), face_boxes.end(),
                      [&](const Numbered_box& a, const Numbered_box& b) {
                        const auto& [triangle, disc] = triangles[a.info()];
                        const face_descriptor f = all_faces[b.info()];

@@ -17,6 +17,7 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
+#include <CGAL/Reeb_graph/internal/space/Closed_triangles.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -35,18 +36,6 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-template <class FT>
-std::array<FT, 3> cross(const std::array<FT, 3>& a, const std::array<FT, 3>& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-template <class FT>
-FT dot(const std::array<FT, 3>& a, const std::array<FT, 3>& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // A closed walk: consecutive halfedges.
 typedef std::vector<Index> Halfedge_walk;
 
@@ -59,36 +48,14 @@ inline Halfedge_walk reversed(const Halfedge_walk& walk)
   return result;
 }
 
-// A triangle mesh as arrays, closed: each border cycle is filled by a fan around a new vertex, its apex. The halfedges
-// of an edge are 2e and 2e + 1. Loops never pass an apex, so its place does not matter.
-struct Closed_surface
+// A triangle mesh as arrays, closed: each border cycle is filled by a fan around a new vertex, its apex. Loops never pass
+// an apex, so its place does not matter.
+struct Closed_surface : Closed_triangles
 {
-  typedef std::array<double, 3> Point;
-
-  std::vector<Point> points;       // by vertex
-  std::vector<Index> target, next; // by halfedge
-  std::vector<Index> face;         // by halfedge
-  std::vector<Index> outgoing;     // a halfedge that leaves a vertex; no_index if there is none
-  std::vector<Index> halfedge;     // one of each face
-  std::vector<double> lengths;     // by edge
+  std::vector<double> lengths; // by edge
   Index number_of_given_vertices = 0, number_of_given_halfedges = 0;
   std::vector<Halfedge_walk> border_cycles; // with the surface on the left
 
-  static Index opposite(Index h) { return h ^ 1; }
-  Index source(Index h) const { return target[h ^ 1]; }
-  Index previous(Index h) const { return next[next[h]]; }
-  // The next halfedge that leaves the same vertex, counterclockwise.
-  Index turned(Index h) const { return opposite(previous(h)); }
-  std::array<Index, 3> corners(Index f) const
-  {
-    const Index h = halfedge[f];
-    return {source(h), target[h], target[next[h]]};
-  }
-  Point way(Index u, Index v) const
-  {
-    const Point &p = points[u], &q = points[v];
-    return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-  }
   // Calls visit(halfedge) for those that leave a vertex that has some, counterclockwise.
   template <class Visit>
   void for_each_outgoing(Index v, const Visit& visit) const
@@ -157,21 +124,6 @@ private:
       next[next_to_apex] = first_spoke + 2 * i + 1;
     }
     border_cycles.push_back(reversed(cycle));
-  }
-
-  void number_faces()
-  {
-    halfedge.reserve(next.size() / 3);
-    face.assign(next.size(), no_index);
-    outgoing.assign(points.size(), no_index);
-    for(Index h = 0; h != next.size(); ++h)
-    {
-      outgoing[source(h)] = h;
-      if(face[h] != no_index)
-        continue;
-      face[h] = face[next[h]] = face[previous(h)] = static_cast<Index>(halfedge.size());
-      halfedge.push_back(h);
-    }
   }
 };
 
@@ -277,6 +229,15 @@ public:
 
   const std::vector<Component>& components() const { return components_; } // those with faces
   Index component_of(Index v) const { return component_of_[v]; }
+  // By vertex: no_index where a component has no inside, or no handles.
+  std::vector<Index> closed_components_with_handles() const
+  {
+    std::vector<Index> result = component_of_;
+    for(Index& number : result)
+      if(number != no_index && (components_[number].genus() == 0 || components_[number].has_border))
+        number = no_index;
+    return result;
+  }
 
   // The halfedge that leads to a vertex in the tree, and the one of a face with the parent in the cotree on its other
   // side; no_index for roots.

@@ -14,10 +14,10 @@
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/handles/internal/Handle_homology.h>
 #include <CGAL/Reeb_graph/handles/internal/Loop_choice.h>
-#include <CGAL/Reeb_graph/handles/internal/triangle_intersections.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,8 @@ public:
 
   std::vector<std::size_t> self_intersections(bool are_counted) const override
   {
-    return Self_intersections(homology_.surface(), homology_.trees(), are_counted)();
+    const Tree_and_cotree& trees = homology_.trees();
+    return Self_intersections(surface(), trees.closed_components_with_handles(), number_of_components(), are_counted)();
   }
 
   void refuse_self_intersections(const std::vector<std::size_t>& self_intersections) override

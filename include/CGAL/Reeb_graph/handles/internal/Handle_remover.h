@@ -234,19 +234,20 @@ private:
       bool is_disc;
     };
     std::vector<Planned> planned;
-    std::vector<Numbered_box> boxes, face_boxes;
+    std::vector<Numbered_box> boxes;
+    std::vector<Bbox_3> plan_boxes(plans_.size());
     for(std::size_t i = 0; i != plans_.size(); ++i)
       for(const bool is_disc : {true, false})
         for(const Triangle& t : is_disc ? plans_[i].cut.disc() : plans_[i].cut.placed())
         {
           boxes.push_back(Numbered_box(t.triangle().bbox(), planned.size()));
+          plan_boxes[i] += t.triangle().bbox();
           planned.push_back({&t, i, is_disc});
         }
     if(boxes.empty())
       return;
     const std::vector<face_descriptor> all_faces(faces(mesh_).begin(), faces(mesh_).end());
-    for(const face_descriptor f : all_faces)
-      face_boxes.push_back(Numbered_box(face_triangle(f, mesh_, point_map_).bbox(), face_boxes.size()));
+    std::vector<Numbered_box> face_boxes = boxes_of_faces_near(all_faces, mesh_, point_map_, plan_boxes);
     box_intersection_d(boxes.begin(), boxes.end(), face_boxes.begin(), face_boxes.end(),
                        [&](const Numbered_box& a, const Numbered_box& b) {
                          const Planned& t = planned[a.info()];

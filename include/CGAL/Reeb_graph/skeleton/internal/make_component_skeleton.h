@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Component_skeleton.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Graph_chains.h>
@@ -22,8 +23,6 @@
 #include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
 #include <CGAL/Reeb_graph/skeleton/internal/component_field.h>
-
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <algorithm>
 #include <cmath>
@@ -153,6 +152,20 @@ inline void remove_covered_tips(const Sampled_graph& graph,
   }
 }
 
+inline bool does_self_intersect(const Mesh& mesh)
+{
+  Closed_triangles triangles;
+  for(const Point& p : mesh.points())
+    triangles.points.push_back({p.x(), p.y(), p.z()});
+  for(const auto h : mesh.halfedges())
+  {
+    triangles.target.push_back(mesh.target(h));
+    triangles.next.push_back(mesh.next(h));
+  }
+  triangles.number_faces();
+  return Self_intersections(triangles, std::vector<Index>(mesh.num_vertices(), 0), 1, false)()[0] != 0;
+}
+
 template <class Component>
 Component_skeleton make_component_skeleton(Component component,
                                            const Skeleton_options& options,
@@ -160,6 +173,7 @@ Component_skeleton make_component_skeleton(Component component,
 {
   const Mesh& mesh = component.mesh;
   Component_skeleton result;
+  result.is_self_intersecting = does_self_intersect(mesh);
   const bool are_distances = component.values.empty();
   const Field field = component.mesh.template add_property_map<Mesh::Vertex_index, double>("v:value", 0).first;
   if(are_distances)
@@ -183,8 +197,6 @@ Component_skeleton make_component_skeleton(Component component,
   const Inside_lines inside(graph, chains, tree, lines);
   result.number_outside = inside.number_outside();
   result.number_of_crossings = inside.number_of_crossings();
-  progress(0.9);
-  result.is_self_intersecting = Polygon_mesh_processing::does_self_intersect(mesh);
   const Skeleton_writing writing(component, chains, lines, result);
   return result;
 }

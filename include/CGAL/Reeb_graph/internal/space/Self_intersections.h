@@ -1,0 +1,309 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_INTERNAL_SPACE_SELF_INTERSECTIONS_H
+#define CGAL_REEB_GRAPH_INTERNAL_SPACE_SELF_INTERSECTIONS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/space/Closed_triangles.h>
+#include <CGAL/Reeb_graph/internal/space/Surface_ball.h>
+#include <CGAL/Reeb_graph/internal/space/triangle_intersections.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Reeb_graph::internal {
+
+// Finds the components that intersect themselves, or have faces without area. Other components may pass through them. Faces are in patches, each inside of a ball. Where that is flat, as nearly always, none of its faces
+// intersect. Other pairs of faces whose boxes overlap are tested exactly, unless they lie side by side around a vertex, or
+// floating-point numbers find a plane between them.
+class Self_intersections
+{
+public:
+  // Each pair is counted, or else one of a component is enough.
+  Self_intersections(const Closed_triangles& surface,
+                     std::vector<Index> components, // by vertex, no_index where none is looked for
+                     std::size_t number_of_components,
+                     bool are_counted)
+    : surface_(surface),
+      components_(std::move(components)),
+      are_counted_(are_counted),
+      ball_(surface),
+      flatness_(surface.points.size(), Flatness::UNKNOWN),
+      numbers_(number_of_components, 0)
+  {}
+
+  // The number of pairs, and of faces without area, by number of the component.
+  std::vector<std::size_t> operator()()
+  {
+    make_patches();
+    std::vector<Numbered_box> boxes;
+    for(const Patch& patch : patches_)
+    {
+      boxes.push_back(Numbered_box(patch.box, boxes.size()));
+      if(!patch.is_flat())
+        test_patch(patch);
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> pairs; // of a flat patch, and one that overlaps it
+    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Numbered_box& a, const Numbered_box& b) {
+      const Patch &patch = patches_[a.info()], &other = patches_[b.info()];
+      if(component_of(patch) != component_of(other))
+        return;
+      if(patch.is_flat())
+        pairs.emplace_back(a.info(), b.info());
+      else if(other.is_flat())
+        pairs.emplace_back(b.info(), a.info());
+      else
+        test_patches(patch, other);
+    });
+    std::sort(pairs.begin(), pairs.end());
+    std::size_t marked = patches_.size();
+    for(const auto& [flat, other] : pairs)
+    {
+      const Patch& patch = patches_[flat];
+      if(marked != flat)
+        ball_.mark(faces_of_balls_.begin() + patch.ball_begin, faces_of_balls_.begin() + patch.ball_end);
+      marked = flat;
+      test_patches(patch, patches_[other]);
+    }
+    return numbers_;
+  }
+
+private:
+  typedef Closed_triangles::Point Vector;
+  enum class Flatness : unsigned char
+  {
+    UNKNOWN,
+    FLAT,
+    FOLDED
+  };
+  struct Face
+  {
+    Index number;
+    Bbox_3 box;
+  };
+  struct Patch
+  {
+    std::size_t begin, end;              // of its faces
+    std::ptrdiff_t ball_begin, ball_end; // of the faces of its ball, which are kept if that is flat
+    Bbox_3 box;
+    bool is_flat() const { return ball_begin != ball_end; }
+  };
+
+  static constexpr std::size_t most_steps = 2000; // A ball of seven layers takes 762 where vertices have six neighbors.
+  static constexpr std::size_t largest_patch = 48; // of those that are not flat
+
+  Index component_of(Index face) const { return components_[surface_.corners(face)[0]]; }
+  Index component_of(const Patch& patch) const { return component_of(faces_[patch.begin]); }
+
+  void make_patches()
+  {
+    std::vector<bool> is_placed(surface_.halfedge.size(), false);
+    faces_.reserve(surface_.halfedge.size());
+    for(Index seed = 0; seed != surface_.halfedge.size(); ++seed)
+      while(!is_placed[seed] && component_of(seed) != no_index)
+        make_patch(seed, is_placed);
+  }
+
+  // A patch has the faces of a flat ball that are in none yet, but for those of the last layer: so what is around it is in
+  // the ball too. The center is a few steps away from the seed, where many faces are in no patch. Larger balls would be
+  // flat more seldom, and smaller ones have more faces in the last layer.
+  void make_patch(Index seed, std::vector<bool>& is_placed)
+  {
+    const auto is_new = [&](Index face) { return !is_placed[face]; };
+    ball_.grow(surface_.corners(seed)[0], 4, most_steps, is_new);
+    const Index center = ball_.last_vertex();
+    patches_.push_back({faces_.size(), 0, static_cast<std::ptrdiff_t>(faces_of_balls_.size()), 0, {}});
+    for(const int number_of_layers : {7, 3})
+    {
+      if(!ball_.grow(center, number_of_layers, most_steps, [](Index) { return true; }) || !ball_.is_flat())
+        continue;
+      for(std::size_t i = 0; i != ball_.number_of_inner_faces(); ++i)
+        if(is_new(ball_.faces()[i]))
+          add_face(ball_.faces()[i], is_placed);
+      break;
+    }
+    Patch& patch = patches_.back();
+    if(faces_.size() != patch.begin)
+      faces_of_balls_.insert(faces_of_balls_.end(), ball_.faces().begin(), ball_.faces().end());
+    else
+      add_connected_faces(seed, is_placed);
+    patch.end = faces_.size();
+    patch.ball_end = static_cast<std::ptrdiff_t>(faces_of_balls_.size());
+  }
+
+  // Faces that are not flat are compared one by one, so that the patch is small.
+  void add_connected_faces(Index seed, std::vector<bool>& is_placed)
+  {
+    const std::size_t begin = faces_.size();
+    add_face(seed, is_placed);
+    for(std::size_t i = begin; i != faces_.size(); ++i)
+    {
+      Index h = surface_.halfedge[faces_[i]];
+      for(int k = 0; k != 3; ++k, h = surface_.next[h])
+      {
+        const Index neighbor = surface_.face[surface_.opposite(h)];
+        if(!is_placed[neighbor] && faces_.size() != begin + largest_patch)
+          add_face(neighbor, is_placed);
+      }
+    }
+  }
+
+  void add_face(Index face, std::vector<bool>& is_placed)
+  {
+    is_placed[face] = true;
+    faces_.push_back(face);
+    patches_.back().box += box(face);
+  }
+
+  Bbox_3 box(Index face) const
+  {
+    Bbox_3 result;
+    for(const Index v : surface_.corners(face))
+    {
+      const Closed_triangles::Point& p = surface_.points[v];
+      result += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
+    }
+    return result;
+  }
+
+  Placed_triangle<Index> triangle(const Face& face) const
+  {
+    Placed_triangle<Index> result;
+    const std::array<Index, 3> corners = surface_.corners(face.number);
+    for(std::size_t i = 0; i != 3; ++i)
+    {
+      const Closed_triangles::Point& p = surface_.points[corners[i]];
+      result.corners[i] = {corners[i], 0, Disc_point(p[0], p[1], p[2])};
+    }
+    return result;
+  }
+
+  // Whether the faces around a vertex lie side by side.
+  bool is_flat(Index v)
+  {
+    if(flatness_[v] == Flatness::UNKNOWN)
+    {
+      ball_.grow(v, 1, surface_.next.size(), [](Index) { return true; });
+      flatness_[v] = ball_.is_flat() ? Flatness::FLAT : Flatness::FOLDED;
+    }
+    return flatness_[v] == Flatness::FLAT;
+  }
+
+  bool is_done(const Patch& patch) const { return !are_counted_ && numbers_[component_of(patch)] != 0; }
+
+  void test_patch(const Patch& patch)
+  {
+    near_.clear();
+    for(std::size_t i = patch.begin; i != patch.end && !is_done(patch); ++i)
+    {
+      const Face face = {faces_[i], box(faces_[i])};
+      const auto [u, v, w] = surface_.corners(face.number);
+      if(!is_flat(u) && !is_flat(v) && !is_flat(w) && triangle(face).triangle().is_degenerate())
+        ++numbers_[component_of(patch)];
+      test_near(face, false);
+      near_.push_back(face);
+    }
+  }
+
+  // Tests those faces of two patches that overlap the other patch. If the ball of the first one is flat, it is marked, and
+  // each face that shares a corner with the first patch is in it.
+  void test_patches(const Patch& a, const Patch& b)
+  {
+    near_.clear();
+    for(std::size_t i = b.begin; i != b.end && !is_done(a); ++i)
+      if(!(a.is_flat() && ball_.contains(faces_[i])) && do_overlap(box(faces_[i]), a.box))
+        near_.push_back({faces_[i], box(faces_[i])});
+    for(std::size_t i = a.begin; i != a.end && !near_.empty(); ++i)
+      if(const Face face = {faces_[i], box(faces_[i])}; do_overlap(face.box, b.box))
+        test_near(face, a.is_flat());
+  }
+
+  void test_near(const Face& face, bool is_apart)
+  {
+    for(const Face& other : near_)
+      if(do_overlap(face.box, other.box) && (is_apart || !are_around_flat_vertex(face, other)))
+        test(face, other);
+  }
+
+  bool are_around_flat_vertex(const Face& a, const Face& b)
+  {
+    for(const Index u : surface_.corners(a.number))
+      for(const Index v : surface_.corners(b.number))
+        if(u == v && is_flat(u))
+          return true;
+    return false;
+  }
+
+  void test(const Face& a, const Face& b)
+  {
+    if(!is_plane_between(a, b) && !is_plane_between(b, a)
+       && do_intersect(triangle(a), triangle(b), have_double_edge(a.number, b.number)))
+      ++numbers_[component_of(a.number)];
+  }
+
+  // Whether an edge of one face joins the same vertices as another one of the other face.
+  bool have_double_edge(Index a, Index b) const
+  {
+    Index h = surface_.halfedge[a], g = surface_.halfedge[b];
+    for(int i = 0; i != 9; ++i, g = surface_.next[g], h = i % 3 == 0 ? surface_.next[h] : h)
+      if(h / 2 != g / 2
+         && std::minmax(surface_.target[h], surface_.source(h)) == std::minmax(surface_.target[g], surface_.source(g)))
+        return true;
+    return false;
+  }
+
+  // Whether the plane of `a`, or one across it through an edge, has `b` on its other side. The margin is as above.
+  bool is_plane_between(const Face& a, const Face& b) const
+  {
+    const std::array<Index, 3> of_a = surface_.corners(a.number), of_b = surface_.corners(b.number);
+    const std::array<Vector, 3> edges = {surface_.way(of_a[0], of_a[1]), surface_.way(of_a[1], of_a[2]),
+                                         surface_.way(of_a[2], of_a[0])};
+    const Vector normal = cross(edges[0], edges[1]);
+    const Bbox_3 box = a.box + b.box;
+    const double size = (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+    double margin = 1e-12 * size * size * size;
+    if(!(margin * size > 1e-250 && margin * size < 1e250))
+      return false;
+    for(std::size_t i = 0; i != 4; ++i)
+    {
+      const Vector axis = i == 0 ? normal : cross(edges[i - 1], normal);
+      std::array<double, 3> heights;
+      for(std::size_t k = 0; k != 3; ++k)
+        heights[k] = dot(axis, surface_.way(of_a[i == 0 ? 0 : i - 1], of_b[k]));
+      if((std::min)({heights[0], heights[1], heights[2]}) > margin
+         || (i == 0 && (std::max)({heights[0], heights[1], heights[2]}) < -margin))
+        return true;
+      if(i == 0)
+        margin *= size;
+    }
+    return false;
+  }
+
+  const Closed_triangles& surface_;
+  const std::vector<Index> components_;
+  const bool are_counted_;
+  Surface_ball ball_;
+  std::vector<Index> faces_, faces_of_balls_; // patch by patch
+  std::vector<Patch> patches_;
+  std::vector<Flatness> flatness_; // by vertex
+  std::vector<Face> near_;
+  std::vector<std::size_t> numbers_;
+};
+
+} // namespace CGAL::Reeb_graph::internal
+
+#endif // CGAL_REEB_GRAPH_INTERNAL_SPACE_SELF_INTERSECTIONS_H
