@@ -14,10 +14,13 @@
 #include "tube_samples.h"
 #include "voxel_solids.h"
 
+#include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <boost/graph/connected_components.hpp>
 #include <boost/mpl/list.hpp>
@@ -431,6 +434,87 @@ BOOST_AUTO_TEST_CASE(random_values_and_small_meshes_give_skeletons)
   Curve_skeleton<Surface_mesh> skeleton(3);
   BOOST_TEST(extract_curve_skeleton(empty, skeleton).number_of_components == 0u);
   BOOST_TEST(num_vertices(skeleton) == 0u);
+}
+
+namespace {
+typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> Exact_mesh;
+
+// A sphere or a torus, with vertices that are moved, some onto others or to few places, and edges that are flipped, some
+// so that two of them join the same vertices.
+Exact_mesh crumpled_mesh(random_meshes::Random& random)
+{
+  const std::size_t around = 5 + random.below(10);
+  auto mesh = make_mesh<Exact_mesh>(random.below(3) == 0
+                                      ? generated_surfaces::torus(around, 20 - around)
+                                      : generated_surfaces::closed_surface(0, around * (3 + random.below(15))));
+  for(std::size_t i = random.below(2) * random.below(40); i != 0; --i)
+  {
+    const auto h = mesh.halfedge(Exact_mesh::Edge_index(static_cast<unsigned>(random.below(mesh.num_edges()))));
+    const auto u = mesh.target(mesh.next(h)), v = mesh.target(mesh.next(mesh.opposite(h)));
+    if(u != v && mesh.degree(mesh.source(h)) > 3 && mesh.degree(mesh.target(h)) > 3)
+      CGAL::Euler::flip_edge(h, mesh);
+  }
+  const bool are_all_moved = random.below(2) == 0;
+  const std::size_t steps = random.below(3) == 0 ? 3 : 1000;
+  const double noise = (random.below(2) == 0 ? 0.05 : 0.5) * static_cast<double>(random.below(100)) / 100;
+  const auto any_vertex = [&] {
+    return Exact_mesh::Vertex_index(static_cast<unsigned>(random.below(mesh.num_vertices())));
+  };
+  for(std::size_t i = are_all_moved ? mesh.num_vertices() : random.below(5); i != 0; --i)
+  {
+    auto& p = mesh.point(are_all_moved ? Exact_mesh::Vertex_index(static_cast<unsigned>(i - 1)) : any_vertex());
+    const auto step = [&] { return noise * static_cast<double>(random.below(steps)) / static_cast<double>(steps); };
+    const double x = p.x() + step(), y = p.y() + step();
+    p = {x, y, p.z() + step()};
+  }
+  for(std::size_t i = random.below(4) / 2; i != 0; --i)
+    mesh.point(any_vertex()) = mesh.point(*mesh.vertices().begin());
+  return mesh;
+}
+
+std::size_t number_of_self_intersections(const Exact_mesh& mesh, bool are_counted)
+{
+  CGAL::Reeb_graph::internal::Closed_triangles triangles;
+  for(const auto& p : mesh.points())
+    triangles.points.push_back({p.x(), p.y(), p.z()});
+  for(const auto h : mesh.halfedges())
+  {
+    triangles.target.push_back(mesh.target(h));
+    triangles.next.push_back(mesh.next(h));
+  }
+  triangles.number_faces();
+  CGAL::Reeb_graph::internal::Self_intersections intersections(
+    triangles, std::vector<CGAL::Reeb_graph::internal::Index>(mesh.num_vertices(), 0), 1, are_counted);
+  return intersections(CGAL::Reeb_graph::internal::No_progress())[0];
+}
+} // namespace
+
+// Pairs are counted too, where triangles are flat and not looked at, and in units in which products are infinite, or 0.
+BOOST_AUTO_TEST_CASE(self_intersections_are_those_that_cgal_finds)
+{
+  std::size_t number_of_crossed = 0;
+  const std::size_t number_of_seeds = 200;
+  for(std::size_t seed = 0; seed != number_of_seeds; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      random_meshes::Random random(seed);
+      auto mesh = crumpled_mesh(random);
+      const bool is_crossed = CGAL::Polygon_mesh_processing::does_self_intersect(mesh);
+      Curve_skeleton<Exact_mesh> skeleton;
+      BOOST_TEST(extract_curve_skeleton(mesh, skeleton).number_of_crossing_components == (is_crossed ? 1u : 0u));
+      for(const double unit : {1., 1e80, 1e-170})
+      {
+        for(const auto v : mesh.vertices())
+          mesh.point(v) = CGAL::ORIGIN + unit * (mesh.point(v) - CGAL::ORIGIN);
+        std::vector<std::pair<Exact_mesh::Face_index, Exact_mesh::Face_index>> pairs;
+        CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+        BOOST_TEST(number_of_self_intersections(mesh, true) == pairs.size());
+        BOOST_TEST((number_of_self_intersections(mesh, false) != 0) == !pairs.empty());
+      }
+      number_of_crossed += is_crossed ? 1 : 0;
+    }
+  BOOST_TEST(number_of_crossed > number_of_seeds / 5);
+  BOOST_TEST(number_of_crossed < number_of_seeds * 4 / 5);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_ratios_and_points_are_refused)

@@ -227,7 +227,9 @@ Skeleton_certificate extract_curve_skeleton(const FaceListGraph& mesh,
   progress.report(0);
   const parts::Skeleton_options options = parts::choose_options(np);
   const parts::Surface_reading<FaceListGraph, NamedParameters> reading(mesh, np);
+  progress.report(0.05);
   parts::Component_filling filling(reading.complex(), reading.points());
+  progress.report(0.1);
   CurveSkeleton result;
   Skeleton_certificate certificate;
   const std::size_t number = filling.number_of_components();
@@ -236,8 +238,8 @@ Skeleton_certificate extract_curve_skeleton(const FaceListGraph& mesh,
     parts::Filled_component component = filling.make(i);
     reading.set_values(component);
     const std::vector<internal::Index> given = component.given;
-    const double begin = 0.05 + 0.95 * static_cast<double>(i) / static_cast<double>(number);
-    const double end = 0.05 + 0.95 * static_cast<double>(i + 1) / static_cast<double>(number);
+    const double begin = 0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(number);
+    const double end = 0.1 + 0.9 * static_cast<double>(i + 1) / static_cast<double>(number);
     const auto part =
       parts::make_component_skeleton(std::move(component), options, internal::Stage_progress(progress, begin, end));
     parts::add_component(reading, given, part, result, certificate);

@@ -43,7 +43,8 @@ public:
   std::vector<std::size_t> self_intersections(bool are_counted) const override
   {
     const Tree_and_cotree& trees = homology_.trees();
-    return Self_intersections(surface(), trees.closed_components_with_handles(), number_of_components(), are_counted)();
+    return Self_intersections(surface(), trees.closed_components_with_handles(), number_of_components(),
+                              are_counted)(No_progress());
   }
 
   void refuse_self_intersections(const std::vector<std::size_t>& self_intersections) override

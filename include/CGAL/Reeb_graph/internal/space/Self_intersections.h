@@ -47,9 +47,10 @@ public:
   {}
 
   // The number of pairs, and of faces without area, by number of the component.
-  std::vector<std::size_t> operator()()
+  template <class Progress>
+  std::vector<std::size_t> operator()(const Progress& progress)
   {
-    make_patches();
+    make_patches(progress);
     std::vector<Numbered_box> boxes;
     for(const Patch& patch : patches_)
     {
@@ -71,8 +72,11 @@ public:
     });
     std::sort(pairs.begin(), pairs.end());
     std::size_t marked = patches_.size();
-    for(const auto& [flat, other] : pairs)
+    for(std::size_t i = 0; i != pairs.size(); ++i)
     {
+      if(i % 10000 == 0)
+        progress(0.8 + 0.2 * static_cast<double>(i) / static_cast<double>(pairs.size()));
+      const auto& [flat, other] = pairs[i];
       const Patch& patch = patches_[flat];
       if(marked != flat)
         ball_.mark(faces_of_balls_.begin() + patch.ball_begin, faces_of_balls_.begin() + patch.ball_end);
@@ -109,13 +113,18 @@ private:
   Index component_of(Index face) const { return components_[surface_.corners(face)[0]]; }
   Index component_of(const Patch& patch) const { return component_of(faces_[patch.begin]); }
 
-  void make_patches()
+  template <class Progress>
+  void make_patches(const Progress& progress)
   {
     std::vector<bool> is_placed(surface_.halfedge.size(), false);
     faces_.reserve(surface_.halfedge.size());
     for(Index seed = 0; seed != surface_.halfedge.size(); ++seed)
+    {
+      if(seed % 100000 == 0)
+        progress(0.7 * seed / static_cast<double>(surface_.halfedge.size()));
       while(!is_placed[seed] && component_of(seed) != no_index)
         make_patch(seed, is_placed);
+    }
   }
 
   // A patch has the faces of a flat ball that are in none yet, but for those of the last layer: so what is around it is in

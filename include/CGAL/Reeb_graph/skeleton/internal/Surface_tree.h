@@ -270,7 +270,8 @@ private:
   // a corner, behind other faces there: then another one that is near, or any one.
   std::pair<Point, Mesh::Face_index> seen_foot(const Point& p) const
   {
-    const auto closest = tree_.closest_point_and_primitive(p);
+    const Mesh::Vertex_index any = *mesh_.vertices().begin();
+    const auto closest = tree_.closest_point_and_primitive(p, {mesh_.point(any), mesh_.face(mesh_.halfedge(any))});
     std::vector<Vector> rays;
     for(double t = 0.5; t > 1e-3; t /= 2)
       rays.push_back(closest.first + t * (center(closest.second) - closest.first) - p);

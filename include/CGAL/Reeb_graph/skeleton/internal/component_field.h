@@ -51,12 +51,12 @@ inline Mesh::Vertex_index farthest_along_edges(const Mesh& mesh, Mesh::Vertex_in
     do // The halfedges end at v.
     {
       const auto u = mesh.source(h);
-      const double next = reached + distance(mesh.point(v), mesh.point(u));
-      if(next < distances[u])
-      {
-        distances[u] = next;
-        queue.push({next, u});
-      }
+      if(const double old = distances[u]; reached < old)
+        if(const double next = reached + distance(mesh.point(v), mesh.point(u)); next < old)
+        {
+          distances[u] = next;
+          queue.push({next, u});
+        }
       h = mesh.opposite(mesh.next(h));
     } while(h != first);
   }
@@ -106,7 +106,10 @@ inline Mesh::Vertex_index write_distances(Filled_component& component,
                                           const Stage_progress& progress)
 {
   Mesh& mesh = component.mesh;
-  auto tip = farthest_along_edges(mesh, farthest_along_edges(mesh, *mesh.vertices().begin()));
+  progress(0);
+  auto tip = farthest_along_edges(mesh, *mesh.vertices().begin());
+  progress(0.15);
+  tip = farthest_along_edges(mesh, tip);
   if(are_borders_ends)
     tip = apex_beside(component, tip);
   progress(0.3);

@@ -152,9 +152,10 @@ inline void remove_covered_tips(const Sampled_graph& graph,
   }
 }
 
-inline bool does_self_intersect(const Mesh& mesh)
+inline bool does_self_intersect(const Mesh& mesh, const Stage_progress& progress)
 {
   Closed_triangles triangles;
+  progress(0);
   for(const Point& p : mesh.points())
     triangles.points.push_back({p.x(), p.y(), p.z()});
   for(const auto h : mesh.halfedges())
@@ -163,7 +164,8 @@ inline bool does_self_intersect(const Mesh& mesh)
     triangles.next.push_back(mesh.next(h));
   }
   triangles.number_faces();
-  return Self_intersections(triangles, std::vector<Index>(mesh.num_vertices(), 0), 1, false)()[0] != 0;
+  Self_intersections intersections(triangles, std::vector<Index>(mesh.num_vertices(), 0), 1, false);
+  return intersections(progress.part(0.2, 1))[0] != 0;
 }
 
 template <class Component>
@@ -173,24 +175,24 @@ Component_skeleton make_component_skeleton(Component component,
 {
   const Mesh& mesh = component.mesh;
   Component_skeleton result;
-  result.is_self_intersecting = does_self_intersect(mesh);
+  result.is_self_intersecting = does_self_intersect(mesh, progress.part(0, 0.2));
   const bool are_distances = component.values.empty();
   const Field field = component.mesh.template add_property_map<Mesh::Vertex_index, double>("v:value", 0).first;
   if(are_distances)
-    write_distances(component, options.are_borders_ends, field, progress.part(0, 0.5));
+    write_distances(component, options.are_borders_ends, field, progress.part(0.2, 0.6));
   else
     write_values(component, options.are_borders_ends, field);
-  const Sampled_graph graph(mesh, field, progress.part(0.5, 0.6));
+  const Sampled_graph graph(mesh, field, progress.part(0.6, 0.7));
   const std::size_t edges_less_vertices = mesh.num_edges() - mesh.num_vertices();
   result.genus = (2 + edges_less_vertices - mesh.num_faces()) / 2;
   result.number_of_loops = std::size_t(graph.number_of_arcs()) + 1 - graph.number_of_nodes();
   const Surface_tree tree(mesh);
-  progress(0.7);
+  progress(0.9);
   std::vector<bool> is_border(graph.number_of_nodes(), false);
   for(Index node = 0; node != graph.number_of_nodes(); ++node)
     is_border[node] = options.are_borders_ends && component.is_apex(graph.vertex(node));
   Branch_pruning pruning(graph, tree, options.pruning_ratio, are_distances, is_border);
-  progress(0.8);
+  progress(0.95);
   remove_covered_tips(graph, tree, component, options, pruning);
   Graph_chains chains(graph, pruning);
   Skeleton_lines lines(graph, chains, component, options, are_distances);
