@@ -517,6 +517,24 @@ BOOST_AUTO_TEST_CASE(self_intersections_are_those_that_cgal_finds)
   BOOST_TEST(number_of_crossed < number_of_seeds * 4 / 5);
 }
 
+BOOST_AUTO_TEST_CASE(progress_ascends_and_can_be_cancelled)
+{
+  const auto mesh = make_mesh<Surface_mesh>(Voxel_solid(5, 1).surface());
+  Curve_skeleton<Surface_mesh> skeleton;
+  std::vector<double> told;
+  extract_curve_skeleton(mesh, skeleton, parameters::callback([&](double fraction) {
+                           told.push_back(fraction);
+                           return true;
+                         }));
+  BOOST_TEST(std::is_sorted(told.begin(), told.end()));
+  BOOST_TEST(told.front() == 0);
+  BOOST_TEST(told.back() == 1);
+  for(const double limit : {0., 0.08, 0.2, 0.4, 0.7, 0.95})
+    BOOST_CHECK_THROW(
+      extract_curve_skeleton(mesh, skeleton, parameters::callback([&](double fraction) { return fraction < limit; })),
+      CGAL::Reeb_graph::Cancelled_error);
+}
+
 BOOST_AUTO_TEST_CASE(wrong_ratios_and_points_are_refused)
 {
   auto mesh = make_mesh<Surface_mesh>(generated_surfaces::torus(8, 12));
