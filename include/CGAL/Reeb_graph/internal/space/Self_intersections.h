@@ -27,9 +27,10 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// Finds the components that intersect themselves, or have faces without area. Other components may pass through them. Faces are in patches, each inside of a ball. Where that is flat, as nearly always, none of its faces
-// intersect. Other pairs of faces whose boxes overlap are tested exactly, unless they lie side by side around a vertex, or
-// floating-point numbers find a plane between them.
+// Finds the components that intersect themselves, or have faces without area. Other components may pass through them.
+// Faces are in patches, each inside of a ball. Where that is flat, as nearly always, none of its faces intersect. Other
+// pairs of faces whose boxes overlap are tested exactly, unless they lie side by side around a vertex, or floating-point
+// numbers find a plane between them. The same pairs are found as by Polygon_mesh_processing::self_intersections().
 class Self_intersections
 {
 public:
