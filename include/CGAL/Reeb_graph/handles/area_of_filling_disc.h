@@ -123,7 +123,8 @@ Disc_triangles triangulate_disc(const Polyline& polyline, const Polyline& third_
   const Polyline all_points[] = {polyline, third_points};
   double size = 0;
   for(const auto& p : polyline)
-    size = (std::max)(size, std::sqrt(CGAL::squared_distance(polyline.front(), p)));
+    for(int axis : {0, 1, 2})
+      size = (std::max)(size, std::abs(p[axis] - polyline.front()[axis]));
   std::mt19937 random;
   Polyline moved[2];
   for(std::size_t k : {0, 1})

@@ -81,7 +81,7 @@ void for_each_index(std::size_t size, const Function& function)
       function(i);
 }
 
-// The same for what is compiled once for all tags.
+// A for_each_index() that is chosen at run time, for what is compiled once for all tags.
 typedef std::function<void(std::size_t size, const std::function<void(std::size_t)>& function)> Task_runner;
 
 template <class ConcurrencyTag>
