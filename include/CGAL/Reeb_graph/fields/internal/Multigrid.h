@@ -126,7 +126,7 @@ private:
 // with the strong entries of the matrix, while the weak ones are added to its diagonal.
 inline Row_matrix smoothed_interpolation(const Row_matrix& matrix, const Aggregation& aggregates)
 {
-  constexpr double damping = 2. / 3;
+  constexpr double damping = 0.8;
   Row_matrix interpolation(matrix.rows(), aggregates.number_of_aggregates());
   interpolation.reserve(3 * matrix.rows());
   std::vector<std::pair<int, double>> entries;

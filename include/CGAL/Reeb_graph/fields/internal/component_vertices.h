@@ -65,7 +65,8 @@ inline std::vector<std::pair<Dense_vertex, Dense_vertex>> far_apart_vertices(con
       if(entry.first > farthest.first)
         farthest = entry;
       for(const auto& n : graph.neighbors(entry.second))
-        reach(entry.first + length(surface.point(n.vertex) - surface.point(entry.second)), n.vertex);
+        if(distances[n.vertex] > entry.first)
+          reach(entry.first + length(surface.point(n.vertex) - surface.point(entry.second)), n.vertex);
     }
     for(const Dense_vertex v : reached)
       distances[v] = infinity;

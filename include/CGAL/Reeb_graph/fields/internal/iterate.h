@@ -69,11 +69,11 @@ struct Iterative_solution
 struct Step_limits
 {
   std::size_t number = 0;
-  double residual = 0, change = 0;
+  double residual = 0, error = 0;
 };
 
 // Takes steps of the stabilized bi-conjugate gradients of van der Vorst, preconditioned from the right, until the
-// residual or the change of the solution gets below its limit, and returns their number. `residual` is the one at the
+// residual or the estimate of the error gets below its limit, and returns their number. `residual` is the one at the
 // start.
 template <class System>
 std::size_t take_biconjugate_steps(System& system, Values residual, const Step_limits& limits, Values& solution)
@@ -104,7 +104,7 @@ std::size_t take_biconjugate_steps(System& system, Values residual, const Step_l
       return step + 1; // a residual of zero after the first half of the step, which is the solution, gives 0 / 0
     add(solution, omega, z);
     add(residual, -omega, t);
-    if(std::abs(alpha) * largest_absolute_value(y) + std::abs(omega) * largest_absolute_value(z) < limits.change)
+    if(largest_absolute_value(z) < limits.error)
       return step + 1;
   }
   return limits.number;
