@@ -206,8 +206,9 @@ BOOST_AUTO_TEST_CASE(a_solution_after_half_a_step_is_kept)
     Values right_side;
   };
   System system = {{1, -2, 3}};
+  namespace internal = CGAL::Reeb_graph::internal;
   const auto solution =
-    CGAL::Reeb_graph::internal::scalar_fields::solve_iteratively(system, system.right_side, {1e-12, 0}, 10);
+    internal::scalar_fields::solve_iteratively(system, system.right_side, {1e-12, 0}, 10, internal::No_progress());
   BOOST_TEST(solution.is_accurate);
   BOOST_TEST(solution.number_of_steps == 1);
   BOOST_TEST(solution.values == Values({4, -8, 12}), boost::test_tools::per_element());

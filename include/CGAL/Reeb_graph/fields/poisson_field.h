@@ -46,16 +46,17 @@ Field_report solve_poisson_equation(const FaceListGraph& mesh,
 {
   const Laplacian_weights weights = Laplacian_weights::COTANGENT;
   const auto solve = [&](const auto& surface, const Weighted_graph& graph, const Constraints<double>& fixed,
-                         const Progress& progress, double fraction, Field_report& report) {
+                         const Stage_progress& progress, Field_report& report) {
     std::vector<double> right_side = integrated_right_side(surface, graph);
     for(Dense_vertex v = 0; v != graph.number_of_vertices(); ++v)
       if(fixed.is_fixed[v])
         right_side[v] = fixed.values[v];
-    progress.report(fraction);
-    Dirichlet_solution solution = solve_dirichlet_problem({surface, graph, weights, fixed.is_fixed, right_side}, 0, np);
+    progress(0);
+    Dirichlet_solution solution =
+      solve_dirichlet_problem({surface, graph, weights, fixed.is_fixed, right_side, progress}, 0, np);
     report.number_of_iterations = solution.number_of_steps;
     check_finite(solution.values);
-    progress.report(0.9);
+    progress(1);
     return std::move(solution.values);
   };
   return write_solution<double>(mesh, field_map, weights, np, fix_vertices, solve);
@@ -98,7 +99,7 @@ Field_report compute_mean_curvature(const FaceListGraph& mesh,
     fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
     Field_report report = fields::make_triangles_proper(surface);
     const auto weights = Laplacian_weights::COTANGENT;
-    const auto curvatures_of = [&](const internal::Weighted_graph& graph, double) {
+    const auto curvatures_of = [&](const internal::Weighted_graph& graph, double, double) {
       auto values = fields::scaled_integrated_mean_curvatures(surface, graph);
       const auto areas = fields::scaled_mixed_areas(surface);
       for(std::size_t v = 0; v != areas.size(); ++v)

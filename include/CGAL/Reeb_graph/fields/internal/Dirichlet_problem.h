@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
 #include <CGAL/Reeb_graph/fields/internal/iterate.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/complex/Breadth_first_search.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 #include <CGAL/Reeb_graph/options.h>
@@ -40,6 +41,7 @@ struct Dirichlet_equations
   Laplacian_weights weights;
   const std::vector<bool>& is_fixed;
   const std::vector<double>& values;
+  const Stage_progress& progress;
 };
 
 // The rows of the equations, in the order of a breadth-first search. Mean value weights are not symmetric, but their rows are

@@ -29,6 +29,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -134,9 +135,8 @@ std::vector<double> read_field(const Surface& surface, const ScalarMap& scalar_m
   return values;
 }
 
-// Writes the field that solve(surface, graph, constraints, progress, fraction, report) finds with the constraints that
-// fix_vertices(surface, graph, constraints) gives. The fraction is that of the work that is done when the equations are
-// set up.
+// Writes the field that solve(surface, graph, constraints, progress, report) finds with the constraints that
+// fix_vertices(surface, graph, constraints) gives.
 template <class Scalar, class FaceListGraph, class FieldMap, class NamedParameters, class FixVertices, class Solve>
 Field_report write_solution(const FaceListGraph& mesh,
                             FieldMap field_map,
@@ -154,12 +154,13 @@ Field_report write_solution(const FaceListGraph& mesh,
     if(weights != Laplacian_weights::UNIFORM)
       report = make_triangles_proper(surface);
     const Weighted_graph graph = laplacian_graph(surface, weights);
+    progress.report(0.1);
     Constraints<Scalar> constraints(surface.number_of_vertices());
     fix_vertices(surface, graph, constraints);
     check_components(graph, constraints.is_fixed);
     const auto values = solve_or_lengthen_edges(
-      surface, graph, weights, report, [&](const Weighted_graph& weighted_graph, double fraction) {
-        return solve(surface, weighted_graph, constraints, progress, fraction, report);
+      surface, graph, weights, report, [&](const Weighted_graph& weighted_graph, double begin, double end) {
+        return solve(surface, weighted_graph, constraints, Stage_progress(progress, begin, end), report);
       });
     write_field(surface, values, field_map, progress);
   }
@@ -176,7 +177,12 @@ auto fix_borders(const Mesh& mesh, const NamedParameters& np)
   std::vector<std::pair<vertex_descriptor, double>> constraints;
   const auto is_reached = get(dynamic_vertex_property_t<bool>(), mesh);
   for(const vertex_descriptor v : vertices(mesh))
-    put(is_reached, v, false);
+  {
+    const bool is_isolated = halfedge(v, mesh) == boost::graph_traits<Mesh>::null_halfedge();
+    put(is_reached, v, is_isolated);
+    if(is_isolated)
+      constraints.emplace_back(v, 0.);
+  }
   for(const auto& cycle : find_border_cycles(mesh))
   {
     const bool is_first = !get(is_reached, target(cycle.halfedge, mesh)); // which reaches all vertices of its component
@@ -203,12 +209,15 @@ auto fix_borders(const Mesh& mesh, const NamedParameters& np)
     if(!has_other_border && reached.size() > size_of_border)
       constraints.emplace_back(reached.back(), 1.);
   }
+  const auto is_done = [&](vertex_descriptor v) { return get(is_reached, v); };
+  if(std::all_of(vertices(mesh).begin(), vertices(mesh).end(), is_done))
+    return constraints;
   std::vector<std::pair<vertex_descriptor, vertex_descriptor>> ends;
   // The callback is that of the field, whose progress begins later.
   find_far_apart_vertices(mesh, std::back_inserter(ends), parameters::vertex_point_map(choose_point_map(mesh, np)));
   for(const auto& [lowest, highest] : ends)
   {
-    if(get(is_reached, lowest))
+    if(is_done(lowest))
       continue;
     constraints.emplace_back(lowest, 0.);
     if(highest != lowest)

@@ -69,25 +69,25 @@ Field_report write_harmonic_field(const FaceListGraph& mesh,
   const auto weights = parameters::choose_parameter(parameters::get_parameter(np, internal::laplacian_weights),
                                                     Laplacian_weights::MEAN_VALUE);
   const auto solve = [&](const Indexed_surface& surface, const Weighted_graph& graph,
-                         const Constraints<Scalar>& constraints, const Progress& progress, double fraction,
-                         Field_report& report) {
+                         const Constraints<Scalar>& constraints, const Stage_progress& progress, Field_report& report) {
     const Unit_range<Scalar> range(constraints);
     std::vector<double> fixed_values(graph.number_of_vertices(), 0);
     for(Dense_vertex v = 0; v != graph.number_of_vertices(); ++v)
       if(constraints.is_fixed[v])
         fixed_values[v] = range.to_unit(constraints.values[v]);
-    progress.report(fraction);
+    progress(0);
+    const Stage_progress solution_progress = progress.part(0, 0.9);
     const Dirichlet_solution solution =
-      solve_dirichlet_problem({surface, graph, weights, constraints.is_fixed, fixed_values}, 1, np);
+      solve_dirichlet_problem({surface, graph, weights, constraints.is_fixed, fixed_values, solution_progress}, 1, np);
     report.number_of_iterations = solution.number_of_steps;
     std::vector<Scalar> values = constraints.values;
     for(Dense_vertex v = 0; v != graph.number_of_vertices(); ++v)
       if(!constraints.is_fixed[v])
         values[v] = range.from_unit(solution.values[v]);
     check_finite(values);
-    progress.report(0.8);
+    progress(0.9);
     remove_extrema(graph, constraints.is_fixed, values);
-    progress.report(0.9);
+    progress(1);
     return values;
   };
   return write_solution<Scalar>(mesh, field_map, weights, np, fix_vertices, solve);

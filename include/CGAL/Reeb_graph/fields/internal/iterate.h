@@ -73,10 +73,13 @@ struct Step_limits
 };
 
 // Takes steps of the stabilized bi-conjugate gradients of van der Vorst, preconditioned from the right, until the
-// residual or the estimate of the error gets below its limit, and returns their number. `residual` is the one at the
-// start.
-template <class System>
-std::size_t take_biconjugate_steps(System& system, Values residual, const Step_limits& limits, Values& solution)
+// residual or the estimate of the error gets below its limit. `residual` is the one at the start.
+template <class System, class Report>
+void take_biconjugate_steps(System& system,
+                            Values residual,
+                            const Step_limits& limits,
+                            Iterative_solution& solution,
+                            const Report& report)
 {
   const Values shadow = residual;
   Values direction(residual.size(), 0), v(residual.size(), 0), t(residual.size()), y, z;
@@ -84,7 +87,8 @@ std::size_t take_biconjugate_steps(System& system, Values residual, const Step_l
   for(std::size_t step = 0; step != limits.number; ++step)
   {
     if(!(inner_product(residual, residual) > limits.residual * limits.residual))
-      return step;
+      return;
+    report(1 - std::pow(0.9, solution.number_of_steps + 1)); // Most solutions take ten to twenty steps.
     const double next_rho = inner_product(shadow, residual);
     const double beta = next_rho / rho * alpha / omega;
     rho = next_rho;
@@ -94,30 +98,31 @@ std::size_t take_biconjugate_steps(System& system, Values residual, const Step_l
     system.multiply(y, v);
     alpha = rho / inner_product(shadow, v);
     if(!std::isfinite(alpha))
-      return step;
-    add(solution, alpha, y);
+      return;
+    ++solution.number_of_steps;
+    add(solution.values, alpha, y);
     add(residual, -alpha, v);
     system.precondition(residual, z);
     system.multiply(z, t);
     omega = inner_product(t, residual) / inner_product(t, t);
     if(!std::isfinite(omega) || omega == 0)
-      return step + 1; // a residual of zero after the first half of the step, which is the solution, gives 0 / 0
-    add(solution, omega, z);
+      return; // a residual of zero after the first half of the step, which is the solution, gives 0 / 0
+    add(solution.values, omega, z);
     add(residual, -omega, t);
     if(largest_absolute_value(z) < limits.error)
-      return step + 1;
+      return;
   }
-  return limits.number;
 }
 
 // Solves the equations of a system. `system.precondition(r, z)` sets z to about the solution for the right side r, and
 // is what tells the error; `system.compute_residual(x, r)` is exact to the last digits, and `system.multiply(x,
 // product)` need not be so.
-template <class System>
+template <class System, class Report>
 Iterative_solution solve_iteratively(System& system,
                                      const Values& right_side,
                                      const Accuracy& accuracy,
-                                     std::size_t largest_number_of_steps)
+                                     std::size_t largest_number_of_steps,
+                                     const Report& report)
 {
   constexpr int number_of_starts = 2;
   constexpr double smallest_residual = 1e-15;
@@ -135,7 +140,7 @@ Iterative_solution solve_iteratively(System& system,
     const Step_limits limits = {(std::min)(std::size_t(40), largest_number_of_steps - solution.number_of_steps),
                                 smallest_residual * std::sqrt(inner_product(right_side, right_side)),
                                 0.1 * largest_error};
-    solution.number_of_steps += take_biconjugate_steps(system, residual, limits, solution.values);
+    take_biconjugate_steps(system, residual, limits, solution, report);
   }
 }
 

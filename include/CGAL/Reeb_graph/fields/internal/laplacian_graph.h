@@ -53,7 +53,7 @@ inline Weighted_graph laplacian_graph(const Indexed_surface& surface, Laplacian_
   });
 }
 
-// Calls solve(graph, fraction), with the fraction of the work that is done when its equations have been set up. If they
+// Calls solve(graph, begin, end), with the fractions of the work that are done before and after it. If its equations
 // have no finite solution, and the edges have their own lengths, it makes them longer, and calls it once more.
 template <class Solve>
 auto solve_or_lengthen_edges(Indexed_surface& surface,
@@ -63,17 +63,17 @@ auto solve_or_lengthen_edges(Indexed_surface& surface,
                              const Solve& solve)
 {
   if(weights == Laplacian_weights::UNIFORM || surface.added_length() > 0)
-    return solve(graph, 0.2);
+    return solve(graph, 0.2, 0.9);
   try
   {
-    return solve(graph, 0.2);
+    return solve(graph, 0.2, 0.8);
   }
   catch(const Linear_solver_error&)
   {}
   catch(const Non_finite_scalar_error&)
   {}
   lengthen_edges(surface, report);
-  return solve(laplacian_graph(surface, weights), 0.6);
+  return solve(laplacian_graph(surface, weights), 0.8, 0.9);
 }
 
 } // namespace CGAL::Reeb_graph::internal::scalar_fields

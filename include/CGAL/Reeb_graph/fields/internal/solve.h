@@ -44,8 +44,9 @@ Dirichlet_solution solve_by_default([[maybe_unused]] const Equations& equations,
     constexpr std::size_t largest_number_of_steps = 40;
     Multigrid_system system(problem);
     const Iterative_solution solution =
-      system.is_usable() ? solve_iteratively(system, problem.right_side(), accuracy, largest_number_of_steps)
-                         : Iterative_solution();
+      system.is_usable()
+        ? solve_iteratively(system, problem.right_side(), accuracy, largest_number_of_steps, equations.progress)
+        : Iterative_solution();
     if(solution.is_accurate)
       return problem.make_solution(solution.values, solution.number_of_steps);
   }

@@ -103,7 +103,7 @@ Dirichlet_solution solve_directly(const Dirichlet_equations& equations, const Ac
     return problem.make_solution(system.solve(), 0);
   constexpr std::size_t largest_number_of_steps = 80;
   const Iterative_solution solution =
-    solve_iteratively(system, problem.right_side(), accuracy, largest_number_of_steps);
+    solve_iteratively(system, problem.right_side(), accuracy, largest_number_of_steps, equations.progress);
   return problem.make_solution(solution.is_accurate ? solution.values : solve_unsymmetric(problem), 0);
 }
 
