@@ -251,12 +251,14 @@ BOOST_AUTO_TEST_CASE(lines_stay_inside_of_coarse_surfaces)
 
 BOOST_AUTO_TEST_CASE(tubes_have_their_ends_loops_and_centerlines)
 {
-  for(const double noise : {0., 0.05, 0.1})
-    for(const Tubes& sample : tube_samples::all())
+  for(const Tubes& sample : tube_samples::all())
+  {
+    const auto soup = tube_samples::surface(sample);
+    for(const double noise : {0., 0.05, 0.1})
     {
       BOOST_TEST_CONTEXT(sample.name << " with noise " << noise)
       {
-        const auto mesh = make_mesh<Surface_mesh>(tube_samples::surface(sample, noise, 7));
+        const auto mesh = make_mesh<Surface_mesh>(tube_samples::with_noise(soup, sample, noise, 7));
         Curve_skeleton<Surface_mesh> skeleton;
         const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton);
         check(mesh, skeleton, known);
@@ -271,6 +273,7 @@ BOOST_AUTO_TEST_CASE(tubes_have_their_ends_loops_and_centerlines)
         BOOST_TEST(errors.length <= 0.07);
       }
     }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(fronts_that_meet_in_fat_rings_make_no_end)

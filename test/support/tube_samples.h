@@ -32,7 +32,11 @@ inline Point between(const Point& p, const Point& q, double t)
 {
   return {p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])};
 }
-inline double distance(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
+inline double product(const Point& p, const Point& q, const Point& r) // of the ways from p to q and to r
+{
+  return (q[0] - p[0]) * (r[0] - p[0]) + (q[1] - p[1]) * (r[1] - p[1]) + (q[2] - p[2]) * (r[2] - p[2]);
+}
+inline double distance(const Point& p, const Point& q) { return std::sqrt(product(p, q, q)); }
 
 // Balls along a segment, of radii that change linearly.
 struct Tube
@@ -42,13 +46,15 @@ struct Tube
 
   double place(const Point& p) const
   {
-    const double length = distance(from, to);
-    double product = 0;
-    for(std::size_t i = 0; i != 3; ++i)
-      product += (p[i] - from[i]) * (to[i] - from[i]);
-    return length > 0 ? std::clamp(product / (length * length), 0., 1.) : 0;
+    const double squared_length = product(from, to, to);
+    return squared_length > 0 ? std::clamp(product(from, p, to) / squared_length, 0., 1.) : 0;
   }
   double radius(double t) const { return (1 - t) * radius_from + t * radius_to; }
+  double distance_to(const Point& p) const // negative inside
+  {
+    const double t = place(p);
+    return distance(p, between(from, to, t)) - radius(t);
+  }
 };
 
 struct Ball
@@ -85,10 +91,7 @@ inline double distance_from(const std::vector<Tube>& tubes, const Point& p)
 {
   double least = std::numeric_limits<double>::infinity();
   for(const Tube& tube : tubes)
-  {
-    const double t = tube.place(p);
-    least = std::min(least, distance(p, between(tube.from, tube.to, t)) - tube.radius(t));
-  }
+    least = std::min(least, tube.distance_to(p));
   return least;
 }
 
@@ -140,8 +143,7 @@ inline Triangle_soup without_unused_points(const Triangle_soup& soup)
   return result;
 }
 
-// The surface, whose points are moved along the normal by up to a share of the radius there.
-inline Triangle_soup surface(const Tubes& sample, double noise, std::size_t seed)
+inline Triangle_soup surface(const Tubes& sample)
 {
   const auto function = [&](const Point& p) { return distance_from(sample.tubes, p); };
   Point lowest = sample.tubes[0].from, highest = lowest;
@@ -156,18 +158,28 @@ inline Triangle_soup surface(const Tubes& sample, double noise, std::size_t seed
   Triangle_soup soup = marching.take_surface();
   generated_surfaces::internal::smooth(soup, function, 4);
   cut_out(soup, sample.holes);
-  soup = without_unused_points(soup);
+  return without_unused_points(soup);
+}
+
+// The surface with points that are moved along the normal by up to a share of the radius there.
+inline Triangle_soup with_noise(Triangle_soup soup, const Tubes& sample, double noise, std::size_t seed)
+{
   random_meshes::Random random(seed);
   for(Point& p : soup.points)
   {
     const double share = noise * (2. * static_cast<double>(random.below(1000001)) / 1e6 - 1);
-    const auto tube = *std::min_element(sample.tubes.begin(), sample.tubes.end(), [&](const Tube& a, const Tube& b) {
-      return distance_from({a}, p) < distance_from({b}, p);
+    const auto& tube = *std::min_element(sample.tubes.begin(), sample.tubes.end(), [&](const Tube& a, const Tube& b) {
+      return a.distance_to(p) < b.distance_to(p);
     });
     const double t = tube.place(p), r = std::min(tube.radius(t), 4 * sample.cell_size);
     p = between(p, between(tube.from, tube.to, t), -share * r / distance(p, between(tube.from, tube.to, t)));
   }
   return soup;
+}
+
+inline Triangle_soup surface(const Tubes& sample, double noise, std::size_t seed)
+{
+  return with_noise(surface(sample), sample, noise, seed);
 }
 
 inline void add_length(Tubes& sample)
